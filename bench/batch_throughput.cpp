@@ -97,7 +97,7 @@ void loop(const batch::Manifest& manifest) {
   const batch::RowOptions how = options();
   for (std::size_t i = 0; i < manifest.size(); ++i) {
     for (const pipeline::RunAnalysis& test :
-         pipeline::analyses_of_runs(frf::open_measurement(manifest.record(i).path, how.read), how.analysis)) {
+         pipeline::analyses_of_runs(acquire::open_measurement(manifest.record(i).path, how.read), how.analysis)) {
       test.analysis->hits();
       test.analysis->classifications();
       test.analysis->warnings();
@@ -109,7 +109,7 @@ void batch(const batch::Manifest& manifest, std::size_t threads, const std::stri
   fs::remove_all(results);
   fs::create_directories(results);
   batch::RowOptions how = options();
-  how.fork_server = frf::measurement_fork_server(how.read);
+  how.fork_server = acquire::measurement_fork_server(how.read);
   batch::run_shard({.manifest = &manifest, .folder = results, .options = how, .threads = threads});
 }
 

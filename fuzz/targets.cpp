@@ -66,7 +66,7 @@ void read_all(const acquire::Record& record) {
   }
 }
 
-void read_all(const std::variant<acquire::Record, frf::FrfRecord>& measurement) {
+void read_all(const std::variant<acquire::Record, acquire::FrfRecord>& measurement) {
   if (const auto* record = std::get_if<acquire::Record>(&measurement)) read_all(*record);
 }
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <string_view>
 
+#include "acquire/record/frf_record.hpp"
 #include "acquire/record/record.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
-#include "frf/frf_record.hpp"
 
 namespace percuss::fuzz {
 
@@ -60,7 +60,7 @@ acquire::ReadOptions strict_read_options();
 
 /// Reads every sample of a record, as an analysis does.
 void read_all(const acquire::Record& record);
-void read_all(const std::variant<acquire::Record, frf::FrfRecord>& measurement);
+void read_all(const std::variant<acquire::Record, acquire::FrfRecord>& measurement);
 
 /// Aborts unless the message is one line of at most 2000 bytes without control characters.
 void require_clean(const std::exception& refusal);

@@ -21,7 +21,7 @@ py::object optional_view(std::span<const double> values, const std::shared_ptr<c
 }
 
 // The analysed band; the fits also use spectral lines outside it.
-frf::LineRange band_of(const pipeline::Analysis& analysis) {
+acquire::LineRange band_of(const pipeline::Analysis& analysis) {
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   return frf::lines_in_band(analysis.lines().fs_Hz, analysis.lines().samples, low_Hz, high_Hz);
 }
@@ -37,14 +37,14 @@ py::list frfs_of(const SharedResult& held, std::size_t test, const std::string& 
   const auto analysis = analysis_of(held, test);
   const auto& frfs = without_gil(
       held, [&]() -> const auto& { return analysis->frfs(); });
-  const frf::LineRange band = without_gil(held, [&] { return band_of(*analysis); });
+  const acquire::LineRange band = without_gil(held, [&] { return band_of(*analysis); });
   const std::size_t first = band.first - analysis->lines().first;
-  if (kind == name_of(frf::FrfKind::accelerance)) return responses_of(frfs, first, band.count, analysis);
-  const frf::FrfKind wanted =
-      kind == name_of(frf::FrfKind::mobility) ? frf::FrfKind::mobility : frf::FrfKind::receptance;
-  auto made = std::make_shared<std::vector<frf::PointFrf>>(frfs);
-  for (frf::PointFrf& one : *made)
-    one.frf = frf::converted(one.frf, analysis->lines(), wanted, analysis->window_decay_per_s());
+  if (kind == name_of(acquire::FrfKind::accelerance)) return responses_of(frfs, first, band.count, analysis);
+  const acquire::FrfKind wanted =
+      kind == name_of(acquire::FrfKind::mobility) ? acquire::FrfKind::mobility : acquire::FrfKind::receptance;
+  auto made = std::make_shared<std::vector<acquire::PointFrf>>(frfs);
+  for (acquire::PointFrf& one : *made)
+    one.frf = acquire::converted(one.frf, analysis->lines(), wanted, analysis->window_decay_per_s());
   return responses_of(*made, first, band.count, made);
 }
 
@@ -114,7 +114,7 @@ py::list opened_of(const SharedResult& held) {
     if (const auto* record = std::get_if<acquire::Record>(&one)) {
       out.append(std::make_shared<RecordHandle>(RecordHandle{.record = *record}));
     } else {
-      out.append(std::make_shared<frf::FrfRecord>(std::get<frf::FrfRecord>(one)));
+      out.append(std::make_shared<acquire::FrfRecord>(std::get<acquire::FrfRecord>(one)));
     }
   }
   return out;
@@ -137,19 +137,19 @@ const std::shared_ptr<const pipeline::Analysis>& analysis_of(const SharedResult&
   return all[test];
 }
 
-std::vector<double> freq_Hz_of(const frf::LineRange& lines) {
+std::vector<double> freq_Hz_of(const acquire::LineRange& lines) {
   std::vector<double> freq_Hz(lines.count);
   for (std::size_t i = 0; i < lines.count; ++i) freq_Hz[i] = lines.freq_Hz(i);
   return freq_Hz;
 }
 
-py::list responses_of(const std::vector<frf::PointFrf>& frfs, std::size_t first, std::size_t count,
+py::list responses_of(const std::vector<acquire::PointFrf>& frfs, std::size_t first, std::size_t count,
                       const std::shared_ptr<const void>& owner) {
   const auto within = [&](const auto& values) {
     return std::span(values).subspan(values.empty() ? 0 : first, values.empty() ? 0 : count);
   };
   py::list out;
-  for (const frf::PointFrf& one : frfs) {
+  for (const acquire::PointFrf& one : frfs) {
     out.append(py::make_tuple(one.point, one.channel, one.frf.averages, view_of(within(one.frf.value), owner),
                               optional_view(within(one.frf.std), owner),
                               optional_view(within(one.frf.coherence), owner)));

@@ -149,7 +149,7 @@ py::dict description_of(const RecordHandle& held) {
   return out;
 }
 
-py::dict description_of(const frf::FrfRecord& record) {
+py::dict description_of(const acquire::FrfRecord& record) {
   py::dict out;
   py::list accel;
   for (const acquire::SignalInfo& signal : record.accel) accel.append(signal_of(signal));
@@ -174,7 +174,7 @@ RecordHandle record_handle(const std::shared_ptr<const ArrayTest>& test) {
 }
 
 tools::InMemoryInput in_memory_input(const std::shared_ptr<const RecordHandle>& held) {
-  return [held](const frf::FrfReadOptions& options) -> std::variant<acquire::Record, frf::FrfRecord> {
+  return [held](const acquire::FrfReadOptions& options) -> std::variant<acquire::Record, acquire::FrfRecord> {
     if (held->arrays) return record_of_arrays(held->arrays, options.read);
     if (!held->record.has_force && !options.read.force_optional)
       throw InputError("no force", held->record.source(), "give a record of force and acceleration");
@@ -192,9 +192,9 @@ void bind_records(py::module_& module) {
       .def("accel", &accel_of)
       .def_property_readonly("from_arrays", [](const RecordHandle& held) { return held.arrays != nullptr; })
       .def("describe", [](const RecordHandle& held) { return description_of(held); });
-  py::class_<frf::FrfRecord, std::shared_ptr<frf::FrfRecord>>(module, "FrfHandle")
-      .def("describe", [](const frf::FrfRecord& record) { return description_of(record); })
-      .def("responses", [](const std::shared_ptr<const frf::FrfRecord>& record) {
+  py::class_<acquire::FrfRecord, std::shared_ptr<acquire::FrfRecord>>(module, "FrfHandle")
+      .def("describe", [](const acquire::FrfRecord& record) { return description_of(record); })
+      .def("responses", [](const std::shared_ptr<const acquire::FrfRecord>& record) {
         return responses_of(record->frfs, 0, record->lines.count, record);
       });
 }

@@ -45,7 +45,7 @@ decltype(auto) without_gil(const SharedResult& held, const Function& function) {
   return function();
 }
 
-std::vector<double> freq_Hz_of(const frf::LineRange& lines);
+std::vector<double> freq_Hz_of(const acquire::LineRange& lines);
 
 /// The stabilisation diagram as columns, and a survey's shapes, their MAC and the mode indicator.
 pybind11::dict stabilisation_of(const SharedResult& held, std::size_t test);
@@ -53,7 +53,7 @@ pybind11::dict shapes_of(const SharedResult& held);
 
 /// Responses as [(point, channel, averages, value, std or None, coherence or None)]: views of `count` spectral lines of
 /// `frfs` from `first` on, which keep `owner` alive.
-pybind11::list responses_of(const std::vector<frf::PointFrf>& frfs, std::size_t first, std::size_t count,
+pybind11::list responses_of(const std::vector<acquire::PointFrf>& frfs, std::size_t first, std::size_t count,
                             const std::shared_ptr<const void>& owner);
 
 /// Text that need not be UTF-8, such as the name of a file.

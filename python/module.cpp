@@ -54,8 +54,8 @@ void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-v
 
 tools::InMemoryInput input_of(const py::handle& one) {
   if (py::isinstance<RecordHandle>(one)) return in_memory_input(one.cast<std::shared_ptr<RecordHandle>>());
-  const auto frfs = one.cast<std::shared_ptr<const frf::FrfRecord>>();
-  return [frfs](const frf::FrfReadOptions&) { return *frfs; };
+  const auto frfs = one.cast<std::shared_ptr<const acquire::FrfRecord>>();
+  return [frfs](const acquire::FrfReadOptions&) { return *frfs; };
 }
 
 std::shared_ptr<ResultHandle> run(const std::vector<std::string>& words, const py::list& inputs,

@@ -30,7 +30,7 @@ void add_read(CommandLine& line, Host& host) {
         for (acquire::Record& record : opened.records) {
           host.outcome.opened.emplace_back(std::move(record));
         }
-        for (frf::FrfRecord& frfs : opened.frfs) host.outcome.opened.emplace_back(std::move(frfs));
+        for (acquire::FrfRecord& frfs : opened.frfs) host.outcome.opened.emplace_back(std::move(frfs));
         return static_cast<int>(kOk);
       });
   add_read_flags(command, *flags);

@@ -57,7 +57,7 @@ py::dict shapes_of(const SharedResult& held) {
   }
   const Eigen::MatrixXd& indicator = without_gil(
       held, [&]() -> const auto& { return survey->indicator(); });
-  const frf::LineRange band = without_gil(held, [&] { return survey->band(); });
+  const acquire::LineRange band = without_gil(held, [&] { return survey->band(); });
   py::array_t<double> cmif({indicator.rows(), indicator.cols()});
   for (Eigen::Index i = 0; i < indicator.rows(); ++i) {
     for (Eigen::Index j = 0; j < indicator.cols(); ++j) cmif.mutable_at(i, j) = indicator(i, j);

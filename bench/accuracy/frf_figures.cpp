@@ -22,15 +22,15 @@ struct Sums {
   }
 };
 
-std::vector<double> frequencies(const frf::LineRange& lines) {
+std::vector<double> frequencies(const acquire::LineRange& lines) {
   std::vector<double> freq_Hz(lines.count);
   for (std::size_t k = 0; k < lines.count; ++k) freq_Hz[k] = lines.freq_Hz(k);
   return freq_Hz;
 }
 
 // The error of one FRF; at a resonance also in dB.
-Sums missed(const frf::PointFrf& found, const std::vector<Complex>& exact, const std::vector<double>& ff,
-            const frf::LineRange& lines, const synth::Truth& truth) {
+Sums missed(const acquire::PointFrf& found, const std::vector<Complex>& exact, const std::vector<double>& ff,
+            const acquire::LineRange& lines, const synth::Truth& truth) {
   Sums sums;
   const double noise = std::pow(truth.accel_noise_mps2[found.channel], 2) * static_cast<double>(lines.samples);
   for (std::size_t k = 0; k < lines.count; ++k) {
@@ -54,7 +54,7 @@ Sums one_run(const acquire::Record& record, const synth::Truth& truth, frf::Esti
       record, {.band_Hz = {{truth.spec.band_low_Hz, truth.spec.band_high_Hz}}, .estimator = estimator, .threads = 1});
   Sums sums;
   const std::vector<double> freq_Hz = frequencies(analysis.lines());
-  for (const frf::PointFrf& frf : analysis.frfs()) {
+  for (const acquire::PointFrf& frf : analysis.frfs()) {
     sums.add(missed(frf, synth::exact_accelerance(truth, 0, frf.channel, freq_Hz),
                     analysis.fitted_frfs().points.front().ff, analysis.lines(), truth));
   }

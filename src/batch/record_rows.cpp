@@ -127,8 +127,8 @@ RowDiagnostics row_diagnostics_of(const BatchRecord& record, const RowOptions& o
   try {
     require_unchanged(record);
     auto opened = options.fork_server != nullptr
-                      ? frf::open_measurement_forked(options.fork_server, record.path, options.read)
-                      : frf::open_measurement(record.path, options.read);
+                      ? acquire::open_measurement_forked(options.fork_server, record.path, options.read)
+                      : acquire::open_measurement(record.path, options.read);
     for (const pipeline::RunAnalysis& test : pipeline::analyses_of_runs(std::move(opened), options.analysis))
       add_run(rows, record, test, options);
     return rows;

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "acquire/record/frf_record.hpp"
 #include "batch/manifest.hpp"
 #include "core/error.hpp"
-#include "frf/frf_record.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss::acquire {
@@ -16,7 +16,7 @@ namespace percuss::batch {
 
 /// The options for reading and analysing every record of a batch.
 struct RowOptions {
-  frf::FrfReadOptions read;
+  acquire::FrfReadOptions read;
   pipeline::AnalysisOptions analysis;
   bool frf = false;                                    // also a row per run with its FRFs
   std::shared_ptr<acquire::ForkServer> fork_server{};  // forks the sandboxed readers, if set

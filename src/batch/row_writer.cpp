@@ -99,7 +99,7 @@ class FrfFile : public RowWriter {
       const std::string id = json.at("id").get<std::string>(), path = json.at("path").get<std::string>();
       const std::string group = fmt::format("{}/run-{}", group_name(id), json.at("run").get<int>());
       acquire::write_frf_group(out_, group, deserialize_frfs(json.at("packed").get<std::string>(), where),
-                               frf::FrfKind::accelerance);
+                               acquire::FrfKind::accelerance);
       out_.set_text(group, "id", id);
       out_.set_text(group, "path", path);
       out_.close_sets();

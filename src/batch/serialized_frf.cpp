@@ -11,15 +11,15 @@
 namespace percuss::batch {
 namespace {
 
-void serialize_lines(acquire::Serializer& out, const frf::LineRange& lines) {
+void serialize_lines(acquire::Serializer& out, const acquire::LineRange& lines) {
   out.put(lines.fs_Hz);
   out.put(static_cast<std::uint64_t>(lines.samples));
   out.put(static_cast<std::uint64_t>(lines.first));
   out.put(static_cast<std::uint64_t>(lines.count));
 }
 
-frf::LineRange deserialize_lines(acquire::Deserializer& in) {
-  frf::LineRange lines;
+acquire::LineRange deserialize_lines(acquire::Deserializer& in) {
+  acquire::LineRange lines;
   lines.fs_Hz = in.get<double>();
   lines.samples = in.get<std::uint64_t>();
   lines.first = in.get<std::uint64_t>();
@@ -27,7 +27,7 @@ frf::LineRange deserialize_lines(acquire::Deserializer& in) {
   return lines;
 }
 
-void serialize_frf(acquire::Serializer& out, const frf::PointFrf& frf) {
+void serialize_frf(acquire::Serializer& out, const acquire::PointFrf& frf) {
   out.put(frf.point);
   out.put(static_cast<std::uint64_t>(frf.channel));
   out.put(static_cast<std::uint64_t>(frf.frf.averages));
@@ -36,8 +36,8 @@ void serialize_frf(acquire::Serializer& out, const frf::PointFrf& frf) {
   out.put_all(frf.frf.coherence);
 }
 
-frf::PointFrf deserialize_frf(acquire::Deserializer& in) {
-  frf::PointFrf frf;
+acquire::PointFrf deserialize_frf(acquire::Deserializer& in) {
+  acquire::PointFrf frf;
   frf.point = in.get<int>();
   frf.channel = in.get<std::uint64_t>();
   frf.frf.averages = in.get<std::uint64_t>();
@@ -48,9 +48,9 @@ frf::PointFrf deserialize_frf(acquire::Deserializer& in) {
 }
 
 // Checks that every FRF has all lines and a known channel.
-bool fits(const frf::FrfRecord& record) {
+bool fits(const acquire::FrfRecord& record) {
   const auto holds = [&](const auto& values) { return values.empty() || values.size() == record.lines.count; };
-  return !record.frfs.empty() && std::all_of(record.frfs.begin(), record.frfs.end(), [&](const frf::PointFrf& one) {
+  return !record.frfs.empty() && std::all_of(record.frfs.begin(), record.frfs.end(), [&](const acquire::PointFrf& one) {
     return one.channel < record.accel.size() && one.frf.value.size() == record.lines.count && holds(one.frf.std) &&
            holds(one.frf.coherence);
   });
@@ -58,7 +58,7 @@ bool fits(const frf::FrfRecord& record) {
 
 }  // namespace
 
-std::string serialize_frfs(const frf::FrfRecord& record) {
+std::string serialize_frfs(const acquire::FrfRecord& record) {
   acquire::Serializer out;
   serialize_lines(out, record.lines);
   out.put(record.estimator);
@@ -66,12 +66,12 @@ std::string serialize_frfs(const frf::FrfRecord& record) {
   out.put(static_cast<std::uint64_t>(record.accel.size()));
   for (const acquire::SignalInfo& signal : record.accel) acquire::serialize_signal(out, signal);
   out.put(static_cast<std::uint64_t>(record.frfs.size()));
-  for (const frf::PointFrf& frf : record.frfs) serialize_frf(out, frf);
+  for (const acquire::PointFrf& frf : record.frfs) serialize_frf(out, frf);
   return report::base64({reinterpret_cast<const std::uint8_t*>(out.bytes().data()), out.bytes().size()});
 }
 
-frf::FrfRecord deserialize_frfs(std::string_view text, const std::string& where) {
-  frf::FrfRecord record;
+acquire::FrfRecord deserialize_frfs(std::string_view text, const std::string& where) {
+  acquire::FrfRecord record;
   try {
     const std::string bytes = report::from_base64(text);
     acquire::Deserializer in(bytes);

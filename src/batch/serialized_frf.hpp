@@ -2,15 +2,15 @@
 #include <string>
 #include <string_view>
 
-#include "frf/frf_record.hpp"
+#include "acquire/record/frf_record.hpp"
 
 namespace percuss::batch {
 
 /// FRFs as text without a line end, for the rows of a batch: base64 of their bytes on this kind of machine. Holds
 /// lines, channels with their positions, points, estimator and window.
-std::string serialize_frfs(const frf::FrfRecord& record);
+std::string serialize_frfs(const acquire::FrfRecord& record);
 
 /// The FRFs of such a text. errors  InputError at `where`: another text
-frf::FrfRecord deserialize_frfs(std::string_view text, const std::string& where);
+acquire::FrfRecord deserialize_frfs(std::string_view text, const std::string& where);
 
 }  // namespace percuss::batch

@@ -19,7 +19,7 @@ namespace percuss::pipeline {
 Analysis::Analysis(acquire::Record record, AnalysisOptions options)
     : source_(std::make_shared<RecordSource>(std::move(record))), options_(std::move(options)) {}
 
-Analysis::Analysis(frf::FrfRecord frfs, AnalysisOptions options)
+Analysis::Analysis(acquire::FrfRecord frfs, AnalysisOptions options)
     : source_(std::make_shared<FrfSource>(std::move(frfs))), options_(std::move(options)) {
   const auto refuse = [&](const char* choice, const char* option) {
     throw InputError(std::string(choice) + " needs records in time, not FRFs", record().source(), "leave it out",
@@ -47,7 +47,7 @@ std::pair<double, double> Analysis::band_Hz() const {
   return options_.band_Hz ? *options_.band_Hz : source_->default_band_Hz(force_hits());
 }
 
-const frf::LineRange& Analysis::lines() const {
+const acquire::LineRange& Analysis::lines() const {
   return lines_.get([&] {
     const LineRequest request{.band_Hz = band_Hz(),
                               .band_given = options_.band_Hz.has_value(),
@@ -106,13 +106,13 @@ std::vector<int> Analysis::frf_points() const {
   return {points.begin(), points.end()};
 }
 
-const std::vector<frf::PointFrf>& Analysis::frfs() const {
+const std::vector<acquire::PointFrf>& Analysis::frfs() const {
   return frfs_.get([&] {
     const std::vector<FrfGroup> groups = source_->groups(hits());
     const TestSpectra from = spectra();
     const ThreadLimit limit(options_.threads);
     return trace_.run("frf", [&] {
-      std::vector<frf::PointFrf> frfs(groups.size());
+      std::vector<acquire::PointFrf> frfs(groups.size());
       const std::size_t hits_per_frf = groups.empty() ? 0 : groups.front().hits.size();
       parallel_for_cost(groups.size(), average_cost_flops(from.lines.count, hits_per_frf),
                         [&](std::size_t i) { frfs[i] = source_->frf(groups[i], from, options_.estimator); });

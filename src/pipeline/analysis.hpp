@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "acquire/record/frf_record.hpp"
 #include "acquire/record/record.hpp"
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
-#include "frf/frf_record.hpp"
 #include "pipeline/analysis_options.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
 #include "pipeline/hits/hit_spectra.hpp"
@@ -27,13 +27,13 @@ class Analysis {
   Analysis(acquire::Record record, AnalysisOptions options);
   /// A test of which only the FRFs are known: no hits, no force.
   /// errors  InputError: options that need a record in time.
-  Analysis(frf::FrfRecord frfs, AnalysisOptions options);
+  Analysis(acquire::FrfRecord frfs, AnalysisOptions options);
 
   /// The record. For FRFs that were given: their files, channels and geometry, without rows.
   const acquire::Record& record() const { return source_->record(); }
   const AnalysisOptions& options() const { return options_; }
   /// The FRFs that were given in place of a record; nullptr for a record.
-  const frf::FrfRecord* given_frfs() const { return source_->frfs(); }
+  const acquire::FrfRecord* given_frfs() const { return source_->frfs(); }
   Trace& trace() const { return trace_; }
   /// Numbers of the measured points.
   std::set<int> points() const { return source_->points(); }
@@ -47,12 +47,12 @@ class Analysis {
 
   std::pair<double, double> band_Hz() const;
   /// Spectral lines of the FRFs: the band and a margin for modes just outside, within the usable bandwidth.
-  const frf::LineRange& lines() const;
+  const acquire::LineRange& lines() const;
   double window_decay_per_s() const;
   /// The points of frfs(), ascending.
   std::vector<int> frf_points() const;
   /// Averaged FRFs over lines(), [points × channels], point by point, with the estimator of the options.
-  const std::vector<frf::PointFrf>& frfs() const;
+  const std::vector<acquire::PointFrf>& frfs() const;
   /// H1 of the accepted hits, to which the modes are fitted; points ascending by number.
   const identify::FrfDataset& fitted_frfs() const;
   /// Modes within the band, ascending.
@@ -79,10 +79,10 @@ class Analysis {
   mutable Trace trace_;
   // Results refer neither to the analysis nor to each other.
   Lazy<std::vector<AnalysedHit>> force_hits_, hits_;
-  Lazy<frf::LineRange> lines_;
+  Lazy<acquire::LineRange> lines_;
   Lazy<HitResponses> responses_;
   Lazy<std::vector<frf::Spectrum>> force_spectra_;
-  Lazy<std::vector<frf::PointFrf>> frfs_;
+  Lazy<std::vector<acquire::PointFrf>> frfs_;
   Lazy<identify::FrfDataset> fitted_frfs_;
   Lazy<std::vector<identify::Mode>> modes_;
   Lazy<std::vector<identify::ModeClassification>> classifications_;

@@ -16,7 +16,7 @@ namespace {
 std::vector<double> peaks_of(const Analysis& analysis, const identify::Mode& mode, const std::vector<int>& at) {
   const std::size_t k = analysis.lines().nearest(mode.pole.freq_Hz);
   std::vector<double> peak(at.size());
-  for (const frf::PointFrf& frf : analysis.frfs()) {
+  for (const acquire::PointFrf& frf : analysis.frfs()) {
     const auto place = std::find(at.begin(), at.end(), frf.point) - at.begin();
     if (static_cast<std::size_t>(place) == at.size()) continue;
     double& sum = peak[static_cast<std::size_t>(place)];
@@ -34,7 +34,7 @@ struct MeasuredPoints {
 MeasuredPoints measured_points(const Analysis& analysis, const ScanPositions& positions,
                                std::vector<Warning>& warnings) {
   std::set<int> with_frf;
-  for (const frf::PointFrf& frf : analysis.frfs()) with_frf.insert(frf.point);
+  for (const acquire::PointFrf& frf : analysis.frfs()) with_frf.insert(frf.point);
   MeasuredPoints measured;
   std::string missing;
   std::size_t i = 0;

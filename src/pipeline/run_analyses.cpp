@@ -30,7 +30,7 @@ std::vector<std::pair<int, acquire::Record>> split_runs(const acquire::Record& r
 }
 
 void assume_angles(acquire::Record& record) { assume_two_angles(record); }
-void assume_angles(frf::FrfRecord& frfs) { assume_two_angles(frfs); }
+void assume_angles(acquire::FrfRecord& frfs) { assume_two_angles(frfs); }
 
 std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::Record> records, const AnalysisOptions& options) {
   std::vector<RunAnalysis> analyses;
@@ -44,9 +44,9 @@ std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::Record> records, 
   return analyses;
 }
 
-std::vector<RunAnalysis> analyses_of_runs(std::vector<frf::FrfRecord> sets, const AnalysisOptions& options) {
+std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::FrfRecord> sets, const AnalysisOptions& options) {
   std::vector<RunAnalysis> analyses;
-  for (frf::FrfRecord& frfs : sets) {
+  for (acquire::FrfRecord& frfs : sets) {
     assume_angles(frfs);
     const int number = static_cast<int>(analyses.size());
     analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(frfs), options)});
@@ -54,7 +54,7 @@ std::vector<RunAnalysis> analyses_of_runs(std::vector<frf::FrfRecord> sets, cons
   return analyses;
 }
 
-std::vector<RunAnalysis> analyses_of_runs(std::variant<acquire::Record, frf::FrfRecord> opened,
+std::vector<RunAnalysis> analyses_of_runs(std::variant<acquire::Record, acquire::FrfRecord> opened,
                                           const AnalysisOptions& options) {
   return std::visit(
       [&](auto& record) {

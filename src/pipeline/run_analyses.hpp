@@ -13,7 +13,7 @@ std::vector<std::pair<int, acquire::Record>> split_runs(const acquire::Record& r
 
 /// Sets the angles of two channels that state none to 0° and 90°, as in the two-accelerometer test, and notes it.
 void assume_angles(acquire::Record& record);
-void assume_angles(frf::FrfRecord& frfs);
+void assume_angles(acquire::FrfRecord& frfs);
 
 /// The analysis of one test, and the number of its run.
 struct RunAnalysis {
@@ -25,8 +25,8 @@ struct RunAnalysis {
 /// numbered from 0 in their order.
 std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::Record> records, const AnalysisOptions& options);
 /// One analysis per set of FRFs, numbered from 0.
-std::vector<RunAnalysis> analyses_of_runs(std::vector<frf::FrfRecord> sets, const AnalysisOptions& options);
-std::vector<RunAnalysis> analyses_of_runs(std::variant<acquire::Record, frf::FrfRecord> opened,
+std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::FrfRecord> sets, const AnalysisOptions& options);
+std::vector<RunAnalysis> analyses_of_runs(std::variant<acquire::Record, acquire::FrfRecord> opened,
                                           const AnalysisOptions& options);
 
 }  // namespace percuss::pipeline

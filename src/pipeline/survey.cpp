@@ -158,10 +158,10 @@ const std::vector<std::vector<identify::Mac>>& Survey::macs() const {
   return macs_.get([&] { return identify::auto_mac(shapes()); });
 }
 
-frf::LineRange Survey::band() const {
+acquire::LineRange Survey::band() const {
   const auto [low, high] = analysis_.band_Hz();
-  const frf::LineRange& all = analysis_.lines();
-  frf::LineRange band = frf::lines_in_band(all.fs_Hz, all.samples, low, high);
+  const acquire::LineRange& all = analysis_.lines();
+  acquire::LineRange band = frf::lines_in_band(all.fs_Hz, all.samples, low, high);
   const std::size_t first = std::max(band.first, all.first);
   const std::size_t end = std::min(band.first + band.count, all.first + all.count);
   band.first = first;

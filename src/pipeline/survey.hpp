@@ -41,7 +41,7 @@ class Survey {
   const std::vector<identify::ModeClassification>& classifications() const;
   const std::vector<std::vector<identify::Mac>>& macs() const;  // [modes][modes]
   /// Spectral lines of the analysis's band, without its margin.
-  frf::LineRange band() const;
+  acquire::LineRange band() const;
   /// [outputs], point as an index into the analysis's frf_points().
   const std::vector<identify::SynthesisedFrf>& synthesis() const;
   const Eigen::MatrixXd& indicator() const;  // CMIF [lines of band(), values]

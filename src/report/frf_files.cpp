@@ -19,11 +19,11 @@ std::vector<Value> lines_within(const std::vector<Value>& all, std::size_t first
 
 }  // namespace
 
-frf::FrfRecord frf_record_of(const pipeline::Analysis& analysis) {
-  const frf::LineRange& lines = analysis.lines();
+acquire::FrfRecord frf_record_of(const pipeline::Analysis& analysis) {
+  const acquire::LineRange& lines = analysis.lines();
   const auto [low, high] = analysis.band_Hz();
-  const frf::LineRange band = frf::lines_in_band(lines.fs_Hz, lines.samples, low, high);
-  frf::FrfRecord out;
+  const acquire::LineRange band = frf::lines_in_band(lines.fs_Hz, lines.samples, low, high);
+  acquire::FrfRecord out;
   out.files = analysis.record().files;
   out.format = analysis.record().format;
   out.lines = band;
@@ -33,7 +33,7 @@ frf::FrfRecord frf_record_of(const pipeline::Analysis& analysis) {
   out.decay_per_s = analysis.window_decay_per_s();
   out.estimator = name_of(analysis.options().estimator);
   const std::size_t first = band.first - lines.first;
-  for (const frf::PointFrf& frf : analysis.frfs()) {
+  for (const acquire::PointFrf& frf : analysis.frfs()) {
     out.frfs.push_back({.point = frf.point, .channel = frf.channel, .frf = {}});
     out.frfs.back().frf = {.value = lines_within(frf.frf.value, first, band.count),
                            .std = lines_within(frf.frf.std, first, band.count),
@@ -43,19 +43,19 @@ frf::FrfRecord frf_record_of(const pipeline::Analysis& analysis) {
   return out;
 }
 
-void write_frfs(const std::string& path, const frf::FrfRecord& record, frf::FrfKind kind, bool force) {
+void write_frfs(const std::string& path, const acquire::FrfRecord& record, acquire::FrfKind kind, bool force) {
   acquire::write_frfs(path, record, kind, force);
 }
 
-std::string frf_csv(const pipeline::Analysis& analysis, frf::FrfKind kind) {
+std::string frf_csv(const pipeline::Analysis& analysis, acquire::FrfKind kind) {
   return acquire::frf_record_csv(frf_record_of(analysis), kind);
 }
 
-void write_frf_csv(const std::string& path, const pipeline::Analysis& analysis, frf::FrfKind kind, bool force) {
+void write_frf_csv(const std::string& path, const pipeline::Analysis& analysis, acquire::FrfKind kind, bool force) {
   write_file(path, frf_csv(analysis, kind), force);
 }
 
-void write_frf_hdf5(const std::string& path, const pipeline::Analysis& analysis, frf::FrfKind kind, bool force) {
+void write_frf_hdf5(const std::string& path, const pipeline::Analysis& analysis, acquire::FrfKind kind, bool force) {
   acquire::write_frf_record_hdf5(path, frf_record_of(analysis), kind, force);
 }
 

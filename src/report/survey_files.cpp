@@ -65,7 +65,7 @@ void write_macs(acquire::hdf5::OutputHdf5& out, const pipeline::Survey& survey) 
 
 void write_cmif(acquire::hdf5::OutputHdf5& out, const pipeline::Survey& survey) {
   const Eigen::MatrixXd& values = survey.indicator();
-  const frf::LineRange band = survey.band();
+  const acquire::LineRange band = survey.band();
   std::vector<double> freq_Hz;
   for (std::size_t k = 0; k < band.count; ++k) freq_Hz.push_back(band.freq_Hz(k));
   write_numbers(out, "cmif_frequency_hz", freq_Hz);
@@ -104,7 +104,7 @@ std::string shapes_csv(const pipeline::Survey& survey) {
 
 std::string cmif_csv(const pipeline::Survey& survey) {
   const Eigen::MatrixXd& values = survey.indicator();
-  const frf::LineRange band = survey.band();
+  const acquire::LineRange band = survey.band();
   std::string out = "frequency_hz";
   for (Eigen::Index v = 0; v < values.cols(); ++v) out += fmt::format(",singular_value_{}", v + 1);
   out += '\n';

@@ -123,8 +123,9 @@ TEST(Calibrate, RefusesRecordsWithoutOneAccelerationOrAnyHit) {
   const Record none = record_in_memory(kFs_Hz, {x}, {{}});
   const Record two = record_in_memory(kFs_Hz, {x}, {{x, x}});
   const Record silent = record_in_memory(kFs_Hz, {x}, {{x}});
-  EXPECT_THAT(test::input_error_of([&] { calibrate(none, kMass_kg); }), HasSubstr("this has 0"));
-  EXPECT_THAT(test::input_error_of([&] { calibrate(two, kMass_kg); }), HasSubstr("--accel-channel"));
+  EXPECT_THAT(test::input_error_of([&] { calibrate(none, kMass_kg); }), HasSubstr("not 0"));
+  EXPECT_THAT(test::input_error_of([&] { calibrate(two, kMass_kg); }), HasSubstr("name the one on the free mass"));
+  EXPECT_THAT(test::error_options_of([&] { calibrate(two, kMass_kg); }), testing::ElementsAre("accel_channel"));
   EXPECT_THAT(test::input_error_of([&] { calibrate(silent, kMass_kg); }), HasSubstr("no hit"));
 }
 

@@ -7,8 +7,8 @@
 
 namespace percuss::batch::serialized_frf_test {
 
-frf::FrfRecord small_record() {
-  frf::FrfRecord record;
+acquire::FrfRecord small_record() {
+  acquire::FrfRecord record;
   record.lines = {.fs_Hz = 1000, .samples = 100, .first = 7, .count = 2};
   record.accel = {{.name = "a", .angle_rad = 0.5}, {.name = "b", .position_m = 0.05}};
   record.estimator = "Hv";
@@ -24,7 +24,7 @@ frf::FrfRecord small_record() {
 }
 
 TEST(SerializedFrf, IsRestoredExactly) {
-  const frf::FrfRecord record = small_record(), back = deserialize_frfs(serialize_frfs(record), "here");
+  const acquire::FrfRecord record = small_record(), back = deserialize_frfs(serialize_frfs(record), "here");
   EXPECT_EQ(back.lines.fs_Hz, 1000);
   EXPECT_EQ(back.lines.samples, 100U);
   EXPECT_EQ(back.lines.first, 7U);
@@ -47,7 +47,7 @@ TEST(SerializedFrf, IsRejectedWhenCutOffOrChanged) {
   const std::string text = serialize_frfs(small_record());
   for (std::size_t length = 0; length < text.size(); ++length)
     EXPECT_THROW(deserialize_frfs(text.substr(0, length), "here"), InputError) << length;
-  frf::FrfRecord record = small_record();
+  acquire::FrfRecord record = small_record();
   record.lines.count = 3;
   EXPECT_THROW(deserialize_frfs(serialize_frfs(record), "here"), InputError);
   record = small_record();

@@ -181,7 +181,7 @@ TEST_F(BatchCommand, DetectsAChangedRecord) {
   EXPECT_THAT(merged("r.jsonl"), HasSubstr("the file changed after the batch was planned: its SHA-256 differs"));
   test::write_bytes(folder_.file("x.csv"), bytes + "\n");
   ASSERT_EQ(run({"--force"}).code, 6);
-  EXPECT_THAT(merged("s.jsonl"), HasSubstr("when the batch was planned"));
+  EXPECT_THAT(merged("s.jsonl"), HasSubstr("bytes; it had"));
   fs::remove(folder_.file("x.csv"));
   ASSERT_EQ(run({"--force"}).code, 6);
   EXPECT_THAT(merged("t.jsonl"), HasSubstr("no such file (x.csv); check the path"));

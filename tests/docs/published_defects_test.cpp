@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "acquire/open_measurement.hpp"
+#include "acquire/record/frf_record.hpp"
 #include "core/units.hpp"
-#include "frf/frf_record.hpp"
 #include "frf/windows.hpp"
 #include "identify/start/lscf.hpp"
 #include "pipeline/analysis.hpp"
@@ -58,7 +58,7 @@ TEST(PublishedDefects, AnExponentialWindowDoesNotScaleTheFrf) {
   const synth::SynthSpec spec = second_of({{.freq_Hz = 200, .damping_ratio = 0.02}});
   const synth::Truth truth = synth::synthesise(spec).truth;
   const pipeline::Analysis analysis = analysis_of(spec, {.exponential_end = kWindowEnd});
-  for (const frf::PointFrf& frf : analysis.frfs()) {
+  for (const acquire::PointFrf& frf : analysis.frfs()) {
     for (std::size_t k = 0; k < analysis.lines().count; k += 10) {
       const Complex s(analysis.window_decay_per_s(), kTwoPi * analysis.lines().freq_Hz(k));
       ASSERT_LE(std::abs(frf.frf.value[k] / exact_at(truth, s, frf.channel) - 1.0), kGate) << k;
@@ -116,7 +116,7 @@ TEST(PublishedDefects, TheFrfIsNotConjugated) {
   for (const frf::Estimator estimator : {frf::Estimator::h1, frf::Estimator::h2, frf::Estimator::hv}) {
     const pipeline::Analysis analysis = analysis_of(spec, {.estimator = estimator});
     const std::size_t peak = 200 - analysis.lines().first;
-    for (const frf::PointFrf& frf : analysis.frfs()) {
+    for (const acquire::PointFrf& frf : analysis.frfs()) {
       EXPECT_GT(frf.frf.value[peak].imag(), 5 * std::abs(frf.frf.value[peak].real()));
       const Complex exact = exact_at(truth, {0, kTwoPi * 200}, frf.channel);
       EXPECT_LE(std::abs(frf.frf.value[peak] / exact - 1.0), kGate) << name_of(estimator);
@@ -126,9 +126,10 @@ TEST(PublishedDefects, TheFrfIsNotConjugated) {
 
 TEST(PublishedDefects, StoredDataAreNotChangedByAConversion) {
   const pipeline::Analysis analysis = analysis_of(second_of({{.freq_Hz = 200, .damping_ratio = 0.02}}, 1e-3));
-  const std::vector<frf::PointFrf> before(analysis.frfs().begin(), analysis.frfs().end());
-  for (const frf::FrfKind kind : {frf::FrfKind::receptance, frf::FrfKind::mobility, frf::FrfKind::receptance})
-    frf::converted(analysis.frfs()[0].frf, analysis.lines(), kind);
+  const std::vector<acquire::PointFrf> before(analysis.frfs().begin(), analysis.frfs().end());
+  for (const acquire::FrfKind kind :
+       {acquire::FrfKind::receptance, acquire::FrfKind::mobility, acquire::FrfKind::receptance})
+    acquire::converted(analysis.frfs()[0].frf, analysis.lines(), kind);
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(analysis.frfs()[i].frf.value, before[i].frf.value);
     EXPECT_EQ(analysis.frfs()[i].frf.std, before[i].frf.std);
@@ -139,7 +140,7 @@ TEST(PublishedDefects, NeitherTheMeanIsRemovedNorAHannWindowLaidOverAnImpact) {
   // Line 0 of a pulse is its impulse, and a pulse at the record's beginning, where a Hann window is 0, keeps its size.
   acquire::Hit hit{.first = 0, .samples = 64, .peak = 1, .gate_first = 0};
   hit.gated_N = {1, 4, 2};
-  const frf::LineRange lines{.fs_Hz = 1000, .samples = 64, .first = 0, .count = 33};
+  const acquire::LineRange lines{.fs_Hz = 1000, .samples = 64, .first = 0, .count = 33};
   EXPECT_EQ(frf::force_spectrum(frf::force_block(hit, 1000, 0), lines)[0], 7.0);
   std::vector<double> accel(64);
   for (std::size_t n = 0; n < 64; ++n) accel[n] = 3 + std::cos(0.4 * static_cast<double>(n));
@@ -175,9 +176,9 @@ TEST(PublishedDefects, ACoherenceAbove1IsNotClipped) {
   test::ScratchFolder folder;
   const std::string path = folder.file("frf.csv");
   test::write_bytes(path, "frequency_hz,p0_c0_re,p0_c0_im,p0_c0_coherence\n1,1,0,0.9\n2,1,0,1.25\n3,1,0,1\n");
-  const auto opened = frf::open_measurement(path);
-  ASSERT_TRUE(std::holds_alternative<frf::FrfRecord>(opened));
-  EXPECT_THAT(std::get<frf::FrfRecord>(opened).frfs.at(0).frf.coherence, testing::Contains(1.25));
+  const auto opened = acquire::open_measurement(path);
+  ASSERT_TRUE(std::holds_alternative<acquire::FrfRecord>(opened));
+  EXPECT_THAT(std::get<acquire::FrfRecord>(opened).frfs.at(0).frf.coherence, testing::Contains(1.25));
 }
 
 TEST(PublishedDefects, OnePoleSetServesAllPointsAndChannels) {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "acquire/open_measurement.hpp"
+#include "acquire/record/frf_record.hpp"
 #include "core/error.hpp"
-#include "frf/frf_record.hpp"
 #include "support/scratch_folder.hpp"
 #include "targets.hpp"
 
@@ -29,9 +29,9 @@ std::vector<std::vector<double>> samples_of(const acquire::Record& record) {
   return out;
 }
 
-std::vector<std::vector<Complex>> frfs_of(const frf::FrfRecord& record) {
+std::vector<std::vector<Complex>> frfs_of(const acquire::FrfRecord& record) {
   std::vector<std::vector<Complex>> out;
-  for (const frf::PointFrf& frf : record.frfs) out.push_back(frf.frf.value);
+  for (const acquire::PointFrf& frf : record.frfs) out.push_back(frf.frf.value);
   return out;
 }
 
@@ -69,13 +69,13 @@ INSTANTIATE_TEST_SUITE_P(, Truncation,
 
 TEST_P(Truncation, KeepsTheSamplesOrIsRejected) {
   const std::string bytes = bytes_of(kCorpus + GetParam().file), path = folder_.file("cut");
-  const frf::FrfReadOptions options{.read = GetParam().options, .kind = {}};
+  const acquire::FrfReadOptions options{.read = GetParam().options, .kind = {}};
   test::write_bytes(path, bytes);
-  const auto whole = frf::open_measurement(path, options);
+  const auto whole = acquire::open_measurement(path, options);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     test::write_bytes(path, bytes.substr(0, size));
     try {
-      const auto cut = frf::open_measurement(path, options);
+      const auto cut = acquire::open_measurement(path, options);
       ASSERT_EQ(cut.index(), whole.index()) << size;
       if (const auto* record = std::get_if<acquire::Record>(&cut)) {
         const auto parts = samples_of(*record), all = samples_of(std::get<acquire::Record>(whole));
@@ -83,7 +83,8 @@ TEST_P(Truncation, KeepsTheSamplesOrIsRejected) {
         for (std::size_t i = 0; i < parts.size(); ++i)
           ASSERT_TRUE(begins(parts[i], all[i], GetParam().spoilt)) << "signal " << i << " after " << size << " bytes";
       } else {
-        const auto parts = frfs_of(std::get<frf::FrfRecord>(cut)), all = frfs_of(std::get<frf::FrfRecord>(whole));
+        const auto parts = frfs_of(std::get<acquire::FrfRecord>(cut)),
+                   all = frfs_of(std::get<acquire::FrfRecord>(whole));
         ASSERT_LE(parts.size(), all.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
           ASSERT_TRUE(begins(parts[i], all[i], GetParam().spoilt)) << "FRF " << i << " after " << size << " bytes";

@@ -121,12 +121,12 @@ TEST(Analysis, GivesEqualBytesForAnyNumberOfThreads) {
 TEST(Analysis, MakesTheSameFrfsTogetherWithModesAsBeforeThem) {
   const acquire::Record record = synth::synthesise(bat(4)).record;
   const Analysis before(record, {.band_Hz = std::pair{60.0, 3200.0}});
-  const std::vector<frf::PointFrf>& expected = before.frfs();
+  const std::vector<acquire::PointFrf>& expected = before.frfs();
   for (const std::size_t threads : {1U, 2U, 8U}) {
     const Analysis beside(record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = threads});
     beside.compute_modes_and_frfs();
     EXPECT_EQ(beside.modes().size(), before.modes().size());
-    const std::vector<frf::PointFrf>& frfs = beside.frfs();
+    const std::vector<acquire::PointFrf>& frfs = beside.frfs();
     ASSERT_EQ(frfs.size(), expected.size());
     for (std::size_t i = 0; i < frfs.size(); ++i) {
       EXPECT_EQ(frfs[i].channel, expected[i].channel);
@@ -238,7 +238,7 @@ TEST(AnalysesOfRuns, NumberTheRunsOfSeveralRecordsInOrder) {
 TEST(AnalysesOfRuns, AssumeTheAnglesOfTwoAccelerometersAndNoteIt) {
   acquire::Record record = synth::synthesise(bat()).record;
   for (acquire::SignalInfo& signal : record.accel) signal.angle_rad.reset();
-  const auto analyses = analyses_of_runs(std::variant<acquire::Record, frf::FrfRecord>(std::move(record)), {});
+  const auto analyses = analyses_of_runs(std::variant<acquire::Record, acquire::FrfRecord>(std::move(record)), {});
   const acquire::Record& assumed = analyses.front().analysis->record();
   EXPECT_EQ(assumed.accel[0].angle_rad, 0);
   EXPECT_NEAR(*assumed.accel[1].angle_rad, 1.5707963267948966, 1e-15);

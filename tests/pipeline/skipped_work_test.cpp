@@ -79,7 +79,7 @@ TEST(SkippedWork, IncludesTheDecayedTailsOfLongRows) {
 TEST(SkippedWork, IncludesLinesOutsideTheBandAndTheForceOutsideItsPulse) {
   const Analysis analysis(synth::synthesise(bat()).record, {.band_Hz = std::pair{100.0, 400.0}});
   analysis.frfs();
-  const frf::LineRange& lines = analysis.lines();
+  const acquire::LineRange& lines = analysis.lines();
   EXPECT_NEAR(share_of(analysis, "lines"),
               1 - static_cast<double>(lines.count) / (static_cast<double>(lines.samples) / 2 + 1), 1e-12);
   EXPECT_GT(share_of(analysis, "lines"), 0.5);

@@ -36,7 +36,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 }
 
 TEST(FrfCsv, NamesKindUnitAndColumns) {
-  const auto lines = lines_of(frf_csv(analysis_of(2, 2), frf::FrfKind::mobility));
+  const auto lines = lines_of(frf_csv(analysis_of(2, 2), acquire::FrfKind::mobility));
   EXPECT_EQ(lines.at(0), "# mobility (m/s)/N, H1, exp(+jwt), angle_deg 0 90");
   const auto names = cells_of(lines.at(1));
   ASSERT_EQ(names.size(), 1U + 4U * 4U);
@@ -48,15 +48,15 @@ TEST(FrfCsv, NamesKindUnitAndColumns) {
 
 TEST(FrfCsv, ContainsTheBandsLinesToTheLastDigit) {
   const pipeline::Analysis analysis = analysis_of(3);
-  const auto lines = lines_of(frf_csv(analysis, frf::FrfKind::accelerance));
-  const frf::LineRange& range = analysis.lines();
+  const auto lines = lines_of(frf_csv(analysis, acquire::FrfKind::accelerance));
+  const acquire::LineRange& range = analysis.lines();
   std::size_t row = 2;
   for (std::size_t k = 0; k < range.count; ++k) {
     if (range.freq_Hz(k) < 100 - 1e-6 || range.freq_Hz(k) > 400 + 1e-6) continue;
     const auto cells = cells_of(lines.at(row++));
     EXPECT_EQ(std::stod(cells[0]), range.freq_Hz(k));
     for (std::size_t c = 0; c < 2; ++c) {
-      const frf::Frf& frf = analysis.frfs()[c].frf;
+      const acquire::Frf& frf = analysis.frfs()[c].frf;
       EXPECT_EQ(std::stod(cells[1 + 4 * c]), frf.value[k].real());
       EXPECT_EQ(std::stod(cells[2 + 4 * c]), frf.value[k].imag());
       EXPECT_EQ(std::stod(cells[3 + 4 * c]), frf.std[k]);
@@ -67,21 +67,21 @@ TEST(FrfCsv, ContainsTheBandsLinesToTheLastDigit) {
 }
 
 TEST(FrfCsv, LeavesDeviationAndCoherenceOfASingleHitEmpty) {
-  const auto cells = cells_of(lines_of(frf_csv(analysis_of(1), frf::FrfKind::accelerance)).at(5));
+  const auto cells = cells_of(lines_of(frf_csv(analysis_of(1), acquire::FrfKind::accelerance)).at(5));
   ASSERT_EQ(cells.size(), 9U);
   for (const std::size_t c : {3U, 4U, 7U, 8U}) EXPECT_EQ(cells[c], "") << c;
 }
 
 TEST(FrfCsv, DividesByTheCircularFrequencyForMobilityAndReceptance) {
   const pipeline::Analysis analysis = analysis_of(2);
-  const auto at = [&](frf::FrfKind kind) {
+  const auto at = [&](acquire::FrfKind kind) {
     const auto cells = cells_of(lines_of(frf_csv(analysis, kind)).at(20));
     return std::pair{std::stod(cells[0]), std::hypot(std::stod(cells[1]), std::stod(cells[2]))};
   };
-  const auto [freq_Hz, accelerance] = at(frf::FrfKind::accelerance);
+  const auto [freq_Hz, accelerance] = at(acquire::FrfKind::accelerance);
   const double omega = 2 * std::acos(-1.0) * freq_Hz;
-  EXPECT_NEAR(at(frf::FrfKind::mobility).second * omega / accelerance, 1, 1e-12);
-  EXPECT_NEAR(at(frf::FrfKind::receptance).second * omega * omega / accelerance, 1, 1e-12);
+  EXPECT_NEAR(at(acquire::FrfKind::mobility).second * omega / accelerance, 1, 1e-12);
+  EXPECT_NEAR(at(acquire::FrfKind::receptance).second * omega * omega / accelerance, 1, 1e-12);
 }
 
 TEST(WriteFrfCsv, ReplacesAFileOnlyWhenForced) {
@@ -89,11 +89,11 @@ TEST(WriteFrfCsv, ReplacesAFileOnlyWhenForced) {
   const std::string path = folder.file("frf.csv");
   const pipeline::Analysis analysis = analysis_of(2);
   test::write_bytes(path, "mine");
-  EXPECT_THAT(test::input_error_of([&] { write_frf_csv(path, analysis, frf::FrfKind::accelerance, false); }),
+  EXPECT_THAT(test::input_error_of([&] { write_frf_csv(path, analysis, acquire::FrfKind::accelerance, false); }),
               HasSubstr("frf.csv"));
   EXPECT_EQ(test::bytes_of(path), "mine");
-  write_frf_csv(path, analysis, frf::FrfKind::accelerance, true);
-  EXPECT_EQ(test::bytes_of(path), frf_csv(analysis, frf::FrfKind::accelerance));
+  write_frf_csv(path, analysis, acquire::FrfKind::accelerance, true);
+  EXPECT_EQ(test::bytes_of(path), frf_csv(analysis, acquire::FrfKind::accelerance));
 }
 
 }  // namespace percuss::report::frf_files_test

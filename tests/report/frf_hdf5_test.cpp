@@ -54,7 +54,7 @@ std::vector<Complex> complex_numbers(const std::string& path, std::size_t count)
 
 TEST_F(FrfHdf5, ContainsLinesPointsAndFrfsToTheLastDigit) {
   const pipeline::Analysis analysis = analysis_of(3);
-  write_frf_hdf5(path_, analysis, frf::FrfKind::accelerance, false);
+  write_frf_hdf5(path_, analysis, acquire::FrfKind::accelerance, false);
   const auto freq_Hz = numbers("frequency_hz");
   ASSERT_GT(freq_Hz.size(), 100U);
   EXPECT_GE(freq_Hz.front(), 100 - 1e-6);
@@ -67,7 +67,7 @@ TEST_F(FrfHdf5, ContainsLinesPointsAndFrfsToTheLastDigit) {
   const auto value = complex_numbers(path_, frfs * lines);
   std::size_t first = 0;
   while (analysis.lines().freq_Hz(first) < freq_Hz.front()) ++first;
-  for (const frf::PointFrf& frf : analysis.frfs()) {
+  for (const acquire::PointFrf& frf : analysis.frfs()) {
     const std::size_t at = (static_cast<std::size_t>(frf.point) * 2 + frf.channel) * lines;
     for (std::size_t k = 0; k < lines; ++k) {
       ASSERT_EQ(value[at + k], frf.frf.value[first + k]);
@@ -78,7 +78,7 @@ TEST_F(FrfHdf5, ContainsLinesPointsAndFrfsToTheLastDigit) {
 }
 
 TEST_F(FrfHdf5, StatesKindUnitAndEstimator) {
-  write_frf_hdf5(path_, analysis_of(3), frf::FrfKind::receptance, false);
+  write_frf_hdf5(path_, analysis_of(3), acquire::FrfKind::receptance, false);
   const InputHdf5 file(path_);
   EXPECT_EQ(acquire::hdf5::text_attribute(file.id(), "kind", path_), "receptance");
   EXPECT_EQ(acquire::hdf5::text_attribute(file.id(), "unit", path_), "m/N");
@@ -87,7 +87,7 @@ TEST_F(FrfHdf5, StatesKindUnitAndEstimator) {
 }
 
 TEST_F(FrfHdf5, HasNoStdForSingleHits) {
-  write_frf_hdf5(path_, analysis_of(1), frf::FrfKind::accelerance, false);
+  write_frf_hdf5(path_, analysis_of(1), acquire::FrfKind::accelerance, false);
   const InputHdf5 file(path_);
   EXPECT_TRUE(file.has("frf"));
   EXPECT_FALSE(file.has("frf_std"));
@@ -97,10 +97,10 @@ TEST_F(FrfHdf5, HasNoStdForSingleHits) {
 TEST_F(FrfHdf5, ReplacesAFileOnlyWhenForced) {
   test::write_bytes(path_, "mine");
   const pipeline::Analysis analysis = analysis_of(2);
-  EXPECT_THAT(test::input_error_of([&] { write_frf_hdf5(path_, analysis, frf::FrfKind::accelerance, false); }),
+  EXPECT_THAT(test::input_error_of([&] { write_frf_hdf5(path_, analysis, acquire::FrfKind::accelerance, false); }),
               HasSubstr("frf.h5"));
   EXPECT_EQ(test::bytes_of(path_), "mine");
-  write_frf_hdf5(path_, analysis, frf::FrfKind::accelerance, true);
+  write_frf_hdf5(path_, analysis, acquire::FrfKind::accelerance, true);
   EXPECT_GT(numbers("frequency_hz").size(), 0U);
 }
 

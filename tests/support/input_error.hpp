@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -20,6 +21,17 @@ std::string input_error_of(Work&& work) {
     return message;
   }
   ADD_FAILURE() << "no InputError";
+  return {};
+}
+
+/// The options that the InputError of `work` concerns; none if `work` throws none.
+template <class Work>
+std::vector<OptionId> error_options_of(Work&& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    return error.options();
+  }
   return {};
 }
 

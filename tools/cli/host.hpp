@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "acquire/record/frf_record.hpp"
 #include "core/error.hpp"
-#include "frf/frf_record.hpp"
 #include "pipeline/impact_test.hpp"
 #include "pipeline/survey.hpp"
 #include "report/html/command_report.hpp"
@@ -17,7 +17,7 @@
 namespace percuss::tools {
 
 /// Data in memory in place of a file; the reading options apply to it.
-using InMemoryInput = std::function<std::variant<acquire::Record, frf::FrfRecord>(const frf::FrfReadOptions&)>;
+using InMemoryInput = std::function<std::variant<acquire::Record, acquire::FrfRecord>(const acquire::FrfReadOptions&)>;
 
 /// The result of a command; parts that the command does not produce stay empty. Only one thread at a time may call the
 /// functions.
@@ -32,7 +32,7 @@ struct CommandResult {
   std::shared_ptr<const pipeline::Survey> survey;
   std::shared_ptr<const pipeline::ImpactTest> deflection;
   std::shared_ptr<const synth::SyntheticTest> synthetic;
-  std::vector<std::variant<acquire::Record, frf::FrfRecord>> opened;
+  std::vector<std::variant<acquire::Record, acquire::FrfRecord>> opened;
   std::vector<report::NumericColumn> columns;
 };
 

@@ -42,7 +42,7 @@ void require_files(const ReadFlags& flags) {
 // A single file needs no fork server.
 bool several_with_sandboxed_format(const ReadFlags& flags) {
   return flags.paths.size() > 1 && std::any_of(flags.paths.begin(), flags.paths.end(), [](const std::string& path) {
-           return path != "-" && frf::needs_sandbox(path);
+           return path != "-" && acquire::needs_sandbox(path);
          });
 }
 
@@ -51,7 +51,7 @@ bool several_with_sandboxed_format(const ReadFlags& flags) {
 std::shared_ptr<acquire::ForkServer> fork_server_for(const ReadFlags& flags, const acquire::ReadOptions& options) {
   const bool alike = options.force_scale.size() <= 1;
   if (flags.host != nullptr || !options.sandboxed || !alike || !several_with_sandboxed_format(flags)) return nullptr;
-  return frf::measurement_fork_server({.read = options, .kind = flags.frf_kind});
+  return acquire::measurement_fork_server({.read = options, .kind = flags.frf_kind});
 }
 
 // Opens the files in parallel, except sandboxed ones without a fork server. Rethrows the error of the first file that
@@ -81,31 +81,32 @@ acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOption
   if (!has_in_memory_inputs(flags)) return acquire::open_record(flags.paths[index], its);
   auto given = flags.host->inputs[index]({.read = its, .kind = flags.frf_kind});
   if (auto* record = std::get_if<acquire::Record>(&given)) return std::move(*record);
-  throw InputError("the file holds FRFs, not a record", std::get<frf::FrfRecord>(given).source(),
+  throw InputError("the file holds FRFs, not a record", std::get<acquire::FrfRecord>(given).source(),
                    "give force and acceleration");
 }
 
-std::variant<acquire::Record, frf::FrfRecord> open_measurement_at(const ReadFlags& flags,
-                                                                  const acquire::ReadOptions& options,
-                                                                  std::size_t index) {
-  const frf::FrfReadOptions its{.read = read_options_of_file(options, index, input_count(flags)),
-                                .kind = flags.frf_kind};
-  return has_in_memory_inputs(flags) ? flags.host->inputs[index](its) : frf::open_measurement(flags.paths[index], its);
+std::variant<acquire::Record, acquire::FrfRecord> open_measurement_at(const ReadFlags& flags,
+                                                                      const acquire::ReadOptions& options,
+                                                                      std::size_t index) {
+  const acquire::FrfReadOptions its{.read = read_options_of_file(options, index, input_count(flags)),
+                                    .kind = flags.frf_kind};
+  return has_in_memory_inputs(flags) ? flags.host->inputs[index](its)
+                                     : acquire::open_measurement(flags.paths[index], its);
 }
 
 Measurements open_measurements(const ReadFlags& flags) {
   require_files(flags);
   const acquire::ReadOptions options = resolved_read_options(flags);
   const auto fork_server = fork_server_for(flags, options);
-  auto all =
-      for_each_file<std::variant<acquire::Record, frf::FrfRecord>>(flags, fork_server != nullptr, [&](std::size_t i) {
+  auto all = for_each_file<std::variant<acquire::Record, acquire::FrfRecord>>(
+      flags, fork_server != nullptr, [&](std::size_t i) {
         if (fork_server == nullptr) return open_measurement_at(flags, options, i);
-        return frf::open_measurement_forked(fork_server, flags.paths[i], {.read = options, .kind = flags.frf_kind});
+        return acquire::open_measurement_forked(fork_server, flags.paths[i], {.read = options, .kind = flags.frf_kind});
       });
   Measurements out;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (auto* record = std::get_if<acquire::Record>(&*all[i])) out.records.push_back(std::move(*record));
-    if (auto* frfs = std::get_if<frf::FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
+    if (auto* frfs = std::get_if<acquire::FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
     if (out.records.empty() || out.frfs.empty()) continue;
     throw InputError("records and FRFs cannot be joined",
                      has_in_memory_inputs(flags) ? "data in memory" : flags.paths[i],
@@ -114,10 +115,10 @@ Measurements open_measurements(const ReadFlags& flags) {
   return out;
 }
 
-frf::FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<frf::FrfRecord> frfs) {
+acquire::FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<acquire::FrfRecord> frfs) {
   if (frfs.size() > 1 && flags.files == acquire::FileGrouping::hits)
     throw OptionError({"files"}, "cannot be 'hits' for FRFs, which hold no hits", "give points or tests");
-  return frf::join_frfs(std::move(frfs));
+  return acquire::join_frfs(std::move(frfs));
 }
 
 std::vector<acquire::Record> open_records(const ReadFlags& flags) {

@@ -12,19 +12,19 @@ acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOption
 /// Contents of the files: records or FRFs, never both.
 struct Measurements {
   std::vector<acquire::Record> records;
-  std::vector<frf::FrfRecord> frfs;
+  std::vector<acquire::FrfRecord> frfs;
 };
 
 /// Opens every path as a record or as FRFs. Throws InputError for a mixture of both; UsageError as open_records.
 Measurements open_measurements(const ReadFlags& flags);
 
 /// Opens one path as a record or as FRFs, with resolved options.
-std::variant<acquire::Record, frf::FrfRecord> open_measurement_at(const ReadFlags& flags,
-                                                                  const acquire::ReadOptions& options,
-                                                                  std::size_t index);
+std::variant<acquire::Record, acquire::FrfRecord> open_measurement_at(const ReadFlags& flags,
+                                                                      const acquire::ReadOptions& options,
+                                                                      std::size_t index);
 
 /// Joins files of FRFs to one test; several files are points. Throws UsageError for --files hits.
-frf::FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<frf::FrfRecord> frfs);
+acquire::FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<acquire::FrfRecord> frfs);
 
 /// Opens every path as a record. Throws UsageError for no path or a path given twice. The caller groups several records
 /// with join_records.

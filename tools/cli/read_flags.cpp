@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "acquire/channels/channel_setup.hpp"
+#include "acquire/channels/frf_unit.hpp"
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
@@ -101,7 +102,7 @@ void add_reading_options(Command& command, ReadFlags& flags) {
       .finite();
   command
       .value(
-          "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = frf::parse_frf_kind(text); },
+          "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = acquire::parse_frf_kind(text); },
           "Set the kind of the FRFs, in place of the file's")
       .one_of({"accelerance", "mobility", "receptance"});
   command.heading(others);
@@ -187,7 +188,7 @@ acquire::ReadOptions read_options_of_file(const acquire::ReadOptions& all, std::
   return options;
 }
 
-frf::FrfReadOptions per_file_read_options(const ReadFlags& flags) {
+acquire::FrfReadOptions per_file_read_options(const ReadFlags& flags) {
   return {.read = read_options_of_file(options_of(flags), 0, 1), .kind = flags.frf_kind};
 }
 

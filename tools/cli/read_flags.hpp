@@ -4,10 +4,10 @@
 #include <variant>
 #include <vector>
 
+#include "acquire/record/frf_record.hpp"
 #include "acquire/record/record.hpp"
 #include "cli/command_line.hpp"
 #include "cli/host.hpp"
-#include "frf/frf_record.hpp"
 
 namespace percuss::tools {
 
@@ -17,7 +17,7 @@ struct ReadFlags {
   acquire::ReadOptions options;
   std::string setup_path;                                          // --setup CHANNELS.json
   acquire::FileGrouping files = acquire::FileGrouping::automatic;  // --files
-  std::optional<frf::FrfKind> frf_kind;                            // --frf-kind
+  std::optional<acquire::FrfKind> frf_kind;                        // --frf-kind
   bool trust_input = false;                                        // --trust-input
   // As typed, in the units of their names; resolved_read_options() converts them.
   std::vector<double> angle_deg;
@@ -42,6 +42,6 @@ acquire::ReadOptions resolved_read_options(const ReadFlags& flags);
 acquire::ReadOptions read_options_of_file(const acquire::ReadOptions& all, std::size_t index, std::size_t files);
 
 /// Resolved options for files that are opened one by one. Throws UsageError for an option with a value per file.
-frf::FrfReadOptions per_file_read_options(const ReadFlags& flags);
+acquire::FrfReadOptions per_file_read_options(const ReadFlags& flags);
 
 }  // namespace percuss::tools

@@ -99,7 +99,7 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept) {
     } else if (is_uff(path)) {
       report::write_modes_uff(path, analysis, flags.output.force);
     } else {
-      report::write_frfs(path, report::frf_record_of(analysis), frf::FrfKind::accelerance, flags.output.force);
+      report::write_frfs(path, report::frf_record_of(analysis), acquire::FrfKind::accelerance, flags.output.force);
     }
   }
 }

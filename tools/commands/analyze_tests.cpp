@@ -13,9 +13,9 @@ std::vector<Test> tests_of_runs(std::vector<pipeline::RunAnalysis> runs) {
   return tests;
 }
 
-std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<frf::FrfRecord> frfs) {
+std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<acquire::FrfRecord> frfs) {
   if (flags.read.files != acquire::FileGrouping::tests) {
-    frf::FrfRecord joined = join_frfs_of(flags.read, std::move(frfs));
+    acquire::FrfRecord joined = join_frfs_of(flags.read, std::move(frfs));
     frfs.clear();
     frfs.push_back(std::move(joined));
   }

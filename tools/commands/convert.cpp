@@ -35,8 +35,8 @@ std::string take_output(ConvertFlags& flags) {
   return flags.output.paths.front();
 }
 
-void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<frf::FrfRecord> frfs) {
-  const frf::FrfRecord record = join_frfs_of(flags.read, std::move(frfs));
+void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<acquire::FrfRecord> frfs) {
+  const acquire::FrfRecord record = join_frfs_of(flags.read, std::move(frfs));
   for (const Message& note : record.notes) print_note(flags.output, note);
   const auto& known = acquire::frf_extensions();
   if (std::find(known.begin(), known.end(), extension_of(to)) == known.end()) {

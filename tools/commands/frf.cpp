@@ -40,7 +40,7 @@ void check_frf_outputs(const OutputFlags& output) {
   check_outputs(output, {".csv", ".h5", ".json", ".mat", ".uff", ".unv", ".svg", ".html"});
 }
 
-void write_frf_outputs(const OutputFlags& output, const pipeline::Analysis& analysis, frf::FrfKind kind,
+void write_frf_outputs(const OutputFlags& output, const pipeline::Analysis& analysis, acquire::FrfKind kind,
                        const std::string& summary) {
   for (const std::string& path : output.paths) {
     if (extension_of(path) == ".json") {
@@ -57,7 +57,7 @@ void write_frf_outputs(const OutputFlags& output, const pipeline::Analysis& anal
 }
 
 void give_to_host(const OutputFlags& output, const std::shared_ptr<const pipeline::Analysis>& analysis,
-                  frf::FrfKind kind) {
+                  acquire::FrfKind kind) {
   CommandResult& outcome = output.host->outcome;
   outcome.analyses = {analysis};
   outcome.text = [analysis](std::size_t width, OptionWriter write_option) {
@@ -74,9 +74,9 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const pipelin
 
 int frf(const FrfFlags& flags) {
   check_frf_outputs(flags.output);
-  const frf::FrfKind kind = flags.kind == "mobility"     ? frf::FrfKind::mobility
-                            : flags.kind == "receptance" ? frf::FrfKind::receptance
-                                                         : frf::FrfKind::accelerance;
+  const acquire::FrfKind kind = flags.kind == "mobility"     ? acquire::FrfKind::mobility
+                                : flags.kind == "receptance" ? acquire::FrfKind::receptance
+                                                             : acquire::FrfKind::accelerance;
   const Progress progress("averaging", flags.output.quiet);
   const std::shared_ptr<const pipeline::Analysis> opened = analysis_of(flags);
   const pipeline::Analysis& analysis = *opened;

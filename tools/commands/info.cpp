@@ -164,7 +164,7 @@ int run_info(const InfoFlags& flags) {
   for (std::size_t i = 0; i < flags.read.paths.size(); ++i) {
     try {
       const auto opened = open_measurement_at(flags.read, options, i);
-      const auto* const frfs = std::get_if<frf::FrfRecord>(&opened);
+      const auto* const frfs = std::get_if<acquire::FrfRecord>(&opened);
       files.push_back(frfs != nullptr ? frfs_json(*frfs) : record_json(std::get<acquire::Record>(opened)));
       any = true;
       if (flags.output.json) continue;

@@ -14,9 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool has_coherence(const frf::FrfRecord& record) {
+bool has_coherence(const acquire::FrfRecord& record) {
   return std::all_of(record.frfs.begin(), record.frfs.end(),
-                     [](const frf::PointFrf& f) { return !f.frf.coherence.empty(); });
+                     [](const acquire::PointFrf& f) { return !f.frf.coherence.empty(); });
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ std::string notes_paragraphs(const std::vector<Message>& notes, std::size_t widt
   return text;
 }
 
-Json frfs_json(const frf::FrfRecord& record) {
+Json frfs_json(const acquire::FrfRecord& record) {
   Json channels = Json::array();
   for (const acquire::SignalInfo& signal : record.accel) {
     channels.push_back({{"name", signal.name},
@@ -67,7 +67,7 @@ Json frfs_json(const frf::FrfRecord& record) {
           {"notes", note_texts(record.notes)}};
 }
 
-std::string frfs_text(const frf::FrfRecord& record, std::size_t width) {
+std::string frfs_text(const acquire::FrfRecord& record, std::size_t width) {
   const std::size_t points = record.frfs.size() / record.accel.size();
   std::string text = fmt::format(
       "{}: {}, {}, {} lines of {:.7g} Hz from {:.7g} to {:.7g} Hz, {} point{}, {}\n",

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "acquire/record/frf_record.hpp"
 #include "core/error.hpp"
-#include "frf/frf_record.hpp"
 
 namespace percuss::tools {
 
 /// The description of a file of FRFs, as JSON and as text.
-nlohmann::ordered_json frfs_json(const frf::FrfRecord& record);
-std::string frfs_text(const frf::FrfRecord& record, std::size_t width);
+nlohmann::ordered_json frfs_json(const acquire::FrfRecord& record);
+std::string frfs_text(const acquire::FrfRecord& record, std::size_t width);
 
 /// The texts of notes for a document, which names no options.
 nlohmann::ordered_json note_texts(const std::vector<Message>& notes);

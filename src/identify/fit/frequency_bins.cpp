@@ -13,7 +13,7 @@ constexpr double kMinCore = 4;  // lines
 
 }  // namespace
 
-FrequencyBins::FrequencyBins(const frf::LineRange& lines, const std::vector<Pole>& poles) {
+FrequencyBins::FrequencyBins(const acquire::LineRange& lines, const std::vector<Pole>& poles) {
   std::vector<double> widest(lines.count, kMaxLinesPerBin);
   for (const Pole& pole : poles) {
     const double at = lines.position(pole.freq_Hz);

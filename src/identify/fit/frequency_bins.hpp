@@ -12,7 +12,7 @@ namespace percuss::identify {
 /// only 0.3 %, at a fraction of the work.
 class FrequencyBins {
  public:
-  FrequencyBins(const frf::LineRange& lines, const std::vector<Pole>& poles);
+  FrequencyBins(const acquire::LineRange& lines, const std::vector<Pole>& poles);
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(begin_.size()) - 1; }
   /// The middle line of each bin.

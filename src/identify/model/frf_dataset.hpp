@@ -15,7 +15,7 @@ struct FrfChannel {
 
 /// The FRFs of a test. All FRFs share the spectral lines; the FRFs of one impact point share its hits.
 struct FrfDataset {
-  frf::LineRange lines;
+  acquire::LineRange lines;
   double usable_bandwidth_Hz = 0;  // where the force has fallen by 20 dB; 0: unknown
   std::vector<PointForce> points;
   std::vector<FrfChannel> channels;

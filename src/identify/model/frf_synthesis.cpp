@@ -14,7 +14,7 @@ namespace {
 constexpr Eigen::Index kTerms = 3;
 constexpr std::size_t kFlopsPerModeLine = 40;  // operations per spectral line and mode
 
-Eigen::MatrixXcd residual_columns(const frf::LineRange& band, double decay_per_s) {
+Eigen::MatrixXcd residual_columns(const acquire::LineRange& band, double decay_per_s) {
   Eigen::MatrixXcd out(static_cast<Eigen::Index>(band.count), kTerms);
   const double end = kTwoPi * band.freq_Hz(band.count - 1);
   for (Eigen::Index k = 0; k < out.rows(); ++k) {
@@ -36,7 +36,7 @@ double noise_share(const Eigen::VectorXcd& left) {
 // The terms common to all FRFs, and the synthesis of one FRF.
 class Synthesis {
  public:
-  Synthesis(const FrfDataset& set, const std::vector<Mode>& modes, const frf::LineRange& band)
+  Synthesis(const FrfDataset& set, const std::vector<Mode>& modes, const acquire::LineRange& band)
       : set_(set),
         modes_(modes),
         first_(band.first - set.lines.first),
@@ -106,7 +106,7 @@ double frac(const std::vector<Complex>& measured, const std::vector<Complex>& ma
 }
 
 std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::vector<Mode>& modes,
-                                             const frf::LineRange& band) {
+                                             const acquire::LineRange& band) {
   assert(band.first >= set.lines.first && band.first + band.count <= set.lines.first + set.lines.count);
   if (band.count == 0) return {};
   const Synthesis synthesis(set, modes, band);

@@ -29,7 +29,7 @@ struct SynthesisedFrf {
 /// source  [4] in docs/theory/sources.md.
 /// theory (5.5)
 std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::vector<Mode>& modes,
-                                             const frf::LineRange& band);
+                                             const acquire::LineRange& band);
 
 /// FRAC (2) of two FRFs; 0 where either FRF is zero everywhere.
 double frac(const std::vector<Complex>& measured, const std::vector<Complex>& made);

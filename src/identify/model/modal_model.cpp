@@ -56,7 +56,7 @@ struct Missing {
   std::vector<Complex> q, q_by_s;  // [hits]
 };
 
-Missing missing_of(Complex s, const PointForce& force, const frf::LineRange& lines) {
+Missing missing_of(Complex s, const PointForce& force, const acquire::LineRange& lines) {
   const Complex two_j_wd(0, 2 * s.imag());  // s.imag() = ±ω_d: the conjugate pole has the conjugate factor
   Missing m{.windowed = s - force.window_decay_per_s(),
             .c = s * s / two_j_wd,
@@ -72,7 +72,7 @@ Missing missing_of(Complex s, const PointForce& force, const frf::LineRange& lin
 }
 
 void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, const PointForce& force,
-                      const frf::LineRange& lines, std::size_t first) {
+                      const acquire::LineRange& lines, std::size_t first) {
   const double dt_s = 1 / lines.fs_Hz;
   const auto side = [&](Complex z) { return conjugate ? std::conj(z) : z; };
   const Missing m = missing_of(side(p.s), force, lines);
@@ -104,7 +104,7 @@ void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, co
 }
 
 // H and its derivatives on the imaginary axis, where (jω)² is real: a third of the work.
-void fill_whole(ModeColumn& column, const PoleTerms& p, const frf::LineRange& lines, std::size_t first) {
+void fill_whole(ModeColumn& column, const PoleTerms& p, const acquire::LineRange& lines, std::size_t first) {
   const bool slopes = column.by_freq.size() > 0;
   const double step = kTwoPi * lines.df_Hz();
   for (Eigen::Index i = 0; i < column.value.size(); ++i) {
@@ -125,7 +125,7 @@ void fill_whole(ModeColumn& column, const PoleTerms& p, const frf::LineRange& li
 }  // namespace
 
 PointForce point_force(std::vector<frf::ForceBlock> blocks, std::vector<frf::Spectrum> spectra,
-                       const frf::LineRange& lines, double noise_N) {
+                       const acquire::LineRange& lines, double noise_N) {
   PointForce force{.blocks = std::move(blocks),
                    .spectra = std::move(spectra),
                    .ff = std::vector<double>(lines.count),
@@ -151,11 +151,11 @@ std::vector<Complex> h1_at(const PointForce& force, std::span<const std::span<co
   return frf;
 }
 
-double remaining_amplitude(const Pole& pole, const frf::LineRange& lines, double window_decay_per_s) {
+double remaining_amplitude(const Pole& pole, const acquire::LineRange& lines, double window_decay_per_s) {
   return std::exp(-(pole.damping_ratio * kTwoPi * pole.freq_Hz + window_decay_per_s) / lines.df_Hz());
 }
 
-bool decays_within_record(const Pole& pole, const PointForce& force, const frf::LineRange& lines) {
+bool decays_within_record(const Pole& pole, const PointForce& force, const acquire::LineRange& lines) {
   if (force.complete) return true;
   const bool known = std::any_of(force.blocks.begin(), force.blocks.end(),
                                  [](const frf::ForceBlock& block) { return !block.force_N.empty(); });
@@ -163,7 +163,7 @@ bool decays_within_record(const Pole& pole, const PointForce& force, const frf::
   return remaining_amplitude(pole, lines, force.window_decay_per_s()) < kNegligibleAmplitude;
 }
 
-ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const frf::LineRange& lines,
+ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const acquire::LineRange& lines,
                               std::size_t first, std::size_t count, ColumnContent need) {
   const PoleTerms p = terms_of(pole);
   const auto size = static_cast<Eigen::Index>(count);
@@ -187,8 +187,8 @@ ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const
   return column;
 }
 
-ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointForce& force, const frf::LineRange& lines,
-                               std::size_t first) {
+ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointForce& force,
+                               const acquire::LineRange& lines, std::size_t first) {
   if (decays_within_record(pole, force, lines)) return whole;
   const auto count = static_cast<std::size_t>(whole.value.size());
   if (whole.by_freq.size() == 0) {
@@ -201,7 +201,7 @@ ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointFo
   return whole;
 }
 
-TruncatedDecay::TruncatedDecay(const Pole& pole, double window_decay_per_s, const frf::LineRange& lines,
+TruncatedDecay::TruncatedDecay(const Pole& pole, double window_decay_per_s, const acquire::LineRange& lines,
                                std::size_t first, std::size_t count)
     : lines_(lines), first_(first), windowed_(terms_of(pole).s - window_decay_per_s), kernel_(count), mirror_(count) {
   const double dt_s = 1 / lines.fs_Hz;
@@ -235,7 +235,7 @@ void TruncatedDecay::add_to(std::span<Complex> sum, Complex residue, const Point
   }
 }
 
-ModeColumn mode_column(const Pole& pole, const PointForce& force, const frf::LineRange& lines, std::size_t first,
+ModeColumn mode_column(const Pole& pole, const PointForce& force, const acquire::LineRange& lines, std::size_t first,
                        std::size_t count, ColumnContent need) {
   return subtract_truncation(untruncated_column(pole, force.window_decay_per_s(), lines, first, count, need), pole,
                              force, lines, first);

@@ -36,7 +36,7 @@ struct PointForce {
 /// spectra [hits]: the force_spectrum of each block.
 /// errors  InputError: the force has no energy at some spectral line.
 PointForce point_force(std::vector<frf::ForceBlock> blocks, std::vector<frf::Spectrum> spectra,
-                       const frf::LineRange& lines, double noise_N);
+                       const acquire::LineRange& lines, double noise_N);
 /// H1 of a response to the hits at this point. shapes  accel [hits] point to [lines]; result [lines], (m/s²)/N
 std::vector<Complex> h1_at(const PointForce& force, std::span<const std::span<const Complex>> accel);
 
@@ -49,11 +49,11 @@ struct ModeColumn {
 /// A mode's amplitude at the end of a record of lines.samples, as a fraction of its start. An exponential window of
 /// this decay is included.
 /// theory (3.4)
-double remaining_amplitude(const Pole& pole, const frf::LineRange& lines, double window_decay_per_s = 0);
+double remaining_amplitude(const Pole& pole, const acquire::LineRange& lines, double window_decay_per_s = 0);
 
 /// True where truncation does not change the mode's column: the mode has decayed by the record's end, the FRFs are
 /// complete, or the force is unknown. The column is then H(jω), the same for every point.
-bool decays_within_record(const Pole& pole, const PointForce& force, const frf::LineRange& lines);
+bool decays_within_record(const Pole& pole, const PointForce& force, const acquire::LineRange& lines);
 
 /// Approximate operations per spectral line of such a column, for parallel_for_cost.
 inline constexpr std::size_t kFlopsPerColumnLine = 40;
@@ -70,28 +70,28 @@ enum class ColumnContent { value, derivatives };
 /// The model contains the truncation, so that there is no leakage and no bias of the damping.
 /// source  [5], [6] in docs/theory/sources.md.
 /// theory (3.3), (3.5)
-ModeColumn mode_column(const Pole& pole, const PointForce& force, const frf::LineRange& lines, std::size_t first,
+ModeColumn mode_column(const Pole& pole, const PointForce& force, const acquire::LineRange& lines, std::size_t first,
                        std::size_t count, ColumnContent need = ColumnContent::derivatives);
 
 /// H of (1), which is common to all points.
-ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const frf::LineRange& lines,
+ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const acquire::LineRange& lines,
                               std::size_t first, std::size_t count, ColumnContent need = ColumnContent::derivatives);
 
 /// φ of (1) from H, for one point.
-ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointForce& force, const frf::LineRange& lines,
-                               std::size_t first);
+ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointForce& force,
+                               const acquire::LineRange& lines, std::size_t first);
 
 /// H − φ of (1): the part of a mode's decay after the records' end, at lines first … first + count − 1. The terms
 /// common to all points are computed once.
 class TruncatedDecay {
  public:
-  TruncatedDecay(const Pole& pole, double window_decay_per_s, const frf::LineRange& lines, std::size_t first,
+  TruncatedDecay(const Pole& pole, double window_decay_per_s, const acquire::LineRange& lines, std::size_t first,
                  std::size_t count);
   /// Adds residue·(H − φ) for the hits at one point. shape  sum [count]
   void add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const;
 
  private:
-  frf::LineRange lines_;
+  acquire::LineRange lines_;
   std::size_t first_;
   Complex windowed_;                      // s − σ
   std::vector<Complex> kernel_, mirror_;  // [count] c·D and conj(c)·D̃

@@ -11,7 +11,7 @@ constexpr std::array<double, 5> kGuardModes{0, 0.87, 0.6, 0.3, 0.1};
 
 }  // namespace
 
-Eigen::MatrixXd out_of_band_terms(const frf::LineRange& lines) {
+Eigen::MatrixXd out_of_band_terms(const acquire::LineRange& lines) {
   const auto count = static_cast<Eigen::Index>(lines.count);
   const double low_Hz = lines.freq_Hz(0);
   const double high_Hz = lines.freq_Hz(lines.count - 1);

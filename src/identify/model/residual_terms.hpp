@@ -9,6 +9,6 @@ namespace percuss::identify {
 /// undamped guard modes at fixed frequencies above the lines, and one below. Their linear combinations follow the tails
 /// of any modes outside. shape  [lines.count, terms].
 /// theory (3.6)
-Eigen::MatrixXd out_of_band_terms(const frf::LineRange& lines);
+Eigen::MatrixXd out_of_band_terms(const acquire::LineRange& lines);
 
 }  // namespace percuss::identify

@@ -67,7 +67,7 @@ bool above_dynamic_range(const WindowedFit& all, const LocalFit& fit, std::size_
 }
 
 // The largest |H| within `reach` lines of a frequency.
-double largest_within(const std::vector<Complex>& frf, const frf::LineRange& lines, double freq_Hz, double reach) {
+double largest_within(const std::vector<Complex>& frf, const acquire::LineRange& lines, double freq_Hz, double reach) {
   const double at = lines.position(freq_Hz);
   double largest = 0;  // as power
   for (std::size_t k = lines.at(at - reach); k <= lines.at(at + reach); ++k)

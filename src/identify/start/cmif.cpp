@@ -8,7 +8,7 @@
 
 namespace percuss::identify {
 
-Eigen::MatrixXd cmif(const FrfDataset& set, const frf::LineRange& band) {
+Eigen::MatrixXd cmif(const FrfDataset& set, const acquire::LineRange& band) {
   assert(band.first >= set.lines.first && band.first + band.count <= set.lines.first + set.lines.count);
   std::set<std::size_t> sensor_channels;
   for (const FrfChannel& channel : set.channels) sensor_channels.insert(channel.channel);

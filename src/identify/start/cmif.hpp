@@ -11,6 +11,6 @@ namespace percuss::identify {
 /// shapes  result [band.count, min(points, channels)]; `band` within set.lines.
 /// units   (m/s²)/N.
 /// theory (5.6)
-Eigen::MatrixXd cmif(const FrfDataset& set, const frf::LineRange& band);
+Eigen::MatrixXd cmif(const FrfDataset& set, const acquire::LineRange& band);
 
 }  // namespace percuss::identify

@@ -37,7 +37,7 @@ struct Circle {
   double step_s = 0;
 };
 
-Circle circle_of(const frf::LineRange& lines, const LscfOptions& options) {
+Circle circle_of(const acquire::LineRange& lines, const LscfOptions& options) {
   const double gap = std::min(kMaxGap, kGap / static_cast<double>(options.max_order));
   const auto points = static_cast<std::size_t>(std::ceil(static_cast<double>(options.count) / (1 - gap)));
   Circle circle{.points = std::max(fast_length_at_most(points), options.count + 1), .lines = options.count};

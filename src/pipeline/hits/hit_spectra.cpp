@@ -9,7 +9,7 @@ namespace percuss::pipeline {
 
 HitResponses read_responses(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                             const TransformOptions& options, Trace& trace) {
-  const frf::LineRange& range = options.lines;
+  const acquire::LineRange& range = options.lines;
   const std::size_t channels = record.accel.size();
   std::vector<std::vector<HitResponse>> of(hits.size());
   std::vector<std::pair<std::size_t, std::size_t>> tasks;
@@ -36,7 +36,7 @@ HitResponses read_responses(const acquire::Record& record, const std::vector<Ana
 
 std::vector<frf::Spectrum> force_spectra(const std::vector<AnalysedHit>& hits, const TransformOptions& options,
                                          Trace& trace) {
-  const frf::LineRange& range = options.lines;
+  const acquire::LineRange& range = options.lines;
   const std::vector<std::size_t> used = accepted_hits(hits);
   std::vector<frf::Spectrum> spectra(hits.size());
   const auto all = std::make_shared<const UninitializedArray<Complex>>(used.size() * range.count);

@@ -14,7 +14,7 @@ namespace percuss::pipeline {
 
 /// The spectral lines that the hits are transformed to, and the exponential window applied before.
 struct TransformOptions {
-  frf::LineRange lines;
+  acquire::LineRange lines;
   double window_decay_per_s = 0;
   std::size_t threads = 0;
 };

@@ -22,7 +22,7 @@ std::pair<double, double> band_with_margin(double low_Hz, double high_Hz) {
   return {std::max(low_Hz - margin, 0.5 * low_Hz), high_Hz + margin};
 }
 
-void require_lines(const frf::LineRange& lines, double low_Hz, double high_Hz, const std::string& where,
+void require_lines(const acquire::LineRange& lines, double low_Hz, double high_Hz, const std::string& where,
                    const std::string& remedy) {
   if (lines.count >= kMinBandLines) return;
   throw InputError(fmt::format("only {} spectral lines, {:.4g} Hz apart, lie in the band {:.6g}:{:.6g} Hz", lines.count,

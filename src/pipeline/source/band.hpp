@@ -13,7 +13,7 @@ double default_low_Hz(double highest_Hz);
 std::pair<double, double> band_with_margin(double low_Hz, double high_Hz);
 
 /// errors  InputError at `where`, with the option "band": too few spectral lines in the band to find modes.
-void require_lines(const frf::LineRange& lines, double low_Hz, double high_Hz, const std::string& where,
+void require_lines(const acquire::LineRange& lines, double low_Hz, double high_Hz, const std::string& where,
                    const std::string& remedy);
 
 }  // namespace percuss::pipeline

@@ -10,7 +10,7 @@
 namespace percuss::pipeline {
 namespace {
 
-acquire::Record record_without_rows(const frf::FrfRecord& frfs) {
+acquire::Record record_without_rows(const acquire::FrfRecord& frfs) {
   acquire::Record record;
   record.files = frfs.files;
   record.format = frfs.format;
@@ -31,23 +31,23 @@ std::vector<Value> slice(const std::vector<Value>& all, std::size_t first, std::
 
 }  // namespace
 
-FrfSource::FrfSource(frf::FrfRecord frfs) : frfs_(std::move(frfs)), record_(record_without_rows(frfs_)) {}
+FrfSource::FrfSource(acquire::FrfRecord frfs) : frfs_(std::move(frfs)), record_(record_without_rows(frfs_)) {}
 
 std::set<int> FrfSource::points() const {
   std::set<int> points;
-  for (const frf::PointFrf& frf : frfs_.frfs) points.insert(frf.point);
+  for (const acquire::PointFrf& frf : frfs_.frfs) points.insert(frf.point);
   return points;
 }
 
 std::pair<double, double> FrfSource::default_band_Hz(const std::vector<AnalysedHit>& /*hits*/) const {
-  const frf::LineRange& all = frfs_.lines;
+  const acquire::LineRange& all = frfs_.lines;
   const double high_Hz = all.freq_Hz(all.count - 1);
   return {std::max(all.freq_Hz(0), default_low_Hz(high_Hz)), high_Hz};
 }
 
-frf::LineRange FrfSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& /*hits*/,
-                                       Trace& /*trace*/) const {
-  const frf::LineRange& all = frfs_.lines;
+acquire::LineRange FrfSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& /*hits*/,
+                                           Trace& /*trace*/) const {
+  const acquire::LineRange& all = frfs_.lines;
   const auto [low_Hz, high_Hz] = request.band_Hz;
   const double top_Hz = all.freq_Hz(all.count - 1);
   if (!(low_Hz < high_Hz) || low_Hz < 0 || high_Hz > top_Hz + 0.5 * all.df_Hz() || low_Hz > top_Hz) {
@@ -56,7 +56,7 @@ frf::LineRange FrfSource::choose_lines(const LineRequest& request, const std::ve
                      record_.source(), "choose LO:HI within them", {"band"});
   }
   const auto [from_Hz, to_Hz] = band_with_margin(low_Hz, high_Hz);
-  frf::LineRange lines = frf::lines_in_band(all.fs_Hz, all.samples, from_Hz, std::min(to_Hz, top_Hz));
+  acquire::LineRange lines = frf::lines_in_band(all.fs_Hz, all.samples, from_Hz, std::min(to_Hz, top_Hz));
   const std::size_t end = std::min(lines.first + lines.count, all.first + all.count);
   lines.first = std::max(lines.first, all.first);
   lines.count = end > lines.first ? end - lines.first : 0;
@@ -67,13 +67,14 @@ frf::LineRange FrfSource::choose_lines(const LineRequest& request, const std::ve
 std::vector<FrfGroup> FrfSource::groups(const std::vector<AnalysedHit>& /*hits*/) const {
   std::vector<FrfGroup> groups;
   groups.reserve(frfs_.frfs.size());
-  for (const frf::PointFrf& frf : frfs_.frfs)
+  for (const acquire::PointFrf& frf : frfs_.frfs)
     groups.push_back({.index = groups.size(), .point = frf.point, .channel = frf.channel, .hits = {}});
   return groups;
 }
 
-frf::PointFrf FrfSource::frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator /*estimator*/) const {
-  const frf::PointFrf& given = frfs_.frfs[group.index];
+acquire::PointFrf FrfSource::frf(const FrfGroup& group, const TestSpectra& spectra,
+                                 frf::Estimator /*estimator*/) const {
+  const acquire::PointFrf& given = frfs_.frfs[group.index];
   const std::size_t first = spectra.lines.first - frfs_.lines.first;
   const std::size_t count = spectra.lines.count;
   return {.point = group.point,
@@ -85,11 +86,11 @@ frf::PointFrf FrfSource::frf(const FrfGroup& group, const TestSpectra& spectra, 
 }
 
 identify::FrfDataset FrfSource::dataset(const TestSpectra& spectra, const std::vector<std::size_t>& /*hits*/,
-                                        const std::vector<frf::PointFrf>* /*averages*/) const {
-  const frf::LineRange& lines = spectra.lines;
+                                        const std::vector<acquire::PointFrf>* /*averages*/) const {
+  const acquire::LineRange& lines = spectra.lines;
   identify::FrfDataset set{.lines = lines};
   std::optional<int> point;
-  for (const frf::PointFrf& frf : frfs_.frfs) {
+  for (const acquire::PointFrf& frf : frfs_.frfs) {
     if (frf.point != point) {
       set.points.emplace_back();  // of the force only the window is known
       if (frfs_.decay_per_s > 0) set.points.back().blocks.push_back({.decay_per_s = frfs_.decay_per_s});

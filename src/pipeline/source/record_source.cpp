@@ -69,8 +69,8 @@ void RecordSource::require_band(const LineRequest& request) const {
                    record_.source(), "choose LO:HI with LO < HI <= half the sampling rate", {"band"});
 }
 
-frf::LineRange RecordSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
-                                          Trace& trace) const {
+acquire::LineRange RecordSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
+                                              Trace& trace) const {
   const std::size_t samples = block_samples(request, hits, trace);
   double bandwidth_Hz = 0;
   for (const AnalysedHit& hit : hits) {
@@ -81,7 +81,7 @@ frf::LineRange RecordSource::choose_lines(const LineRequest& request, const std:
   const auto [from_Hz, to_Hz] = band_with_margin(low_Hz, high_Hz);
   const double top_Hz =
       std::max(high_Hz, std::min({to_Hz, kUsableBandwidthFactor * bandwidth_Hz, kAntiAlias * record_.fs_Hz}));
-  const frf::LineRange range = frf::lines_in_band(record_.fs_Hz, samples, from_Hz, top_Hz);
+  const acquire::LineRange range = frf::lines_in_band(record_.fs_Hz, samples, from_Hz, top_Hz);
   require_lines(range, low_Hz, high_Hz, record_.source(), "record longer or widen the band");
   return range;
 }
@@ -91,12 +91,12 @@ std::vector<FrfGroup> RecordSource::groups(const std::vector<AnalysedHit>& hits)
   return frf_groups(hits, record_.accel.size());
 }
 
-frf::PointFrf RecordSource::frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator) const {
+acquire::PointFrf RecordSource::frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator) const {
   return average_frf(group, spectra, estimator);
 }
 
 identify::FrfDataset RecordSource::dataset(const TestSpectra& spectra, const std::vector<std::size_t>& hits,
-                                           const std::vector<frf::PointFrf>* averages) const {
+                                           const std::vector<acquire::PointFrf>* averages) const {
   require_accepted(!hits.empty());
   return h1_dataset(spectra, hits, record_.accel.size(), averages);
 }

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "acquire/record/frf_record.hpp"
 #include "acquire/record/record.hpp"
 #include "core/trace.hpp"
-#include "frf/frf_record.hpp"
 #include "pipeline/stages/frf_averages.hpp"
 
 namespace percuss::pipeline {
@@ -31,7 +31,7 @@ class Source {
   /// The record. For FRFs: their files, channels, notes and geometry, without rows.
   virtual const acquire::Record& record() const = 0;
   /// The FRFs that were given; nullptr for a record.
-  virtual const frf::FrfRecord* frfs() const = 0;
+  virtual const acquire::FrfRecord* frfs() const = 0;
   /// Numbers of the measured points.
   virtual std::set<int> points() const = 0;
   virtual std::vector<acquire::Hit> find_hits(const acquire::HitOptions& options) const = 0;
@@ -41,17 +41,17 @@ class Source {
   virtual std::pair<double, double> default_band_Hz(const std::vector<AnalysedHit>& hits) const = 0;
   /// The band with a margin for modes just outside, limited by the bandwidth of the data. `hits` are graded by force.
   /// errors  InputError: no accepted hit, or a band that does not fit the data.
-  virtual frf::LineRange choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
-                                      Trace& trace) const = 0;
+  virtual acquire::LineRange choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
+                                          Trace& trace) const = 0;
   /// Of the exponential window that the data carry already; 0 without one.
   virtual double window_decay_per_s() const = 0;
   /// The FRFs that can be had, point by point, ascending. errors  InputError: no accepted hit.
   virtual std::vector<FrfGroup> groups(const std::vector<AnalysedHit>& hits) const = 0;
   /// One of groups() over the lines of `spectra`. Threads may call at once.
-  virtual frf::PointFrf frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator) const = 0;
+  virtual acquire::PointFrf frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator) const = 0;
   /// The FRFs that modes are fitted to; `averages` as for h1_dataset.
   virtual identify::FrfDataset dataset(const TestSpectra& spectra, const std::vector<std::size_t>& hits,
-                                       const std::vector<frf::PointFrf>* averages) const = 0;
+                                       const std::vector<acquire::PointFrf>* averages) const = 0;
 };
 
 }  // namespace percuss::pipeline

@@ -59,7 +59,7 @@ std::vector<FrfGroup> frf_groups(const std::vector<AnalysedHit>& hits, std::size
 
 std::size_t average_cost_flops(std::size_t lines, std::size_t hits) { return kFlopsPerHitLine * lines * hits; }
 
-frf::PointFrf average_frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator) {
+acquire::PointFrf average_frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator) {
   std::vector<std::span<const Complex>> force;
   force.reserve(group.hits.size());
   for (const std::size_t h : group.hits) force.emplace_back(spectra.force[h].get(), spectra.lines.count);
@@ -68,7 +68,7 @@ frf::PointFrf average_frf(const FrfGroup& group, const TestSpectra& spectra, frf
 }
 
 identify::FrfDataset h1_dataset(const TestSpectra& spectra, const std::vector<std::size_t>& hits, std::size_t channels,
-                                const std::vector<frf::PointFrf>* averages) {
+                                const std::vector<acquire::PointFrf>* averages) {
   identify::FrfDataset set{.lines = spectra.lines, .usable_bandwidth_Hz = usable_bandwidth_Hz(spectra.hits, hits)};
   std::vector<std::vector<std::size_t>> members;
   for (auto& [point, hits_there] : by_point(spectra.hits, hits)) members.push_back(std::move(hits_there));

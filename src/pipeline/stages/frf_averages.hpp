@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "acquire/record/frf_record.hpp"
 #include "frf/estimators.hpp"
-#include "frf/frf_record.hpp"
 #include "identify/model/frf_dataset.hpp"
 #include "pipeline/hits/hit_spectra.hpp"
 
@@ -11,7 +11,7 @@ namespace percuss::pipeline {
 
 /// The spectra that FRFs are estimated from; refers to results that must outlive it.
 struct TestSpectra {
-  const frf::LineRange& lines;
+  const acquire::LineRange& lines;
   const std::vector<AnalysedHit>& hits;
   const std::vector<frf::Spectrum>& force;  // [hits]
   const HitResponses& responses;
@@ -32,10 +32,10 @@ std::vector<FrfGroup> frf_groups(const std::vector<AnalysedHit>& hits, std::size
 /// Floating-point operations of one average, for the division of work among threads.
 std::size_t average_cost_flops(std::size_t lines, std::size_t hits);
 
-frf::PointFrf average_frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator);
+acquire::PointFrf average_frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator);
 
 /// H1 of `hits` by point, as modes are fitted to it. `averages`: the same FRFs, if they exist already; else nullptr.
 identify::FrfDataset h1_dataset(const TestSpectra& spectra, const std::vector<std::size_t>& hits, std::size_t channels,
-                                const std::vector<frf::PointFrf>* averages);
+                                const std::vector<acquire::PointFrf>* averages);
 
 }  // namespace percuss::pipeline

@@ -56,7 +56,7 @@ std::vector<Warning> pretrigger_warnings(const acquire::Record& record, const st
                        std::max(0.0, samples), 2 * kMinPretriggerSamples)}};
 }
 
-std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& modes, const frf::LineRange& lines,
+std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& modes, const acquire::LineRange& lines,
                                          double window_decay_per_s, bool force_known) {
   std::string ringing;
   for (const identify::Mode& mode : modes) {

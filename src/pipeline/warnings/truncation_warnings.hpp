@@ -15,7 +15,7 @@ std::vector<Warning> pretrigger_warnings(const acquire::Record& record, const st
                                          const identify::FrfDataset& set);
 
 /// truncated_decay: modes that still rang when the record ended. `force_known`: false for FRFs that were given.
-std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& modes, const frf::LineRange& lines,
+std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& modes, const acquire::LineRange& lines,
                                          double window_decay_per_s, bool force_known);
 
 }  // namespace percuss::pipeline

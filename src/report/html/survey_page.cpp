@@ -44,7 +44,7 @@ Json shapes_plot_json(const Wireframe& frame) {
 Json indicator_plot_json(const pipeline::Survey& survey) {
   constexpr Eigen::Index kMaxValues = 3;
   constexpr double kLevelStep_dB = 0.01;
-  const frf::LineRange band = survey.band();
+  const acquire::LineRange band = survey.band();
   Json json{{"first_hz", band.freq_Hz(0)}, {"df_hz", band.df_Hz()}, {"values", Json::array()}};
   for (Eigen::Index i = 0; i < std::min(kMaxValues, survey.indicator().cols()); ++i) {
     std::vector<double> level_dB;

@@ -121,7 +121,7 @@ std::string mode_json(const identify::Mode& mode, std::size_t m, double window_d
 std::string frf_json(const pipeline::Analysis& analysis) {
   const auto& frfs = analysis.frfs();
   Json json{{"lines", analysis.lines().count}, {"df_hz", analysis.lines().df_Hz()}, {"averages", Json::array()}};
-  for (const frf::PointFrf& frf : frfs)
+  for (const acquire::PointFrf& frf : frfs)
     json["averages"].push_back({{"point", frf.point}, {"channel", frf.channel}, {"averages", frf.frf.averages}});
   return indented_text(json);
 }

@@ -21,14 +21,14 @@ constexpr double kNotSeen = std::numeric_limits<double>::quiet_NaN();
 
 double level_dB_of(double amplitude) { return amplitude > 0 ? 20 * std::log10(amplitude) : kNotSeen; }
 
-double level_of(const frf::PointFrf& frf) {
+double level_of(const acquire::PointFrf& frf) {
   double sum = 0;
   for (const Complex& value : frf.frf.value) sum += std::norm(value);
   return sum;
 }
 
 // The strongest outputs, in the order of the file.
-std::vector<std::size_t> strongest_frfs_of(const std::vector<frf::PointFrf>& frfs) {
+std::vector<std::size_t> strongest_frfs_of(const std::vector<acquire::PointFrf>& frfs) {
   std::vector<std::size_t> order(frfs.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
@@ -38,14 +38,15 @@ std::vector<std::size_t> strongest_frfs_of(const std::vector<frf::PointFrf>& frf
   return order;
 }
 
-std::string name_of_frf(const pipeline::Analysis& analysis, const frf::PointFrf& frf) {
+std::string name_of_frf(const pipeline::Analysis& analysis, const acquire::PointFrf& frf) {
   const acquire::SignalInfo& signal = analysis.record().accel[frf.channel];
   std::string name = signal.name;
   if (signal.angle_rad) name += fmt::format(" ({:.4g}°)", *signal.angle_rad * kRadian_deg);
   return analysis.frf_points().size() > 1 ? fmt::format("point {}, {}", frf.point, name) : name;
 }
 
-FrfCurve curve_of_frf(const pipeline::Analysis& analysis, const frf::PointFrf& frf, const std::vector<Complex>* fit) {
+FrfCurve curve_of_frf(const pipeline::Analysis& analysis, const acquire::PointFrf& frf,
+                      const std::vector<Complex>* fit) {
   const auto& value = frf.frf.value;
   const auto values = [&](auto value_of) {
     std::vector<double> out(value.size());

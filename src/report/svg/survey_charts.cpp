@@ -76,7 +76,7 @@ LineChart indicator_chart(const pipeline::Survey& survey) {
   LineChart chart{.title = "Mode indicator: singular values of the FRFs",
                   .x = {.label = "frequency, Hz"},
                   .y = {.label = "dB re 1 (m/s²)/N"}};
-  const frf::LineRange band = survey.band();
+  const acquire::LineRange band = survey.band();
   constexpr std::array<const char*, 3> kNames{"largest", "second", "third"};
   for (Eigen::Index i = 0; i < std::min<Eigen::Index>(kNames.size(), survey.indicator().cols()); ++i) {
     ChartCurve curve{.name = kNames.at(static_cast<std::size_t>(i))};

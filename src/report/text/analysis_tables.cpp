@@ -149,7 +149,7 @@ std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits
   if (!angles.empty()) sensors += " (" + angles + ")";
   std::string text =
       fmt::format("{} · {} hit{} × {}", rounded_frequency_text(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
-  if (const frf::FrfRecord* given = analysis.given_frfs()) {
+  if (const acquire::FrfRecord* given = analysis.given_frfs()) {
     const std::size_t points = given->frfs.size() / record.accel.size();
     text = fmt::format("FRFs ({}) · {} point{} × {}", name_of(given->kind), points, points == 1 ? "" : "s", sensors);
   }

@@ -39,7 +39,7 @@ std::string modes_text(const pipeline::Analysis& analysis, bool classes, std::si
 std::string frf_text(const pipeline::Analysis& analysis) {
   const auto [least, most] = std::minmax_element(
       analysis.frfs().begin(), analysis.frfs().end(),
-      [](const frf::PointFrf& a, const frf::PointFrf& b) { return a.frf.averages < b.frf.averages; });
+      [](const acquire::PointFrf& a, const acquire::PointFrf& b) { return a.frf.averages < b.frf.averages; });
   std::string averages = fmt::format("{}", least->frf.averages);
   if (most->frf.averages != least->frf.averages) averages += fmt::format(" to {}", most->frf.averages);
   if (most->frf.averages == 0) averages = "not stated";

@@ -12,9 +12,9 @@ constexpr double kGood = 0.9;
 
 }  // namespace
 
-std::optional<CoherenceSummary> summary_of_coherence(const pipeline::Analysis& analysis, const frf::PointFrf& frf) {
+std::optional<CoherenceSummary> summary_of_coherence(const pipeline::Analysis& analysis, const acquire::PointFrf& frf) {
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
-  const frf::LineRange& all = analysis.lines();
+  const acquire::LineRange& all = analysis.lines();
   const auto& coherence = frf.frf.coherence;
   std::size_t first = 0, end = coherence.size();
   while (first < end && all.freq_Hz(first) < low_Hz) ++first;
@@ -25,7 +25,7 @@ std::optional<CoherenceSummary> summary_of_coherence(const pipeline::Analysis& a
 }
 
 std::vector<std::optional<CoherenceSummary>> coherence_summaries(const pipeline::Analysis& analysis) {
-  const std::vector<frf::PointFrf>& frfs = analysis.frfs();
+  const std::vector<acquire::PointFrf>& frfs = analysis.frfs();
   std::vector<std::optional<CoherenceSummary>> summaries(frfs.size());
   const ThreadLimit limit(analysis.options().threads);
   parallel_for_cost(frfs.size(), analysis.lines().count,

@@ -13,7 +13,7 @@ struct CoherenceSummary {
 };
 
 /// Nothing for a single hit, which has no coherence.
-std::optional<CoherenceSummary> summary_of_coherence(const pipeline::Analysis& analysis, const frf::PointFrf& frf);
+std::optional<CoherenceSummary> summary_of_coherence(const pipeline::Analysis& analysis, const acquire::PointFrf& frf);
 
 /// For each FRF of the analysis.
 std::vector<std::optional<CoherenceSummary>> coherence_summaries(const pipeline::Analysis& analysis);

@@ -22,7 +22,7 @@ constexpr double kRange_dB = 80;                       // lower levels are antir
 std::vector<double> levels_dB(const pipeline::Analysis& analysis, std::size_t columns) {
   std::vector<double> highest(columns, -std::numeric_limits<double>::infinity());
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
-  for (const frf::PointFrf& frf : analysis.frfs()) {
+  for (const acquire::PointFrf& frf : analysis.frfs()) {
     for (std::size_t k = 0; k < frf.frf.value.size(); ++k) {
       const double part = (analysis.lines().freq_Hz(k) - low_Hz) / (high_Hz - low_Hz);
       if (!(part >= 0 && part < 1)) continue;

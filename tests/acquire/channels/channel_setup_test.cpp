@@ -91,7 +91,7 @@ TEST(ChannelSetup, NamesTheWrongKey) {
   EXPECT_THAT(rejection_of(R"([{"name": "a", "angle_deg": "90"}])"), HasSubstr("not a number (s.json: [0].angle_deg)"));
   EXPECT_THAT(rejection_of(R"([{"name": "a", "angle_deg": 4000}])"), HasSubstr("out of range"));
   EXPECT_THAT(rejection_of(R"([{"name": "a", "position_m": 1e300}])"), HasSubstr("out of range"));
-  EXPECT_THAT(rejection_of(R"([{"name": "a", "sign": 0.5}])"), HasSubstr("no sign"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "sign": 0.5}])"), HasSubstr("is not a sign"));
   EXPECT_THAT(rejection_of(R"([{"name": "a", "role": "hammer"}])"), HasSubstr("unknown role"));
   EXPECT_THAT(rejection_of(R"([{"name": "a", "unit": "furlong"}])"), HasSubstr("unknown unit"));
   EXPECT_THAT(rejection_of(R"([{"name": "a"}, {"name": "A"}])"), HasSubstr("two entries"));

@@ -16,10 +16,10 @@
 #include "acquire/formats/hdf5/write_hdf5.hpp"
 #include "acquire/formats/mat/write_mat.hpp"
 #include "acquire/open_measurement.hpp"
+#include "acquire/record/frf_record.hpp"
 #include "acquire/sandbox/sandbox_measurement.hpp"
 #include "acquire/sandbox/sandbox_process.hpp"
 #include "core/error.hpp"
-#include "frf/frf_record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/mat_builder.hpp"
@@ -215,7 +215,7 @@ TEST_F(Sandbox, SurvivesDamagedMatFiles) {
       }
       test::write_bytes(path_, damaged);
       try {
-        const auto opened = frf::open_measurement(path_, {.read = {.sandboxed = true}});
+        const auto opened = acquire::open_measurement(path_, {.read = {.sandboxed = true}});
         if (const auto* record = std::get_if<Record>(&opened)) force_N(*record);
       } catch (const InputError&) {
       }

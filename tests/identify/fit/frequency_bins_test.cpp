@@ -8,7 +8,7 @@
 
 namespace percuss::identify::line_blocks_test {
 
-const frf::LineRange kLines{.fs_Hz = 8192, .samples = 16384, .first = 100, .count = 4000};
+const acquire::LineRange kLines{.fs_Hz = 8192, .samples = 16384, .first = 100, .count = 4000};
 
 TEST(FrequencyBins, KeepTheEnergyOfWhiteNoiseInEveryBin) {
   constexpr double kTolerance = 0.1;  // of a variance from a thousand bins: three standard deviations

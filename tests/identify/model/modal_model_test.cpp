@@ -133,7 +133,7 @@ TEST(ModeColumn, OfAWindowIsPartOfTheFullColumn) {
   EXPECT_LE(largest(all.value.segment(150, 80) - part.value), kTolerance * largest(all.value));
 }
 
-constexpr frf::LineRange kTwoLines{.fs_Hz = 8, .samples = 8, .first = 1, .count = 2};
+constexpr acquire::LineRange kTwoLines{.fs_Hz = 8, .samples = 8, .first = 1, .count = 2};
 
 TEST(PointForce, WeightsEachHitByItsEnergy) {
   const std::vector<Complex> a{{3, 4}, {0, 1}}, b{{0, 5}, {2, 0}};

@@ -6,7 +6,7 @@
 
 namespace percuss::identify::background_test {
 
-const frf::LineRange kLines{.fs_Hz = 8192, .samples = 8192, .first = 60, .count = 3200};
+const acquire::LineRange kLines{.fs_Hz = 8192, .samples = 8192, .first = 60, .count = 3200};
 
 // The part of an undamped out-of-band mode's accelerance that the terms cannot follow.
 double missed(double freq_Hz) {

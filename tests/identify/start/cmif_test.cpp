@@ -26,7 +26,7 @@ FrfDataset two_by_two() {
   return set;
 }
 
-Eigen::Index line_at(const frf::LineRange& lines, double freq_Hz) {
+Eigen::Index line_at(const acquire::LineRange& lines, double freq_Hz) {
   return static_cast<Eigen::Index>(std::lround(freq_Hz / lines.df_Hz()) - static_cast<long>(lines.first));
 }
 
@@ -53,7 +53,7 @@ TEST(Cmif, ShowsTwoModesOfOneFrequencyInTwoValues) {
 
 TEST(Cmif, CoversTheBandOnly) {
   const FrfDataset set = two_by_two();
-  const frf::LineRange band = frf::lines_in_band(4096, 8192, 300, 500);
+  const acquire::LineRange band = frf::lines_in_band(4096, 8192, 300, 500);
   const Eigen::MatrixXd part = cmif(set, band), all = cmif(set, set.lines);
   ASSERT_EQ(static_cast<std::size_t>(part.rows()), band.count);
   EXPECT_EQ(part.row(0), all.row(static_cast<Eigen::Index>(band.first - set.lines.first)));

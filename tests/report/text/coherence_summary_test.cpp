@@ -17,7 +17,7 @@ pipeline::Analysis analysis_of(std::size_t hits) {
 
 TEST(CoherenceSummary, CountsOnlyTheLinesOfTheBand) {
   const pipeline::Analysis analysis = analysis_of(2);
-  frf::PointFrf frf = analysis.frfs().front();
+  acquire::PointFrf frf = analysis.frfs().front();
   std::size_t inside = 0;
   for (std::size_t k = 0; k < frf.frf.coherence.size(); ++k) {
     const double freq_Hz = analysis.lines().freq_Hz(k);

@@ -146,7 +146,7 @@ int run(const RunFlags& flags) {
   // Paths of records, also in messages, are relative to the folder of the manifest.
   if (const fs::path parent = fs::path(flags.manifest).parent_path(); !parent.empty()) fs::current_path(parent);
   // Started before any thread, and in the folder of the records.
-  if (options.read.read.sandboxed) options.fork_server = frf::measurement_fork_server(options.read);
+  if (options.read.read.sandboxed) options.fork_server = acquire::measurement_fork_server(options.read);
   std::atomic<std::size_t> done{0};
   std::size_t total = 0;
   for (const std::size_t i : wanted) total += manifest.shard(i, shards).size();

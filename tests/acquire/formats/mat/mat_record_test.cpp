@@ -10,9 +10,9 @@
 #include "acquire/formats/mat/read_mat.hpp"
 #include "acquire/formats/mat/write_mat.hpp"
 #include "acquire/open_measurement.hpp"
+#include "acquire/record/frf_record.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "frf/frf_record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/mat_builder.hpp"
@@ -34,8 +34,8 @@ using testing::IsEmpty;
 class MatRecord : public testing::Test {
  protected:
   Record opened(const ReadOptions& options = {}) const { return open_record(path_, options); }
-  frf::FrfRecord frfs(const frf::FrfReadOptions& options = {}) const {
-    return std::get<frf::FrfRecord>(frf::open_measurement(path_, options));
+  acquire::FrfRecord frfs(const acquire::FrfReadOptions& options = {}) const {
+    return std::get<acquire::FrfRecord>(acquire::open_measurement(path_, options));
   }
   test::ScratchFolder folder_;
   std::string path_ = folder_.file("r.mat");
@@ -180,7 +180,7 @@ TEST_F(MatRecord, RefusesContradictions) {
 TEST_F(MatRecord, GivesFrfsWithTheirFrequencies) {
   const std::vector<std::complex<double>> lines{{1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 10}, {11, 12}};
   MatBuilder(path_, MatLevel::v5).complex("H", {3, 2}, lines).numbers("freq", {3, 1}, {10, 20, 30});
-  const frf::FrfRecord record = frfs();
+  const acquire::FrfRecord record = frfs();
   ASSERT_EQ(record.frfs.size(), 2U);
   EXPECT_EQ(record.lines.first, 1U);
   EXPECT_NEAR(record.lines.df_Hz(), 10, 1e-12);
@@ -202,8 +202,8 @@ TEST_F(MatRecord, IsAmbiguousWithSeveralComplexArrays) {
       .complex("H1", {2, 1}, lines)
       .numbers("df", {1, 1}, {2})
       .numbers("chan_1", {4, 1}, {1, 2, 3, 4});
-  EXPECT_THROW(frf::open_measurement(path_), AmbiguousColumns);
-  EXPECT_EQ(frfs({.kind = frf::FrfKind::mobility}).kind, frf::FrfKind::mobility);
+  EXPECT_THROW(acquire::open_measurement(path_), AmbiguousColumns);
+  EXPECT_EQ(frfs({.kind = acquire::FrfKind::mobility}).kind, acquire::FrfKind::mobility);
 }
 
 class MatWritten : public MatRecord {

@@ -7,9 +7,9 @@
 #include "acquire/formats/uff/uff_contents.hpp"
 #include "acquire/formats/uff/write_frf_uff.hpp"
 #include "acquire/open_measurement.hpp"
+#include "acquire/record/frf_record.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "frf/frf_record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
@@ -35,7 +35,7 @@ std::string frf_text(UffText set, double x) {
   return set.text(fmt::format("{:13.5E}{:13.5E}{:13.5E}{:13.5E}\n", x, -x, 2 * x, 0.0));
 }
 
-frf::FrfRecord read(const std::string& text, const frf::FrfReadOptions& options = {}) {
+acquire::FrfRecord read(const std::string& text, const acquire::FrfReadOptions& options = {}) {
   const FileBytes bytes = csv_bytes(text);
   auto stored = acquire::read_frf_uff(bytes, read_uff_contents(bytes), options.kind.has_value());
   EXPECT_TRUE(stored.has_value());
@@ -54,7 +54,7 @@ TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
       text += frf_text(set, node + 0.1 * direction);
     }
   }
-  const frf::FrfRecord record = read(text);
+  const acquire::FrfRecord record = read(text);
   ASSERT_EQ(record.frfs.size(), 4U);
   EXPECT_EQ(record.frfs[3].point, 9);
   EXPECT_EQ(record.frfs[3].channel, 1U);
@@ -62,13 +62,13 @@ TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
   EXPECT_NEAR(record.lines.df_Hz(), 2, 1e-12);
   const double g = kStandardGravity_mps2;
   EXPECT_LT(std::abs(record.frfs[3].frf.value[0] - Complex(9.3 * g, -9.3 * g)), 1e-4);
-  EXPECT_EQ(record.kind, frf::FrfKind::accelerance);
+  EXPECT_EQ(record.kind, acquire::FrfKind::accelerance);
 }
 
 TEST(UffFrf, MakesPointsOfResponsesOfARovingSensor) {
   std::string text;
   for (const int node : {7, 3, 5}) text += frf_text({.response_node = node, .reference_node = 1}, node);
-  const frf::FrfRecord record = read(text);
+  const acquire::FrfRecord record = read(text);
   ASSERT_EQ(record.frfs.size(), 3U);
   ASSERT_EQ(record.accel.size(), 1U);
   EXPECT_EQ(record.frfs[0].point, 3);
@@ -77,14 +77,14 @@ TEST(UffFrf, MakesPointsOfResponsesOfARovingSensor) {
 
 TEST(UffFrf, TakesUnitsAndKindFromAxesOrTheFilesSystem) {
   const UffText velocity{.ordinate = 11, .ordinate_unit = "mm/s", .denominator_unit = "N"};
-  EXPECT_EQ(read(frf_text(velocity, 1)).kind, frf::FrfKind::mobility);
+  EXPECT_EQ(read(frf_text(velocity, 1)).kind, acquire::FrfKind::mobility);
   EXPECT_NEAR(read(frf_text(velocity, 1)).accel[0].to_SI, 1e-3, 1e-18);
   const std::string units =
       "    -1\n   164\n         9USER DEFINED                  2\n"
       "  1.00000000000000000D+03  1.00000000000000000D+03  1.00000000000000000D+00\n"
       "  2.73149999999999977D+02\n    -1\n";
-  const frf::FrfRecord receptance = read(units + frf_text({.ordinate = 8}, 1));
-  EXPECT_EQ(receptance.kind, frf::FrfKind::receptance);
+  const acquire::FrfRecord receptance = read(units + frf_text({.ordinate = 8}, 1));
+  EXPECT_EQ(receptance.kind, acquire::FrfKind::receptance);
   EXPECT_NEAR(receptance.accel[0].to_SI, 1, 1e-12) << "mm per mN";
 }
 
@@ -107,20 +107,20 @@ TEST(UffFrf, YieldsToRecordsOfTimeUnlessForced) {
 }
 
 TEST(UffFrf, IsWrittenWithCoherenceAndReadBackExactly) {
-  frf::FrfRecord record;
+  acquire::FrfRecord record;
   record.files.push_back({.path = "x"});
   record.lines = {.fs_Hz = 1000.0 / 3, .samples = 100, .first = 3, .count = 2};
   record.accel.push_back({.name = "accel 1", .angle_rad = 0.5});
   for (const int point : {0, 2}) {
-    frf::Frf frf{.value = {{1.0 / 3, 2}, {3, -4}}, .coherence = {0.5, 0.8}, .averages = 5};
+    acquire::Frf frf{.value = {{1.0 / 3, 2}, {3, -4}}, .coherence = {0.5, 0.8}, .averages = 5};
     // σ² = (1 − γ²)/γ² · |H|²/(n − 1)
     frf.std = {std::sqrt(0.5 / 0.5 / 4) * std::abs(frf.value[0]), std::sqrt(0.2 / 0.8 / 4) * 5};
     record.frfs.push_back({.point = point, .channel = 0, .frf = frf});
   }
   record.geometry = {{0, 0, 0}, {0.25, 0, 0}, {0.5, 0, 1e-9}};
   const test::ScratchFolder folder;
-  acquire::write_frf_record_uff(folder.file("f.uff"), record, frf::FrfKind::accelerance, false);
-  const auto again = std::get<frf::FrfRecord>(frf::open_measurement(folder.file("f.uff")));
+  acquire::write_frf_record_uff(folder.file("f.uff"), record, acquire::FrfKind::accelerance, false);
+  const auto again = std::get<acquire::FrfRecord>(acquire::open_measurement(folder.file("f.uff")));
   ASSERT_EQ(again.frfs.size(), 2U);
   EXPECT_EQ(again.frfs[1].point, 2);
   EXPECT_EQ(again.frfs[0].frf.value, record.frfs[0].frf.value);
