@@ -177,9 +177,7 @@ TEST_F(AnalyzeChoices, WarnsOfFilesOfDifferentStructures) {
     words.push_back(folder_->file(preset + ".h5"));
     ASSERT_EQ(run_percuss({"synth", preset, "-o", words.back()}).code, 0);
   }
-  std::string text = run_percuss(words).out;
-  for (std::size_t at = 0; (at = text.find("\n  ", at)) != std::string::npos;) text.replace(at, 3, " ");
-  EXPECT_THAT(text, HasSubstr("analyse each file as a test of its own (--files)"));
+  EXPECT_THAT(run_percuss(words).out, HasSubstr("analyse each file as a test of its own (--files)"));
 }
 
 }  // namespace percuss::analyze_choices_test

@@ -178,7 +178,7 @@ TEST_F(BatchCommand, DetectsAChangedRecord) {
   bytes[bytes.size() - 2] = bytes[bytes.size() - 2] == '1' ? '2' : '1';
   test::write_bytes(folder_.file("x.csv"), bytes);
   ASSERT_EQ(run().code, 6);
-  EXPECT_THAT(merged("r.jsonl"), HasSubstr("the file changed after the batch was planned: its SHA-256 differs"));
+  EXPECT_THAT(merged("r.jsonl"), HasSubstr("the file changed after the batch was planned"));
   test::write_bytes(folder_.file("x.csv"), bytes + "\n");
   ASSERT_EQ(run({"--force"}).code, 6);
   EXPECT_THAT(merged("s.jsonl"), HasSubstr("bytes; it had"));
@@ -242,7 +242,7 @@ TEST_F(BatchCommand, RejectsAMixtureOfPlans) {
   plan({"--force", "--band", "100:900"});
   EXPECT_THAT(run().err, HasSubstr("made with options that differ from the manifest"));
   EXPECT_THAT(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.jsonl"}).err,
-              HasSubstr("made with options that differ from the manifest"));
+              HasSubstr("made with options that differ"));
   EXPECT_THAT(run({"--shard", "0/2"}).err, HasSubstr("shards of a division into 1, not into 2"));
   EXPECT_EQ(run({"--force"}).code, 6);
   std::string ok = bytes_of(folder_.file("out/part-0.ok"));

@@ -6,7 +6,7 @@
 
 #include "core/math/roots.hpp"
 #include "core/units.hpp"
-#include "model/math/lowest_modes.hpp"
+#include "model/bat/lowest_modes.hpp"
 
 namespace percuss::model {
 namespace {

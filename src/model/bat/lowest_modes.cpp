@@ -1,4 +1,4 @@
-#include "model/math/lowest_modes.hpp"
+#include "model/bat/lowest_modes.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
