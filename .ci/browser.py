@@ -129,7 +129,7 @@ def look(driver, path, canvases=0, charts=0):
 
 
 def scales(driver):
-    return driver.execute_script('return drawn.filter((d) => ["magnitude", "phase", "coherence"].includes(d.figure.dataset.picture))'
+    return driver.execute_script('return plots.filter((d) => ["magnitude", "phase", "coherence"].includes(d.figure.dataset.picture))'
                                  ".map((d) => [d.plot.scales.x.min, d.plot.scales.x.max])")
 
 
@@ -157,7 +157,7 @@ def zoom(driver, path):
     check(" Hz: " in said and " dB" in said, f"cursor: {said}")
     buttons["Logarithmic"].click()
     time.sleep(0.2)
-    kinds = driver.execute_script("return drawn.filter((d) => d.plot.scales.x.distr === 3).length")
+    kinds = driver.execute_script("return plots.filter((d) => d.plot.scales.x.distr === 3).length")
     check(kinds == 3 and scales(driver)[0] == scales(driver)[2] and min(driver.execute_script(DRAWN)) > 30, "zoom: over the logarithm of the frequency")
     buttons["Logarithmic"].click()
     time.sleep(0.2)
@@ -243,7 +243,7 @@ def sizes(driver, work):
     percuss("analyze", bat, "--band", "100:7700", "-o", str(page), "--quiet")
     check(page.stat().st_size <= 500_000, f"two accelerometers: {page.stat().st_size} bytes")
     opened(driver, page)
-    lines = driver.execute_script("return drawn[0].plot.data[0].length")
+    lines = driver.execute_script("return plots[0].plot.data[0].length")
     times = []
     for _ in range(3):
         opened(driver, page)
