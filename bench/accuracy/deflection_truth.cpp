@@ -55,7 +55,7 @@ TrueDeflection::Peak TrueDeflection::peak(const std::vector<double>& residue_per
       swings_.begin(), swings_.end(), [](const Swing& a, const Swing& b) { return a.omega_radps < b.omega_radps; });
   const double step_s = kTwoPi / fast->omega_radps / kGrid;
   const double last_s = end_s_ + kPeriods * kTwoPi / slow->omega_radps;
-  identify::Peak top;
+  Peak top;
   for (double t = end_s_; t < last_s; t += step_s) {
     const double value = at_m(t, residue_per_kg);
     if (std::abs(value) > std::abs(top.value_m)) top = {value, t};

@@ -6,7 +6,7 @@
 #include <map>
 #include <memory>
 
-#include "../bare_fftw.hpp"
+#include "../fftw_baseline.hpp"
 
 namespace percuss::accuracy {
 namespace {
