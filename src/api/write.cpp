@@ -35,10 +35,11 @@ std::string extension_of(const std::string& path) {
 /// The extension, if it is one of `known`. errors  InputError: another one; the file exists.
 std::string checked_extension(const std::string& path, const std::vector<std::string>& known,
                               const WriteOptions& options) {
-  const std::string extension = extension_of(path);
-  if (std::find(known.begin(), known.end(), extension) == known.end())
+  std::string extension = extension_of(path);
+  if (std::find(known.begin(), known.end(), extension) == known.end()) {
     throw InputError("the kind of the file is not known", path,
                      fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
+  }
   std::error_code ignored;
   if (!options.overwrite && std::filesystem::exists(path, ignored))
     throw InputError("the file exists", path, "give another name, or overwrite it", {"force"});
@@ -53,19 +54,21 @@ report::Provenance provenance(const WriteOptions& options) {
 }
 
 std::vector<std::string> pictures(const WriteOptions& options, const std::vector<std::string>& known,
-                                  std::vector<std::string> otherwise) {
+                                  const std::vector<std::string>& otherwise) {
   for (const std::string& name : options.picture) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw InputError("there is no picture " + name, "WriteOptions::picture",
                        fmt::format("choose from {}", fmt::join(known, ", ")), {"picture"});
+    }
   }
   return options.picture.empty() ? otherwise : options.picture;
 }
 
 void require_possible(const pipeline::Analysis& analysis) {
-  if (!analysis.possible())
+  if (!analysis.possible()) {
     throw InputError("no hit can be used, so there are no FRFs and modes", analysis.record().source(),
                      "see the findings of the hits", {"accept_hit"});
+  }
 }
 
 }  // namespace

@@ -142,9 +142,10 @@ void write_modes_uff(const std::string& path, const pipeline::Survey& survey, bo
 void write_modes_uff(const std::string& path, const pipeline::Analysis& analysis, bool force) {
   const bool one_point = analysis.frf_points().size() == 1;
   std::vector<identify::ModeShape> shapes;
-  for (const identify::Mode& mode : analysis.modes())
+  for (const identify::Mode& mode : analysis.modes()) {
     shapes.push_back(
         identify::shape_of(mode, {.roving = one_point ? identify::Roving::sensor : identify::Roving::hammer}));
+  }
   write_shapes(path, nullptr, analysis, shapes, one_point, force);
 }
 

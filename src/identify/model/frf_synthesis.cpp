@@ -44,9 +44,10 @@ class Synthesis {
         terms_(residual_columns(band, set.window_decay_per_s())),
         fit_(inverse_gram(Eigen::MatrixXcd(terms_.adjoint() * terms_)) * terms_.adjoint()) {
     whole_.reserve(modes.size());
-    for (const Mode& mode : modes)
+    for (const Mode& mode : modes) {
       whole_.push_back(
           untruncated_column(mode.pole, set.window_decay_per_s(), set.lines, first_, count_, ColumnContent::value));
+    }
   }
 
   // Returns the measured FRF's power.

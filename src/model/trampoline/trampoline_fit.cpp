@@ -87,9 +87,10 @@ ExponentFit fit_exponents(const Trampoline& model, const std::vector<MeasuredCor
                      .stiffness_exponent_std = std::sqrt(covariance(0, 0)),
                      .damping_exponent = best[1],
                      .damping_exponent_std = std::sqrt(covariance(1, 1))};
-  if (!(std::max(result.stiffness_exponent_std, result.damping_exponent_std) < kMaxExponentStd))
+  if (!(std::max(result.stiffness_exponent_std, result.damping_exponent_std) < kMaxExponentStd)) {
     throw InputError("the speeds are too similar to separate a from b", kMeasuredCcor, "measure at more speeds",
                      {"fit_ccor"});
+  }
   result.correlation = covariance(0, 1) / (result.stiffness_exponent_std * result.damping_exponent_std);
   result.damping_exponent_std_given_a = 1 / j.col(1).norm();
   const Eigen::VectorXd residual = fit.residual(best);

@@ -83,9 +83,10 @@ Rebound rebound(const Trampoline& model, double hoop_Hz) {
   }
   result.cor = -now.ball_mps / speed;
   result.contact_s = now.time_s;
-  if (!std::isfinite(result.cor))
+  if (!std::isfinite(result.cor)) {
     throw InputError("the contact has no finite solution", "trampoline model",
                      "check the constants of ball and barrel");
+  }
   return result;
 }
 
