@@ -37,13 +37,15 @@ void require_consistent(const AnalysisOptions& options) {
   constexpr double kMinFraction = 1e-12;
   if (options.band_Hz) require_band(*options.band_Hz);
   const HitOptions& hits = options.hits;
-  if (hits.to_s && *hits.to_s <= hits.from_s)
+  if (hits.to_s && *hits.to_s <= hits.from_s) {
     throw InputError("the end of the time range is not after its start", kOptions,
                      "give seconds from each row's beginning", {"from", "to"});
+  }
   for (const std::size_t hit : hits.accept_hit) {
-    if (std::find(hits.reject_hit.begin(), hits.reject_hit.end(), hit) != hits.reject_hit.end())
+    if (std::find(hits.reject_hit.begin(), hits.reject_hit.end(), hit) != hits.reject_hit.end()) {
       throw InputError("hit " + std::to_string(hit) + " is both accepted and rejected", kOptions, "name it once",
                        {"accept_hit", "reject_hit"});
+    }
   }
   for (const double start : options.start_Hz) {
     const bool within = !options.band_Hz || (start >= options.band_Hz->low_Hz && start <= options.band_Hz->high_Hz);
@@ -149,6 +151,7 @@ std::vector<ModeClassification> classifications_of(const std::vector<identify::M
 
 std::vector<Warning> warnings_of(const std::vector<pipeline::Warning>& warnings) {
   std::vector<Warning> out;
+  out.reserve(warnings.size());
   for (const pipeline::Warning& warning : warnings)
     out.push_back({.code = warning.code, .message = warning.message, .options = warning.options});
   return out;

@@ -172,9 +172,10 @@ Record open_record(const std::string& path, const ReadOptions& options) {
 Record open_record(const std::vector<std::string>& paths, const ReadOptions& options) {
   if (paths.empty()) throw InputError("no file", "paths", "name at least one");
   const acquire::ReadOptions common = api::read_options(options);
-  if (common.force_scale.size() > 1 && common.force_scale.size() != paths.size())
+  if (common.force_scale.size() > 1 && common.force_scale.size() != paths.size()) {
     throw InputError("the scales and the files differ in number", "force_scale", "give one for all or one per file",
                      {"force_scale"});
+  }
   std::vector<acquire::Record> records;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     acquire::ReadOptions its = common;

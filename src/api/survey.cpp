@@ -51,6 +51,7 @@ std::shared_ptr<const SurveyData> survey_data(Input input, const SurveyOptions& 
 
 std::vector<ShapePlace> places_of(const std::vector<identify::ShapePlace>& places) {
   std::vector<ShapePlace> out;
+  out.reserve(places.size());
   for (const identify::ShapePlace& p : places)
     out.push_back({.point = p.point, .channel = p.channel, .value = p.value, .std = p.std});
   return out;

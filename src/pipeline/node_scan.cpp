@@ -66,7 +66,7 @@ acquire::Record as_scan(acquire::Record record, const ScanPositions& positions) 
   }
   const std::size_t each = rows / positions.count;
   for (std::size_t row = 0; row < rows; ++row) record.rows[row].point = static_cast<int>(row / each);
-  record.notes.push_back(
+  record.notes.emplace_back(
       fmt::format("the points of the hits are not stated: each position of the scan is assumed to have {} row{}, in "
                   "order",
                   each, each == 1 ? "" : "s"));

@@ -131,9 +131,10 @@ pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags) {
                   .from_s = flags.from_s,
                   .to_s = flags.to_s,
                   .gate_force = flags.force_window == "auto"};
-  if (flags.to_s && *flags.to_s <= flags.from_s)
+  if (flags.to_s && *flags.to_s <= flags.from_s) {
     throw OptionError({"to"}, "is not later than the start of the time selection",
                       "give a later time, in seconds from the start of each row", {"from"});
+  }
   options.accept_hits = flags.accept_hits;
   options.reject_hits = flags.reject_hits;
   for (const std::size_t hit : flags.accept_hits) {

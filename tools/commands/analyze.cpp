@@ -67,9 +67,10 @@ int analyze(const AnalyzeFlags& flags) {
   const auto sections = flags.only.empty() ? report::default_sections() : report::parse_report_sections(flags.only);
   const bool wants_json = flags.output.json || !flags.compared.empty() ||
                           std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
-  if (flags.stabilisation && !wants_json)
+  if (flags.stabilisation && !wants_json) {
     throw OptionError({"stabilisation"}, "needs a JSON document to be written in", "print one, or write a .json file",
                       {"json", "output"});
+  }
   const std::optional<report::BatLabel> bat = bat_label(flags);
   const Progress progress("analysing", flags.output.quiet);
   auto tests = tests_of(flags);

@@ -6,7 +6,7 @@
 namespace percuss::tools {
 namespace {
 
-std::vector<Test> tests_of_runs(std::vector<pipeline::RunAnalysis> runs) {
+std::vector<Test> tests_of_runs(std::vector<pipeline::RunAnalysis>&& runs) {
   std::vector<Test> tests;
   tests.reserve(runs.size());
   for (auto& [run, analysis] : runs) tests.push_back({.run = run, .analysis = std::move(analysis)});

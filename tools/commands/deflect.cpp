@@ -34,9 +34,10 @@ metrics::DeflectionMethod method_named(const std::string& name) {
 }
 
 std::unique_ptr<pipeline::Analysis> analysis_of(const DeflectFlags& flags) {
-  if (flags.read.files == acquire::FileGrouping::tests)
+  if (flags.read.files == acquire::FileGrouping::tests) {
     throw OptionError::wrong_value("files", "tests", "give hits or points, or one test at a time",
                                    "deflect takes one test");
+  }
   ReadFlags read = flags.read;
   read.options.force_optional = true;
   return std::make_unique<pipeline::Analysis>(acquire::join_records(open_records(read), read.files),

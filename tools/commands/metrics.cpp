@@ -80,9 +80,10 @@ void require_one_source(const MetricsFlags& f) {
   require_one(f.moi_ozin2.has_value(), !f.periods_s.empty(), {"moi_oz_in2", "period_s"});
   require_one(f.moi_ozin2.has_value(), !f.crossings_s.empty(), {"moi_oz_in2", "gate_times_s"});
   require_one(f.besr.has_value(), f.bbcor.has_value(), {"besr", "bbcor"});
-  if ((f.besr || f.bbcor) && f.in_mph && f.out_mph)
+  if ((f.besr || f.bbcor) && f.in_mph && f.out_mph) {
     throw OptionError({f.besr ? "besr" : "bbcor"}, "follows from the speeds, which are given", "omit it or the speeds",
                       {"v_in_mph", "v_out_mph"});
+  }
   if (f.rings_in.size() > kRings)
     throw OptionError({"diameter_in"}, "has more than 7 values", "give the diameters 3 to 9 in from the tip");
 }

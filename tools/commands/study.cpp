@@ -51,12 +51,14 @@ int run_study(const StudyFlags& flags) {
     print(flags.output, metrics::study_table_csv(synth::synthetic_population()));
     return kOk;
   }
-  if (flags.inputs.empty())
+  if (flags.inputs.empty()) {
     throw OptionError({}, "no table is given", "name a table of bats, or analyses that name their bat",
                       {"analyze.bat_id"});
-  if (!flags.curve.empty() && flags.figures.empty() && !writes_charts(flags.output))
+  }
+  if (!flags.curve.empty() && flags.figures.empty() && !writes_charts(flags.output)) {
     throw OptionError({"hoop_curve"}, "needs a figure to be drawn in", "write figures, or a .svg or .html file",
                       {"figures", "output"});
+  }
   check_report_outputs(flags.output);
   reject_existing(flags);
   metrics::StudyRows rows;

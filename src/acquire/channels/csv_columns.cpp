@@ -124,9 +124,10 @@ class Finder {
       if (!found.empty()) break;
     }
     const std::string shown = "\"" + one_line(name, 40) + "\"";
-    if (found.empty())
+    if (found.empty()) {
       throw InputError("no column " + shown + " among " + list_of(header_.columns), where_, "name one of these",
                        {option});
+    }
     if (found.size() > 1) {
       throw InputError("several columns are called " + shown, where_,
                        fmt::format("give its number, for instance {}", found.front().index + 1), {option});

@@ -35,8 +35,8 @@ void require_alike(const Record& first, const Record& other) {
 void note_other_names(const Record& first, const Record& other, std::vector<Message>& notes) {
   const auto compare = [&](const SignalInfo& a, const SignalInfo& b) {
     if (a.name == b.name) return;
-    notes.push_back(fmt::format("{} of {} is taken as the same channel as {} of {}", b.name, other.source(), a.name,
-                                first.source()));
+    notes.emplace_back(fmt::format("{} of {} is taken as the same channel as {} of {}", b.name, other.source(), a.name,
+                                   first.source()));
   };
   compare(first.force, other.force);
   for (std::size_t c = 0; c < first.accel.size(); ++c) compare(first.accel[c], other.accel[c]);

@@ -32,9 +32,10 @@ struct PlanFlags {
 };
 
 batch::RecordFiles files_of(const PlanFlags& flags) {
-  if (flags.inputs.empty())
+  if (flags.inputs.empty()) {
     throw OptionError({}, "no record is given",
                       "name files, folders or patterns in quotes, or - for a list on standard input");
+  }
   std::vector<std::string> names;
   for (const std::string& input : flags.inputs) {
     const auto listed =

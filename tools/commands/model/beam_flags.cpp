@@ -25,9 +25,10 @@ void use_layers(const BeamFlags& flags, model::UniformBeam& beam) {
     layers.push_back({.young_Pa = number[0], .width_m = number[1], .height_m = number[2]});
     if (number.size() == 4) layers.back().density_kgpm3 = number[3], ++with_density;
   }
-  if (with_density > 0 && with_density < layers.size())
+  if (with_density > 0 && with_density < layers.size()) {
     throw OptionError({"layer"}, "has a density in some layers only", "give it for all layers, or the mass per length",
                       {"rho_a"});
+  }
   if (with_density > 0 && flags.mass_per_length_kgpm)
     throw OptionError({"rho_a", "layer"}, "both give the mass of the beam", "omit one");
   const model::LaminateSection section = model::laminate_section(layers);
@@ -86,9 +87,10 @@ model::UniformBeam beam_of(const BeamFlags& flags) {
   beam.torsion_Nmprad = flags.torsion_Nmprad.value_or(beam.torsion_Nmprad);
   beam.length_m = flags.length_m;
   if (!flags.layers.empty()) use_layers(flags, beam);
-  if (flags.torsion_Nmprad && beam.support != model::BeamSupport::torsion)
+  if (flags.torsion_Nmprad && beam.support != model::BeamSupport::torsion) {
     throw OptionError({"torsion"}, "needs a torsion spring, and the support is " + flags.support, "omit one",
                       {"support"});
+  }
   return beam;
 }
 

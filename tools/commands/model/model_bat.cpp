@@ -38,9 +38,10 @@ std::optional<report::BatWaveRequest> wave_of(const BatFlags& flags, double leng
   if (!flags.wave_m) return {};
   if (!(*flags.wave_m <= length_m)) throw OptionError({"wave"}, "is off the bat", "give a position from the knob in m");
   const Range times = parse_range("wave_times", flags.wave_times);
-  if (times.low < 0 || times.high() > kMaxWave_s)
+  if (times.low < 0 || times.high() > kMaxWave_s) {
     throw OptionError({"wave_times"}, "leaves the range from 0 to 0.1 s",
                       "give LO:STEP:HI in s, such as 0:0.0002:0.002");
+  }
   return report::BatWaveRequest{.z_m = *flags.wave_m, .time_s = times.values()};
 }
 

@@ -51,9 +51,10 @@ std::vector<model::BeamParameter> fitted_parameters(const ModelBeamFlags& flags)
 // Rejects parameters that frequencies do not determine.
 void check_fit(const ModelBeamFlags& flags, model::BeamSupport support,
                const std::vector<model::BeamParameter>& fitted) {
-  if (fitted.empty())
+  if (fitted.empty()) {
     throw OptionError({"measured"}, "is given, but no parameter to fit", "name parameters, such as ei,torsion",
                       {"fit"});
+  }
   const bool spring = support == model::BeamSupport::torsion;
   if (!spring && std::find(fitted.begin(), fitted.end(), model::BeamParameter::torsion) != fitted.end()) {
     throw OptionError::wrong_value("fit", "torsion", "fit ei or rho-a",
@@ -65,28 +66,32 @@ void check_fit(const ModelBeamFlags& flags, model::BeamSupport support,
                              : "has two parameters, but without a spring frequencies determine EI/ρA only",
                       "omit one and give its value", {"ei", "rho_a", "torsion"});
   }
-  if (flags.measured_Hz.size() < fitted.size())
+  if (flags.measured_Hz.size() < fitted.size()) {
     throw OptionError({"fit"}, "has more parameters than there are frequencies", "measure at least as many frequencies",
                       {"measured"});
+  }
 }
 
 std::vector<model::MeasuredFrequency> measured_frequencies(const ModelBeamFlags& flags, model::BeamSupport support) {
   const std::size_t rigid = model::rigid_body_modes(support);
   const std::size_t count = flags.measured_Hz.size();
   const auto& std_Hz = flags.measured_std_Hz;
-  if (!flags.measured_modes.empty() && flags.measured_modes.size() != count)
+  if (!flags.measured_modes.empty() && flags.measured_modes.size() != count) {
     throw OptionError({"measured_modes"}, "has not one number per frequency", "give one for each frequency",
                       {"measured"});
-  if (std_Hz.size() > 1 && std_Hz.size() != count)
+  }
+  if (std_Hz.size() > 1 && std_Hz.size() != count) {
     throw OptionError({"measured_std"}, "has not one value per frequency",
                       "give one for each frequency, or one for all", {"measured"});
+  }
   std::vector<model::MeasuredFrequency> measured;
   measured.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t mode = flags.measured_modes.empty() ? rigid + i : flags.measured_modes[i];
-    if (mode < rigid || mode >= kMaxBeamModes)
+    if (mode < rigid || mode >= kMaxBeamModes) {
       throw OptionError({"measured_modes"}, "names a rigid-body mode, or one not below 200",
                         "use the numbers of the table");
+    }
     if (i > 0 && !(flags.measured_Hz[i] > flags.measured_Hz[i - 1] && mode > measured.back().mode))
       throw OptionError({"measured", "measured_modes"}, "must rise", "sort the frequencies and their modes");
     measured.push_back({.mode = mode,
@@ -97,9 +102,10 @@ std::vector<model::MeasuredFrequency> measured_frequencies(const ModelBeamFlags&
 }
 
 model::TorsionFit static_torsion(const ModelBeamFlags& flags, const model::UniformBeam& beam) {
-  if (beam.support != model::BeamSupport::torsion)
+  if (beam.support != model::BeamSupport::torsion) {
     throw OptionError({"static"}, "needs a torsion spring, and the support is " + flags.beam.support, "omit one",
                       {"support"});
+  }
   if (flags.beam.torsion_Nmprad)
     throw OptionError({"static", "torsion"}, "both give the stiffness of the spring", "omit one");
   std::vector<model::StaticReading> readings;

@@ -32,9 +32,10 @@ struct ModelImpactFlags {
 };
 
 void check_impact_position(const OptionId& option, double at_m, const model::UniformBeam& beam) {
-  if (!(at_m >= 0 && at_m <= beam.length_m))
+  if (!(at_m >= 0 && at_m <= beam.length_m)) {
     throw OptionError::wrong_value(option, fmt::format("{:g}", at_m), "strike from 0 to the length of the beam",
                                    "the ball misses the beam", {"length"});
+  }
 }
 
 report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& impact) {
@@ -44,9 +45,10 @@ report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& im
   model::Impact trial = impact;
   if (equals == std::string::npos || report::swept_value(trial, sweep.parameter) == nullptr)
     throw OptionError::wrong_value("sweep", text, kSweepForm, "it is not a known name and a range");
-  if (sweep.parameter == "torsion" && impact.beam.support != model::BeamSupport::torsion)
+  if (sweep.parameter == "torsion" && impact.beam.support != model::BeamSupport::torsion) {
     throw OptionError::wrong_value("sweep", text, "choose the torsion support", "the beam has no torsion spring",
                                    {"support"});
+  }
   const Range range = parse_range("sweep", text.substr(equals + 1));
   const bool from_zero = sweep.parameter == "at" || sweep.parameter == "torsion";
   if (range.low < 0 || (range.low == 0 && !from_zero))

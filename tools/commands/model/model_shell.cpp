@@ -43,9 +43,10 @@ model::MeasuredHoop measured_hoop(const std::string& text) {
 
 int model_shell(const ShellFlags& flags) {
   check_report_outputs(flags.output);
-  if (!(flags.shell.wall_m < flags.shell.outer_diameter_m / 2))
+  if (!(flags.shell.wall_m < flags.shell.outer_diameter_m / 2)) {
     throw OptionError({"wall"}, "is half of the outer diameter or more", "give the thickness of the wall in m",
                       {"outer_diameter"});
+  }
   model::TubeShell shell = flags.shell;
   std::optional<report::FittedShell> fitted;
   if (!flags.measured.empty()) {

@@ -37,9 +37,10 @@ model::Trampoline model_of(const TrampolineFlags& flags) {
   m.barrel_damping_Nspm = flags.barrel_damping.value_or(m.barrel_damping_Nspm);
   m.ball_speed_mps = flags.speed_mps;
   m.extra_mass_kg = flags.extra_mass_kg;
-  if (!(m.damping_exponent < 1 + m.stiffness_exponent))
+  if (!(m.damping_exponent < 1 + m.stiffness_exponent)) {
     throw OptionError({"b"}, "is not below 1 + a",
                       "give a smaller exponent; with this one the ball never leaves the barrel");
+  }
   return m;
 }
 

@@ -137,7 +137,7 @@ void note_unused(const InputHdf5& file, Record& record) {
   for (const std::string& name : file.names(kNamesShown)) {
     if (std::find(kKnownNames.begin(), kKnownNames.end(), name) == kKnownNames.end()) unused.push_back("/" + name);
   }
-  if (!unused.empty()) record.notes.push_back("not used: " + list(unused));
+  if (!unused.empty()) record.notes.emplace_back("not used: " + list(unused));
 }
 
 /// Scales in place. errors  InputError: names the first sample that is not finite, with its index in h5py.

@@ -99,10 +99,10 @@ class Flattener {
     if (variable->class_type == MAT_C_EMPTY) return;
     const bool sparse = variable->class_type == MAT_C_SPARSE;
     const bool function = variable->class_type == MAT_C_FUNCTION;
-    out_.notes.push_back(fmt::format("{} is not read: it is {}", one_line(name, kNameShown),
-                                     sparse     ? "sparse (save full(…))"
-                                     : function ? "a function"
-                                                : "a string or an object (save it as char, or as a structure)"));
+    out_.notes.emplace_back(fmt::format("{} is not read: it is {}", one_line(name, kNameShown),
+                                        sparse     ? "sparse (save full(…))"
+                                        : function ? "a function"
+                                                   : "a string or an object (save it as char, or as a structure)"));
   }
 
  private:

@@ -200,7 +200,7 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   out.record.decay_per_s = std::max(0.0, mat_number(file, {"decaypers"}).value_or(0));
   describe_mat_channels(file, layout.channels, out);
   if (layout.points > 1 && !own) {
-    out.record.notes.push_back(fmt::format(
+    out.record.notes.emplace_back(fmt::format(
         "the {} FRFs of {} are taken as points of {}", layout.points * layout.channels, one_line(frf.name, 40),
         layout.channels == 1 ? "one channel" : fmt::format("{} channels", layout.channels)));
   }

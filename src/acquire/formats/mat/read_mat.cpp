@@ -212,9 +212,10 @@ Record open_mat(MatFile file, const ReadOptions& options) {
   if (table.signals.empty())
     throw InputError("no arrays of numbers", open->file.path, "save force and accelerations as arrays");
   const SignalRoles variables = find_roles(table, naming_variables(open->file, options));
-  if (!rate_Hz)
+  if (!rate_Hz) {
     throw InputError("no sampling rate among the variables", open->file.path, "state it in Hz, or name its variable",
                      {"fs"});
+  }
   lay_out(*open, variables, index, table);
   table.geometry = geometry_in(open->file);
   take_trace_lines(open->file, table);

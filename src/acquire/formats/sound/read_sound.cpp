@@ -46,8 +46,8 @@ void take_rows(const SoundCalibration& calibration, std::size_t frames, SignalTa
   const bool cut = !calibration.rows.empty() && (table.rows.size() < calibration.rows.size() ||
                                                  table.rows.back().samples < calibration.rows.back().samples);
   if (cut) {
-    table.notes.push_back(fmt::format("the file ends early: {} of {} rows are there, the last perhaps in part",
-                                      table.rows.size(), calibration.rows.size()));
+    table.notes.emplace_back(fmt::format("the file ends early: {} of {} rows are there, the last perhaps in part",
+                                         table.rows.size(), calibration.rows.size()));
   }
   if (calibration.rows.empty()) table.rows.push_back({.samples = frames});
 }

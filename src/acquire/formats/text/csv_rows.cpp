@@ -102,8 +102,8 @@ double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const
                      file + ": header", "state the right one", {"fs"});
   }
   if (header.fs_Hz) {
-    notes.push_back(fmt::format("sampling rate {:.10g} Hz by the time column; the header says {:.10g} Hz",
-                                stamped.fs_Hz, *header.fs_Hz));
+    notes.emplace_back(fmt::format("sampling rate {:.10g} Hz by the time column; the header says {:.10g} Hz",
+                                   stamped.fs_Hz, *header.fs_Hz));
   } else if (!stamped.note.empty()) {
     notes.emplace_back(stamped.note, std::vector<OptionId>{"fs"});
   }
@@ -160,7 +160,8 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
     throw InputError("no sampling rate: no time column and no line that states it", file, "state it in Hz", {"fs"});
   }
   if (!stamped) refuse_stamps(table, time.index, rows, problem);
-  if (guessed) notes.push_back(fmt::format("the first column ({}) rises evenly and is taken as time in s", time.name));
+  if (guessed)
+    notes.emplace_back(fmt::format("the first column ({}) rises evenly and is taken as time in s", time.name));
   return checked_rate_Hz(agreed_rate_Hz(header, *stamped, time, file, notes), file + ": time column");
 }
 

@@ -178,7 +178,7 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   out.record.notes = uff_notes(contents);
   std::string note;
   out.record.lines = lines_of_function(first, uff_location(file, first.at), note);
-  if (!note.empty()) out.record.notes.push_back(note);
+  if (!note.empty()) out.record.notes.emplace_back(note);
   bool known = false;
   const FrfUnit unit = unit_of_function(first, contents, known);
   if (known) out.unit = unit;

@@ -106,9 +106,10 @@ double rate_of_function_Hz(const UffFunction& function, const std::string& where
       largest * (function.bytes.empty() ? 1e-5 : 2 * static_cast<double>(std::numeric_limits<float>::epsilon()));
   const std::vector<TimeStamps> rows{{.time_s = times, .resolution_s = resolution_s}};
   const auto rate = rate_of_time_stamps(rows, problem);
-  if (!rate)
+  if (!rate) {
     throw InputError(fmt::format("{}, value {}", problem.text, problem.at + 1), where, "state the sampling rate",
                      {"fs"});
+  }
   note = rate->note;
   return rate->fs_Hz;
 }
