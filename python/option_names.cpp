@@ -38,7 +38,7 @@ std::string function_of(const std::string& command) {
 }  // namespace
 
 std::string option_in_python(std::string_view id) {
-  if (const std::string call = renamed(kCalls, id); call != id) return call;
+  if (std::string call = renamed(kCalls, id); call != id) return call;
   const std::size_t dot = id.rfind('.');
   if (dot == std::string_view::npos) {
     std::string name(id);

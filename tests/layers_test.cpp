@@ -168,7 +168,7 @@ bool within(std::string_view room, std::string_view parent) {
 /// The room that an include names. The files of the tool are named from its own folder ("cli/output.hpp"), files of the
 /// module plainly.
 std::string included_room(const Source& source, const std::string& name) {
-  const std::string folder = fs::path(name).parent_path().generic_string();
+  std::string folder = fs::path(name).parent_path().generic_string();
   if (level_of(folder)) return folder;
   if (within(source.room, "python") && folder.empty()) {
     return fs::exists(fs::path(PERCUSS_SOURCE_DIR) / "python" / name) ? "python" : "tools";
@@ -257,9 +257,9 @@ TEST(Layers, NameEachTypeOnce) {
   std::vector<std::string> twice;
   for (const auto& source : sources()) {
     if (!source.header) continue;
-    const std::string layer = source.room.substr(0, source.room.find('/'));
+    const std::string layer = source.room.substr(0, source.room.find('/')) + "::";
     for (const auto& type : source.types) {
-      const auto [known, fresh] = home.emplace(layer + "::" + type, source.path);
+      const auto [known, fresh] = home.emplace(layer + type, source.path);
       if (!fresh) twice.push_back(known->first + " in " + known->second + " and " + source.path);
     }
   }

@@ -82,12 +82,13 @@ TEST_F(FormatRegistry, ReadsBackEveryFrfThatItWrites) {
     EXPECT_EQ(&format_of_file(path), written_format(path)) << extension;
     const Measurement opened = open_measurement(path);
     ASSERT_TRUE(std::holds_alternative<FrfRecord>(opened)) << extension;
-    const FrfRecord& read = std::get<FrfRecord>(opened);
+    const auto& read = std::get<FrfRecord>(opened);
     EXPECT_EQ(read.kind, FrfKind::mobility) << extension;
     const auto expected = small_frfs().frfs[0].frf.value;
-    for (std::size_t k = 0; k < expected.size(); ++k)
+    for (std::size_t k = 0; k < expected.size(); ++k) {
       EXPECT_LE(std::abs(read.frfs.at(0).frf.value.at(k) - expected[k]), kRounding * std::abs(expected[k]))
           << extension;
+    }
   }
 }
 

@@ -225,9 +225,10 @@ const char* name_of(CertifyVerdict verdict) {
 }
 
 Certification certify(const Session& session, const ProtocolLimits& limits) {
-  if (session.metric == PerformanceMetric::bbcor && !session.bat.moi_ozin2)
+  if (session.metric == PerformanceMetric::bbcor && !session.bat.moi_ozin2) {
     throw InputError("BBCOR needs the bat's moment of inertia", "bat.moi_oz_in2", "compute it from the pendulum",
                      {"metrics.period_s"});
+  }
   Certification out{.conditions = condition_findings(session, limits)};
   judge_lot(session, limits, out);
   judge_shots(session, limits, out);

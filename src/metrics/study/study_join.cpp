@@ -26,23 +26,26 @@ StudyCurve parse_study_curve(std::string_view text, const std::string& where) {
   const Json document =
       nests_deeper_than(text, kMaxDocumentDepth) ? Json() : Json::parse(text.begin(), text.end(), nullptr, false);
   const bool object = document.is_object() && document.contains("curve") && document["curve"].is_array();
-  if (!object || document.value("schema", Json()) != "percuss/model-trampoline/1")
+  if (!object || document.value("schema", Json()) != "percuss/model-trampoline/1") {
     throw InputError("no curve over the hoop frequency", where, "give the JSON document of a trampoline model",
                      {"hoop_curve"});
+  }
   StudyCurve curve{.name = "model"};
   for (const Json& point : document["curve"]) {
     const bool pair = point.is_object() && point.contains("hoop_hz") && point["hoop_hz"].is_number() &&
                       point.contains("cor") && point["cor"].is_number();
     const double hoop_Hz = pair ? point["hoop_hz"].get<double>() : std::nan("");
-    if (!pair || !(hoop_Hz > (curve.hoop_Hz.empty() ? 0 : curve.hoop_Hz.back())))
+    if (!pair || !(hoop_Hz > (curve.hoop_Hz.empty() ? 0 : curve.hoop_Hz.back()))) {
       throw InputError("hoop frequencies that do not rise", where, "give the JSON document of a trampoline model",
                        {"hoop_curve"});
+    }
     curve.hoop_Hz.push_back(hoop_Hz);
     curve.value.push_back(point["cor"].get<double>());
   }
-  if (curve.hoop_Hz.size() < 2)
+  if (curve.hoop_Hz.size() < 2) {
     throw InputError("a curve of fewer than two points", where, "give the JSON document of a trampoline model",
                      {"hoop_curve"});
+  }
   return curve;
 }
 

@@ -123,9 +123,10 @@ void take_frequencies(const Json& analysis, BatProperties& p) {
 
 BatProperties properties_in(const Json& analysis, const std::string& where) {
   const auto bat = analysis.find("bat");
-  if (bat == analysis.end() || !bat->is_object() || !bat->contains("id") || !(*bat)["id"].is_string())
+  if (bat == analysis.end() || !bat->is_object() || !bat->contains("id") || !(*bat)["id"].is_string()) {
     throw InputError("the analysis does not name its bat", where, "analyse the record with the id of its bat",
                      {"analyze.bat_id"});
+  }
   BatProperties p{{"id", (*bat)["id"].get<std::string>()}};
   const auto properties = bat->find("properties");
   if (properties != bat->end() && properties->is_object()) {
