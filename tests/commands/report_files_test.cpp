@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
     Commands, ReportFiles,
     testing::Values(Reporting{"analyze", {"analyze", "bat.h5"}, "hoop 1"},
                     Reporting{"deflection", {"analyze", "bat.h5", "--only", "modes,deflection"}, "largest deflection"},
-                    Reporting{"frf", {"frf", "bat.h5"}, "data-picture=\"magnitude\""},
+                    Reporting{"frf", {"frf", "bat.h5"}, "data-plot=\"magnitude\""},
                     Reporting{"deflect", {"deflect", "bat.h5"}, "largest deflection"},
                     Reporting{"certify", {"certify", "session.json"}, "AS001: shoot"},
                     Reporting{"abi", {"abi", "log.json"}, "AS333: step 9"},
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Reporting{"rigid", {"model", "rigid"}, "the ball leaves fastest"},
                     Reporting{"trampoline", {"model", "trampoline"}, "the COR is largest"},
                     Reporting{"shell", {"model", "shell"}, "Rayleigh"},
-                    Reporting{"bat", {"model", "bat", "--profile", "bat.txt"}, "data-picture=\"bending\""}),
+                    Reporting{"bat", {"model", "bat", "--profile", "bat.txt"}, "data-plot=\"bending\""}),
     [](const auto& one) { return std::string(one.param.name); });
 
 class AnalyzeFiles : public testing::Test {

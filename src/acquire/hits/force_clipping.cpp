@@ -76,8 +76,8 @@ void add_overload(Hit& hit) {
       {.code = FindingCode::overload,
        .severity = Severity::reject,
        .value = static_cast<double>(samples_at_peak(hit)),
-       .message = fmt::format("force clipped: it peaks at the clipping level of other hits, {:.3g} N; "
-                              "raise the input range",
+       .message = fmt::format("force clipped at the clipping level of other hits, {:.4g} N; raise the "
+                              "input range",
                               hit.peak_N)});
 }
 
