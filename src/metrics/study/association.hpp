@@ -27,7 +27,8 @@ struct Association {
 /// they are the usual r and ρ. With d = points − classes − 1 degrees of freedom
 ///   interval:  tanh(artanh r ± 1.96/√(d − 1)),  tanh(artanh ρ ± 1.96 √((1 + ρ²/2)/(d − 1)))           (P15)
 ///   p: Student's t of d degrees, t = ρ √(d/(1 − ρ²))                                                (P16)
-/// None below d = 2, or when x or y does not vary within classes. source  [3] and [16] in docs/theory/sources.md
+/// None below d = 2, or when x or y does not vary within classes.
+/// source  [3] and [16] in docs/theory/sources.md
 std::optional<Association> association_of(const std::vector<ClassPoints>& classes);
 
 /// A robust straight line y = at + slope x, and the 95 % interval of its slope.
@@ -38,7 +39,8 @@ struct TrendLine {
 /// The Theil–Sen line: the median of the slopes of all pairs of points, and the median of y − slope x. The interval
 /// ends at these ranks of the N sorted slopes:
 ///   (N ∓ 1.96 √(n(n−1)(2n+5)/18))/2                                                               (P17)
-/// Up to 29 % of the points may lie anywhere. None for fewer than 3 different values of x. source  [17]
+/// Up to 29 % of the points may lie anywhere. None for fewer than 3 different values of x.
+/// source  [17]
 std::optional<TrendLine> trend_line_of(const ClassPoints& points);
 
 /// The points further from the line than 3.5 robust standard deviations of the residuals, (P18); none for fewer than 6

@@ -14,7 +14,8 @@ struct StudyCurve {
   std::vector<double> hoop_Hz, value;  // hoop_Hz rising
 };
 
-/// Reads the "curve" of a document percuss/model-trampoline/1. errors  InputError: another document.
+/// Reads the "curve" of a document percuss/model-trampoline/1.
+/// errors  InputError: another document.
 StudyCurve parse_study_curve(std::string_view text, const std::string& where);
 
 /// Replaces the bats' ids by neutral ones (AS001, AS002, … in their order; states of one bat share the id of the first)
