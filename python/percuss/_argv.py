@@ -205,7 +205,7 @@ class Command:
             return found
         near = _percuss.nearest(keyword.replace("_", "-"), [one.flag for one in self.options.values()])
         meant = next((one.keyword for one in self.options.values() if one.flag == near), None)
-        hint = f"did you mean {meant!r}?" if meant else f"help(percuss.{function}) lists them"
+        hint = f"did you mean {meant!r}?" if meant else f"help(percuss.{function}) lists the keywords"
         raise TypeError(f"{function}() has no keyword {keyword!r}; {hint}")
 
 
