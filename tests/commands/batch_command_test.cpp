@@ -243,7 +243,7 @@ TEST_F(BatchCommand, RejectsAMixtureOfPlans) {
   EXPECT_THAT(run().err, HasSubstr("made with options that differ from the manifest"));
   EXPECT_THAT(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.jsonl"}).err,
               HasSubstr("made with options that differ"));
-  EXPECT_THAT(run({"--shard", "0/2"}).err, HasSubstr("shards of a division into 1, not into 2"));
+  EXPECT_THAT(run({"--shard", "0/2"}).err, HasSubstr("the number of shards in this folder is 1, not 2"));
   EXPECT_EQ(run({"--force"}).code, 6);
   std::string ok = bytes_of(folder_.file("out/part-0.ok"));
   ok.replace(ok.find(R"("version":")"), 11, R"("version":"9.)");
