@@ -103,7 +103,7 @@ void add_deflect(CommandLine& line) {
                    [flags] { return deflect_files(*flags); });
   command.about(
       "Integrates the acceleration of the struck point twice, without the drift of plain sums. Reports the largest "
-      "deflection of each hit in m with its standard deviation; -o writes the curves over time.");
+      "deflection of each hit in m with its standard deviation. Files (.csv, .h5) hold the curves over time.");
   command.example("percuss deflect bat.h5 --highpass-corner 1", "Undo the 1 Hz high-pass of the charge amplifier");
   command.example("percuss deflect bat.h5 --method drift-free -o deflection.csv",
                   "Write the curves over time as a table");

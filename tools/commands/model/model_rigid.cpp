@@ -53,7 +53,7 @@ void add_model_rigid(CommandLine& line) {
       .show_default();
   command
       .value("--length", flags->length_m,
-             "Set the length of the bat; positions reach half of it from the centre of mass")
+             "Set the length of the bat; without --at, positions reach from the centre of mass to half this length")
       .above_zero()
       .type("M")
       .show_default();
