@@ -183,7 +183,7 @@ TEST_F(FrfInput, IsRejectedWhereARecordOrASoundIsRequired) {
   ASSERT_EQ(run_percuss({"convert", file("accelerance.csv"), file("frfs.uff")}).code, 0);
   const auto record = run_percuss({"deflect", file("frfs.uff")});
   EXPECT_EQ(record.code, 3);
-  EXPECT_THAT(record.err, HasSubstr("the file holds FRFs, not a record of time"));
+  EXPECT_THAT(record.err, HasSubstr("the file holds FRFs, not a time record"));
   const auto sound = run_percuss({"convert", file("accelerance.csv"), file("frfs.wav")});
   EXPECT_EQ(sound.code, 2);
   EXPECT_THAT(sound.err, HasSubstr("cannot hold FRFs"));
