@@ -58,7 +58,7 @@ Measurement open_measurement(const std::string& path, const FrfReadOptions& opti
 Record open_record(const std::string& path, const ReadOptions& options) {
   Measurement opened = open_content(path, {.read = options, .kind = {}}, Content::record);
   if (auto* record = std::get_if<Record>(&opened)) return std::move(*record);
-  throw InputError("FRFs are no record of time", path, "give force and acceleration");
+  throw InputError("the file holds FRFs, not a time record", path, "give force and acceleration");
 }
 
 bool needs_sandbox(const std::string& path) {

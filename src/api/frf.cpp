@@ -103,7 +103,7 @@ FrfSet open_frfs(const std::string& path, const ReadOptions& options) {
   auto opened =
       acquire::open_measurement(path, {.read = api::read_options(options), .kind = api::frf_kind(options.frf_kind)});
   auto* const frfs = std::get_if<acquire::FrfRecord>(&opened);
-  if (frfs == nullptr) throw InputError("a record of time, not FRFs", path, "use open_record");
+  if (frfs == nullptr) throw InputError("the file holds a time record, not FRFs", path, "use open_record");
   const FrfKind kind = api::public_kind(frfs->kind);
   return api::make_frf_set(std::move(*frfs), kind);
 }
