@@ -71,7 +71,8 @@ Value evaluate(const VectorXcd& c, Complex w) {
   return value;
 }
 
-// Newton's step of root i on the polynomial with all other roots divided out. False when p is within its rounding.
+// Newton's step of root i on the polynomial with all other roots divided out. False when the root has
+// converged: p, or the step, is within its rounding.
 bool improve(const VectorXcd& c, VectorXcd& w, Index i) {
   const Value value = evaluate(c, w(i));
   if (std::abs(value.p) <= value.rounding) return false;
