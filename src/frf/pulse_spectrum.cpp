@@ -16,10 +16,9 @@ namespace {
 
 using Eigen::Array2d;
 
-constexpr std::size_t kOversampling = 8;  // length of the pulse's transform over the pulse's length
-constexpr std::size_t kKernelWidth = 12;  // spectral lines of the oversampled transform
-constexpr std::size_t kMaxSteps = 64,
-                      kMinSteps = 8;  // spectral lines of the block per line of the oversampled transform
+constexpr std::size_t kOversampling = 8;              // length of the pulse's transform over the pulse's length
+constexpr std::size_t kKernelWidth = 12;              // spectral lines of the oversampled transform
+constexpr std::size_t kMaxSteps = 64, kMinSteps = 8;  // lines of the block per line of the oversampled transform
 // Shape parameter of the Kaiser–Bessel kernel. The main lobe of its transform ends where the first alias of the pulse
 // begins: at 1 − 0.5/kOversampling of the length of the oversampled transform.
 const double kShape =

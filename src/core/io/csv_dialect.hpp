@@ -27,8 +27,8 @@ std::vector<std::string_view> split_cells(std::string_view line, const CsvDialec
 /// Whether a line has no data: blank, only delimiters, or a comment (# or %).
 bool is_skipped(std::string_view line, const CsvDialect& dialect);
 
-/// Lines from the last eighth of the file, the last line first. No header reaches that far. Blank lines and comments
-/// are omitted. At most 64 lines, and at least one where the text has one.
+/// Lines from the last eighth of the file, where no header is expected. The last line comes first. Blank lines and
+/// comments are omitted. At most 64 lines, and at least one where the text has one.
 std::vector<std::string_view> probe_lines(std::string_view text, char line_end);
 
 char find_line_end(std::string_view text);
@@ -40,6 +40,7 @@ CsvDialect find_dialect(const std::vector<std::string_view>& probes, char line_e
 
 /// Whether commas seem to be both delimiters and decimal marks, as in "0,05,1,5" under two names. Lines of numbers are
 /// those among the first 64 lines of the text, and the probes. All of these must hold:
+///   the delimiter is the comma, and there are at least two names;
 ///   no line of numbers contains a point;
 ///   most probes have more cells than there are names, and no line has more than twice as many;
 ///   the number of cells varies, or is twice the names in every line, or a cell is padded with zeros ("05").

@@ -27,7 +27,7 @@ struct StampedRate {
   std::string note;                      // empty when the stamps give the rate exactly; for the option "fs"
 };
 
-/// The reason why time stamps give no rate, and the place of the first wrong stamp.
+/// The reason why time stamps give no rate, and the place of the worst stamp.
 struct StampProblem {
   std::string text;
   std::size_t row = 0, at = 0;  // `at`: index of the stamp in its row

@@ -50,7 +50,7 @@ class Synthesis {
     }
   }
 
-  // Returns the measured FRF's power.
+  // Synthesises FRF o into `made`. Returns the power of the measured FRF.
   double make(std::size_t o, SynthesisedFrf& made) const {
     const FrfChannel& channel = set_.channels[o];
     const auto begin = channel.frf.begin() + static_cast<std::ptrdiff_t>(first_);
