@@ -24,7 +24,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using Temporary = AtomicFile::Temporary;
 
-/// Every test twice: without a name until the end, and with a temporary one.
+/// Every test runs twice: with an unnamed and with a named temporary file.
 class AtomicFileTest : public testing::TestWithParam<Temporary> {
  protected:
   std::vector<std::string> files() const {

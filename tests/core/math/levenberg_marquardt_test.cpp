@@ -18,8 +18,8 @@ using Stop = LevenbergMarquardtStop;
 
 constexpr double kRounding = 1e-14;     // relative; a few hundred roundings
 constexpr double kCostRounding = 1e-6;  // standard deviations; √(30 ε) = 8e-8: rounding of the cost hides smaller steps
-constexpr double kCertified = 1e-10;  // relative; the certified values have 11 digits
-constexpr double kDeviations = 1e-6;  // relative; follows the parameters' own error
+constexpr double kCertified = 1e-10;    // relative; the certified values have 11 digits
+constexpr double kStdTolerance = 1e-6;  // relative; follows the parameters' own error
 
 VectorXd vector(const std::vector<double>& values) {
   return Eigen::Map<const VectorXd>(values.data(), std::ssize(values));
@@ -65,7 +65,7 @@ TEST(LevenbergMarquardt, StaysInsideTheLimits) {
   EXPECT_THROW(levenberg_marquardt(outside, residual, jacobian), std::invalid_argument);
 }
 
-// r = arctan x: the undamped step from x = 3 overshoots to −9.5, and each further one goes farther.
+// r = arctan x: the undamped step from x = 3 overshoots to −9.5, and each further step goes farther.
 TEST(LevenbergMarquardt, NeverRaisesTheCost) {
   VectorXd x = vector({3});
   double lowest = std::numeric_limits<double>::infinity();
@@ -81,7 +81,7 @@ TEST(LevenbergMarquardt, NeverRaisesTheCost) {
   EXPECT_NEAR(x[0], 0, kRounding);
 }
 
-// y = x²: Gauss and Newton's step halves x, however often.
+// r = x²: each Gauss–Newton step halves x.
 TEST(LevenbergMarquardt, StopsForTheReasonThatItStates) {
   const auto residual = [](const VectorXd& p) { return vector({p[0] * p[0]}); };
   const auto jacobian = [](const VectorXd& p) { return MatrixXd(MatrixXd::Constant(1, 1, 2 * p[0])); };
@@ -167,7 +167,7 @@ void expect_certified(const Certified& set) {
     for (Index i = 0; i < b.size(); ++i) {
       const double deviation = set.deviations[static_cast<std::size_t>(i)];
       EXPECT_NEAR(b[i], set.parameters[static_cast<std::size_t>(i)], kCostRounding * deviation);
-      EXPECT_NEAR(std::sqrt(covariance(i, i)) / deviation, 1, kDeviations);
+      EXPECT_NEAR(std::sqrt(covariance(i, i)) / deviation, 1, kStdTolerance);
     }
   }
 }

@@ -13,7 +13,7 @@ namespace percuss::identify::force_noise_test {
 
 constexpr double kNoise_N = 0.02;
 
-// One hit: a pulse of 9 samples in a gate of 90 whose samples outside it are zero.
+// One hit: a pulse of 9 samples in a gate of 90. All other samples are zero.
 FrfDataset gated_hit() {
   FrfDataset set = test::empty_set(8192, 16384, 40, 2400, 1);
   frf::ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};

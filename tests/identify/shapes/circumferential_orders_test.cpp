@@ -8,7 +8,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::identify::cylinder_test {
+namespace percuss::identify::circumferential_orders_test {
 
 using std::numbers::pi;
 
@@ -80,7 +80,7 @@ TEST(TubeShape, NamesBendingAndHoopOnly) {
   }
 }
 
-TEST(TubeShape, HasOnlyTheCosineOfHalfTheNumberOfAngles) {
+TEST(TubeShape, ResolvesOnlyTheCosineAtHalfTheNumberOfAngles) {
   // Six angles: cos 3θ alternates, sin 3θ is zero everywhere; its plane is unknown.
   const TubeGeometry geometry = geometry_of({});
   const auto tube = tube_shape(pattern(geometry, 3, 10 * kDegree, flat), geometry);
@@ -187,4 +187,4 @@ TEST(TubeShape, AcceptsUnevenAngles) {
   EXPECT_NEAR(*tube->plane_rad, 0.3, kRounding);
 }
 
-}  // namespace percuss::identify::cylinder_test
+}  // namespace percuss::identify::circumferential_orders_test
