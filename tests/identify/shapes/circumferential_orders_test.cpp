@@ -153,7 +153,7 @@ TEST(TubeShape, HasNoSignChangesForOneRing) {
 }
 
 TEST(TubeShape, HasTrueStandardDeviations) {
-  constexpr double kNoise = 0.05, kDeviations = 4;
+  constexpr double kNoise = 0.05, kDeviations = 4;  // standard deviations of the plane
   const TubeGeometry geometry = geometry_of({.rings = 10});
   const auto tube = tube_shape(pattern(geometry, 2, 0.3, flat, kNoise), geometry);
   // 60 points share cos and sin: σ(nθ) = σ √(2/60).
