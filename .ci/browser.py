@@ -41,15 +41,15 @@ def browser(width=1000, height=1400):
     return webdriver.Chrome(options=options)
 
 
-def opened(driver, path):
+def load(driver, path):
     """Loads a page; returns its console messages and its requests for other files."""
     driver.get_log("browser"), driver.get_log("performance")
     driver.get(path.as_uri())
     time.sleep(0.3)
-    complaints = [entry["message"] for entry in driver.get_log("browser")]
+    console = [entry["message"] for entry in driver.get_log("browser")]
     messages = [json.loads(entry["message"])["message"] for entry in driver.get_log("performance")]
-    asked = [m["params"]["request"]["url"] for m in messages if m["method"] == "Network.requestWillBeSent"]
-    return complaints, [url for url in asked if url != path.as_uri()]
+    requests = [m["params"]["request"]["url"] for m in messages if m["method"] == "Network.requestWillBeSent"]
+    return console, [url for url in requests if url != path.as_uri()]
 
 
 # Whether a canvas shows curves: enough pixels that are neither background nor grey.
@@ -107,12 +107,12 @@ def painted(driver, element):
     return sum(pixel != pixels[0] for pixel in pixels) / len(pixels)
 
 
-def look(driver, path, canvases=0, charts=0):
+def check_page(driver, path, canvases=0, charts=0):
     """Checks that apply to every page."""
     name = path.stem
-    complaints, asked = opened(driver, path)
-    check(not complaints, f"{name}: console is clean {complaints}")
-    check(not asked, f"{name}: nothing is asked for {asked}")
+    console, requests = load(driver, path)
+    check(not console, f"{name}: no console messages {console}")
+    check(not requests, f"{name}: no network requests {requests}")
     coloured = driver.execute_script(DRAWN)
     check(len(coloured) >= canvases and all(count > 30 for count in coloured), f"{name}: canvases are drawn {coloured}")
     figures = driver.find_elements(By.CSS_SELECTOR, "figure.chart")
@@ -121,11 +121,11 @@ def look(driver, path, canvases=0, charts=0):
     for scheme in ("light", "dark"):
         emulate(driver, prefers_color_scheme=scheme)
         ratio, where = driver.execute_script(CONTRAST)
-        check(ratio >= 4.5, f"{name}: contrast {ratio:.1f} of text in the {scheme} ({where})")
+        check(ratio >= 4.5, f"{name}: contrast {ratio:.1f} of text in the {scheme} scheme ({where})")
     emulate(driver, prefers_color_scheme="light")
     check(driver.execute_script(SMALLEST) >= 12, f"{name}: no text below 12 px")
     hidden = driver.execute_script("return document.documentElement.scrollWidth > document.documentElement.clientWidth")
-    check(not hidden, f"{name}: as wide as the window")
+    check(not hidden, f"{name}: no wider than the window")
 
 
 def scales(driver):
@@ -137,8 +137,8 @@ def picture_of(driver, kind):
     return driver.execute_script(f"return document.querySelector('[data-plot=\"{kind}\"] canvas').toDataURL()")
 
 
-def zoom(driver, path):
-    opened(driver, path)
+def check_zoom(driver, path):
+    load(driver, path)
     before, phase = scales(driver), picture_of(driver, "phase")
     over = driver.find_element(By.CSS_SELECTOR, '[data-plot="magnitude"] .u-over')
     driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", over)
@@ -147,7 +147,7 @@ def zoom(driver, path):
     after = scales(driver)
     check(len(after) == 3 and all(pair == after[0] for pair in after), f"zoom: all three show {after[0]} Hz")
     check(after[0][1] - after[0][0] < 0.5 * (before[0][1] - before[0][0]), "zoom: less is shown than before")
-    check(picture_of(driver, "phase") != phase, "zoom: the phase is drawn anew")
+    check(picture_of(driver, "phase") != phase, "zoom: the phase is drawn again")
     ActionChains(driver).double_click(over).perform()
     time.sleep(0.3)
     check(scales(driver) == before, "zoom: a double click shows all again")
@@ -158,7 +158,7 @@ def zoom(driver, path):
     buttons["Logarithmic"].click()
     time.sleep(0.2)
     kinds = driver.execute_script("return plots.filter((d) => d.plot.scales.x.distr === 3).length")
-    check(kinds == 3 and scales(driver)[0] == scales(driver)[2] and min(driver.execute_script(DRAWN)) > 30, "zoom: over the logarithm of the frequency")
+    check(kinds == 3 and scales(driver)[0] == scales(driver)[2] and min(driver.execute_script(DRAWN)) > 30, "zoom: on a logarithmic frequency axis")
     buttons["Logarithmic"].click()
     time.sleep(0.2)
     buttons["Zoom in"].send_keys("\ue007")  # the Enter key
@@ -167,9 +167,9 @@ def zoom(driver, path):
     check(all(pair == narrow[0] for pair in narrow) and narrow[0] != before[0], "zoom: by the keyboard")
 
 
-def moves(driver, path, kind):
+def check_animation(driver, path, kind):
     emulate(driver, prefers_reduced_motion="no-preference")
-    opened(driver, path)
+    load(driver, path)
     frames = []
     for _ in range(3):
         frames.append(picture_of(driver, kind))
@@ -177,10 +177,10 @@ def moves(driver, path, kind):
     check(len(set(frames)) == 3, f"{path.stem}: {kind} moves")
     driver.find_element(By.CSS_SELECTOR, f'[data-plot="{kind}"] button').send_keys("\ue007")
     time.sleep(0.1)
-    check(picture_of(driver, kind) == (time.sleep(0.4), picture_of(driver, kind))[1], f"{path.stem}: {kind} stops when asked")
+    check(picture_of(driver, kind) == (time.sleep(0.4), picture_of(driver, kind))[1], f"{path.stem}: {kind} stops by its button")
     emulate(driver, prefers_reduced_motion="reduce")
-    opened(driver, path)
-    check(picture_of(driver, kind) == (time.sleep(0.4), picture_of(driver, kind))[1], f"{path.stem}: {kind} rests for those who want it")
+    load(driver, path)
+    check(picture_of(driver, kind) == (time.sleep(0.4), picture_of(driver, kind))[1], f"{path.stem}: {kind} does not move if reduced motion is preferred")
     emulate(driver, prefers_reduced_motion="no-preference")
 
 
@@ -192,7 +192,7 @@ def spec(work, name, **keys):
 
 
 def pages(work):
-    """Checks every kind of page: command, canvases, charts."""
+    """Makes the input files. Returns every kind of page: name, command, number of canvases, number of charts."""
     at = lambda name: str(work / name)
     for preset in ("composite-bat", "aluminium-bat", "wood-bat", "double-hit", "no-pulse", "truncated", "roving-barrel"):
         percuss("synth", preset, "-o", at(preset + ".h5"))
@@ -215,7 +215,7 @@ def pages(work):
         ("bad-truncated", ["analyze", at("truncated.h5")], 10, 0),
         ("hostile-name", ["analyze", str(hostile)], 10, 0),
         ("compared", ["analyze", at("composite-bat.h5"), "--compare", at("model.json")], 10, 1),
-        ("deflection-asked", ["analyze", at("composite-bat.h5"), "--only", "modes,deflection"], 1, 1),
+        ("deflection-section", ["analyze", at("composite-bat.h5"), "--only", "modes,deflection"], 1, 1),
         ("survey", ["survey", at("roving-barrel.h5")], 10, 0),
         ("frf", ["frf", at("composite-bat.h5")], 6, 0),
         ("nodes", ["nodes", scan, "--positions", "3:0.5:9in"], 2, 1),
@@ -234,7 +234,7 @@ def pages(work):
     ]
 
 
-def sizes(driver, work):
+def check_sizes(driver, work):
     """A page of two accelerometers with 8001 spectral lines each loads within a second; a survey of 120 points has at most 2 MB."""
     modes = [{"frequency_hz": f, "damping_ratio": 0.004, "family": family, "order": n, "amplitude_per_sqrt_kg": 2}
              for f, family, n in ((205, "bending", 1), (690, "bending", 2), (2100, "hoop", 1), (2880, "hoop", 2))]
@@ -242,11 +242,11 @@ def sizes(driver, work):
     page = work / "lines.html"
     percuss("analyze", bat, "--band", "100:7700", "-o", str(page), "--quiet")
     check(page.stat().st_size <= 500_000, f"two accelerometers: {page.stat().st_size} bytes")
-    opened(driver, page)
+    load(driver, page)
     lines = driver.execute_script("return plots[0].plot.data[0].length")
     times = []
     for _ in range(3):
-        opened(driver, page)
+        load(driver, page)
         times.append(int(driver.execute_script("return document.documentElement.dataset.drawnMs")))
     took = min(times)
     check(lines >= 8001 and took < 1000, f"2 x {lines} lines: drawn in {took} ms")
@@ -255,7 +255,7 @@ def sizes(driver, work):
     page = work / "large.html"
     percuss("survey", barrel, "--band", "60:3200", "-o", str(page), "--quiet")
     check(page.stat().st_size <= 2_000_000, f"survey of {len(points)} points: {page.stat().st_size} bytes")
-    look(driver, page, canvases=8)
+    check_page(driver, page, canvases=8)
 
 
 def main():
@@ -266,15 +266,15 @@ def main():
             for name, words, canvases, charts in pages(work):
                 page = work / f"{name}.html"
                 percuss(*words, "-o", str(page), "--quiet", codes=(0, 4, 5))
-                look(driver, page, canvases, charts)
-            zoom(driver, work / "bat-composite.html")
-            moves(driver, work / "bat-composite.html", "movement")
-            moves(driver, work / "survey.html", "shapes")
-            moves(driver, work / "nodes.html", "bending")
-            sizes(driver, work)
+                check_page(driver, page, canvases, charts)
+            check_zoom(driver, work / "bat-composite.html")
+            check_animation(driver, work / "bat-composite.html", "movement")
+            check_animation(driver, work / "survey.html", "shapes")
+            check_animation(driver, work / "nodes.html", "bending")
+            check_sizes(driver, work)
         finally:
             driver.quit()
-    print("all pages are as they should be" if failures == 0 else f"{failures} failures")
+    print("all checks passed" if failures == 0 else f"{failures} failures")
     sys.exit(failures > 0)
 
 

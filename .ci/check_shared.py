@@ -15,7 +15,7 @@ import numpy
 import scipy.io
 
 PERCUSS = os.environ["PERCUSS"]
-FEW_SIGMA = 4.5  # reported standard deviations: 1 in 150 000 for a normal distribution
+FEW_SIGMA = 4.5  # tolerance in reported standard deviations; a normal distribution exceeds it once in 150 000
 ROUNDING = 1e-6  # of a damping ratio: without noise, standard deviations shrink to rounding errors
 
 results = []
@@ -152,12 +152,12 @@ def check_r161(data):
     profile = os.path.join(data, "r161_profile", "r161.dat")
     code, document = percuss("model", "bat", "--profile", profile, "--profile-unit", "cm:mm", "--density", 649, "--young", 1.814e10, "--shear", 1.05e9)
     frequencies, nodes = document.get("frequency_hz", []), document.get("node_m", [])
-    check("r161: the modes are there", code == 0 and len(frequencies) >= 5 and len(nodes) >= 5, "%d modes" % len(frequencies))
+    check("r161: at least five modes", code == 0 and len(frequencies) >= 5 and len(nodes) >= 5, "%d modes" % len(frequencies))
     for found, published, within in zip(frequencies, (165, 568, 1177, 1851, 2580), (6, 2.5, 1, 1, 1)):
         off = 100 * (found / published - 1)
         check("r161: %d Hz (Nathan 2000, Table II) within %g %%" % (published, within), abs(off) <= within, "%.2f Hz, %+.2f %%" % (found, off))
     for found, published in zip(nodes, ((17, 68), (7, 39, 72), (5, 25, 50, 74))):
-        # Printed in whole centimetres, for a bat 1.8 % heavier than this profile.
+        # The source prints whole centimetres, for a bat 1.8 % heavier than this profile.
         near = len(found) == len(published) and all(abs(100 * f - p) <= 1 for f, p in zip(found, published))
         check("r161: nodes at %s cm" % (published,), near, " ".join("%.1f" % (100 * f) for f in found))
     for found, published_in in zip(nodes, (6.5, 4.9)):
@@ -176,15 +176,15 @@ def check_long(name, truth, path):
             pairs.append((hit, flag, delay))
     worst = max((min(abs(h["time_s"] - t) for h in hits) for t in truth["hit_time_s"]), default=math.nan) if hits else math.nan
     check(name + ": every hit found within 1 ms", len(pairs) == len(truth["hit_time_s"]), "%d of %d, worst %.3f ms" % (len(pairs), len(truth["hit_time_s"]), 1e3 * worst))
-    check(name + ": no false alarm", not extra, "%d" % len(extra))
+    check(name + ": no false hit", not extra, "%d" % len(extra))
     doubles = [(h, d) for h, flag, d in pairs if flag == "double"]
     delays = [abs(f["delay_s"] - d) for h, d in doubles for f in h["findings"] if f["code"] == "double_hit"]
-    check(name + ": doubles rejected, delay within 1 ms", len(delays) == len(doubles) and max(delays, default=0) <= 1e-3 and not any(h["accepted"] for h, _ in doubles),
+    check(name + ": double hits rejected, delay within 1 ms", len(delays) == len(doubles) and max(delays, default=0) <= 1e-3 and not any(h["accepted"] for h, _ in doubles),
           "%d of %d, worst %.3f ms" % (len(delays), len(doubles), 1e3 * max(delays, default=0)))
     weak = [h for h, flag, _ in pairs if flag == "weak"]
-    check(name + ": weak ones flagged, not rejected", all("weak" in codes(h) and h["accepted"] for h in weak), "%d" % len(weak))
+    check(name + ": weak hits flagged, not rejected", all("weak" in codes(h) and h["accepted"] for h in weak), "%d" % len(weak))
     good = [h for h, flag, _ in pairs if flag == "good"]
-    check(name + ": the good ones accepted", all(h["accepted"] for h in good), "%d of %d" % (sum(h["accepted"] for h in good), len(good)))
+    check(name + ": good hits accepted", all(h["accepted"] for h in good), "%d of %d" % (sum(h["accepted"] for h in good), len(good)))
 
 
 def separated(truth, i):
@@ -206,8 +206,8 @@ def check_modes(name, truth, path, score):
     worst = max((abs(r["zeta_pct"]) for r in found), default=math.nan)
     check(name + ": damping within 3 %", worst <= 3, "%.3f %%" % worst)
     wrong = ["%.0f Hz: %s" % (r["true_hz"], r["family"]) for r in found if not r["family_ok"]]
-    check(name + ": families right", not wrong, "; ".join(wrong))
-    check(name + ": nothing spurious", not scored["spurious"], " ".join("%.1f Hz" % f for f in scored["spurious"]))
+    check(name + ": mode types right", not wrong, "; ".join(wrong))
+    check(name + ": no spurious modes", not scored["spurious"], " ".join("%.1f Hz" % f for f in scored["spurious"]))
 
 
 def check_truncated(name, truth, path, score):
@@ -220,7 +220,7 @@ def check_truncated(name, truth, path, score):
     for i, k in got.items():
         mode, zeta = document["modes"][k], truth["zeta"][i]
         errors.append(abs(mode["damping_ratio"] - zeta) / (mode["damping_ratio_std"] + ROUNDING * zeta / FEW_SIGMA))
-    check(name + ": damping errors within %.1f reported deviations" % FEW_SIGMA, errors and max(errors) <= FEW_SIGMA, "%d modes, worst %.2f" % (len(errors), max(errors, default=math.nan)))
+    check(name + ": damping errors within %.1f reported standard deviations" % FEW_SIGMA, errors and max(errors) <= FEW_SIGMA, "%d modes, worst %.2f" % (len(errors), max(errors, default=math.nan)))
 
 
 def check_deflection(name, truth, path):
@@ -237,7 +237,7 @@ def check_deflection(name, truth, path):
     large = [o for o, p in zip(off, peaks) if p > 0.005]
     check(name + ": peaks above 5 mm within 1 %", large and max(map(abs, large)) <= 1, "%d of %d, worst %.2g %%" % (len(large), len(off), max(large, key=abs)))
     deviations = [abs(h["peak_m"] - p) / h["peak_std_m"] for h, p in zip(hits, peaks)]
-    check(name + ": every peak within 3 reported deviations", max(deviations) <= 3, "worst %.2f" % max(deviations))
+    check(name + ": every peak within 3 reported standard deviations", max(deviations) <= 3, "worst %.2f" % max(deviations))
 
 
 def check_seed(seed, arguments, scratch, score):

@@ -24,7 +24,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// The best of many runs: a disturbed run would make the ratio look better.
+// The best of many runs: a disturbed baseline would make x_fftw too small.
 double fft_baseline_s() {
   const acquire::Record& record = bat();
   const std::size_t samples = record.rows.front().samples;
@@ -60,14 +60,14 @@ void hits_by_response(benchmark::State& state) {
 void frf_and_coherence(benchmark::State& state) {
   stage(state, [](const pipeline::Analysis& analysis) { return analysis.frfs().size(); });
 }
-void modes_and_verdicts(benchmark::State& state) {
+void modes_and_classifications(benchmark::State& state) {
   stage(state, [](const pipeline::Analysis& analysis) { return analysis.classifications().size(); });
 }
 
 BENCHMARK(hits_by_force)->Unit(benchmark::kMillisecond);
 BENCHMARK(hits_by_response)->Unit(benchmark::kMillisecond);
 BENCHMARK(frf_and_coherence)->Unit(benchmark::kMillisecond);
-BENCHMARK(modes_and_verdicts)->Unit(benchmark::kMillisecond);
+BENCHMARK(modes_and_classifications)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace percuss

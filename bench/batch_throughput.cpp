@@ -1,8 +1,11 @@
 // percuss_batch_throughput [RECORDS]
-// Compares a batch with the bare library. In one run, in alternation, the best of three, it measures records/s of a
-// loop that opens and analyses each record and keeps nothing; of run_shard on one thread, which also writes rows and
-// journal; and of run_shard on two threads. Then it measures the peak memory of processes that run 100 and RECORDS
-// (default 10 000) records. The records are fifty different ones of 512 samples under many names.
+// Compares a batch with the bare library, in records/s:
+//   - a loop that opens and analyses each record and keeps nothing
+//   - run_shard on one thread, which also writes rows and journal
+//   - run_shard on two threads
+// The three alternate in one run, and the best of five times of each counts. Also prints the peak memory of two
+// processes, with 100 and with RECORDS (default 10 000) records. All records are hard links to fifty different ones of
+// 512 samples.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -61,7 +64,7 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
   std::string file(const std::string& name) const { return path_ + "/" + name; }
-  std::string made(const std::string& name) const {
+  std::string subfolder(const std::string& name) const {
     fs::create_directories(file(name));
     return file(name);
   }
@@ -70,9 +73,9 @@ class Folder {
   std::string path_;
 };
 
-// Writes a manifest of records of one kind.
-std::string planned(const Folder& folder, const std::string& kind, std::size_t records) {
-  const std::string seeds = folder.made("seeds"), place = folder.made(fmt::format("{}-{}", kind, records));
+// Writes records of one format and their manifest. Returns the path of the manifest.
+std::string write_manifest_of(const Folder& folder, const std::string& kind, std::size_t records) {
+  const std::string seeds = folder.subfolder("seeds"), place = folder.subfolder(fmt::format("{}-{}", kind, records));
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < records; ++i) {
     const std::string seed = fmt::format("{}/{}.{}", seeds, i % kDifferent, kind);
@@ -93,7 +96,7 @@ batch::RowOptions options() {
   return out;
 }
 
-void loop(const batch::Manifest& manifest) {
+void analyse_in_loop(const batch::Manifest& manifest) {
   const batch::RowOptions how = options();
   for (std::size_t i = 0; i < manifest.size(); ++i) {
     for (const pipeline::RunAnalysis& test :
@@ -105,7 +108,7 @@ void loop(const batch::Manifest& manifest) {
   }
 }
 
-void batch(const batch::Manifest& manifest, std::size_t threads, const std::string& results) {
+void run_batch(const batch::Manifest& manifest, std::size_t threads, const std::string& results) {
   fs::remove_all(results);
   fs::create_directories(results);
   batch::RowOptions how = options();
@@ -118,7 +121,7 @@ struct ElapsedTime {
   double clock_s = 1e9, processor_s = 1e9;
 
   template <class Work>
-  void on(Work work) {
+  void measure(Work work) {
     const auto start = std::chrono::steady_clock::now();
     const double before_s = processor_now_s();
     work();
@@ -139,8 +142,8 @@ struct ElapsedTime {
   }
 };
 
-// Two equal tasks without memory access, in sequence or in parallel.
-void arithmetic(std::size_t threads) {
+// Runs two equal tasks without memory access, in sequence or in parallel.
+void run_arithmetic(std::size_t threads) {
   static std::array<volatile double, 2> sums{};  // prevents removal by the optimiser
   parallel_for(2, threads, [](std::size_t i) {
     double x = 0.5;
@@ -150,31 +153,31 @@ void arithmetic(std::size_t threads) {
 }
 
 void compare(const Folder& folder, const std::string& kind) {
-  const batch::Manifest manifest(planned(folder, kind, kPerTurn));
+  const batch::Manifest manifest(write_manifest_of(folder, kind, kPerTurn));
   const std::string results = folder.file("results");
-  ElapsedTime in_loop, on_one, on_two, alone, beside;
+  ElapsedTime in_loop, on_one, on_two, sequential, parallel;
   for (int turn = 0; turn < kTurns; ++turn) {
-    in_loop.on([&] { loop(manifest); });
-    on_one.on([&] { batch(manifest, 1, results); });
-    on_two.on([&] { batch(manifest, 2, results); });
-    alone.on([] { arithmetic(1); });
-    beside.on([] { arithmetic(2); });
+    in_loop.measure([&] { analyse_in_loop(manifest); });
+    on_one.measure([&] { run_batch(manifest, 1, results); });
+    on_two.measure([&] { run_batch(manifest, 2, results); });
+    sequential.measure([] { run_arithmetic(1); });
+    parallel.measure([] { run_arithmetic(2); });
   }
   const auto rate = [&](double seconds) { return static_cast<double>(manifest.size()) / seconds; };
   fmt::print(
       "{:4} bare loop {:5.0f}/s; batch {:5.0f}/s, {:.2f} x; on two threads {:5.0f}/s, {:.2f} x (arithmetic {:.2f} x)",
       kind, rate(in_loop.clock_s), rate(on_one.clock_s), in_loop.clock_s / on_one.clock_s, rate(on_two.clock_s),
-      on_one.clock_s / on_two.clock_s, alone.clock_s / beside.clock_s);
+      on_one.clock_s / on_two.clock_s, sequential.clock_s / parallel.clock_s);
   fmt::print("; records per processor second {:.0f}, {:.0f} ({:.2f} x), {:.0f} ({:.2f} x)\n", rate(in_loop.processor_s),
              rate(on_one.processor_s), in_loop.processor_s / on_one.processor_s, rate(on_two.processor_s),
              on_one.processor_s / on_two.processor_s);
 }
 
-// The peak memory of a process of its own.
+// The peak memory of a child process that runs the batch on two threads.
 double largest_memory_MB(const Folder& folder, const std::string& manifest) {
   const pid_t child = ::fork();
   if (child == 0) {
-    batch(batch::Manifest(manifest), 2, folder.file("results"));
+    run_batch(batch::Manifest(manifest), 2, folder.file("results"));
     ::_exit(0);
   }
   int status = 0;
@@ -184,7 +187,7 @@ double largest_memory_MB(const Folder& folder, const std::string& manifest) {
 }
 
 void compare_memory(const Folder& folder, std::size_t records) {
-  const std::string few = planned(folder, "csv", 100), many = planned(folder, "csv", records);
+  const std::string few = write_manifest_of(folder, "csv", 100), many = write_manifest_of(folder, "csv", records);
   const double few_MB = largest_memory_MB(folder, few), many_MB = largest_memory_MB(folder, many);
   fmt::print("largest memory on two threads: {:.1f} MB for 100 records, {:.1f} MB for {}, {:.2f} x\n", few_MB, many_MB,
              records, many_MB / few_MB);
@@ -197,7 +200,7 @@ int main(int count, char** arguments) {
   using namespace percuss;
   try {
     const Folder folder;
-    // First, because a process with threads must not fork.
+    // Memory first: it forks, and a process with threads must not fork.
     compare_memory(folder, count > 1 ? std::strtoul(arguments[1], nullptr, 10) : 10000);
     for (const char* kind : {"csv", "uff", "h5"}) compare(folder, kind);
     return EXIT_SUCCESS;

@@ -8,8 +8,8 @@
 
 #include "fftw_baseline.hpp"
 
-// real_dft compared with bare FFTW on its own memory. Lengths: a short hit, the 2.56 s of the bundled bat at 25.6 kHz,
-// and a prime (the slowest case).
+// real_dft compared with bare FFTW on its own memory. Lengths: a short hit, 2.56 s at 25.6 kHz, and a prime (the
+// slowest case).
 namespace percuss {
 namespace {
 

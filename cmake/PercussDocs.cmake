@@ -1,6 +1,6 @@
 # Target docs: the pages of docs/ as HTML, with the C++ and the Python reference. Never part of the default build.
 set(docs_dir ${PROJECT_BINARY_DIR}/docs)
-# Debian's own Python has the packages, whichever interpreter comes first in the path.
+# The packages belong to Debian's Python, /usr/bin/python3, which need not come first in the path.
 find_program(PERCUSS_SPHINX sphinx-build)
 find_program(PERCUSS_DOXYGEN doxygen)
 if(PERCUSS_SPHINX AND PERCUSS_DOXYGEN AND NOT DEFINED CACHE{PERCUSS_SPHINX_EXTENSIONS})

@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 get_property(layers GLOBAL PROPERTY PERCUSS_LAYERS)
-# Programs link percuss::percuss; the other libraries are what it is made of.
+# Programs link percuss::percuss, which links the libraries of the layers.
 set_target_properties(percuss_api PROPERTIES EXPORT_NAME percuss)
 target_include_directories(percuss_api PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 install(TARGETS ${layers} EXPORT percussTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -26,7 +26,7 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/fixtures)
   install(DIRECTORY fixtures DESTINATION ${CMAKE_INSTALL_DATADIR}/percuss)
 endif()
 
-# One package: the tool with its run-time libraries as dependencies; whoever links against percuss adds the suggested ones.
+# One package. It depends on the run-time libraries of the tool, and suggests the packages for programs that link percuss.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME percuss)
 set(CPACK_PACKAGE_CONTACT "percuss maintainers <percuss@example.org>")

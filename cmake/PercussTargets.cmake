@@ -13,7 +13,7 @@ function(percuss_options target)
     # Reproducible results on machines of one kind: no contraction into fused multiply-add.
     -ffp-contract=off
     $<$<BOOL:${PERCUSS_WERROR}>:-Werror>)
-  # Larger heap limits avoid garbage collections of the compiler, a tenth of its time.
+  # Larger heap limits avoid garbage collections of the compiler, which take a tenth of its time.
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=1000;--param=ggc-min-heapsize=1000000>)
   # Unity builds compile common template instantiations once.
@@ -38,7 +38,7 @@ target_precompile_headers(percuss_headers PRIVATE
 function(percuss_code target)
   percuss_options(${target})
   target_compile_options(${target} PRIVATE -fPIC)
-  # Headers alone: an installation does not need them.
+  # Header-only libraries, which an installation does not need.
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:Eigen3::Eigen> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
                         fmt::fmt)
   if(NOT target STREQUAL "percuss_headers")
@@ -47,14 +47,14 @@ function(percuss_code target)
 endfunction()
 percuss_code(percuss_headers)
 
-# percuss_rooms(TARGET ROOT): one unity unit per folder, so that file-local names must be unique only within a folder.
-function(percuss_rooms target root)
+# percuss_unity_folders(TARGET ROOT): one unity unit per folder, so that file-local names must be unique only within a folder.
+function(percuss_unity_folders target root)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
-    cmake_path(GET source PARENT_PATH room)
-    file(RELATIVE_PATH room ${root} ${room})
-    string(MAKE_C_IDENTIFIER "room_${room}" room)
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room})
+    cmake_path(GET source PARENT_PATH folder)
+    file(RELATIVE_PATH folder ${root} ${folder})
+    string(MAKE_C_IDENTIFIER "folder_${folder}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
@@ -70,6 +70,6 @@ function(percuss_layer name)
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>)
   target_link_libraries(percuss_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   percuss_code(percuss_${name})
-  percuss_rooms(percuss_${name} ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  percuss_unity_folders(percuss_${name} ${CMAKE_CURRENT_SOURCE_DIR}/src)
   set_property(GLOBAL APPEND PROPERTY PERCUSS_LAYERS percuss_${name})
 endfunction()

@@ -1,4 +1,4 @@
-"""Sphinx builds the HTML pages; cmake/PercussDocs.cmake calls it from the top of the sources."""
+"""Configures Sphinx for the HTML pages; cmake/PercussDocs.cmake runs Sphinx from the top of the sources."""
 
 import os
 import pathlib

@@ -10,7 +10,7 @@
 namespace percuss::fuzz {
 namespace {
 
-// The shards of any number together are all records, and each record can be read.
+// Checks that all shards together cover each record once, for several numbers of shards. Reads each record.
 void read_manifest(const std::string& path) {
   const batch::Manifest manifest(path);
   for (const std::size_t shards : {std::size_t{1}, std::size_t{3}, manifest.head().shards}) {

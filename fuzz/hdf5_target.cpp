@@ -14,7 +14,7 @@ namespace {
 
 using acquire::hdf5::Handle;
 
-constexpr std::size_t kLargestClaim = std::size_t{1} << 40U;
+constexpr std::size_t kMaxSize = std::size_t{1} << 40U;
 
 Handle complex_type() {
   Handle type(H5Tcreate(H5T_COMPOUND, 2 * sizeof(double)));
@@ -39,9 +39,11 @@ Handle space_of(const std::vector<std::size_t>& shape) {
                               : H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr));
 }
 
-//   set NAME TYPE SHAPE [chunk] [gzip] [nan] [claimed]: claimed sets have a size but no values
+// Adds a data set for the recipe line
+//   set NAME TYPE SHAPE [chunk] [gzip] [nan] [claimed]
+// A claimed set has a size but no values.
 void add_set(hid_t file, const RecipeLine& line) {
-  const std::vector<std::size_t> shape = line.sizes(3, kLargestClaim);
+  const std::vector<std::size_t> shape = line.sizes(3, kMaxSize);
   std::size_t count = 1;
   bool small = shape.size() < 8;
   for (const std::size_t size : shape) {
@@ -63,6 +65,7 @@ void add_set(hid_t file, const RecipeLine& line) {
   H5Dwrite(set.get(), memory.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
 }
 
+// Adds an attribute for the recipe line
 //   number OBJECT NAME VALUES | text OBJECT NAME TEXT
 void add_attribute(hid_t file, const RecipeLine& line) {
   const bool text = line.word(0) == "text";
@@ -95,7 +98,7 @@ void write_hdf5_from_recipe(const std::string& path, std::string_view recipe) {
 
 }  // namespace
 
-// The meaning of the data sets and attributes of an HDF5 file.
+// Reads a well-formed HDF5 file whose data sets and attributes the recipe in `bytes` states.
 void run_hdf5(std::string_view bytes) {
   const MemfdFile file("");
   {

@@ -9,6 +9,7 @@
 namespace percuss::fuzz {
 namespace {
 
+// The variable of the recipe line
 //   real NAME SHAPE [nan] | complex NAME SHAPE [nan] | number NAME VALUES | text NAME TEXT
 acquire::MatVariable variable_of(const RecipeLine& line) {
   acquire::MatVariable out{.name = line.word(1), .shape = {}, .real = {}, .imaginary = {}, .text = {}};
@@ -35,7 +36,7 @@ acquire::MatVariable variable_of(const RecipeLine& line) {
 
 }  // namespace
 
-// The meaning of the variables of a MAT file.
+// Interprets the variables of a MAT file, which the recipe in `bytes` states.
 void run_mat(std::string_view bytes) {
   acquire::MatFile file{.path = "fuzzed", .bytes = bytes.size(), .variables = {}, .notes = {}};
   for (const RecipeLine& line : recipe_lines(bytes)) file.variables.push_back(variable_of(line));

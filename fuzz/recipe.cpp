@@ -13,11 +13,11 @@ bool RecipeLine::has(std::string_view option) const {
 }
 
 std::vector<double> RecipeLine::numbers(std::size_t at) const {
-  constexpr std::size_t kMaxRows = 64;
+  constexpr std::size_t kMaxNumbers = 64;
   std::vector<double> out;
   std::istringstream list(word(at));
   std::string item;
-  while (std::getline(list, item, ',') && out.size() < kMaxRows) out.push_back(std::strtod(item.c_str(), nullptr));
+  while (std::getline(list, item, ',') && out.size() < kMaxNumbers) out.push_back(std::strtod(item.c_str(), nullptr));
   return out;
 }
 

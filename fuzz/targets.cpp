@@ -40,7 +40,7 @@ FileBytes as_file(std::string_view bytes) {
 
 MemfdFile::MemfdFile(std::string_view bytes) : descriptor_(::memfd_create("fuzzed", MFD_CLOEXEC)) {
   if (descriptor_ < 0 || ::write(descriptor_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) {
-    std::perror("memfd");
+    std::perror("cannot create the input file in memory");
     std::abort();
   }
 }
@@ -78,7 +78,7 @@ void require_clean(const std::exception& refusal) {
     return byte < 0x20 || byte == 0x7F;
   });
   if (printable && !message.empty() && message.size() <= kLongest) return;
-  std::fprintf(stderr, "not one clean line: %s\n", refusal.what());
+  std::fprintf(stderr, "error message is not one printable line of 1 to 2000 bytes: %s\n", refusal.what());
   std::abort();
 }
 

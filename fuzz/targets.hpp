@@ -24,11 +24,11 @@ void run_csv(std::string_view bytes);
 void run_lvm(std::string_view bytes);
 void run_uff(std::string_view bytes);
 void run_frf_text(std::string_view bytes);
-// Contents of files that libraries decode, without the libraries.
+// Well-formed contents of files that libraries decode.
 void run_mat(std::string_view bytes);
 void run_hdf5(std::string_view bytes);
 void run_sound_calibration(std::string_view bytes);
-// Whole files of these formats, in a sandboxed process.
+// Arbitrary bytes as files of these formats, in a sandboxed process.
 void run_binary_formats(std::string_view bytes);
 // Files that options name.
 void run_channel_setup(std::string_view bytes);
@@ -39,10 +39,10 @@ void run_document(std::string_view bytes);
 // Files that the workers of a batch exchange.
 void run_batch(std::string_view bytes);
 
-/// The bytes as a file in memory of exactly their length.
+/// The bytes as a file in memory of exactly their length, so that a sanitizer finds a read beyond the end.
 FileBytes as_file(std::string_view bytes);
 
-/// A file of these bytes without a name, for readers that need a path.
+/// An anonymous file in memory that holds these bytes, for readers that need a path.
 class MemfdFile {
  public:
   explicit MemfdFile(std::string_view bytes);

@@ -20,7 +20,7 @@ void run_record(std::string_view bytes, Open open) {
   accepted([&] { read_all(open(file, strict_read_options())); });
 }
 
-void finish(std::optional<acquire::StoredFrfs> found) {
+void convert_if_found(std::optional<acquire::StoredFrfs> found) {
   if (found) acquire::to_accelerances(std::move(*found), {});
 }
 
@@ -35,7 +35,7 @@ namespace {
 bool read_uff(const FileBytes& file) {
   return accepted([&] {
     const acquire::UffContents contents = acquire::read_uff_contents(file);
-    accepted([&] { finish(acquire::read_frf_uff(file, contents, true)); });
+    accepted([&] { convert_if_found(acquire::read_frf_uff(file, contents, true)); });
     if (accepted([&] { read_all(acquire::open_uff(file, contents, {})); })) return;
     read_all(acquire::open_uff(file, contents, strict_read_options()));
   });
@@ -43,19 +43,19 @@ bool read_uff(const FileBytes& file) {
 
 }  // namespace
 
-// In memory, and as a file of which long numbers stay on the disk: to the same effect.
+// Reads the bytes from memory and as a lazy file. Both must be accepted, or both refused.
 void run_uff(std::string_view bytes) {
   const MemfdFile file(bytes);
   if (read_uff(as_file(bytes)) != read_uff(lazy_input(file.path(), bytes.size()))) {
-    std::fputs("read otherwise from the disk than from memory\n", stderr);
+    std::fputs("the bytes in memory and the lazy file are not both accepted or both refused\n", stderr);
     std::abort();
   }
 }
 
 void run_frf_text(std::string_view bytes) {
   const FileBytes file = as_file(bytes);
-  accepted([&] { finish(acquire::read_frf_text(file, false)); });
-  accepted([&] { finish(acquire::read_frf_text(file, true)); });
+  accepted([&] { convert_if_found(acquire::read_frf_text(file, false)); });
+  accepted([&] { convert_if_found(acquire::read_frf_text(file, true)); });
 }
 
 }  // namespace percuss::fuzz

@@ -60,9 +60,9 @@ void read_strided(const StridedSamples& signal, std::size_t first, std::span<dou
 }
 
 const StridedSamples& strided_samples_of(const ArrayTest& test, std::size_t row, std::size_t signal) {
-  const ArrayRow& its = test.rows.at(row);
-  if (!test.has_force) return its.accel.at(signal);
-  return signal == 0 ? its.force : its.accel.at(signal - 1);
+  const ArrayRow& array_row = test.rows.at(row);
+  if (!test.has_force) return array_row.accel.at(signal);
+  return signal == 0 ? array_row.force : array_row.accel.at(signal - 1);
 }
 
 bool is_contiguous_si(const StridedSamples& signal) {
@@ -90,13 +90,13 @@ acquire::SignalTable table_of(const std::shared_ptr<const ArrayTest>& test) {
   return table;
 }
 
-// Which rows have been checked already.
-struct Checked {
-  std::vector<std::atomic<bool>> rows;
-  explicit Checked(std::size_t count) : rows(count) {}
+// For each signal of each row, whether array_row samples have been checked.
+struct CheckedSignals {
+  std::vector<std::atomic<bool>> flags;
+  explicit CheckedSignals(std::size_t count) : flags(count) {}
 };
 
-// `read` throws the InputError of a sample that is out of range.
+// A view of the samples, whose range is checked once. `read` throws the InputError for a sample that is out of range.
 template <class Read>
 std::span<const double> checked_view(const StridedSamples& signal, std::atomic<bool>& checked, const Read& read) {
   const std::span<const double> all(reinterpret_cast<const double*>(signal.first), signal.samples);
@@ -111,21 +111,21 @@ std::span<const double> checked_view(const StridedSamples& signal, std::atomic<b
 }
 
 void view_forces(acquire::Record& record, const std::shared_ptr<const ArrayTest>& test) {
-  const auto checked = std::make_shared<Checked>(test->rows.size());
+  const auto checked = std::make_shared<CheckedSignals>(test->rows.size());
   const auto read = record.read_force_N;
   record.read_force_N = {read, [test, read, checked](std::size_t row) {
-                           return checked_view(test->rows[row].force, checked->rows[row],
+                           return checked_view(test->rows[row].force, checked->flags[row],
                                                [&](std::size_t at, std::span<double> out) { read(row, at, out); });
                          }};
 }
 
 void view_responses(acquire::Record& record, const std::shared_ptr<const ArrayTest>& test) {
   const std::size_t channels = record.accel.size();
-  const auto checked = std::make_shared<Checked>(test->rows.size() * channels);
+  const auto checked = std::make_shared<CheckedSignals>(test->rows.size() * channels);
   const auto read = record.read_accel_mps2;
   record.read_accel_mps2 = {read, [test, read, checked, channels](std::size_t row, std::size_t channel) {
                               return checked_view(
-                                  test->rows[row].accel[channel], checked->rows[row * channels + channel],
+                                  test->rows[row].accel[channel], checked->flags[row * channels + channel],
                                   [&](std::size_t at, std::span<double> out) { read(row, channel, at, out); });
                             }};
 }

@@ -21,7 +21,7 @@ identify::ShapeValues shape_at(const Shapes& shapes, py::ssize_t mode) {
 
 py::array_t<double> mac_between(const Shapes& a, const Shapes& b) {
   if (a.ndim() != 2 || b.ndim() != 2 || a.shape(1) != b.shape(1))
-    throw InputError("shapes of different places", "mac", "give two arrays (modes, places) of the same places");
+    throw InputError("the shapes have different places", "mac", "give two arrays (modes, places) of the same places");
   py::array_t<double> out({a.shape(0), b.shape(0)});
   for (py::ssize_t i = 0; i < a.shape(0); ++i) {
     for (py::ssize_t j = 0; j < b.shape(0); ++j)

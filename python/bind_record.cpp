@@ -75,7 +75,8 @@ std::shared_ptr<const ArrayTest> test_of(const py::list& rows, const std::vector
                        "give the same number of samples: force (hits, samples), accel (hits, channels, samples)");
     }
     if (has_force != test->has_force || (r > 0 && made.accel.size() != test->rows.front().accel.size()))
-      throw InputError("row " + std::to_string(r) + " has other channels than the first", "arrays", "give all or none");
+      throw InputError("row " + std::to_string(r) + " has other channels than the first", "arrays",
+                       "give the same channels in every row");
     test->rows.push_back(std::move(made));
   }
   test->owner = owner_of(rows);

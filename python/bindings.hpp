@@ -24,7 +24,8 @@ RecordHandle record_handle(const std::shared_ptr<const ArrayTest>& test);
 /// The record as an input of a command.
 tools::InMemoryInput in_memory_input(const std::shared_ptr<const RecordHandle>& held);
 
-/// The result of a command. Computing more of it takes the lock, since only one thread at a time may use an Analysis.
+/// The result of a command. Functions that compute more of the result lock `mutex`, since only one thread at a time may
+/// use an Analysis.
 struct ResultHandle {
   int code = 0;
   tools::CommandResult outcome;
@@ -47,8 +48,10 @@ decltype(auto) without_gil(const SharedResult& held, const Function& function) {
 
 std::vector<double> freq_Hz_of(const acquire::LineRange& lines);
 
-/// The stabilisation diagram as columns, and a survey's shapes, their MAC and the mode indicator.
+/// The stabilisation diagram as columns (poles).
 pybind11::dict stabilisation_of(const SharedResult& held, std::size_t test);
+/// A survey's shapes (modes, places), their MAC (modes, modes) and the mode indicator (lines, values). Throws TypeError
+/// for other results.
 pybind11::dict shapes_of(const SharedResult& held);
 
 /// Responses as [(point, channel, averages, value, std or None, coherence or None)]: views of `count` spectral lines of

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-// The order of layers and rooms, held against the includes of every source. ARCHITECTURE.md describes the rooms.
+// Checks that the includes of every source respect the order of layers and folders that ARCHITECTURE.md describes.
 namespace percuss::layers_test {
 
 namespace fs = std::filesystem;
@@ -23,7 +23,8 @@ using testing::IsEmpty;
 
 using Level = std::vector<std::string_view>;
 
-/// Lowest first. A room may include itself and the rooms of lower levels; rooms of one level do not include each other.
+/// The folders of the sources, lowest level first. A folder may include itself and the folders of lower levels, but not
+/// the others of its own level.
 const std::vector<Level>& levels() {
   static const std::vector<Level> kLevels{
       {"core"},
@@ -73,12 +74,12 @@ const std::vector<Level>& levels() {
   return kLevels;
 }
 
-/// Includes that the order would allow and the design does not: from a room, to a room.
+/// Includes that the order allows and the design forbids: from the first folder, of the second.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kForbidden{{
-    {"acquire/hits", "acquire/formats"},       // a hit is graded from samples, whatever file they come from
+    {"acquire/hits", "acquire/formats"},       // hits are graded from samples, independent of the file format
     {"identify/select", "identify/classify"},  // modes are found before they are named
-    {"model", "acquire"},                      // models know no files …
-    {"model", "identify"},                     // … and no measurement
+    {"model", "acquire"},                      // models read no files
+    {"model", "identify"},                     // models use no measurement
 }};
 
 struct Include {
@@ -87,8 +88,8 @@ struct Include {
 };
 
 struct Source {
-  std::string path;  // from the top of the repository: "src/core/math/fft.cpp"
-  std::string room;  // "core/math"
+  std::string path;    // from the top of the repository: "src/core/math/fft.cpp"
+  std::string folder;  // "core/math"
   bool header = false;
   std::vector<Include> includes;
   std::vector<std::string> types;  // defined at namespace scope
@@ -113,7 +114,7 @@ std::optional<Include> include_in(std::string_view line) {
                  .quoted = name->front() == '"'};
 }
 
-// Definitions at namespace scope start in column 1, as the layout of the sources demands.
+// A definition at namespace scope starts in column 1, because clang-format does not indent namespaces.
 std::optional<std::string> type_in(std::string_view line) {
   if (line.find('{') == std::string_view::npos) return {};
   for (const std::string_view kind : {"struct ", "class ", "enum class "}) {
@@ -130,20 +131,20 @@ void read_source(std::istream& text, Source& source) {
 }
 
 /// "core/math" of src/core/math/fft.cpp, "tools/cli" of tools/cli/output.cpp.
-std::string room_of(const fs::path& path) {
-  const std::string folder = path.parent_path().generic_string();
-  return folder.starts_with("src/") ? folder.substr(4) : folder;
+std::string folder_of(const fs::path& path) {
+  const std::string parent = path.parent_path().generic_string();
+  return parent.starts_with("src/") ? parent.substr(4) : parent;
 }
 
 const std::vector<Source>& sources() {
   static const std::vector<Source> kSources = [] {
     const fs::path top = PERCUSS_SOURCE_DIR;
     std::vector<Source> out;
-    for (const char* folder : {"src", "tools", "python"}) {
-      for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
+    for (const char* root : {"src", "tools", "python"}) {
+      for (const auto& entry : fs::recursive_directory_iterator(top / root)) {
         const fs::path path = fs::relative(entry.path(), top);
         if (path.extension() != ".hpp" && path.extension() != ".cpp") continue;
-        Source source{.path = path.generic_string(), .room = room_of(path), .header = path.extension() == ".hpp"};
+        Source source{.path = path.generic_string(), .folder = folder_of(path), .header = path.extension() == ".hpp"};
         std::ifstream text(entry.path());
         read_source(text, source);
         out.push_back(std::move(source));
@@ -154,52 +155,53 @@ const std::vector<Source>& sources() {
   return kSources;
 }
 
-std::optional<std::size_t> level_of(std::string_view room) {
+std::optional<std::size_t> level_of(std::string_view folder) {
   for (std::size_t i = 0; i < levels().size(); ++i) {
-    if (std::find(levels()[i].begin(), levels()[i].end(), room) != levels()[i].end()) return i;
+    if (std::find(levels()[i].begin(), levels()[i].end(), folder) != levels()[i].end()) return i;
   }
   return {};
 }
 
-bool within(std::string_view room, std::string_view parent) {
-  return room == parent || (room.starts_with(parent) && room[parent.size()] == '/');
+bool within(std::string_view folder, std::string_view parent) {
+  return folder == parent || (folder.starts_with(parent) && folder[parent.size()] == '/');
 }
 
-/// The room that an include names. The files of the tool are named from its own folder ("cli/output.hpp"), files of the
-/// module plainly.
-std::string included_room(const Source& source, const std::string& name) {
-  std::string folder = fs::path(name).parent_path().generic_string();
-  if (level_of(folder)) return folder;
-  if (within(source.room, "python") && folder.empty()) {
+/// The folder that an include names. The tool's files are named relative to tools/ ("cli/output.hpp"), the Python
+/// module's files without a folder.
+std::string included_folder(const Source& source, const std::string& name) {
+  std::string named = fs::path(name).parent_path().generic_string();
+  if (level_of(named)) return named;
+  if (within(source.folder, "python") && named.empty()) {
     return fs::exists(fs::path(PERCUSS_SOURCE_DIR) / "python" / name) ? "python" : "tools";
   }
-  return folder.empty() ? "tools" : "tools/" + folder;
+  return named.empty() ? "tools" : "tools/" + named;
 }
 
-/// The rule that an include breaks, for people; nothing where it breaks none.
+/// A sentence about the rule that an include breaks, or nothing.
 std::optional<std::string> broken_rule(const std::string& from, const std::string& to) {
   if (from == to) return {};
-  for (const auto& [room, target] : kForbidden) {
-    if (within(from, room) && within(to, target)) return std::string(room) + " does not include " + std::string(target);
+  for (const auto& [folder, target] : kForbidden) {
+    if (within(from, folder) && within(to, target))
+      return std::string(folder) + " must not include " + std::string(target);
   }
   const auto own = level_of(from), other = level_of(to);
-  if (!other) return to + " is no room";
+  if (!other) return to + " is missing in levels()";
   if (*other < *own) return {};
-  if (*other == *own) return from + " and " + to + " are of one level and do not include each other";
-  return to + " stands above " + from;
+  if (*other == *own) return from + " and " + to + " are of one level and must not include each other";
+  return to + " is above " + from + " in the order of layers";
 }
 
 std::vector<std::string> broken_rules(const Source& source) {
   std::vector<std::string> out;
   for (const Include& include : source.includes) {
     if (!include.quoted || include.name.starts_with("percuss/")) continue;
-    if (const auto rule = broken_rule(source.room, included_room(source, include.name)))
+    if (const auto rule = broken_rule(source.folder, included_folder(source, include.name)))
       out.push_back(source.path + " includes " + include.name + ": " + *rule);
   }
   return out;
 }
 
-/// The includes of a header of the library that are neither the standard library's, nor Eigen's, nor our own.
+/// The includes of a header of the library from third parties other than the standard library and Eigen.
 std::vector<std::string> third_parties(const Source& source) {
   std::vector<std::string> out;
   for (const auto& [name, quoted] : source.includes) {
@@ -210,17 +212,17 @@ std::vector<std::string> third_parties(const Source& source) {
   return out;
 }
 
-bool of_the_library(const Source& source) { return !within(source.room, "tools") && !within(source.room, "python"); }
+bool is_in_library(const Source& source) { return !within(source.folder, "tools") && !within(source.folder, "python"); }
 
-TEST(Layers, NameEveryFolder) {
-  for (const auto& source : sources()) EXPECT_TRUE(level_of(source.room)) << source.path;
+TEST(Layers, ListEveryFolder) {
+  for (const auto& source : sources()) EXPECT_TRUE(level_of(source.folder)) << source.path;
 }
 
-TEST(Layers, NameNoFolderThatIsGone) {
-  std::set<std::string> rooms;
-  for (const auto& source : sources()) rooms.insert(source.room);
+TEST(Layers, ListOnlyExistingFolders) {
+  std::set<std::string> folders;
+  for (const auto& source : sources()) folders.insert(source.folder);
   for (const Level& level : levels()) {
-    for (const std::string_view room : level) EXPECT_TRUE(rooms.contains(std::string(room))) << room;
+    for (const std::string_view folder : level) EXPECT_TRUE(folders.contains(std::string(folder))) << folder;
   }
 }
 
@@ -235,7 +237,7 @@ TEST(Layers, AreIncludedFromAboveOnly) {
 TEST(Layers, KeepThirdPartiesOutOfHeaders) {
   std::vector<std::string> wrong;
   for (const auto& source : sources()) {
-    if (!source.header || !of_the_library(source)) continue;
+    if (!source.header || !is_in_library(source)) continue;
     for (auto& sentence : third_parties(source)) wrong.push_back(std::move(sentence));
   }
   EXPECT_THAT(wrong, IsEmpty());
@@ -251,59 +253,59 @@ TEST(Layers, IncludeFftwInOneFile) {
   EXPECT_THAT(files, ElementsAre("src/core/math/fft.cpp"));
 }
 
-// A layer is a namespace: two types of one name in it are one type to the linker, whatever they hold.
-TEST(Layers, NameEachTypeOnce) {
-  std::map<std::string, std::string> home;
+// A layer is a namespace. Two types of one name in it violate the one-definition rule, which the linker does not report.
+TEST(Layers, DefineEachTypeNameOnce) {
+  std::map<std::string, std::string> path_of;
   std::vector<std::string> twice;
   for (const auto& source : sources()) {
     if (!source.header) continue;
-    const std::string layer = source.room.substr(0, source.room.find('/')) + "::";
+    const std::string layer = source.folder.substr(0, source.folder.find('/')) + "::";
     for (const auto& type : source.types) {
-      const auto [known, fresh] = home.emplace(layer + type, source.path);
+      const auto [known, fresh] = path_of.emplace(layer + type, source.path);
       if (!fresh) twice.push_back(known->first + " in " + known->second + " and " + source.path);
     }
   }
-  EXPECT_GT(home.size(), 0U);
+  EXPECT_GT(path_of.size(), 0U);
   EXPECT_THAT(twice, IsEmpty());
 }
 
 /// A unit is x.hpp with x.cpp.
-TEST(Rooms, HoldAtMost25Units) {
+TEST(Folders, HoldAtMost25Units) {
   std::map<std::string, std::set<std::string>> units;
-  for (const auto& source : sources()) units[source.room].insert(fs::path(source.path).stem().string());
-  for (const auto& [room, names] : units) EXPECT_LE(names.size(), 25U) << room;
+  for (const auto& source : sources()) units[source.folder].insert(fs::path(source.path).stem().string());
+  for (const auto& [folder, names] : units) EXPECT_LE(names.size(), 25U) << folder;
 }
 
-TEST(Rooms, OfTestsMirrorTheSources) {
-  std::set<std::string> rooms{"commands", "commands/model", "docs", "hostile", "stress", "support"};
+TEST(Folders, OfTestsMirrorTheSources) {
+  std::set<std::string> folders{"commands", "commands/model", "docs", "hostile", "stress", "support"};
   for (const auto& source : sources()) {
-    for (std::string room = source.room; !room.empty(); room = fs::path(room).parent_path().generic_string())
-      rooms.insert(room);
+    for (std::string folder = source.folder; !folder.empty(); folder = fs::path(folder).parent_path().generic_string())
+      folders.insert(folder);
   }
   const fs::path tests = fs::path(PERCUSS_SOURCE_DIR) / "tests";
   for (const auto& entry : fs::recursive_directory_iterator(tests)) {
     if (!entry.path().filename().string().ends_with("_test.cpp")) continue;
-    const std::string room = fs::relative(entry.path().parent_path(), tests).generic_string();
-    EXPECT_TRUE(room == "." || rooms.contains(room)) << entry.path();
+    const std::string folder = fs::relative(entry.path().parent_path(), tests).generic_string();
+    EXPECT_TRUE(folder == "." || folders.contains(folder)) << entry.path();
   }
 }
 
-// The checks above pass on an empty list too; here each rule is broken on purpose.
-TEST(Layers, AreSeenToBeBroken) {
-  Source source{.path = "src/frf/x.hpp", .room = "frf", .header = true};
+// The checks above would also pass on an empty list, so this test breaks each rule on purpose.
+TEST(Layers, ReportBrokenRules) {
+  Source source{.path = "src/frf/x.hpp", .folder = "frf", .header = true};
   std::istringstream text(
       "#pragma once\n#include <vector>\n #  include <hdf5.h>\n#include \"core/math/fft.hpp\"\n#include \"x.hpp\"\n"
       "#include \"report/json/x.hpp\"\n// #include \"model/beam/beam.hpp\"\n"
       "struct A {\nclass B;\n  struct Inner {};\n};\nenum class C : int { x };\n");
   read_source(text, source);
   EXPECT_THAT(broken_rules(source),
-              ElementsAre("src/frf/x.hpp includes x.hpp: tools stands above frf",
-                          "src/frf/x.hpp includes report/json/x.hpp: report/json stands above frf"));
+              ElementsAre("src/frf/x.hpp includes x.hpp: tools is above frf in the order of layers",
+                          "src/frf/x.hpp includes report/json/x.hpp: report/json is above frf in the order of layers"));
   EXPECT_THAT(third_parties(source), ElementsAre("src/frf/x.hpp includes hdf5.h"));
   EXPECT_THAT(source.types, ElementsAre("A", "C"));
-  EXPECT_EQ(broken_rule("acquire/hits", "acquire/formats/text"), "acquire/hits does not include acquire/formats");
+  EXPECT_EQ(broken_rule("acquire/hits", "acquire/formats/text"), "acquire/hits must not include acquire/formats");
   EXPECT_EQ(broken_rule("acquire/formats/uff", "acquire/formats/text"),
-            "acquire/formats/uff and acquire/formats/text are of one level and do not include each other");
+            "acquire/formats/uff and acquire/formats/text are of one level and must not include each other");
   EXPECT_EQ(broken_rule("frf", "core/math"), std::nullopt);
 }
 

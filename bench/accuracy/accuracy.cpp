@@ -21,11 +21,11 @@
 namespace percuss::accuracy {
 namespace {
 
-constexpr TimingOptions kTurns, kQuickTurns{.least = 1, .least_s = 0, .each_s = 0};
+constexpr TimingOptions kTurns, kQuickTurns{.min_turns = 1, .min_total_s = 0, .min_task_s = 0};
 constexpr double kScalingBudget_s = 125;
 
 void measure_all(Extent extent, const std::string& folder) {
-  if (extent == Extent::quick) fftw_set_timelimit(0);  // of planning by measurement
+  if (extent == Extent::quick) fftw_set_timelimit(0);  // no planning by measurement
   const TimingOptions turns = extent == Extent::quick ? kQuickTurns : kTurns;
   Measured all;
   all.scalings = study_scaling(extent, turns, kScalingBudget_s);

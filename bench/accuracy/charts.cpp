@@ -61,9 +61,9 @@ report::ChartCurve front_of(const Case& one, std::size_t style) {
   return curve;
 }
 
-// At least a decade, so small differences look small, with enough round numbers for the axis.
-void settle_axis(report::ChartAxis& axis, const std::vector<report::ChartCurve>& curves,
-                 std::vector<double> report::ChartCurve::*values) {
+// Sets a range of at least one decade, so small differences look small, and enough round numbers as ticks.
+void set_range(report::ChartAxis& axis, const std::vector<report::ChartCurve>& curves,
+               std::vector<double> report::ChartCurve::*values) {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   for (const report::ChartCurve& curve : curves) {
     for (const double value : curve.*values) {
@@ -101,8 +101,8 @@ report::LineChart sweep_chart(const Family& family, const Sweep& sweep) {
     for (std::size_t m = 0; m < methods.size(); ++m)
       chart.curves.push_back(points_of(sweep.cases[c], style, methods[m], kMarks.at(m)));
   }
-  settle_axis(chart.x, chart.curves, &report::ChartCurve::x);
-  settle_axis(chart.y, chart.curves, &report::ChartCurve::y);
+  set_range(chart.x, chart.curves, &report::ChartCurve::x);
+  set_range(chart.y, chart.curves, &report::ChartCurve::y);
   return chart;
 }
 

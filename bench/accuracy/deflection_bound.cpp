@@ -21,7 +21,7 @@ std::vector<synth::SynthPole> poles_of(const synth::Truth& truth) {
   return poles;
 }
 
-// Changes parameter p (f and ζ of each mode in turn) by `steps` of its steps, and returns the step.
+// Changes parameter p (f and ζ of each mode in turn) by `steps` difference steps, and returns the step.
 double move(std::vector<synth::SynthPole>& poles, Index p, double steps) {
   synth::SynthPole& pole = poles[static_cast<std::size_t>(p / 2)];
   double& value = p % 2 == 0 ? pole.freq_Hz : pole.damping_ratio;
@@ -81,7 +81,7 @@ MatrixXd eliminated(const MatrixXd& m, Index kept) {
 }
 
 // The information of one channel on f, ζ and its own residues, from all rows.
-MatrixXd channel_knowledge(const synth::Truth& truth, const std::vector<MatrixXd>& products, std::size_t channel) {
+MatrixXd channel_information(const synth::Truth& truth, const std::vector<MatrixXd>& products, std::size_t channel) {
   const auto modes = static_cast<Index>(truth.spec.modes.size());
   VectorXd scale = VectorXd::Ones(3 * modes + 2);
   for (Index p = 0; p < 2 * modes; ++p) scale[p] = truth.residue_per_kg[0][channel][static_cast<std::size_t>(p / 2)];
@@ -120,20 +120,20 @@ VectorXd gradient(const synth::Truth& truth, std::size_t channel) {
 
 std::vector<double> deflection_bound(const synth::Truth& truth) {
   const auto poles = static_cast<Index>(2 * truth.spec.modes.size());
-  std::vector<MatrixXd> products, knowledge;
+  std::vector<MatrixXd> products, information;
   for (std::size_t hit = 0; hit < truth.hits.size(); ++hit) {
     const MatrixXd columns = columns_of(truth, hit);
     products.emplace_back(columns.transpose() * columns);
   }
   MatrixXd shared = MatrixXd::Zero(poles, poles);  // information of all channels on f and ζ
   for (std::size_t c = 0; c < truth.accel_noise_mps2.size(); ++c) {
-    knowledge.push_back(channel_knowledge(truth, products, c));
-    shared += eliminated(knowledge.back(), poles);
+    information.push_back(channel_information(truth, products, c));
+    shared += eliminated(information.back(), poles);
   }
   std::vector<double> bound;
-  for (std::size_t c = 0; c < knowledge.size(); ++c) {
-    MatrixXd all = knowledge[c];
-    all.topLeftCorner(poles, poles) += shared - eliminated(knowledge[c], poles);
+  for (std::size_t c = 0; c < information.size(); ++c) {
+    MatrixXd all = information[c];
+    all.topLeftCorner(poles, poles) += shared - eliminated(information[c], poles);
     const VectorXd g = gradient(truth, c);
     bound.push_back(std::sqrt(g.dot(inverse_of(all) * g)));
   }

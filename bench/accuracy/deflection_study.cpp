@@ -77,21 +77,21 @@ pipeline::ImpactTest deflections_of(acquire::Record record, const synth::SynthSp
 }
 
 struct DeflectionTally {
-  double error = 0, over_bound = 0, told = 0, covered = 0, all = 0;
+  double error = 0, over_bound = 0, detected = 0, covered = 0, hits = 0;
 };
 
 DeflectionTally deflection_tally(const pipeline::ImpactTest& test, const std::vector<std::vector<double>>& truth_m,
                                  const std::vector<double>& bound) {
   DeflectionTally tally;
   for (const pipeline::DeflectedHit& hit : test.hits) {
-    ++tally.all;
+    ++tally.hits;
     if (!hit.deflection.has_peak()) continue;
     const double exact = std::abs(truth_m[hit.hit][hit.channel]);
     const double error = std::abs(hit.deflection.peak_m) - exact;
     tally.error += std::pow(error / exact, 2);
     tally.over_bound += std::pow(error / exact / bound[hit.channel], 2);
     tally.covered += std::abs(error) <= 1.959964 * hit.deflection.peak_std_m ? 1 : 0;
-    ++tally.told;
+    ++tally.detected;
   }
   return tally;
 }
@@ -109,18 +109,18 @@ std::vector<Figure> errors(const synth::SyntheticTest& test, const std::vector<s
     for (const DeflectionTally& one : each) {
       all.error += one.error;
       all.over_bound += one.over_bound;
-      all.told += one.told;
+      all.detected += one.detected;
       all.covered += one.covered;
-      all.all += one.all;
+      all.hits += one.hits;
     }
     const bool has_deviation =
         method == metrics::DeflectionMethod::drift_free || method == metrics::DeflectionMethod::modal;
     figures.push_back({.method = name_of(method),
                        .label = {},
-                       .error = 100 * std::sqrt(all.error / all.told),
-                       .over_bound = std::sqrt(all.over_bound / all.told),
-                       .more = {has_deviation ? fmt::format("{:.1f}", 100 * all.covered / all.told) : "–",
-                                fmt::format("{:.0f}", 100 * all.told / all.all)}});
+                       .error = 100 * std::sqrt(all.error / all.detected),
+                       .over_bound = std::sqrt(all.over_bound / all.detected),
+                       .more = {has_deviation ? fmt::format("{:.1f}", 100 * all.covered / all.detected) : "–",
+                                fmt::format("{:.0f}", 100 * all.detected / all.hits)}});
   }
   return figures;
 }

@@ -22,9 +22,9 @@ TrueDeflection::TrueDeflection(const synth::Pulse& pulse, const std::vector<synt
   const double panel_s = pulse.width_s / kPanels;
   for (const synth::SynthPole& pole : poles) {
     const double omega = kTwoPi * pole.freq_Hz;
-    Swing swing{.decay_per_s = pole.damping_ratio * omega,
-                .omega_radps = omega * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio)};
-    const std::complex<double> s(-swing.decay_per_s, swing.omega_radps);
+    ModalState state{.decay_per_s = pole.damping_ratio * omega,
+                     .omega_radps = omega * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio)};
+    const std::complex<double> s(-state.decay_per_s, state.omega_radps);
     std::complex<double> z = 0;
     for (int p = 0; p < kPanels; ++p) {
       for (std::size_t i = 0; i < synth::kGaussNodes; ++i) {
@@ -32,17 +32,17 @@ TrueDeflection::TrueDeflection(const synth::Pulse& pulse, const std::vector<synt
         z += rule.weight.at(i) * panel_s * synth::pulse_force_N(pulse, t_s) * std::exp(s * (pulse.width_s - t_s));
       }
     }
-    swing.re = z.real();
-    swing.im = z.imag();
-    swings_.push_back(swing);
+    state.re = z.real();
+    state.im = z.imag();
+    states_.push_back(state);
   }
 }
 
 double TrueDeflection::at_m(double t_s, const std::vector<double>& residue_per_kg) const {
   double sum = 0;
   const double after_s = t_s - end_s_;
-  for (std::size_t r = 0; r < swings_.size(); ++r) {
-    const Swing& z = swings_[r];
+  for (std::size_t r = 0; r < states_.size(); ++r) {
+    const ModalState& z = states_[r];
     const double angle = z.omega_radps * after_s;
     sum += residue_per_kg[r] / z.omega_radps * std::exp(-z.decay_per_s * after_s) *
            (z.re * std::sin(angle) + z.im * std::cos(angle));  // (1)
@@ -51,8 +51,9 @@ double TrueDeflection::at_m(double t_s, const std::vector<double>& residue_per_k
 }
 
 TrueDeflection::Peak TrueDeflection::peak(const std::vector<double>& residue_per_kg) const {
-  const auto [slow, fast] = std::minmax_element(
-      swings_.begin(), swings_.end(), [](const Swing& a, const Swing& b) { return a.omega_radps < b.omega_radps; });
+  const auto [slow, fast] =
+      std::minmax_element(states_.begin(), states_.end(),
+                          [](const ModalState& a, const ModalState& b) { return a.omega_radps < b.omega_radps; });
   const double step_s = kTwoPi / fast->omega_radps / kGrid;
   const double last_s = end_s_ + kPeriods * kTwoPi / slow->omega_radps;
   Peak top;

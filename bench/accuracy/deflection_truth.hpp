@@ -23,12 +23,12 @@ class TrueDeflection {
   Peak peak(const std::vector<double>& residue_per_kg) const;
 
  private:
-  struct Swing {
+  struct ModalState {
     double decay_per_s, omega_radps;
     double re, im;  // z at the end of the pulse
   };
   double end_s_;
-  std::vector<Swing> swings_;
+  std::vector<ModalState> states_;
 };
 
 }  // namespace percuss::accuracy

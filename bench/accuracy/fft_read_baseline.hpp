@@ -21,7 +21,7 @@ class FftReadBaseline {
   std::size_t samples_, transforms_;
 };
 
-/// One planned transform of `values` values: the baseline without records.
+/// Runs one planned transform of `samples` values: the baseline of tasks without records.
 void transform_once(std::size_t samples);
 
 }  // namespace percuss::accuracy

@@ -7,7 +7,7 @@ namespace percuss::accuracy {
 /// The error and the time of one method in one case.
 struct Figure {
   std::string method;
-  std::string label;              // of its point in the chart
+  std::string label;              // label of the figure's point in the chart
   double error = 0;               // RMS, in the unit of the family
   double over_bound = 0;          // RMS of error/bound; 0: there is no bound
   double time_ratio = 0;          // multiple of the baseline in the same run

@@ -28,9 +28,9 @@ std::vector<double> frequencies(const acquire::LineRange& lines) {
   return freq_Hz;
 }
 
-// The error of one FRF; at a resonance also in dB.
-Sums missed(const acquire::PointFrf& found, const std::vector<Complex>& exact, const std::vector<double>& ff,
-            const acquire::LineRange& lines, const synth::Truth& truth) {
+// The error sums of one FRF; at the resonances also the largest error in dB.
+Sums error_sums(const acquire::PointFrf& found, const std::vector<Complex>& exact, const std::vector<double>& ff,
+                const acquire::LineRange& lines, const synth::Truth& truth) {
   Sums sums;
   const double noise = std::pow(truth.accel_noise_mps2[found.channel], 2) * static_cast<double>(lines.samples);
   for (std::size_t k = 0; k < lines.count; ++k) {
@@ -55,8 +55,8 @@ Sums one_run(const acquire::Record& record, const synth::Truth& truth, frf::Esti
   Sums sums;
   const std::vector<double> freq_Hz = frequencies(analysis.lines());
   for (const acquire::PointFrf& frf : analysis.frfs()) {
-    sums.add(missed(frf, synth::exact_accelerance(truth, 0, frf.channel, freq_Hz),
-                    analysis.fitted_frfs().points.front().ff, analysis.lines(), truth));
+    sums.add(error_sums(frf, synth::exact_accelerance(truth, 0, frf.channel, freq_Hz),
+                        analysis.fitted_frfs().points.front().ff, analysis.lines(), truth));
   }
   return sums;
 }

@@ -6,7 +6,7 @@
 namespace percuss::accuracy {
 
 /// Measures the default impact of model/impact/impact.hpp by both methods, over the step and over the number of modes.
-/// The error is the one of the coefficient of restitution against exact_cor(). Times are multiples of one bare
+/// The error is the difference of the coefficient of restitution from exact_cor(). Times are multiples of one bare
 /// transform of kUnit_samples values.
 inline constexpr std::size_t kUnit_samples = 65536;
 Family study_impact(Extent extent, const TimingOptions& turns);

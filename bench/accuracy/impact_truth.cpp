@@ -67,7 +67,7 @@ double exact_cor(const model::Impact& impact) {
   y.back() = impact.speed_mps;
   const auto go_to = [&](double& t_s, double to_s) {
     if (gsl_odeiv2_driver_apply(driver.get(), &t_s, to_s, y.data()) != GSL_SUCCESS)
-      throw std::runtime_error("the impact could not be followed");
+      throw std::runtime_error("GSL could not integrate the equations of motion of the impact");
   };
   double t_s = 0;
   const double hop_s = model::hertz_contact_s(impact) / 1000;

@@ -9,11 +9,11 @@
 
 namespace percuss::accuracy {
 
-/// The least number of repetitions of each compared task, and the least total time.
+/// The minimum number of turns and the minimum total time of a comparison. Each task runs once or more in each turn.
 struct TimingOptions {
-  int least = 4;
-  double least_s = 0.5;
-  double each_s = 0.002;  // a short task repeats within its turn until this time has passed
+  int min_turns = 4;
+  double min_total_s = 0.5;
+  double min_task_s = 0.002;  // a short task repeats within its turn until this time has passed
 };
 
 /// The processor time of this process: other work on the machine does not count.
@@ -38,16 +38,16 @@ inline std::vector<double> best_interleaved_s(const std::vector<std::function<vo
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::mt19937 random(1);
   double spent_s = 0;
-  for (int turn = 0; turn < turns.least || spent_s < turns.least_s; ++turn) {
+  for (int turn = 0; turn < turns.min_turns || spent_s < turns.min_total_s; ++turn) {
     std::shuffle(order.begin(), order.end(), random);
     for (const std::size_t i : order) {
-      double turn_s = 0;
+      double task_s = 0;
       do {
         const double one_s = processor_s_of(works[i]);
         best_s[i] = std::min(best_s[i], one_s);
-        turn_s += one_s;
-      } while (turn_s < turns.each_s);
-      spent_s += turn_s;
+        task_s += one_s;
+      } while (task_s < turns.min_task_s);
+      spent_s += task_s;
     }
   }
   return best_s;

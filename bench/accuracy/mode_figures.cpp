@@ -16,7 +16,7 @@ constexpr double kInterval = 1.959964;  // standard deviations to either side fo
 
 struct ModeTally {
   double freq = 0, freq_bound = 0, damping = 0, damping_bound = 0;  // sums of squares
-  double found = 0, sought = 0, besides = 0, covered = 0;
+  double found = 0, sought = 0, spurious = 0, covered = 0;
 
   void add(const ModeTally& other) {
     freq += other.freq;
@@ -25,7 +25,7 @@ struct ModeTally {
     damping_bound += other.damping_bound;
     found += other.found;
     sought += other.sought;
-    besides += other.besides;
+    spurious += other.spurious;
     covered += other.covered;
   }
   void add(const identify::Mode& mode, const synth::Truth& truth, std::size_t m) {
@@ -47,17 +47,18 @@ ModeTally matched(const std::vector<identify::Mode>& modes, const synth::Truth& 
   for (std::size_t m = 0; m < truth.spec.modes.size(); ++m) {
     const synth::SynthMode& sought = truth.spec.modes[m];
     for (std::size_t k = 0; k < modes.size(); ++k) {
-      const double away_Hz = std::abs(modes[k].pole.freq_Hz - sought.freq_Hz);
-      if (away_Hz <= 2 * sought.damping_ratio * sought.freq_Hz) pairs.emplace_back(away_Hz, m, k);
+      const double distance_Hz = std::abs(modes[k].pole.freq_Hz - sought.freq_Hz);
+      if (distance_Hz <= 2 * sought.damping_ratio * sought.freq_Hz) pairs.emplace_back(distance_Hz, m, k);
     }
   }
   std::sort(pairs.begin(), pairs.end());
   std::vector<bool> has(truth.spec.modes.size()), taken(modes.size());
-  ModeTally tally{.sought = static_cast<double>(truth.spec.modes.size()), .besides = static_cast<double>(modes.size())};
-  for (const auto& [away_Hz, m, k] : pairs) {
+  ModeTally tally{.sought = static_cast<double>(truth.spec.modes.size()),
+                  .spurious = static_cast<double>(modes.size())};
+  for (const auto& [distance_Hz, m, k] : pairs) {
     if (has[m] || taken[k]) continue;
     has[m] = taken[k] = true;
-    --tally.besides;
+    --tally.spurious;
     tally.add(modes[k], truth, m);
   }
   return tally;
@@ -72,7 +73,7 @@ Figure figure_from(const ModeTally& all, identify::Effort effort, std::size_t ru
                    shown_figure(std::sqrt(all.damping_bound / all.found)),
                    fmt::format("{:.1f}", 100 * all.covered / all.found),
                    fmt::format("{:.1f}", 100 * all.found / all.sought),
-                   fmt::format("{:.2f}", all.besides / static_cast<double>(runs))}};
+                   fmt::format("{:.2f}", all.spurious / static_cast<double>(runs))}};
 }
 
 }  // namespace

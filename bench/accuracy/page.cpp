@@ -7,9 +7,12 @@
 
 #include "page_sections.hpp"
 #include "tables.hpp"
+#include "wrap_prose.hpp"
 
 namespace percuss::accuracy {
 namespace {
+
+constexpr std::size_t kPageWidth = 120;  // characters of prose
 
 const Case& main_case(const Family& family, const char* value) { return case_of(family, "noise", value); }
 
@@ -67,8 +70,8 @@ std::string least_covered(const Family& family) {
 std::string opening(const Measured& measured, const std::string& build_description) {
   return fmt::format(R"(# Accuracy and speed
 
-How accurate are the results of percuss, and how long do they take? One command measures both and writes this page, with its tables, its charts and the
-numbers in its sentences:
+How accurate are the results of percuss, and how long do they take? One command measures both and writes this page, with
+its tables, its charts and the numbers in its sentences:
 
 ```
 build/release/bench/percuss_accuracy docs/project
@@ -79,21 +82,25 @@ Measured with {}.
 ## In short
 
 {}
-"Over the bound" is the RMS error divided by the Cramér–Rao bound. No unbiased method can go below 1. "Time" is a multiple of the unavoidable work: reading the
-bytes of the file, and one bare FFTW transform per channel and hit.
+"Over the bound" is the RMS error divided by the Cramér–Rao bound. No unbiased method can go below 1. "Time" is a
+multiple of the unavoidable work: reading the bytes of the file, and one bare FFTW transform per channel and hit.
 
 ## Method
 
-- **Truth.** `percuss synth` computes the records from closed forms, so frequencies, damping ratios, residues, FRFs and deflections are known exactly. Force and
-  response pass the same anti-alias filter; then noise is added. The measured methods take no part in it.
-- **Error.** The RMS over all noisy runs, modes and channels: 64 runs in the main case, 16 in the others. With six modes the uncertainty of such an RMS is 4 % and
-  7 %.
-- **Bound.** The Cramér–Rao bound follows from the Fisher information of the exact signals, with a known force: [theory.md](../theory/theory.md), (4.16).
-- **Time.** The processor time on one thread from an HDF5 file in the page cache to the result, so other work on the machine matters little. All methods and the
-  baseline alternate in one run, in a changing order, and the best time of each counts. The baseline is a hard limit: its transforms are planned by measurement and
-  stay in the cache. ([decisions.md](decisions.md), 30, compares with transforms of records in memory, a softer limit.)
-- **Pareto-optimal.** No other method in the same case is at least as accurate and as fast, and better in one of the two. Times within a tenth and errors within a
-  hundredth count as equal. In the charts a line joins the Pareto-optimal methods.
+- **Truth.** `percuss synth` computes the records from closed forms, so frequencies, damping ratios, residues, FRFs and
+  deflections are known exactly. Force and response pass the same anti-alias filter; then noise is added. The measured
+  methods take no part in it.
+- **Error.** The RMS over all noisy runs, modes and channels: 64 runs in the main case, 16 in the others. With six modes
+  the uncertainty of such an RMS is 4 % and 7 %.
+- **Bound.** The Cramér–Rao bound follows from the Fisher information of the exact signals, with a known force:
+  [theory.md](../theory/theory.md), (4.16).
+- **Time.** The processor time on one thread from an HDF5 file in the page cache to the result, so other work on the
+  machine matters little. All methods and the baseline alternate in one run, in a changing order, and the best time of
+  each counts. The baseline is a hard limit: its transforms are planned by measurement and stay in the cache.
+  ([decisions.md](decisions.md), 30, compares with transforms of records in memory, a softer limit.)
+- **Pareto-optimal.** No other method in the same case is at least as accurate and as fast, and better in one of the
+  two. Times within a tenth and errors within a hundredth count as equal. In the charts a line joins the Pareto-optimal
+  methods.
 )",
                      build_description, short_table(measured));
 }
@@ -103,18 +110,20 @@ std::string frf_part(const Family& family) {
   return fmt::format(R"(
 ## Frequency responses
 
-The main case is the bundled composite bat: six modes between 182 and 2650 Hz, two of them 12 Hz apart. It has two accelerometers, five hits of one second at
-25.6 kHz, 1 % of noise on the accelerations, and an exact force. The lines go from 60 to 3200 Hz. The error is the RMS over all spectral lines, relative to the RMS of
-the exact FRF. The bound treats each line separately.
+The main case is the bundled composite bat: six modes between 182 and 2650 Hz, two of them 12 Hz apart. It has two
+accelerometers, five hits of one second at 25.6 kHz, 1 % of noise on the accelerations, and an exact force. The lines go
+from 60 to 3200 Hz. The error is the RMS over all spectral lines, relative to the RMS of the exact FRF. The bound treats
+each line separately.
 
 {}
 {}
-H1 reaches the bound of single lines ({}) where the record contains the whole decay. A record that ends earlier truncates the FRF: the error is {} times the bound with
-0.125 s of record, and nearly all of it is leakage. `percuss frf` does not correct the FRF. The fit of the modes below includes the truncation, so it has no such error.
+H1 reaches the bound of single lines ({}) where the record contains the whole decay. A record that ends earlier
+truncates the FRF: the error is {} times the bound with 0.125 s of record, and nearly all of it is leakage.
+`percuss frf` does not correct the FRF. The fit of the modes below includes the truncation, so it has no such error.
 
-H2 is not Pareto-optimal in {} cases, and is never more accurate than H1 here: percuss uses only the pulse of the force, so hardly any noise of the force remains. H2 stays
-for comparison with published results, and because a difference between H1 and H2 shows unexpected noise. Hv is as accurate as H1 and costs the same; it stays for the
-same reason.
+H2 is not Pareto-optimal in {} cases, and is never more accurate than H1 here: percuss uses only the pulse of the force,
+so hardly any noise of the force remains. H2 stays for comparison with published results, and because a difference
+between H1 and H2 shows unexpected noise. Hv is as accurate as H1 and costs the same; it stays for the same reason.
 )",
                      case_table(family, main), picture(family), times_bound(figure_of(main, "H1")),
                      times_bound(figure_of(case_of(family, "record length", "0.125 s"), "H1")),
@@ -129,18 +138,21 @@ std::string modes_part(const Family& family) {
   return fmt::format(R"(
 ## Modes
 
-The records are the same. The time is from the file to modes with classification and standard deviations. Other numbers of modes and channels use a simpler structure: modes spread
-over 150 to 3000 Hz, three hits of one second at 8192 Hz. "Coverage" is the part of the stated 95 % intervals of frequency and damping that contain the truth.
-"Spurious" modes do not exist in the structure.
+The records are the same. The time is from the file to modes with classification and standard deviations. Other numbers
+of modes and channels use a simpler structure: modes spread over 150 to 3000 Hz, three hits of one second at 8192 Hz.
+"Coverage" is the part of the stated 95 % intervals of frequency and damping that contain the truth. "Spurious" modes do
+not exist in the structure.
 
 {}
 {}
-- `best`, the default, reaches {} times the bound in frequency and {} times in damping. From the shortest record to the longest it stays at {} times: a record that
-  ends before the decay only costs the missing information.
-- `standard` ({}) and `quick` ({}) fit each mode over its own lines, with a free phase of its residue and a free background. The phase alone costs a factor of 1.4 to 2, and the
-  background the rest. `quick` uses fewer lines, and does not search for modes without a peak. Both stay because they are faster than every more accurate method:
-  `quick` is not Pareto-optimal in {} cases, `standard` in {}.
-- The bound assumes a known force. With 0.1 % of noise on the hammer signal `best` reaches {} times the bound, and its stated standard deviations include this.
+- `best`, the default, reaches {} times the bound in frequency and {} times in damping. From the shortest record to the
+  longest it stays at {} times: a record that ends before the decay only costs the missing information.
+- `standard` ({}) and `quick` ({}) fit each mode over its own lines, with a free phase of its residue and a free
+  background. The phase alone costs a factor of 1.4 to 2, and the background the rest. `quick` uses fewer lines, and
+  does not search for modes without a peak. Both stay because they are faster than every more accurate method: `quick`
+  is not Pareto-optimal in {} cases, `standard` in {}.
+- The bound assumes a known force. With 0.1 % of noise on the hammer signal `best` reaches {} times the bound, and its
+  stated standard deviations include this.
 - The coverage of the stated 95 % intervals is lowest with {}.
 )",
                      case_table(family, main), picture(family), times_bound(best), best.more.at(1),
@@ -156,18 +168,21 @@ std::string deflection_part(const Family& family) {
   return fmt::format(R"(
 ## Largest deflection
 
-The structure is a held beam (14.5, 90 and 322 Hz). It has three hits of 2.5 ms, 1.2 s each at 10 kHz, with 0.1 s of rest before each. The noise is 0.1 % of the RMS
-acceleration; a bias of 0.3 m/s² and a drift of 0.1 m/s³ are added. Truth is the convolution of the pulse with the closed form of each mode. The time is from the file to
-deflections, with the modes where `modal` needs them.
+The structure is a held beam (14.5, 90 and 322 Hz). It has three hits of 2.5 ms, 1.2 s each at 10 kHz, with 0.1 s of
+rest before each. The noise is 0.1 % of the RMS acceleration; a bias of 0.3 m/s² and a drift of 0.1 m/s³ are added.
+Truth is the convolution of the pulse with the closed form of each mode. The time is from the file to deflections, with
+the modes where `modal` needs them.
 
 {}
 {}
-- The bound assumes a known force and a known number of modes, but unknown modal parameters, bias and drift. `drift-free` ({}) uses neither force nor modes, hence its distance from
-  the bound. `modal` ({}) uses both.
-- With less noise the error of both stays above 0.003 %: the largest deflection is stated at a sample, and the true maximum lies between two samples. The stated standard deviation
-  does not include this: with 0.01 % of noise the coverage of `drift-free` is only {} %. `modal` states too large a deviation (coverage {} % in the main case).
-- `small-interval` integrates the bias together with the signal, and `frequency` omits all motion below its lowest line. Both are faster, but useless for the largest deflection of
-  such records. They stay for comparison with published results.
+- The bound assumes a known force and a known number of modes, but unknown modal parameters, bias and drift.
+  `drift-free` ({}) uses neither force nor modes, hence its distance from the bound. `modal` ({}) uses both.
+- With less noise the error of both stays above 0.003 %: the largest deflection is stated at a sample, and the true
+  maximum lies between two samples. The stated standard deviation does not include this: with 0.01 % of noise the
+  coverage of `drift-free` is only {} %. `modal` states too large a standard deviation (coverage {} % in the main case).
+- `small-interval` integrates the bias together with the signal, and `frequency` omits all motion below its lowest line.
+  Both are faster, but useless for the largest deflection of such records. They stay for comparison with published
+  results.
 )",
                      case_table(family, main), picture(family), times_bound(drift_free), times_bound(modal),
                      figure_of(clean, "drift-free").more.front(), modal.more.front());
@@ -178,15 +193,17 @@ std::string impact_part(const Family& family) {
   return fmt::format(R"(
 ## Ball on a beam
 
-`percuss model impact` runs with both methods, over the step (0.25 to 64 µs) and over the number of modes, with the default ball and cricket bat. There is no noise, so there is no
-bound. Truth is an independent solution: an eighth-order Runge–Kutta method (GSL's `rk8pd`) on the equations of the ball and the same modes, with a tolerance of 1e-14. Times are
+`percuss model impact` runs with both methods, over the step (0.25 to 64 µs) and over the number of modes, with the
+default ball and cricket bat. There is no noise, so there is no bound. Truth is an independent solution: an eighth-order
+Runge–Kutta method (GSL's `rk8pd`) on the equations of the ball and the same modes, with a tolerance of 1e-14. Times are
 multiples of one bare transform of 65 536 values.
 
 {}
 {}
-`modal` moves the modes exactly between impulses of the contact force and has fourth order in the step. By default it chooses a step with which the restitution converges to 1e-9. The
-source's `small-increment` keeps the force constant in each step and has first order. It is faster only for errors of a hundredth: its longest steps are Pareto-optimal, its shorter ones
-are not ({} in all). It stays for comparison with the figures of the source.
+`modal` moves the modes exactly between impulses of the contact force and has fourth order in the step. By default it
+chooses a step with which the restitution converges to 1e-9. The source's `small-increment` keeps the force constant in
+each step and has first order. It is faster only for errors of a hundredth: its longest steps are Pareto-optimal, its
+shorter ones are not ({} in all). It stays for comparison with the figures of the source.
 )",
                      case_table(family, main), picture(family), not_optimal(family, "small-increment"));
 }
@@ -216,7 +233,7 @@ std::string page_of(const Measured& measured, const std::string& build_descripti
                      skipped_work_section(measured.savings) + "\n## All figures\n\n";
   for (const Family* family : {&measured.records.frfs, &measured.records.modes, &measured.deflection, &measured.impact})
     page += all_figures(*family) + "\n";
-  return page + all_scaling(measured.scalings);
+  return wrap_prose(page + all_scaling(measured.scalings), kPageWidth);
 }
 
 }  // namespace percuss::accuracy

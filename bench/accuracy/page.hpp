@@ -17,10 +17,11 @@ struct Measured {
   std::vector<Saving> savings;
 };
 
-/// docs/project/accuracy.md: method, figures and their meaning. The numbers in its sentences come from the figures.
+/// The page docs/project/accuracy.md: method, figures and their meaning. The numbers in its sentences come from the
+/// figures.
 std::string page_of(const Measured& measured, const std::string& build_description);
 
-/// The table at its top; README.md shows the same rows.
+/// The table at the top of the page; README.md shows the same rows.
 std::string short_table(const Measured& measured);
 
 }  // namespace percuss::accuracy

@@ -29,15 +29,16 @@ std::string scaling_section(const std::vector<Scaling>& scalings) {
   return fmt::format(R"(
 ## Growth
 
-The time and the memory of a whole analysis (files to classified modes, `best`, one thread) while one size grows. Each analysis runs in its own process; its memory is the growth of
-that process. An exponent is the slope of the upper half of a line in the chart: 1 means proportional growth.
+This section shows the time and the memory of a whole analysis (files to classified modes, `best`, one thread) while one
+size grows. Each analysis runs in its own process; its memory is the growth of that process. An exponent is the slope of
+the upper half of a line in the chart: 1 means proportional growth.
 
 {}
 ![time and memory over size](accuracy-scaling.svg)
 
 - Proportional or nearly so (exponent of time up to 1.2): {}.
-- Faster: {}. `best` fits every mode together with all others. Many channels have many lines to fit. Rows of 2^17 samples and more are cut at the end of their decay, like
-  continuous records.
+- Steeper: {}. `best` fits every mode together with all others. Many channels have many lines to fit. Rows of 2^17
+  samples and more are cut at the end of their decay, like continuous records.
 - Memory grows at most in proportion to the data held at a time.
 {}{}
 )",
@@ -56,8 +57,9 @@ std::string skipped_work_section(const std::vector<Saving>& savings) {
   return fmt::format(R"(
 ## Skipped work
 
-Processor times from a file to a result, with and without work that the result does not need (ten hits of one second at 25.6 kHz, or the same within a minute; one thread). `--explain` lists
-the skipped work of any analysis, with reasons.
+The table shows processor times from a file to a result, with and without work that the result does not need. The test
+has ten hits of one second at 25.6 kHz, or the same hits in one record of a minute; one thread. `--explain` lists the
+skipped work of any analysis, with reasons.
 
 {}
 )",

@@ -103,7 +103,7 @@ Cost cost_of(const std::vector<std::string>& paths, const synth::SynthSpec& spec
   const double first_s = processor_s_of(analyse);
   cost.bytes = peak_memory_bytes() - before_bytes;
   const FftReadBaseline limit(paths, opened(paths));
-  const bool again = first_s < turns.least_s;
+  const bool again = first_s < turns.min_total_s;
   const auto best_s = best_interleaved_s({[&] { limit.run(); },
                                           [&] {
                                             if (again) analyse();
@@ -116,7 +116,8 @@ Cost cost_of(const std::vector<std::string>& paths, const synth::SynthSpec& spec
 
 double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// Writes the files, measures, and returns the time of the writing. False when the analysis failed.
+// Writes the files and adds a measured point to `scaling`. Sets `making_s` to the time of writing. Returns false when
+// the analysis failed.
 bool measure_at(std::size_t n, const ScalingCase& question, const TimingOptions& turns, Scaling& scaling,
                 double& making_s) {
   const double start_s = wall_s();

@@ -27,8 +27,8 @@ struct Scaling {
 /// The least-squares slope of log y over log x in the upper half of log x, without values of zero or below.
 double growth_exponent(const std::vector<double>& x, const std::vector<double>& y);
 
-/// Measures samples 2^10 to 2^24, channels 1 to 1000, hits 1 to 100, modes 1 to 60, files 1 to 10000. Each stops when
-/// the next size would exceed its rest of `budget_s`.
+/// Measures samples 2^10 to 2^24, channels 1 to 1000, hits 1 to 100, modes 1 to 60, files 1 to 10000. Each of the five
+/// gets an equal part of `budget_s`, and stops before a size that would exceed its part.
 std::vector<Scaling> study_scaling(Extent extent, const TimingOptions& turns, double budget_s);
 
 }  // namespace percuss::accuracy

@@ -93,7 +93,8 @@ std::vector<Saving> study_skips(Extent extent, const TimingOptions& turns) {
           analysis_of(two, plain, modes), analysis_of(two, narrow, modes));
   compare("eight of ten hits", "rejected: their accelerations are not read", analysis_of(two, plain, frfs),
           analysis_of(two, rejecting, frfs));
-  compare("the force outside its pulse", "only noise: a short pulse is transformed alone",
+  compare("the force outside its pulse",
+          "unless `--force-window off`: it is only noise, so the short pulse is transformed alone",
           analysis_of(two, ungated, frfs), analysis_of(two, plain, frfs));
   compare("silence and decayed tails of a long record", "always: only background follows a decay",
           analysis_of(row, whole_rows, modes), analysis_of(row, plain, modes));

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Doxygen's input filter: prints a header with percuss's comments in Doxygen's form.
 
-The first comment describes the file, a comment beside a member describes that member, "errors  …" and its like begin a
-paragraph of their own, and a line that ends with an equation's number is shown as it stands. Sphinx cannot parse
-designated initialisers: a default of that kind moves into the comment.
+The first comment describes the file, and a comment beside a member describes that member. The labels errors, shapes,
+units and source begin a new paragraph. A line that ends with an equation's number stays verbatim. Sphinx cannot parse
+designated initialisers, so a default with them moves into the comment.
 """
 
 import re

@@ -1,4 +1,4 @@
-"""What Sphinx needs besides the pages: the navigation, the C++ headers, and docstrings as reStructuredText."""
+"""Adds the navigation and the C++ headers to Sphinx, and converts docstrings to reStructuredText."""
 
 import re
 import sys
@@ -10,7 +10,7 @@ _LINK = re.compile(r"^- \[[^\]]+\]\(([^)]+)\.md\)", re.MULTILINE)
 
 
 def _navigation(text):
-    """A hidden toctree after each section of the index, with the pages that the section links to."""
+    """Adds a hidden toctree after each section of the index, with the pages that the section links to."""
     head, *sections = re.split(r"(?m)^(?=## )", text)
     parts = [head]
     for section in sections:
@@ -56,7 +56,7 @@ def _complete(app, docname, source):
 
 
 def _visit_namespace(self, node):
-    """The members alone: many headers open one namespace, and Breathe would declare it once for each."""
+    """Renders only the members: many headers open one namespace, and Breathe would declare it for each header."""
     file_data = self.compound_parser.parse(node.refid)
     context = self.context.create_child_context(file_data)
     with WithContext(self, context.create_child_context(file_data.compounddef)):
@@ -72,14 +72,14 @@ _COLUMNS = re.compile(r"\S.*?\S {2,}\S.*")  # "frequency_hz, damping_ratio    (m
 
 
 def _escaped(text):
-    """Plain text, with `code` as code."""
+    """Escapes plain text and keeps `code` as code."""
     parts = re.split(r"`([^`]+)`", text)
     parts[::2] = [re.sub(r"([\\*`|_])", r"\\\1", part) for part in parts[::2]]
     return "".join(f"``{part}``" if i % 2 else part for i, part in enumerate(parts))
 
 
 def _definitions(lines):
-    """A definition list from "    name  explanation", whose continuation lines are indented further."""
+    """Makes a definition list from "    name  explanation", whose continuation lines are indented further."""
     out = []
     for line in lines:
         term = _TERM.fullmatch(line)
@@ -88,7 +88,7 @@ def _definitions(lines):
 
 
 def _as_rst(block):
-    """A paragraph of a plain docstring. Examples stay; lists of "name  explanation" become definitions."""
+    """Converts a paragraph of a plain docstring. Examples stay; lists of "name  explanation" become definitions."""
     lines = block.splitlines()
     if all(_COLUMNS.fullmatch(line) for line in lines):
         lines = ["    " + line for line in lines]

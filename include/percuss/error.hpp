@@ -50,7 +50,8 @@ struct Message {
   std::string text;
   std::vector<OptionId> options;
 
-  /// "text (--fs, --unit)"; only the text where `options` is empty.
+  /// "text (--fs, --unit)"; only the text where `options` is empty. Options of other commands follow "see":
+  /// "text (--geometry; see percuss survey --example)".
   std::string written(OptionWriter write) const;
   bool operator==(const Message&) const = default;
 };

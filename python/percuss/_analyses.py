@@ -14,13 +14,17 @@ from ._results import curves_of
 class Analysis(Frf):
     """Hits, FRFs and modes of a test.
 
-    frequency_hz, damping_ratio          (modes,), with frequency_std_hz and damping_ratio_std
+    frequency_hz, damping_ratio          (modes,) Hz and fractions of critical damping, with frequency_std_hz and
+                                         damping_ratio_std
     residues, residues_std               (modes, points, channels), 1/kg; residues are complex
     family, order                        "bending", "hoop" or "unknown" per mode, and its number within the family
     table                                the columns above except residues, a row per mode
-    frf, frf_std, coherence              (points, channels, lines) over frf_frequency_hz (lines,)
+    frf, frf_std                         (points, channels, lines) in (m/s²)/N over frf_frequency_hz (lines,) in Hz
+    coherence                            (points, channels, lines), 0 … 1
     hits                                 a dictionary per hit, with its findings
-    runs                                 the separate tests of files="tests"
+    runs                                 an Analysis per test: of files="tests", or of a file with several runs
+
+    Reading modes or FRFs raises NoHitError if no hit can be used, and UsageError if the result holds several tests.
     """
 
     @property
@@ -48,7 +52,7 @@ class Analysis(Frf):
 
     @property
     def warnings(self) -> list[dict[str, str]]:
-        """Warnings about the test and its results: code and message."""
+        """A dictionary per warning about the test and its results: code and message."""
         return self._own().get("warnings", [])
 
     def _column(self, name: str) -> np.ndarray:
@@ -87,7 +91,7 @@ class Analysis(Frf):
 
     @property
     def frf_std(self) -> np.ndarray | None:
-        """(points, channels, lines) standard deviation of the FRFs in (m/s²)/N, or None."""
+        """(points, channels, lines) standard deviation of the FRFs in (m/s²)/N; None if a point has a single hit."""
         return self._responses.std
 
     def _by_place(self, name: str) -> np.ndarray:
@@ -108,7 +112,7 @@ class Analysis(Frf):
 
     @property
     def order(self) -> np.ndarray:
-        """(modes,) number within the family, from 1; 0 if the family is unknown."""
+        """(modes,) number of the mode within its family, from 1; 0 if the family is unknown."""
         return frozen(np.array([mode["order"] or 0 for mode in self.modes], dtype=int))
 
     @property
@@ -127,12 +131,13 @@ class Analysis(Frf):
         return out
 
     def stabilisation(self) -> dict[str, Any]:
-        """The stabilisation diagram: order, frequency_hz and damping_ratio (poles,), and stability as a list of texts."""
+        """The stabilisation diagram as a dictionary: order, frequency_hz in Hz and damping_ratio, (poles,) each; stability, a list
+        of texts. Raises NoHitError if no hit can be used."""
         self._require_hits()
         return self._computed("stabilisation")
 
     def deflections(self) -> list[dict[str, Any]]:
-        """Deflection over time as Deflection.curves(), if only= includes deflection."""
+        """Deflection over time, as Deflection.curves(). Raises TypeError unless only= includes deflection."""
         return curves_of(self._outcome)
 
 
@@ -142,8 +147,8 @@ class Survey(Analysis):
     shapes, shapes_std             (modes, places): complex shapes in 1/√kg if a driving point is known, otherwise scaled
                                    to a largest value of 1
     shape_points, shape_channels   (places,)
-    mac                            (modes, modes)
-    cmif                           (lines, values) over cmif_frequency_hz
+    mac                            (modes, modes), 0 … 1
+    cmif                           (lines, values) in (m/s²)/N over cmif_frequency_hz (lines,) in Hz
     """
 
     def _of_test(self, test: int) -> list[tuple[Any, ...]]:
@@ -157,12 +162,12 @@ class Survey(Analysis):
 
     @property
     def shapes(self) -> np.ndarray:
-        """(modes, places) complex mode shapes."""
+        """(modes, places) complex mode shapes: 1/√kg if a driving point is known, otherwise scaled to a largest value of 1."""
         return self._shape("shapes")
 
     @property
     def shapes_std(self) -> np.ndarray:
-        """(modes, places) standard deviation of the real and of the imaginary part."""
+        """(modes, places) standard deviation of the real and of the imaginary part, in the unit of shapes."""
         return self._shape("shapes_std")
 
     @property

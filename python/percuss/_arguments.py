@@ -14,14 +14,14 @@ from ._results import Synthetic
 
 def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
     """Paths, or handles of data in memory; one of the two lists is empty."""
-    given: list[Any] = list(data[0]) if len(data) == 1 and _is_several(data[0]) else list(data)
+    given: list[Any] = list(data[0]) if len(data) == 1 and _is_list_of_inputs(data[0]) else list(data)
     flat = [one.record if isinstance(one, Synthetic) else one for one in given]
     if flat and all(isinstance(one, (str, bytes, os.PathLike)) for one in flat):
         return [os.fsdecode(one) for one in flat], []
     if flat and all(isinstance(one, (Record, MeasuredFrf)) for one in flat):
         return [], [one._handle for one in flat]
     if any(isinstance(one, (str, bytes, os.PathLike, Record, MeasuredFrf)) for one in flat):
-        raise TypeError("give files, records or arrays, not some of each")
+        raise TypeError("give files, records or arrays, not a mixture")
     if not data:
         raise UsageError("no data is given", "give paths, arrays or Records")
     if len(data) != 2:
@@ -31,7 +31,7 @@ def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
     return [], [Record(data[0], data[1], fs)._handle]
 
 
-def _is_several(value: Any) -> bool:
+def _is_list_of_inputs(value: Any) -> bool:
     known = (str, bytes, os.PathLike, Record, MeasuredFrf, Synthetic)
     return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(one, known) for one in value)
 
@@ -47,8 +47,8 @@ def reject_reading_options(name: str, command: Command, handles: list[Any], opti
         raise TypeError(f"{name}() cannot read a record again with {reading[0]!r}; give it to percuss.read()")
 
 
-def reject_single_point(handle: Any, geometry: Any) -> None:
-    """Rejects a geometry of several points for plain arrays, which do not say which point each hit struck."""
+def reject_geometry_without_points(handle: Any, geometry: Any) -> None:
+    """Rejects a geometry of several points for bare arrays, since it is unknown which point each hit struck."""
     description = handle.describe()
     places = 0 if geometry is None or isinstance(geometry, (str, bytes, os.PathLike, dict)) else len(geometry)
     if len(description["rows"]) > 1 and places > max(1, len(description["accel"])):

@@ -99,10 +99,10 @@ class MemoryFiles:
         if isinstance(value, (str, bytes, os.PathLike)):
             return os.fsdecode(value)
         path = self._memory_file(_file_text(value, name), name)
-        self.names[path] = self._named_as(_label(value, name))
+        self.names[path] = self._unique_name(_label(value, name))
         return path
 
-    def _named_as(self, label: str) -> str:
+    def _unique_name(self, label: str) -> str:
         """The label, with a number from its second use on."""
         taken = set(self.names.values())
         return label if label not in taken else next(one for i in range(2, len(taken) + 2) if (one := f"{label} ({i})") not in taken)
@@ -190,7 +190,7 @@ class Command:
             words += [flag for flag in ("--json", "--quiet") if flag[2:] in self._shell]
             for i, one in enumerate(data):
                 word = self.arguments[0].lower()
-                words.append(_word(files.path(one, word if len(data) == 1 else f"{word} {i + 1}")))
+                words.append(_path_word(files.path(one, word if len(data) == 1 else f"{word} {i + 1}")))
             return _percuss.run([os.fsencode(word) for word in words], inputs, files.names)
         except InputError as error:
             if not files:
@@ -205,11 +205,12 @@ class Command:
             return found
         near = _percuss.nearest(keyword.replace("_", "-"), [one.flag for one in self.options.values()])
         meant = next((one.keyword for one in self.options.values() if one.flag == near), None)
-        hint = f"did you mean {meant!r}?" if meant else f"help(percuss.{function}) lists them"
+        hint = f"did you mean {meant!r}?" if meant else f"help(percuss.{function}) lists the keywords"
         raise TypeError(f"{function}() has no keyword {keyword!r}; {hint}")
 
 
-def _word(path: str) -> str:
+def _path_word(path: str) -> str:
+    """The path as a word of a command line that is not taken for an option."""
     return "./" + path if path.startswith("-") and path != "-" else path
 
 

@@ -52,7 +52,7 @@ class Responses:
 
 def _signals(values: Any, name: str) -> np.ndarray:
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
-        raise InputError("masked samples", name, "repair or leave out the hits that have them")
+        raise InputError("masked samples", name, "repair or omit the hits that have masked samples")
     if isinstance(values, Iterator):
         raise TypeError(f"{name} cannot be a {type(values).__name__}: give an array or a list")
     return np.asarray(values)

@@ -13,7 +13,7 @@ from ._arrays import rate_of
 from ._docs import READS_DATA, docstring, signature
 from ._errors import note_in_python
 from ._frf import Frf
-from ._arguments import handles_of, reject_reading_options, reject_single_point
+from ._arguments import handles_of, reject_geometry_without_points, reject_reading_options
 from ._measured import MeasuredFrf
 from ._records import Record
 from ._results import Deflection, Nodes, Result, Synthetic
@@ -29,7 +29,7 @@ def make(
     name: str, command: str, result: Callable[..., Any], intro: str, example: str, leading: list[inspect.Parameter]
 ) -> Callable[..., Any]:
     """Makes the function that runs a command. `leading` are its positional parameters."""
-    made = COMMANDS[command]
+    declaration = COMMANDS[command]
     reads_data = command in READS_DATA
 
     def function(*data: Any, **options: Any) -> Any:
@@ -37,19 +37,20 @@ def make(
         if reads_data:
             paths, handles = handles_of(data, options.get("fs"))
             are_records = bool(handles) and not (len(data) == 2 and not isinstance(data[0], (Record, MeasuredFrf)))
-            reject_reading_options(name, made, handles, given, are_records)
+            reject_reading_options(name, declaration, handles, given, are_records)
             if handles and "fs" in given:
                 given["fs"] = rate_of(given["fs"])
             if name == "survey" and handles and not are_records:
-                reject_single_point(handles[0], given.get("geometry"))
+                reject_geometry_without_points(handles[0], given.get("geometry"))
         else:
             paths, handles = list(data), []
-        return result(made.run(name, paths, handles, given), **({"kind": given["kind"]} if name == "frf" and "kind" in given else {}))
+        outcome = declaration.run(name, paths, handles, given)
+        return result(outcome, **({"kind": given["kind"]} if name == "frf" and "kind" in given else {}))
 
     function.__name__ = function.__qualname__ = name.rpartition(".")[2]
     function.__module__ = "percuss." + name.rpartition(".")[0] if "." in name else "percuss"
-    function.__signature__ = signature(made, leading)  # type: ignore[attr-defined]
-    function.__doc__ = docstring(made, intro, example)
+    function.__signature__ = signature(declaration, leading)  # type: ignore[attr-defined]
+    function.__doc__ = docstring(declaration, intro, example)
     return function
 
 
@@ -106,14 +107,14 @@ Example:
         "nodes",
         Nodes,
         [_positional("data", True)],
-        "Returns a Nodes result with the keys of the document of percuss nodes.",
+        "Returns a Nodes result: positions, and modes with frequency_hz and nodes (position_m and std_m in m).",
         "",
     ),
     "deflect": (
         "deflect",
         Deflection,
         [_positional("data", True)],
-        "Returns a Deflection: hits with peak_m and its standard deviation; curves() over time. Without a force, pass None for it.",
+        "Returns a Deflection: hits with peak_m and peak_std_m in m; curves() over time. If no force was recorded, pass None as the force.",
         """
 Example:
 
@@ -126,7 +127,7 @@ Example:
         "calibrate",
         Result,
         [_positional("data", True)],
-        "Returns a Result: force_scale, force_scale_std, n_per_unit, hits.",
+        "Returns a Result: force_scale and force_scale_std in N per unit of the force channel, n_per_unit (without the sign), hits.",
         "",
     ),
     "synth": (

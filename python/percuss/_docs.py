@@ -25,9 +25,11 @@ def _wrapped(text: str) -> str:
 
 
 def _in_keywords(text: str, command: Command) -> str:
-    """The text with the command's own options as keywords: "band=" for "--band"."""
-    keywords = {option.flag: option.keyword for option in command.options.values()}
-    return re.sub(r"--[a-z][a-z0-9-]*", lambda match: f"{keywords[match[0]]}=" if match[0] in keywords else match[0], text)
+    """The text in the words of Python: "band=" for "--band", "percuss.example('info')" for "percuss info --example"."""
+    names = {option.flag: f"{option.keyword}=" for option in command.options.values()}
+    names["--example"] = f"percuss.example('{command.name}')"
+    text = re.sub(r"percuss ([a-z]+) --example", r"percuss.example('\1')", text)
+    return re.sub(r"--[a-z][a-z0-9-]*", lambda match: names.get(match[0], match[0]), text)
 
 
 def _default(option: Option) -> Any:

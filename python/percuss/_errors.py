@@ -7,8 +7,11 @@ from collections.abc import Sequence
 from ._percuss import option_in_python
 
 def _listed(text: str, options: Sequence[str]) -> str:
-    """The text, followed by options in parentheses."""
-    return f"{text} ({', '.join(option_in_python(one) for one in options)})" if options else text
+    """The text, followed by its options in parentheses. Options of other commands, "survey.example", follow "see"."""
+    own = ", ".join(option_in_python(one) for one in options if "." not in one)
+    others = ", ".join(option_in_python(one) for one in options if "." in one)
+    shown = "; ".join([own] * bool(own) + [f"see {others}"] * bool(others))
+    return f"{text} ({shown})" if shown else text
 
 
 class InputError(ValueError):

@@ -18,22 +18,24 @@ class Frf(Result):
     frequency_hz    (lines,) Hz
     frf             (points, channels, lines) complex: accelerance in (m/s²)/N; with kind=, mobility in (m/s)/N or
                     receptance in m/N
-    std, coherence  (points, channels, lines), or None if a point has a single hit
+    std             (points, channels, lines) standard deviation in the unit of frf; None if a point has a single hit
+    coherence       (points, channels, lines), 0 … 1; None if a point has a single hit
 
-    frf_at() returns one response without a copy. save() writes the chosen kind as .csv, .h5, .mat or .uff.
+    frf_at() returns one response without a copy. save() writes the chosen kind as .csv, .h5, .mat or .uff. Reading an
+    array raises NoHitError if no hit can be used.
     """
 
     def __init__(self, outcome: Any, test: int | None = None, kind: str = "accelerance") -> None:
         super().__init__(outcome)
-        self._asked = test
+        self._chosen = test
         self._kind = kind
         self._cache: dict[str, Any] = {}
 
     @property
     def _test(self) -> int:
-        if self._asked is None and self._outcome.tests > 1:
+        if self._chosen is None and self._outcome.tests > 1:
             raise UsageError(f"the result holds {self._outcome.tests} tests", "choose one, such as runs[0]")
-        return self._asked or 0
+        return self._chosen or 0
 
     def _computed(self, name: str) -> Any:
         if name not in self._cache:
@@ -41,7 +43,7 @@ class Frf(Result):
         return self._cache[name]
 
     def _calls(self) -> list[tuple[Any, ...]]:
-        tests = range(self._outcome.tests) if self._asked is None else [self._asked]
+        tests = range(self._outcome.tests) if self._chosen is None else [self._chosen]
         possible = [test for test in tests if self._outcome.possible(test)]
         mine = [call for test in possible for call in self._of_test(test)]
         return [*super()._calls(), *(("possible", test) for test in tests), *mine]
@@ -81,12 +83,12 @@ class Frf(Result):
 
     @property
     def frf(self) -> np.ndarray:
-        """(points, channels, lines) complex; accelerance in (m/s²)/N unless kind= chose another."""
+        """(points, channels, lines) complex accelerance in (m/s²)/N; with kind=, mobility in (m/s)/N or receptance in m/N."""
         return self._responses.frf
 
     @property
     def std(self) -> np.ndarray | None:
-        """(points, channels, lines) standard deviation of the FRFs in (m/s²)/N; None if a point has a single hit."""
+        """(points, channels, lines) standard deviation in the unit of frf; None if a point has a single hit."""
         return self._responses.std
 
     @property
@@ -95,7 +97,8 @@ class Frf(Result):
         return self._responses.coherence
 
     def frf_at(self, point: int = 0, channel: int = 0) -> np.ndarray:
-        """(lines,) complex, (m/s²)/N: a read-only view of one response, without a copy; `point` is the index of the point."""
+        """(lines,) complex, in the unit of frf: a read-only view of one response, without a copy. `point` is the index of the
+        point. Raises KeyError if the point or channel has no FRF."""
         return self._responses.at(point, channel)
 
     def save(self, path: str | os.PathLike[str], force: bool = False) -> None:

@@ -15,7 +15,8 @@ class MeasuredFrf:
 
     frequency_hz    (lines,) Hz
     frf             (points, channels, lines) complex, converted to (m/s²)/N
-    std, coherence  (points, channels, lines), or None if the file has none
+    std             (points, channels, lines) standard deviation in (m/s²)/N; None if the file has none
+    coherence       (points, channels, lines), 0 … 1; None if the file has none
 
     frf_at() returns one response without a copy.
     """
@@ -27,7 +28,7 @@ class MeasuredFrf:
 
     @property
     def frequency_hz(self) -> np.ndarray:
-        """(lines,) Hz."""
+        """(lines,) frequencies of the FRFs in Hz."""
         return self._description["frequency_hz"]
 
     @property
@@ -72,12 +73,12 @@ class MeasuredFrf:
 
     @property
     def std(self) -> np.ndarray | None:
-        """(points, channels, lines) (m/s²)/N, or None."""
+        """(points, channels, lines) standard deviation of the FRFs in (m/s²)/N; None if the file has none."""
         return self._responses.std
 
     @property
     def coherence(self) -> np.ndarray | None:
-        """(points, channels, lines) 0 … 1, or None."""
+        """(points, channels, lines) ordinary coherence, 0 … 1; None if the file has none."""
         return self._responses.coherence
 
     def __reduce__(self) -> Any:
@@ -90,7 +91,8 @@ class MeasuredFrf:
         return self
 
     def frf_at(self, point: int = 0, channel: int = 0) -> np.ndarray:
-        """(lines,) complex, (m/s²)/N: a read-only view of one response, without a copy; `point` is the index of the point."""
+        """(lines,) complex, (m/s²)/N: a read-only view of one response, without a copy. `point` is the index of the point.
+        Raises KeyError if the point or channel has no FRF."""
         return self._responses.at(point, channel)
 
     def __repr__(self) -> str:

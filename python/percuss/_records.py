@@ -144,16 +144,17 @@ class Record:
         return [note_in_python(note) for note in self._description["notes"]]
 
     def force(self, row: int = 0) -> np.ndarray:
-        """(samples,) the force of a row in N: a view if it is in memory, otherwise read from the file now."""
+        """(samples,) force of a row in N: a view of samples in memory, or a new array read from the file. Raises IndexError for a
+        row that does not exist, and InputError for samples that cannot be read."""
         return self._handle.force(_index(row, self.rows, "row"))
 
     def accel(self, row: int = 0, channel: int = 0) -> np.ndarray:
-        """(samples,) an acceleration of a row in m/s²; a view as for force()."""
+        """(samples,) acceleration of a row and channel in m/s²: a view or a new array, and errors, as for force()."""
         return self._handle.accel(_index(row, self.rows, "row"), _index(channel, self.channels, "channel"))
 
     @property
     def force_n(self) -> np.ndarray:
-        """(rows, samples) the force of all rows in N, as a new array. Raises InputError if rows differ in length."""
+        """(rows, samples) force of all rows in N, as a new array. Raises InputError if rows differ in length."""
         return np.stack([self.force(row) for row in range(self._same_length())])
 
     @property

@@ -96,7 +96,7 @@ def test_a_result_is_computed_on_demand(signals):
     found = percuss.analyze(*signals, fs=FS, band=BAND, only="hits", trace=True)
     assert "modes" not in found.to_dict()
     assert {one["stage"] for one in found.to_dict()["trace"]}.isdisjoint({"identify", "modes", "frfs"})
-    assert len(found.frequency_hz) == 3  # and computed when it is
+    assert len(found.frequency_hz) == 3  # computed by this read
 
 
 BAD = {
@@ -112,10 +112,10 @@ BAD = {
     "text": lambda f, a: (np.array(["a", "b"]), np.array(["a", "b"])),
     "objects": lambda f, a: (f.astype(object), a),
     "complex": lambda f, a: (f.astype(complex), a),
-    "half": lambda f, a: (f.astype(np.float16), a),
+    "half precision": lambda f, a: (f.astype(np.float16), a),
     "booleans": lambda f, a: (f > 0, a),
     "long doubles": lambda f, a: (f.astype(np.longdouble), a),
-    "other end first": lambda f, a: (f.astype(">f8"), a),
+    "big-endian": lambda f, a: (f.astype(">f8"), a),
     "dates": lambda f, a: (f.astype("datetime64[s]"), a),
     "scalars": lambda f, a: (np.float64(1), np.float64(1)),
     "four dimensions": lambda f, a: (f, a[None]),

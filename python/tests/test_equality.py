@@ -68,7 +68,7 @@ def test_several_files_are_runs_or_hits(tool, bat):
 
 
 def test_records_in_memory_are_joined_as_files_are(tool, bat):
-    """Apart from the names of the files."""
+    """The results differ only in the names of the files."""
     bat.save("a.h5")
     bat.save("b.h5")
     joined = percuss.analyze(percuss.read("a.h5"), bat.record, percuss.Record(bat.record.force_n, bat.record.accel_mps2, 25600.0), band=BAND)
@@ -90,7 +90,7 @@ def test_arrays_of_a_document_have_its_bits(tool, bat):
 
 
 def test_arrays_in_memory_give_the_document_of_the_file(tool, bat):
-    """Apart from the name and size of the file."""
+    """The documents differ only in the name and size of the file."""
     bat.save("bat.h5")
     record = percuss.read("bat.h5")
     for form in (float, np.float32):
@@ -244,7 +244,7 @@ def test_info_and_truth_print_the_same_document(tool):
 
 
 def test_reports_equal_the_reports_of_the_command_line(tool, bat, monkeypatch):
-    """Apart from the command line, in which Python writes options with an equals sign."""
+    """The reports differ only in their command line: Python writes options with an equals sign."""
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")
     bat.save("bat.h5")
     percuss.analyze("bat.h5", band=BAND).report("saved.html")

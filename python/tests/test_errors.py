@@ -89,7 +89,7 @@ def test_errors_hold_their_parts(tool, bat):
     error = pytest.raises(percuss.InputError, percuss.analyze, "bat.csv", unit="furlong").value
     assert error.options == ("unit",) and str(error).endswith(" (unit=)")
     error = pytest.raises(percuss.UsageError, percuss.metrics.study).value
-    assert str(error).endswith("(percuss.analyze(bat_id=))")
+    assert str(error).endswith("(see percuss.analyze(bat_id=))")
 
 
 def test_notes_name_keywords(tool):
@@ -119,7 +119,13 @@ def test_notes_name_keywords(tool):
 )
 def test_options_are_written_as_python(option, shown):
     assert percuss.InputError("problem", "place", "remedy", [option]).args[3] == (option,)
-    assert str(percuss.InputError("problem", "place", "remedy", [option])) == f"problem (place); remedy ({shown})"
+    see = "see " if "." in option else ""
+    assert str(percuss.InputError("problem", "place", "remedy", [option])) == f"problem (place); remedy ({see}{shown})"
+
+
+def test_options_of_other_commands_follow_the_own_ones():
+    error = percuss.InputError("problem", "place", "remedy", ["synth.list", "geometry", "survey.example"])
+    assert str(error) == "problem (place); remedy (geometry=; see percuss.presets(), percuss.example('survey'))"
 
 
 def test_unknown_keywords_name_the_nearest():
@@ -127,7 +133,7 @@ def test_unknown_keywords_name_the_nearest():
         (lambda: percuss.analyze("x", bnd=(1, 2)), "analyze() has no keyword 'bnd'; did you mean 'band'?"),
         (lambda: percuss.analyze("x", accel_chanel=1), "did you mean 'accel_channel'?"),
         (lambda: percuss.models.beam(lenght=1), "models.beam() has no keyword 'lenght'; did you mean 'length'?"),
-        (lambda: percuss.analyze("x", zzzzzzzzzzz=1), "help(percuss.analyze) lists them"),
+        (lambda: percuss.analyze("x", zzzzzzzzzzz=1), "help(percuss.analyze) lists the keywords"),
         (lambda: percuss.analyze("x", output="y.json"), "analyze() has no keyword 'output'"),
     ]:
         with pytest.raises(TypeError) as raised:

@@ -1,4 +1,4 @@
-"""Results: arrays that are the document's numbers and nobody's to change, mappings, and what goes to other processes."""
+"""Results hold the numbers of the document as read-only arrays, are mappings, and can be pickled."""
 
 import copy
 import pickle

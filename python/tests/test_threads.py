@@ -27,7 +27,7 @@ def children():
 
 
 def test_four_threads_read_foreign_files(tool, bat):
-    """Sandboxed files are read in forked processes; a lock that another thread holds at the fork stays locked there."""
+    """Sandboxed files are read in forked processes; a lock that another thread holds at the fork stays locked in the child."""
     kinds = ["h5", "csv", "uff", "mat"]
     short = percuss.Record(bat.record.force_n[:2, :4096], bat.record.accel_mps2[:2, :, :4096], bat.record.fs_hz)
     for kind in kinds:
@@ -96,10 +96,10 @@ def test_an_interrupt_raises_keyboard_interrupt(tool, bat, delay_s):
     bat.save("bat.h5")
     script = (
         "import percuss, signal\n"
-        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # jobs of shells without control start with it ignored
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a shell without job control starts background jobs with SIGINT ignored
         "print('begun', flush=True)\n"
         "try:\n"
-        "    found = None\n"  # Python 3.11 places what comes at a loop's jump before the loop: that must lie within
+        "    found = None\n"  # Python 3.11 may raise an interrupt of the loop at the line before it, which must lie in the try block
         "    while True: found = percuss.analyze('bat.h5', band=(60, 3200))\n"
         "except KeyboardInterrupt: pass\n"
         "print(len(percuss.analyze('bat.h5', band=(60, 3200)).frequency_hz))\n"

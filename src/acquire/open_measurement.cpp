@@ -18,11 +18,11 @@ constexpr std::size_t kHead_bytes = std::size_t{1} << 16U;
 
 void refuse_variable_name(const FrfReadOptions& options, const std::string& path) {
   if (options.read.fs_variable.empty()) return;
-  throw InputError("the sampling rate is no number: " + one_line(options.read.fs_variable, 40), input_name(path),
+  throw InputError("the sampling rate is not a number: " + one_line(options.read.fs_variable, 40), input_name(path),
                    "state it in Hz (in MAT files it may be a variable)", {"fs"});
 }
 
-// What cannot come through a pipe is refused by its first bytes.
+// Reads all of a pipe, unless its first bytes show a format that cannot be read from one.
 Measurement open_standard_input(const FrfReadOptions& options, Content content) {
   refuse_variable_name(options, "-");
   const FileBytes stream = read_input("-", kMaxPipe_bytes, [](std::string_view bytes) {
@@ -58,7 +58,7 @@ Measurement open_measurement(const std::string& path, const FrfReadOptions& opti
 Record open_record(const std::string& path, const ReadOptions& options) {
   Measurement opened = open_content(path, {.read = options, .kind = {}}, Content::record);
   if (auto* record = std::get_if<Record>(&opened)) return std::move(*record);
-  throw InputError("FRFs are no record of time", path, "give force and acceleration");
+  throw InputError("the file holds FRFs, not a time record", path, "give force and acceleration");
 }
 
 bool needs_sandbox(const std::string& path) {

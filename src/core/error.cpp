@@ -43,8 +43,12 @@ UsageError::UsageError(std::string_view problem, std::string_view remedy)
 namespace percuss {
 
 std::string Message::written(OptionWriter write) const {
-  std::string list;
-  for (const OptionId& id : options) list += (list.empty() ? "" : ", ") + write(id);
+  std::string list, other_commands;
+  for (const OptionId& id : options) {
+    std::string& part = id.find('.') == std::string::npos ? list : other_commands;
+    part += (part.empty() ? "" : ", ") + write(id);
+  }
+  if (!other_commands.empty()) list += (list.empty() ? "see " : "; see ") + other_commands;
   return list.empty() ? text : fmt::format("{} ({})", text, list);
 }
 

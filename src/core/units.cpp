@@ -85,8 +85,9 @@ void remove_outer_brackets(std::string& text) {
   }
 }
 
-// Spellings to replace. UTF-8 comes before Latin-1, whose single bytes occur inside UTF-8 sequences.
+// The spelling of a name that kNames uses.
 std::string normalised(std::string_view name) {
+  // UTF-8 comes before Latin-1, whose single bytes occur inside UTF-8 sequences.
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kSame = {{
       {"\xC2\xB2", "2"},     {"\xC2\xB5", "u"},     {"\xCE\xBC", "u"},   {"\xC2\xB7", "*"}, {"\xE2\x8B\x85", "*"},
       {"\xE2\x81\xBB", "-"}, {"\xE2\x88\x92", "-"}, {"\xC2\xB0", "deg"}, {"\xB2", "2"},     {"\xB5", "u"},

@@ -13,18 +13,19 @@
 namespace percuss::frf {
 namespace {
 
-// (3) for one line; `scale` is the mean ratio of acceleration to force, which makes the two channels comparable.
+// (3) for one line; `scale` is the ratio of the rms acceleration to the rms force, which makes the two channels
+// comparable.
 Complex total_least_squares(double ff, double aa, Complex fa, double scale) {
   const double a = aa / (scale * scale);
   const Complex cross = fa / scale;
   if (std::abs(cross) == 0) return 0;
   const double half = 0.5 * (a - ff);
   const double root = std::sqrt(half * half + std::norm(cross));
-  // This of the two equal forms does not cancel.
+  // Of the two equal forms, each branch takes the one without cancellation.
   return half >= 0 ? scale * (half + root) / std::conj(cross) : scale * cross / (root - half);
 }
 
-double mean_ratio(const CrossSpectra& spectra) {
+double rms_ratio(const CrossSpectra& spectra) {
   const double ff = std::accumulate(spectra.ff.begin(), spectra.ff.end(), 0.0);
   const double aa = std::accumulate(spectra.aa.begin(), spectra.aa.end(), 0.0);
   return aa > 0 ? std::sqrt(aa / ff) : 1;
@@ -78,7 +79,7 @@ Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator 
     frf.coherence.resize(count);
   }
   require_force(spectra.ff, lines);
-  const double scale = estimator == Estimator::hv ? mean_ratio(spectra) : 1;
+  const double scale = estimator == Estimator::hv ? rms_ratio(spectra) : 1;
   for (std::size_t k = 0; k < count; ++k) {
     const double ff = spectra.ff[k];
     const double aa = spectra.aa[k];

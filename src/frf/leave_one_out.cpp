@@ -25,18 +25,19 @@ Parts parts_of(std::span<const Complex> lines, Index first, Index count, Index s
   return {block.real(), block.imag()};
 }
 
-// The residual of a response under the other hits' H1 is (a − f·H1)/(1 − |f|²/Σff), with the H1 of all hits. This is
-// the divisor's power; 0 where only this hit excited the line, which the other hits cannot explain.
-Block share_of_others(const Block& ff, const Parts& f) {
+// The residual of a response under the other hits' H1 is (a − f·H1)/(1 − |f|²/Σff), with the H1 of all hits. Returns
+// the square of 1/(1 − |f|²/Σff), or 0 where only this hit excited the line.
+Block leverage_factor(const Block& ff, const Parts& f) {
   const Block others = ff - f.power();
   return (others > 0).select((ff / others).square(), 0);
 }
 
-double unexplained(const Parts& h1, const Block& share, const Parts& f, const Parts& a) {
+// Energy of the response that the other hits do not explain. Where they cannot predict it, all of it counts.
+double unexplained(const Parts& h1, const Block& factor, const Parts& f, const Parts& a) {
   const double left =
-      (((a.re - (h1.re * f.re - h1.im * f.im)).square() + (a.im - (h1.re * f.im + h1.im * f.re)).square()) * share)
+      (((a.re - (h1.re * f.re - h1.im * f.im)).square() + (a.im - (h1.re * f.im + h1.im * f.re)).square()) * factor)
           .sum();
-  return share.minCoeff() > 0 ? left : left + (share > 0).select(0, a.power()).sum();
+  return factor.minCoeff() > 0 ? left : left + (factor > 0).select(0, a.power()).sum();
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ std::vector<double> leave_one_out_error(std::span<const std::span<const Complex>
   const Index step = (all_lines + kMaxComparedLines - 1) / kMaxComparedLines;
   const Index lines = step > 0 ? (all_lines + step - 1) / step : 0;
   std::vector<Parts> f(hits), a(hits);
-  std::vector<Block> share(hits);
+  std::vector<Block> factor(hits);
   // In blocks of lines, so that the sums over the hits stay in the cache.
   for (Index first = 0; first < lines; first += kBlock) {
     const Index count = std::min(kBlock, lines - first);
@@ -59,7 +60,7 @@ std::vector<double> leave_one_out_error(std::span<const std::span<const Complex>
       f[h] = parts_of(force[h], first, count, step);
       ff += f[h].power();
     }
-    for (std::size_t h = 0; h < hits; ++h) share[h] = share_of_others(ff, f[h]);
+    for (std::size_t h = 0; h < hits; ++h) factor[h] = leverage_factor(ff, f[h]);
     const Block inverse = (ff > 0).select(ff.inverse(), 0);
     for (std::size_t c = 0; c < accel.front().size(); ++c) {
       Parts fa{Block::Zero(count), Block::Zero(count)};  // Σ conj(F) A
@@ -70,7 +71,7 @@ std::vector<double> leave_one_out_error(std::span<const std::span<const Complex>
       }
       const Parts h1{fa.re * inverse, fa.im * inverse};
       for (std::size_t h = 0; h < hits; ++h) {
-        left[h] += unexplained(h1, share[h], f[h], a[h]);
+        left[h] += unexplained(h1, factor[h], f[h], a[h]);
         all[h] += a[h].power().sum();
       }
     }

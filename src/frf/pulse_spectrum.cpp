@@ -18,8 +18,9 @@ using Eigen::Array2d;
 
 constexpr std::size_t kOversampling = 8;              // length of the pulse's transform over the pulse's length
 constexpr std::size_t kKernelWidth = 12;              // spectral lines of the oversampled transform
-constexpr std::size_t kMaxSteps = 64, kMinSteps = 8;  // spectral lines between two of the oversampled transform
-// The kernel's images, one period of the oversampled transform away, begin where its own transform ends.
+constexpr std::size_t kMaxSteps = 64, kMinSteps = 8;  // lines of the block per line of the oversampled transform
+// Shape parameter of the Kaiser–Bessel kernel. The main lobe of its transform ends where the first alias of the pulse
+// begins: at 1 − 0.5/kOversampling of the length of the oversampled transform.
 const double kShape =
     std::numbers::pi * static_cast<double>(kKernelWidth) * (1 - 0.5 / static_cast<double>(kOversampling));
 
@@ -56,7 +57,8 @@ double kernel_gain(double samples_off, double grid) {
   return kKernelWidth * std::sinh(root) / root;
 }
 
-// Spectral lines between two of the pulse's own transform; 0: no factor of the block's length is suitable.
+// The number of spectral lines of the block per line of the pulse's own transform. 0 where no factor of the block's
+// length is suitable.
 std::size_t steps_between(std::size_t pulse, std::size_t samples) {
   const std::size_t most = std::min(kMaxSteps, samples / std::max(kOversampling * pulse, 4 * kKernelWidth));
   for (std::size_t steps = most; steps >= kMinSteps; --steps) {

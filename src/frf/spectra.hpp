@@ -27,14 +27,15 @@ struct ForceBlock {
 };
 ForceBlock force_block(const acquire::Hit& hit, double fs_Hz, double decay_per_s);
 
-/// A shared spectrum, by its first spectral line. shape  [lines]
+/// A shared spectrum: a pointer to its first spectral line. shape  [lines]
 using Spectrum = std::shared_ptr<const Complex>;
 inline Spectrum shared(std::vector<Complex> lines) {
   const auto owner = std::make_shared<const std::vector<Complex>>(std::move(lines));
   return {owner, owner->data()};
 }
 
-/// The spectrum of a force block, by one real FFT. shape  out [lines.count]. units  N (unscaled sums).
+/// The spectrum of a force block: by pulse_spectrum for a short pulse, otherwise by one real FFT. shape  out
+/// [lines.count]. units  N (unscaled sums).
 void force_spectrum(const ForceBlock& block, const LineRange& lines, std::span<Complex> out);
 std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& lines);
 

@@ -11,10 +11,10 @@ std::vector<Mode> identify_modes(const FrfDataset& set, const IdentifyOptions& o
   if (options.start_Hz.empty() && set.channels.size() > kMaxPrincipalFrfs) {
     if (auto modes = identify_multi_output(set, options)) return *std::move(modes);
   }
-  SequentialFitOptions peaks = sequential_fit_options(options.effort);
-  peaks.modes = options.modes;
-  peaks.start_Hz = options.start_Hz;
-  auto found = fit_sequentially(set, peaks);
+  SequentialFitOptions sequential = sequential_fit_options(options.effort);
+  sequential.modes = options.modes;
+  sequential.start_Hz = options.start_Hz;
+  auto found = fit_sequentially(set, sequential);
   if (options.effort == Effort::best && !found.empty()) refine_jointly(set, found);
   add_force_noise(set, found);
   std::vector<Mode> modes;

@@ -19,9 +19,9 @@ using Eigen::Index;
 
 constexpr double kMaxRemainingAmplitude = 0.05;  // largest amplitude of a mode at the records' end
 constexpr double kCompleted = 1e-9;              // smaller truncation is negligible
-constexpr double kExplained = 1.5;               // residual energy around a mode over the noise's
-constexpr double kCheckedWidths = 5;             // half-power bandwidths
-constexpr double kMinCheckedLines = 10;          // lines
+constexpr double kMaxResidualEnergy = 1.5;       // around a mode, over its expectation for noise
+constexpr double kCheckedWidths = 5;             // half-power bandwidths on either side of a checked pole
+constexpr double kMinCheckedLines = 10;          // on either side
 constexpr std::size_t kMinFlops = 1'000'000;     // operations per task, a lower limit
 constexpr std::size_t kFlopsPerLine = 60;        // operations of a truncated decay or of the gain errors
 
@@ -102,13 +102,13 @@ class CompletedDecays {
 
 // Removes the truncation from the FRFs `few`, and fits `found` to them. Each pass reduces the error by the factor of
 // the remaining truncation.
-void complete(CompletedDecays& completed, const Eigen::MatrixXd& sums, FrfDataset& few,
+void complete(CompletedDecays& completed, const Eigen::MatrixXd& components, FrfDataset& few,
               std::vector<FittedMode>& found) {
   double truncation = max_remaining_amplitude(few, found);
   while (truncation > kCompleted) {
     const std::vector<Pole> poles = poles_of(found);
     completed.add_missing_decays(poles, residues_at(completed.set(), poles));
-    few = principal_frfs(completed.set(), sums);
+    few = principal_frfs(completed.set(), components);
     found = fit_sequentially(few, {.start = poles});
     truncation *= max_remaining_amplitude(few, found);
   }
@@ -167,7 +167,7 @@ bool fits_to_noise(const FrfDataset& set, const JointFit& fit) {
       energy += one.energy;
       expected += one.expected;
     }
-    if (energy > kExplained * expected) return false;
+    if (energy > kMaxResidualEnergy * expected) return false;
   }
   return true;
 }
@@ -182,7 +182,7 @@ std::vector<Mode> modes_of(const FrfDataset& set, const std::vector<FittedMode>&
                                .channel = set.channels[o].channel,
                                .value = fit.residues(static_cast<Index>(o), static_cast<Index>(m)),
                                .std = fit.residue_std(static_cast<Index>(o), static_cast<Index>(m)),
-                               .relative_std = gain_deviation(set, set.channels[o].point, mode.pole.freq_Hz)});
+                               .relative_std = gain_std(set, set.channels[o].point, mode.pole.freq_Hz)});
     }
     modes.push_back(std::move(mode));
   }
@@ -194,21 +194,21 @@ std::vector<Mode> modes_of(const FrfDataset& set, const std::vector<FittedMode>&
 std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, const IdentifyOptions& options) {
   // The model of an exponential window needs the pulses, which principal-component FRFs do not have.
   if (set.window_decay_per_s() != 0) return std::nullopt;
-  const Eigen::MatrixXd sums = principal_components(set, kMaxPrincipalFrfs);
-  FrfDataset few = principal_frfs(set, sums);
+  const Eigen::MatrixXd components = principal_components(set, kMaxPrincipalFrfs);
+  FrfDataset few = principal_frfs(set, components);
   CompletedDecays completed(set);
   std::vector<FittedMode> found;
   // The strong modes first: their truncation would look like additional modes.
   SequentialFitOptions thorough = sequential_fit_options(options.effort);
   thorough.modes = options.modes;
-  for (const SequentialFitOptions& peaks : {SequentialFitOptions{.max_rounds = 0, .modes = options.modes}, thorough}) {
+  for (const SequentialFitOptions& pass : {SequentialFitOptions{.max_rounds = 0, .modes = options.modes}, thorough}) {
     const std::size_t before = found.size();
-    found = fit_sequentially(few, peaks);
+    found = fit_sequentially(few, pass);
     if (found.empty() || max_remaining_amplitude(set, found) > kMaxRemainingAmplitude) return std::nullopt;
-    if (found.size() != before && completed.from_records()) complete(completed, sums, few, found);
+    if (found.size() != before && completed.from_records()) complete(completed, components, few, found);
   }
   const std::vector<Pole> poles = poles_of(found);
-  bool scatters = false;  // tested in parallel with the refinement, which is seldom wasted
+  bool scatters = false;  // the refinement runs in parallel: the test seldom discards it
   parallel_for_cost(2, kMinFlops, [&](std::size_t task) {
     if (task == 0) scatters = any_pair_is_scatter(completed.set(), poles);
     if (task == 1 && options.effort == Effort::best) refine_jointly(few, found);

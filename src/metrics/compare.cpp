@@ -67,7 +67,8 @@ std::vector<ModePair> by_shape(const ComparedDocument& a, const ComparedDocument
   return chosen;
 }
 
-// Of pairs in order the most, and of those the nearest: the usual table of partial answers.
+// Dynamic programming over both lists in ascending order: best[i][k] has the most pairs among the first i and k modes,
+// then the smallest sum of |ln(f_b/f_a)|.
 std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options) {
   struct Best {
     std::size_t pairs = 0;
@@ -129,7 +130,7 @@ std::optional<ComparedDeflection> at_position(const ComparedDocument& document, 
   if (!below || !above) return std::nullopt;
   const double step_m = *above->position_m - *below->position_m;
   if (step_m < kSamePlace_m) return *below;
-  if (!document.model) return std::nullopt;  // a test is not known between its points
+  if (!document.model) return std::nullopt;  // a test has no value between its points
   const double part = (position_m - *below->position_m) / step_m;
   return ComparedDeflection{.position_m = position_m, .peak_m = (1 - part) * below->peak_m + part * above->peak_m};
 }
@@ -161,7 +162,7 @@ PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, con
 }
 
 std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const ComparedDocument& b) {
-  // The document with single places leads; a model has a value at each of them.
+  // A test leads, because a model can be interpolated at each place of the test.
   const bool swapped = a.model && !b.model;
   const ComparedDocument &lead = swapped ? b : a, &other = swapped ? a : b;
   std::vector<DeflectionPair> pairs;
@@ -171,7 +172,7 @@ std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const Co
                        : d.point    ? at_point(other, *d.point)
                                     : std::nullopt;
     if (!match || !(d.peak_m > 0) || !(match->peak_m > 0)) continue;
-    // Model over test, or b over a: the other over the one that leads, either way.
+    // Other over lead is model/test where one document is a model, otherwise b/a.
     const double ratio = match->peak_m / d.peak_m;
     pairs.push_back({.point = d.point,
                      .position_m = d.position_m,

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 constexpr double kFreqStep = 1e-6, kDampingStep = 1e-4;     // relative: truncation and rounding both near 1e-9
 constexpr std::size_t kChunkValues = std::size_t{1} << 20;  // per chunk: memory does not grow with the record
-constexpr double kUnseen = 1e99;
+constexpr double kUnseen = 1e99;                            // standard deviation for a mode that no channel measures
 
 /// The poles, then the poles with f increased, f decreased, ζ increased, ζ decreased.
 std::vector<SynthPole> poles_and_neighbours(const SynthSpec& spec) {
@@ -33,7 +33,8 @@ void add_to(std::span<const double> values, double scale, std::size_t offset, Ei
   for (std::size_t i = 0; i < values.size(); ++i) column[static_cast<Index>(offset + i)] += scale * values[i];
 }
 
-/// Columns for unit residues over samples first …: ∂/∂f_r, ∂/∂ζ_r (times the residue), ∂/∂residue_r, ∂/∂rigid line.
+/// Adds the columns for unit residues from sample `first` on: ∂/∂f_r and ∂/∂ζ_r (both still to be multiplied by the
+/// residue), ∂/∂residue_r, ∂/∂rigid line.
 void add_columns(const SynthSpec& spec, const Pulse& pulse, std::span<const SynthPole> poles, std::size_t first,
                  MatrixXd& columns) {
   const PulseBasis basis = pulse_basis(pulse, spec.fs_Hz, poles, first, static_cast<std::size_t>(columns.rows()));
@@ -52,7 +53,7 @@ void add_columns(const SynthSpec& spec, const Pulse& pulse, std::span<const Synt
   add_to(basis.force_N, 1, offset, column(3 * modes));
 }
 
-/// Inner products of these columns over a row, for its hits [first, last).
+/// Inner products of these columns over one row with the given hits.
 MatrixXd row_products(const Truth& truth, std::span<const TrueHit> hits) {
   const auto size = static_cast<Index>(3 * truth.spec.modes.size() + 1);
   const std::vector<SynthPole> poles = poles_and_neighbours(truth.spec);

@@ -8,7 +8,7 @@ namespace percuss::synth {
 ///   F = Σ_hits,channels Jᵀ J/σ_c²,  J = ∂acceleration/∂(f, ζ, residues, rigid line)                 (1)
 /// The residues and the rigid line of every point and channel are eliminated. Derivatives by f and ζ are central
 /// differences of the closed forms. A mode that no channel measures gets 1e99. Clipping and rounding are ignored.
-/// Preconditions: every accel_noise_mps2 > 0, at least one mode. errors  none.
+/// Preconditions: every accel_noise_mps2 > 0, at least one mode.
 /// theory (4.16)
 CramerRaoBound cramer_rao_bound(const Truth& truth, std::size_t threads = 0);
 

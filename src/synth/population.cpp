@@ -42,7 +42,7 @@ class PopulationMaker {
     return bat.values.at(static_cast<std::size_t>(q));
   }
 
-  // Drop, MOI and bending frequencies of a bat of this length.
+  // A bat of this length, with its drop, MOI and bending frequencies.
   metrics::StudyBat body(metrics::BarrelMaterial material, double length_in, double drop, double moi_33_ozin2,
                          double bending_Hz) {
     metrics::StudyBat bat{.length_in = length_in, .material = material};

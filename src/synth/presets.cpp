@@ -22,7 +22,7 @@ std::string_view synth_example() {
   // all other units. Comments are allowed. Required: fs_hz, samples or duration_s, modes.
   "schema": "percuss/synth/1",
   "name": "example",
-  "description": "Every key there is",
+  "description": "An example of every key",
   "fs_hz": 25600,
   "samples": 25600,            // per row; or "duration_s": 1.0
   "layout": "rows",            // "rows": one hit each; "continuous": one long row, "hit_times_s": [1.0, 3.5, …]
@@ -32,7 +32,7 @@ std::string_view synth_example() {
     "length_m": 0.84,
     "barrel_m": 0.33,          // from the end to the taper: the range of hoop modes
     "radius_m": 0.0333,        // only for the drawing of points
-    "mass_kg": 0.85,           // rigid-body line: mass, inertia about the centre of mass, its place
+    "mass_kg": 0.85,           // rigid-body line: mass, inertia about its centre, centre of mass
     "inertia_kgm2": 0.045,
     "cm_m": 0.378
     // or "rigid_line_per_kg": [point by point, sensor by sensor]

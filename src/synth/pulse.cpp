@@ -152,8 +152,8 @@ std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const s
   return out;
 }
 
-/// Appends Re(start·e^{λ n}) for n = skip, skip + 1, … until it is e^−42 of the peak, but at most `most` values. Each
-/// value is a product of two exponentials, so errors do not grow with n.
+/// Appends Re(start·e^{λ n}) for n = skip, skip + 1, … until it falls below e^−42 of the peak, at most `most` values.
+/// Each value is a product of two exponentials, so errors do not grow with n.
 void append_decay(Complex start, Complex lambda, double skip, double peak, double most, std::vector<double>& to) {
   const double size = std::log(std::abs(start) / (std::abs(peak) + 1e-300) + 1e-300) + kDecayExponent;
   const auto count = static_cast<std::size_t>(std::clamp(std::ceil(size / -lambda.real() - skip), 0.0, most));
@@ -196,27 +196,27 @@ PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const SynthPo
                        std::size_t count) {
   assert(pulse.width_s > 0 && fs_Hz > 0);
   const SampledPulse sampled(pulse, fs_Hz);
-  std::vector<SampledPole> lines;
-  for (const SynthPole& pole : poles) lines.emplace_back(pole, fs_Hz);
+  std::vector<SampledPole> sampled_poles;
+  for (const SynthPole& pole : poles) sampled_poles.emplace_back(pole, fs_Hz);
   const Zone zone(sampled);
   const auto range_first = static_cast<long>(first), range_last = static_cast<long>(first + count);
   const long a = std::clamp(zone.first, range_first, range_last);
   const long b = std::clamp(zone.last, a, range_last);
-  PulseBasis out{static_cast<std::size_t>(a), {}, std::vector<std::vector<double>>(lines.size())};
-  DuringPulse during = during_pulse(sampled, lines, a, b);
+  PulseBasis out{static_cast<std::size_t>(a), {}, std::vector<std::vector<double>>(sampled_poles.size())};
+  DuringPulse during = during_pulse(sampled, sampled_poles, a, b);
   out.force_N = std::move(during.force);
   for (double& f : out.force_N) f *= pulse.peak_N;
-  const auto after = after_pulse(sampled, lines, zone);
-  for (std::size_t r = 0; r < lines.size(); ++r) {
-    const Complex at_end = sampled.response(lines[r].lambda, sampled.width);
-    const Complex scale = 2 * pulse.peak_N * lines[r].factor;
+  const auto after = after_pulse(sampled, sampled_poles, zone);
+  for (std::size_t r = 0; r < sampled_poles.size(); ++r) {
+    const Complex at_end = sampled.response(sampled_poles[r].lambda, sampled.width);
+    const Complex scale = 2 * pulse.peak_N * sampled_poles[r].factor;
     for (std::size_t i = 0; i < out.force_N.size(); ++i) {
       const Complex filtered_decay = after[r][static_cast<std::size_t>(a - zone.first) + i] * at_end;
       out.regular_N[r].push_back((scale * (during.modal[r][i] + filtered_decay)).real());
     }
     // From the last sample of the zone on the response is a pure exponential.
     const auto skip = static_cast<double>(b - (zone.last - 1));
-    append_decay(scale * after[r].back() * at_end, lines[r].lambda, skip, pulse.peak_N,
+    append_decay(scale * after[r].back() * at_end, sampled_poles[r].lambda, skip, pulse.peak_N,
                  static_cast<double>(range_last - b), out.regular_N[r]);
   }
   return out;

@@ -33,7 +33,7 @@ struct PulseBasis {
 double pulse_force_N(const Pulse& pulse, double t_s);
 double pulse_impulse_Ns(const Pulse& pulse);
 
-/// An inexpensive bound of the samples [first, last) of a record to which a pulse contributes.
+/// Bounds of the samples [first, last) of a record to which a pulse can contribute.
 struct PulseSupport {
   double first, last;
 };
@@ -41,8 +41,8 @@ PulseSupport pulse_support(const Pulse& pulse, double fs_Hz, std::span<const Syn
 
 /// Computes samples first … first + count − 1 of (filter ∗ force) and (filter ∗ modal response ∗ force). Within the
 /// pulse and the filter's support the integrands are entire functions, integrated on Gauss–Legendre panels. After that
-/// each pole has one exact exponential, truncated below e^−42 of the peak. Preconditions: frequency in (0, fs], damping
-/// ratio in (0, 0.5], width > 0. errors  none.
+/// each pole has one exact exponential, truncated below e^−42 of the peak.
+/// Preconditions: frequency in (0, fs], damping ratio in (0, 0.5], width > 0.
 PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles, std::size_t first,
                        std::size_t count);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kLongestText = std::size_t{4} << 20;
 constexpr int kMaxDepth = 6;
 
-/// Reads a word of a short list.
+/// Reads one of the given words.
 template <class Enum>
 void read_word(StrictObject& object, const std::string& key, std::initializer_list<std::pair<const char*, Enum>> words,
                Enum& to) {
@@ -129,12 +129,12 @@ void read_length(StrictObject& o, SynthSpec& to) {
     o.read("samples", to.samples);
     return;
   }
-  if (o.has("samples")) o.fail("given beside samples", "duration_s", "leave one of them");
+  if (o.has("samples")) o.fail("given together with samples", "duration_s", "remove one of the two");
   double duration_s = 0;
   o.read("duration_s", duration_s);
   const double samples = std::round(duration_s * to.fs_Hz);
   if (!(samples >= 0 && samples <= 1e15))
-    o.fail("too many samples at this fs_hz", "duration_s", "give a length in seconds");
+    o.fail("not a possible number of samples at this fs_hz", "duration_s", "give a shorter time in s, not below 0");
   to.samples = static_cast<std::size_t>(samples);
 }
 

@@ -19,7 +19,8 @@ struct SynthPreset {
 /// The specs in fixtures/, compiled into the library, ordered by name.
 std::span<const SynthPreset> synth_presets();
 
-/// Reads a preset by name. errors  InputError with the list of names.
+/// Reads a preset by name.
+/// errors  InputError with the list of names.
 SynthSpec synth_preset(std::string_view name);
 
 /// A spec with every key and a comment on each.

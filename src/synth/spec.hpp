@@ -86,7 +86,7 @@ struct SynthFault {
   std::size_t hit = 0;
   SynthFaultKind kind = SynthFaultKind::double_hit;
   double ratio = 0.3;      // second pulse to first (double_hit); peak to its usual value (weak)
-  double delay_s = 0.010;  // of the second pulse (double_hit); of the trigger after the onset (late)
+  double delay_s = 0.010;  // from the first pulse to the second (double_hit), from the onset to the trigger (late)
 };
 
 struct SynthSpec {
@@ -105,7 +105,7 @@ struct SynthSpec {
   std::size_t hits = 5;               // per point and run
   std::size_t runs = 1;               // repetitions of the hits with new noise
   double pretrigger_s = 0.005;        // from the start of a row to the onset; negative: the row misses the onset
-  double onset_spread_s = 0.0015;     // added to it, uniform from 0: onsets fall between samples
+  double onset_spread_s = 0.0015;     // random part, uniform from 0 to this: onsets fall between samples
   std::vector<double> hit_times_s{};  // continuous: onsets; empty: spread evenly, with jitter
   SynthNoise noise{};
   SynthRecorder recorder{};

@@ -68,7 +68,7 @@ SynthSamples clean_run(const Truth& truth, std::size_t threads) {
   return out;
 }
 
-void measure_noise(const SynthSamples& clean, Truth& truth) {
+void set_noise_levels(const SynthSamples& clean, Truth& truth) {
   double peak_N = 0;
   for (const auto& row : clean.force_N) {
     for (const double f : row) peak_N = std::max(peak_N, std::abs(f));
@@ -98,7 +98,7 @@ SynthSamples recorded_runs(SynthSamples clean, const Truth& truth, const Recorde
   return out;
 }
 
-acquire::Record described(const Truth& truth, SynthSamples samples) {
+acquire::Record record_of(const Truth& truth, SynthSamples samples) {
   const SynthSpec& spec = truth.spec;
   const std::size_t rows = rows_per_run(spec);
   acquire::Record record =
@@ -128,14 +128,14 @@ SyntheticTest synthesise(const SynthSpec& spec, std::size_t threads) {
   check(spec);
   Truth truth = planned_truth(spec);
   SynthSamples clean = clean_run(truth, threads);
-  measure_noise(clean, truth);
+  set_noise_levels(clean, truth);
   const RecorderRange range = recorder_range(spec.recorder, clean);
   const bool noisy =
       std::all_of(truth.accel_noise_mps2.begin(), truth.accel_noise_mps2.end(), [](double s) { return s > 0; });
   if (noisy && !spec.modes.empty()) truth.bound = cramer_rao_bound(truth, threads);
   SynthSamples recorded = recorded_runs(std::move(clean), truth, range, threads);
   flag_clipped(range, recorded, spec.fs_Hz, truth.hits);
-  return {described(truth, std::move(recorded)), std::move(truth)};
+  return {record_of(truth, std::move(recorded)), std::move(truth)};
 }
 
 std::vector<Complex> exact_accelerance(const Truth& truth, std::size_t point, std::size_t channel,

@@ -54,7 +54,8 @@ void Checker::size() const {
   const double values = static_cast<double>(spec.samples) * static_cast<double>(spec.sensors.size() + 1) *
                         static_cast<double>(spec.runs) * hits;
   require(values <= kMaxValues, fmt::format("the record would hold {:g} samples", values),
-          "samples × signals × hits × points × runs", fmt::format("ask for at most {:g} together", kMaxValues));
+          "samples × signals × hits × points × runs",
+          fmt::format("reduce one of them: at most {:g} in all", kMaxValues));
 }
 
 void Checker::residues(const std::vector<double>& values, const std::string& key) const {
@@ -91,7 +92,7 @@ void Checker::places() const {
     const std::string key = fmt::format("sensors[{}].", i);
     in_range(s.position_m, 0, spec.structure.length_m, key + "position_m");
     in_range(s.angle_rad, -100, 100, key + "angle_deg (in rad)");
-    require(std::abs(s.sign) == 1, fmt::format("{:g} is no sign", s.sign), key + "sign", "give 1 or -1");
+    require(std::abs(s.sign) == 1, fmt::format("{:g} is not a sign", s.sign), key + "sign", "give 1 or -1");
     in_range(s.gain, 1e-9, 1e9, key + "gain");
   }
   for (std::size_t i = 0; i < spec.points.size(); ++i) {

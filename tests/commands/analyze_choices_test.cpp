@@ -47,7 +47,7 @@ class AnalyzeChoices : public testing::Test {
   inline static std::unique_ptr<test::ScratchFolder> folder_;
 };
 
-TEST_F(AnalyzeChoices, RecordsNoChoiceWithoutAny) {
+TEST_F(AnalyzeChoices, StoresNoOptionsByDefault) {
   const json document = document_of({});
   EXPECT_FALSE(document.contains("options"));
   EXPECT_EQ(document["hits"][1]["accepted"], false);
@@ -112,7 +112,7 @@ TEST_F(AnalyzeChoices, CorrectsDampingForTheExponentialWindow) {
   EXPECT_GT(mode["damping_ratio_raw"], 0.012);
 }
 
-TEST_F(AnalyzeChoices, RecordsChangedSettings) {
+TEST_F(AnalyzeChoices, StoresChangedSettings) {
   const json document = document_of({"--force-window", "off", "--overlay-db", "0.5", "--estimator", "h2"});
   EXPECT_EQ(document["options"]["force_window"], "off");
   EXPECT_EQ(document["options"]["overlay_db"], 0.5);

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-// One small test on disk for all of them: making it costs more than analysing it.
+// All tests share small files: making them takes longer than analysing them.
 class AnalyzeCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {

@@ -22,7 +22,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Records a … d: a valid one, one without a pulse, an invalid file, another valid one.
+/// Records a … d: a valid record, a record without a pulse, an invalid file, another valid record.
 class BatchCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -78,7 +78,7 @@ TEST_F(BatchCommand, WritesRowsThatFitTheirSchemas) {
   expect_lines_of(bytes_of(folder_.file("out/part-0.ok")), "batch-part");
   const auto rows = lines_of(merged("r.jsonl"));
   for (const std::string& row : rows) expect_lines_of(row, "batch");
-  ASSERT_EQ(rows.size(), 1U + 4U + 4U);  // head, records, two modes of each good one
+  ASSERT_EQ(rows.size(), 1U + 4U + 4U);  // header, four records, two modes of each valid record
   const auto first = test::parse_json(rows[1]), mode = test::parse_json(rows[2]);
   EXPECT_EQ(first["id"], "a");
   EXPECT_EQ(first["hits_accepted"], 2);
@@ -113,11 +113,11 @@ TEST_F(BatchCommand, ReportsABadRecordAsAnalyzeDoes) {
   EXPECT_EQ("percuss: " + none["reason"].get<std::string>() + "\n", percuss({"analyze", "recs/c.csv"}).err);
 }
 
-TEST_F(BatchCommand, GivesTheSameBytesForAnyDivision) {
+TEST_F(BatchCommand, GivesTheSameBytesForAnyNumberOfShards) {
   plan({"--frf"});
   ASSERT_EQ(run({"--threads", "1"}).code, 6);
   ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "1.jsonl", "-o", "1.csv", "-o", "1.h5"}).code, 6);
-  ASSERT_EQ(run({"--threads", "2", "-o", "two"}).code, 2);  // twice a folder
+  ASSERT_EQ(run({"--threads", "2", "-o", "two"}).code, 2);  // -o is given twice
   for (const std::string shard : {"2/3", "0/3", "1/3"})
     EXPECT_NE(batch({"run", "--manifest", "m.jsonl", "-o", "three", "--threads", "2", "--shard", shard}).code, 3);
   ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "three", "-o", "3.jsonl", "-o", "3.csv", "-o", "3.h5"}).code, 6);
@@ -243,7 +243,7 @@ TEST_F(BatchCommand, RejectsAMixtureOfPlans) {
   EXPECT_THAT(run().err, HasSubstr("made with options that differ from the manifest"));
   EXPECT_THAT(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.jsonl"}).err,
               HasSubstr("made with options that differ"));
-  EXPECT_THAT(run({"--shard", "0/2"}).err, HasSubstr("shards of a division into 1, not into 2"));
+  EXPECT_THAT(run({"--shard", "0/2"}).err, HasSubstr("the number of shards in this folder is 1, not 2"));
   EXPECT_EQ(run({"--force"}).code, 6);
   std::string ok = bytes_of(folder_.file("out/part-0.ok"));
   ok.replace(ok.find(R"("version":")"), 11, R"("version":"9.)");

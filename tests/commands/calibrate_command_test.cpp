@@ -22,7 +22,7 @@ constexpr double kScale = 0.0084;  // N per unit of the force column
 
 class CalibrateCommand : public testing::Test {
  protected:
-  // A free mass: the acceleration is the force over the mass, with a little noise on both.
+  // A free mass: the acceleration is force / mass, with a little noise on both.
   CalibrateCommand() {
     std::string text = "t_s,hammer_V,acc_m_s2\n";
     unsigned state = 1;

@@ -90,7 +90,7 @@ TEST_F(CompletionCommand, CompletesValues) {
   EXPECT_THAT(in_bash({"model", "beam", "--support", "t"}), ElementsAre("torsion"));
   EXPECT_THAT(in_bash({"analyze", "--only", "hits,m"}), ElementsAre("hits,modes"));
   EXPECT_THAT(in_bash({"completion", ""}), ElementsAre("bash", "zsh", "fish"));
-  EXPECT_THAT(in_bash({"analyze", "--band", ""}), IsEmpty()) << "nothing is known of it";
+  EXPECT_THAT(in_bash({"analyze", "--band", ""}), IsEmpty()) << "--band has no fixed values";
   EXPECT_THAT(in_bash({"synth", "wood"}), ElementsAre("wood-bat"));
 }
 
@@ -101,7 +101,7 @@ TEST_F(CompletionCommand, CompletesFilesAndFolders) {
   EXPECT_THAT(in_bash({"analyze", "--setup", "b"}), ElementsAre("bat.h5"));
   EXPECT_THAT(in_bash({"study", "--figures", ""}), ElementsAre("figures"));
   EXPECT_THAT(in_bash({"synth", "b"}), ElementsAre("bat.h5")) << "a spec is a file too";
-  EXPECT_THAT(in_bash({"model", "beam", "b"}), IsEmpty()) << "it takes no file";
+  EXPECT_THAT(in_bash({"model", "beam", "b"}), IsEmpty()) << "model beam takes no file";
 }
 
 TEST_F(CompletionCommand, KnowsEveryOptionOfEveryCommand) {

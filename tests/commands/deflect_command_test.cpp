@@ -14,7 +14,7 @@
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
 
-// From a measured bat to the ratio of model and test.
+// percuss deflect, and percuss compare of its deflections with a model.
 namespace percuss::deflect_command_test {
 
 using nlohmann::json;
@@ -23,7 +23,7 @@ using testing::HasSubstr;
 
 constexpr double kFs_Hz = 100000;
 constexpr double kRest_s = 0.1, kLength_s = 0.18;  // the model follows the motion for 80 ms
-constexpr double kSensor = 0.8;  // what the accelerometer's calibration makes of the truth: model/test is 1.25
+constexpr double kSensor = 0.8;  // factor of a wrong calibration of the accelerometer; model/test is 1/0.8 = 1.25
 const std::vector<double> kPlaces_m{0.155, 0.285, 0.415, 0.545};
 
 /// The composite bat struck by a cricket ball: force and acceleration at the struck point, from the sum of its modes.
@@ -100,8 +100,8 @@ TEST_F(DeflectCommand, ComparesWithAModel) {
   ASSERT_EQ(document["deflections"].size(), kPlaces_m.size());
   for (const json& pair : document["deflections"]) {
     const double ratio = pair["ratio"], std = pair["ratio_std"];
-    EXPECT_LE(std::abs(ratio - 1 / kSensor), 3.5 * std) << pair;  // four ratios
-    EXPECT_LE(std, 0.01 * ratio) << pair;                         // and it is worth something
+    EXPECT_LE(std::abs(ratio - 1 / kSensor), 3.5 * std) << pair;  // 3.5, since four ratios are tested
+    EXPECT_LE(std, 0.01 * ratio) << pair;                         // the ratio is precise
   }
   const auto text = run_percuss({"compare", "test.json", "model.json"}, {.folder = out.path()});
   EXPECT_THAT(text.out, HasSubstr("largest deflection"));

@@ -19,8 +19,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// What a record and its FRFs may differ by: the band's edges cut the FRFs' lines, and the record's end is not modelled.
-constexpr double kSame = 1e-5;
+// Relative tolerance of a frequency: FRFs end at the edges of the band, and their fit does not model the end of the
+// record.
+constexpr double kFreqTolerance = 1e-5;
 
 class FrfInput : public testing::Test {
  protected:
@@ -56,9 +57,9 @@ TEST_F(FrfInput, FindsTheModesOfTheRecord) {
     for (std::size_t m = 0; m < 2; ++m) {
       const json &a = record["modes"][m], &b = frfs["modes"][m];
       const double f = a["frequency_hz"], zeta = a["damping_ratio"];
-      EXPECT_LE(std::abs(b["frequency_hz"].get<double>() / f - 1), kSame) << name;
-      EXPECT_LE(std::abs(b["damping_ratio"].get<double>() / zeta - 1), 100 * kSame) << name;
-      EXPECT_EQ(b["family"], a["family"]) << name << ": the angles come with the FRFs";
+      EXPECT_LE(std::abs(b["frequency_hz"].get<double>() / f - 1), kFreqTolerance) << name;
+      EXPECT_LE(std::abs(b["damping_ratio"].get<double>() / zeta - 1), 100 * kFreqTolerance) << name;
+      EXPECT_EQ(b["family"], a["family"]) << name << ": the files of FRFs hold the angles";
       EXPECT_NEAR(b["residues"][0]["re"].get<double>(), a["residues"][0]["re"].get<double>(), 1e-3);
     }
   }
@@ -70,7 +71,7 @@ TEST_F(FrfInput, PrintsADocumentWithoutHitsThatFitsItsSchema) {
     EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty());
     EXPECT_EQ(document["hits"], json::array());
     EXPECT_TRUE(document["fs_hz"].is_null());
-    ASSERT_EQ(document["warnings"].size(), 1U) << "nothing was assumed but that the force had no noise";
+    ASSERT_EQ(document["warnings"].size(), 1U) << "the only assumption is a force without noise";
     EXPECT_EQ(document["warnings"][0]["code"], "force_noise_unknown");
     EXPECT_GT(document["coherence"][0]["mean"], 0.9);
   }
@@ -105,10 +106,10 @@ TEST_F(FrfInput, WarnsOfAssumptions) {
   const json document = analysed({file("bare.csv")});
   EXPECT_THAT(document["warnings"].dump(),
               AllOf(HasSubstr("taken as accelerance"), HasSubstr("0° and 90° around the barrel are assumed")));
-  const json told = analysed({file("bare.csv"), "--frf-kind", "accelerance", "--angle", "0,90"});
-  ASSERT_EQ(told["warnings"].size(), 1U);
-  EXPECT_EQ(told["warnings"][0]["code"], "force_noise_unknown");
-  EXPECT_EQ(told["modes"], document["modes"]);
+  const json stated = analysed({file("bare.csv"), "--frf-kind", "accelerance", "--angle", "0,90"});
+  ASSERT_EQ(stated["warnings"].size(), 1U);
+  EXPECT_EQ(stated["warnings"][0]["code"], "force_noise_unknown");
+  EXPECT_EQ(stated["modes"], document["modes"]);
 }
 
 TEST_F(FrfInput, IsDescribedInTheText) {
@@ -174,7 +175,7 @@ TEST_F(FrfInput, FindsTheModesOfTheRecordFromManyPoints) {
   ASSERT_EQ(modes.size(), truth.size());
   for (std::size_t m = 0; m < truth.size(); ++m) {
     EXPECT_NEAR(modes.at(m).at("frequency_hz").get<double>(), truth[m], 1e-3)
-        << "0.6 % of the first is cut off, unknown here";
+        << "the record ends when the first mode has decayed to 0.6 %, which FRFs do not state";
   }
 }
 
@@ -182,7 +183,7 @@ TEST_F(FrfInput, IsRejectedWhereARecordOrASoundIsRequired) {
   ASSERT_EQ(run_percuss({"convert", file("accelerance.csv"), file("frfs.uff")}).code, 0);
   const auto record = run_percuss({"deflect", file("frfs.uff")});
   EXPECT_EQ(record.code, 3);
-  EXPECT_THAT(record.err, HasSubstr("the file holds FRFs, not a record of time"));
+  EXPECT_THAT(record.err, HasSubstr("the file holds FRFs, not a time record"));
   const auto sound = run_percuss({"convert", file("accelerance.csv"), file("frfs.wav")});
   EXPECT_EQ(sound.code, 2);
   EXPECT_THAT(sound.err, HasSubstr("cannot hold FRFs"));

@@ -38,7 +38,7 @@ std::vector<std::string> kinds_in(const std::string& text) {
   return kinds;
 }
 
-// Options that a command requires before it checks its outputs.
+// Required options, with a value each: a command checks them before its outputs.
 const std::vector<std::pair<std::string, std::string>> kNeeded{
     {"--mass", "1"}, {"--positions", "3:1:9"}, {"--profile", "x"}, {"--manifest", "x"}};
 
@@ -73,7 +73,7 @@ TEST(Help, ExplainsEveryOptionInASentence) {
       const std::size_t at = text.find(' ');
       ASSERT_NE(at, std::string::npos) << test::joined(command) << " " << option;
       EXPECT_GT(text.size(), option.size() + 10) << test::joined(command) << ": " << text;
-      EXPECT_THAT(text, testing::Not(HasSubstr("UINT"))) << "a name of the parser's";
+      EXPECT_THAT(text, testing::Not(HasSubstr("UINT"))) << "a type name of the parser";
       EXPECT_THAT(text, testing::Not(HasSubstr("FLOAT")));
     }
   }
@@ -89,7 +89,7 @@ TEST(Help, DescribesEachCommand) {
   }
 }
 
-TEST(Help, IsTheSameByBothNames) {
+TEST(Help, IsTheSameForBothNamesOfTheOption) {
   EXPECT_EQ(test::run_percuss({"model", "beam", "-h"}).out, test::help_of({"model", "beam"}));
   EXPECT_EQ(test::run_percuss({"-h"}).out, test::help_of({}));
 }

@@ -40,7 +40,7 @@ std::vector<std::string> sections_of(const std::string& page) {
 }
 
 /// The visible text of a page: escapes resolved, requests removed, lines joined by blanks.
-std::string read(const std::string& page) {
+std::string visible_text(const std::string& page) {
   std::string out;
   for (std::string line : lines_of(page)) {
     if (line.starts_with(".")) continue;
@@ -94,7 +94,7 @@ TEST(ManCommand, GivesEveryCommandAPageWithItsSections) {
 // The page contains each option, help text and example of --help.
 TEST(ManCommand, ContainsTheTextOfHelp) {
   for (const auto& command : test::commands()) {
-    const std::string page = on_one_line(read(page_of(command)));
+    const std::string page = on_one_line(visible_text(page_of(command)));
     const std::string help = test::help_of(command);
     std::string entry;
     std::size_t entries = 0;
@@ -167,7 +167,7 @@ TEST(ManCommand, RejectsUnknownPages) {
 
 // The exit codes of the pages are those in README.
 TEST(ManCommand, AgreesWithReadmeOnExitCodes) {
-  const std::string page = on_one_line(read(page_of({})));
+  const std::string page = on_one_line(visible_text(page_of({})));
   std::string table;
   for (const std::string& line : lines_of(test::bytes_of(std::string(PERCUSS_SOURCE_DIR) + "/README.md"))) {
     if (line.size() < 5 || line.substr(0, 2) != "| " || line[2] < '0' || line[2] > '9' || line[3] != ' ') continue;

@@ -10,7 +10,7 @@ namespace percuss::metrics_command_test {
 using test::run_percuss;
 using testing::HasSubstr;
 
-constexpr double kRounding = 1e-10;  // into SI and back
+constexpr double kRounding = 1e-10;  // of the conversion to SI units and back
 
 nlohmann::json metrics_of(std::vector<std::string> options) {
   options.insert(options.begin(), {"metrics", "--json"});

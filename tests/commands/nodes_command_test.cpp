@@ -46,7 +46,7 @@ class NodesCommand : public testing::Test {
   inline static std::unique_ptr<test::ScratchFolder> folder_;
 };
 
-constexpr double kNode_in = 0.01;  // noise of a thousandth on a straight line
+constexpr double kNode_in = 0.01;  // tolerance for 0.1 % of noise on a straight shape
 
 TEST_F(NodesCommand, PrintsADocumentThatFitsItsSchema) {
   const auto outcome = nodes({file("scan.h5"), "--positions", "6:0.5:9in", "--json"});

@@ -11,7 +11,7 @@ namespace percuss::protocol_command_test {
 using test::run_percuss;
 using testing::HasSubstr;
 
-// A session of six shots at 6 in, all with these speeds.
+// A session of six shots at 6 in, each in at 136 mph and out at `v_out`.
 std::string six_shots(const std::string& v_out) {
   std::string text = run_percuss({"certify", "--example-table"}).out;
   text = text.substr(0, text.find("z_in,")) + "z_in,ball,ball_g,v_in_mph,v_out_mph,angle_deg\n";
@@ -36,7 +36,7 @@ TEST(CertifyCommand, PrintsAnExampleThatItReads) {
 
 TEST(CertifyCommand, ExitsWithCode5IfTheLimitIsExceeded) {
   const test::ScratchFolder folder;
-  test::write_bytes(folder.file("s.csv"), six_shots("34"));  // 0.252 + 0.5
+  test::write_bytes(folder.file("s.csv"), six_shots("34"));  // BESR = 34/136 + 0.002 (lot correction) + 0.5 = 0.752
   const auto failed =
       run_percuss({"certify", "s.csv", "-o", "s.svg", "-o", "t.csv", "-o", "s.json"}, {.folder = folder.path()});
   EXPECT_EQ(failed.code, 5);

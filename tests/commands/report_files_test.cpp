@@ -43,15 +43,15 @@ std::size_t count_of(const std::string& text, const std::string& what) {
 }
 
 // A command with its input files, and a text that its page must contain.
-struct Reporting {
+struct ReportCase {
   const char* name;
   std::vector<std::string> words;
-  const char* held;
+  const char* contained_text;
 };
 
-void PrintTo(const Reporting& one, std::ostream* out) { *out << one.name; }
+void PrintTo(const ReportCase& one, std::ostream* out) { *out << one.name; }
 
-class ReportFiles : public testing::TestWithParam<Reporting> {
+class ReportFiles : public testing::TestWithParam<ReportCase> {
  protected:
   void SetUp() override {
     test::write_small_test(folder_.file("bat.h5"));
@@ -74,7 +74,7 @@ TEST_P(ReportFiles, ContainAPageInOneFile) {
   run({"-o", "page.html"});
   const std::string page = test::bytes_of(folder_.file("page.html"));
   EXPECT_THAT(page, AllOf(HasSubstr("<!DOCTYPE html>"), HasSubstr("default-src 'none'"), HasSubstr("class=\"verdict\""),
-                          HasSubstr(GetParam().held), HasSubstr("1970-01-01 00:00 UTC")));
+                          HasSubstr(GetParam().contained_text), HasSubstr("1970-01-01 00:00 UTC")));
   EXPECT_THAT(page,
               AllOf(Not(HasSubstr("src=")), Not(HasSubstr("href=")), Not(HasSubstr(">nan")), Not(HasSubstr(" nan"))));
   for (const char* tag : {"table", "section", "figure", "ul", "p", "svg", "details"}) {
@@ -86,7 +86,8 @@ TEST_P(ReportFiles, ContainAPageInOneFile) {
 
 TEST_P(ReportFiles, AreReproducible) {
   for (const char* file : {"page.html", "chart.svg"}) {
-    if (std::string(GetParam().name) == "metrics" && std::string(file) == "chart.svg") continue;  // numbers alone
+    if (std::string(GetParam().name) == "metrics" && std::string(file) == "chart.svg")
+      continue;  // metrics draws no chart
     run({"-o", file});
     const std::string first = test::bytes_of(folder_.file(file));
     EXPECT_GT(first.size(), 1000U);
@@ -102,20 +103,20 @@ TEST_P(ReportFiles, AreReproducible) {
 
 INSTANTIATE_TEST_SUITE_P(
     Commands, ReportFiles,
-    testing::Values(Reporting{"analyze", {"analyze", "bat.h5"}, "hoop 1"},
-                    Reporting{"deflection", {"analyze", "bat.h5", "--only", "modes,deflection"}, "largest deflection"},
-                    Reporting{"frf", {"frf", "bat.h5"}, "data-plot=\"magnitude\""},
-                    Reporting{"deflect", {"deflect", "bat.h5"}, "largest deflection"},
-                    Reporting{"certify", {"certify", "session.json"}, "AS001: shoot"},
-                    Reporting{"abi", {"abi", "log.json"}, "AS333: step 9"},
-                    Reporting{"study", {"study", "bats.csv"}, "BESR of wood bats rises with MOI"},
-                    Reporting{"metrics", {"metrics", "--length-in", "34", "--weight-oz", "31"}, "drop"},
-                    Reporting{"beam", {"model", "beam"}, "torsion spring/free beam"},
-                    Reporting{"impact", {"model", "impact"}, "coefficient of restitution"},
-                    Reporting{"rigid", {"model", "rigid"}, "the ball leaves fastest"},
-                    Reporting{"trampoline", {"model", "trampoline"}, "the COR is largest"},
-                    Reporting{"shell", {"model", "shell"}, "Rayleigh"},
-                    Reporting{"bat", {"model", "bat", "--profile", "bat.txt"}, "data-plot=\"bending\""}),
+    testing::Values(ReportCase{"analyze", {"analyze", "bat.h5"}, "hoop 1"},
+                    ReportCase{"deflection", {"analyze", "bat.h5", "--only", "modes,deflection"}, "largest deflection"},
+                    ReportCase{"frf", {"frf", "bat.h5"}, "data-plot=\"magnitude\""},
+                    ReportCase{"deflect", {"deflect", "bat.h5"}, "largest deflection"},
+                    ReportCase{"certify", {"certify", "session.json"}, "AS001: shoot"},
+                    ReportCase{"abi", {"abi", "log.json"}, "AS333: step 9"},
+                    ReportCase{"study", {"study", "bats.csv"}, "BESR of wood bats rises with MOI"},
+                    ReportCase{"metrics", {"metrics", "--length-in", "34", "--weight-oz", "31"}, "drop"},
+                    ReportCase{"beam", {"model", "beam"}, "torsion spring/free beam"},
+                    ReportCase{"impact", {"model", "impact"}, "coefficient of restitution"},
+                    ReportCase{"rigid", {"model", "rigid"}, "the ball leaves fastest"},
+                    ReportCase{"trampoline", {"model", "trampoline"}, "the COR is largest"},
+                    ReportCase{"shell", {"model", "shell"}, "Rayleigh"},
+                    ReportCase{"bat", {"model", "bat", "--profile", "bat.txt"}, "data-plot=\"bending\""}),
     [](const auto& one) { return std::string(one.param.name); });
 
 class AnalyzeFiles : public testing::Test {
@@ -136,7 +137,7 @@ TEST_F(AnalyzeFiles, DrawTheRequestedPictures) {
                  "magnitude,phase,coherence,force,spectrum,decay,stabilisation,movement"})
                 .code,
             0);
-  EXPECT_EQ(count_of(test::bytes_of(folder_.file("all.svg")), "<svg "), 9U) << "eight within one";
+  EXPECT_EQ(count_of(test::bytes_of(folder_.file("all.svg")), "<svg "), 9U) << "eight pictures within one";
   EXPECT_EQ(run({"analyze", "bat.h5", "-o", "x.svg", "--picture", "nothing"}).code, 2);
 }
 
@@ -181,7 +182,8 @@ TEST(SurveyDrawing, ShowsPointsWithoutLines) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::string svg = test::bytes_of(folder.file("plate.svg"));
   EXPECT_THAT(svg, HasSubstr("Mode shapes"));
-  EXPECT_EQ(count_of(svg, "M"), 2 * 2 * 3U + 2) << "two strokes a point, at rest and moved, and the title twice";
+  EXPECT_EQ(count_of(svg, "M"), 2 * 2 * 3U + 2)
+      << "two strokes for each point of the shape at rest and moved; the title twice";
 }
 
 TEST(SessionPage, EscapesMarkupInNames) {

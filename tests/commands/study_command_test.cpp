@@ -73,7 +73,7 @@ TEST_F(StudyCommand, ReplacesIdsAndWritesTheKey) {
   EXPECT_THAT(outcome.out + bytes_of(folder_.file("blind.csv")),
               testing::Not(testing::AnyOf(HasSubstr("Secret"), HasSubstr("Acme"))));
   EXPECT_THAT(bytes_of(folder_.file("key.csv")), HasSubstr("AS001,Secret,,Acme,"));
-  EXPECT_EQ(study({"t.csv", "--blind", "key.csv"}).code, 3);  // a key is not lost by accident
+  EXPECT_EQ(study({"t.csv", "--blind", "key.csv"}).code, 3);  // an existing key is not overwritten
 }
 
 TEST_F(StudyCommand, RejectsUnusableInput) {

@@ -43,12 +43,12 @@ TEST(Usage, NamesTheNearestCommand) {
                 {{"Calibrate"}, "there is no command 'Calibrate'; did you mean calibrate?"},
                 {{"conv"}, "there is no command 'conv'; did you mean convert?"},
                 {{"help"}, "there is no command 'help'; did you mean --help?"},
-                {{"fly"}, "there is no command 'fly'; percuss --help lists them"},
-                {{""}, "there is no command ''; percuss --help lists them"},
-                {{}, "no command; percuss --help lists them"},
+                {{"fly"}, "there is no command 'fly'; percuss --help lists the commands"},
+                {{""}, "there is no command ''; percuss --help lists the commands"},
+                {{}, "no command is given; percuss --help lists the commands"},
                 {{"model", "baem"}, "there is no command 'model baem'; did you mean model beam?"},
-                {{"model", "moon"}, "there is no command 'model moon'; percuss model --help lists them"},
-                {{"model"}, "no command after percuss model; percuss model --help lists them"}});
+                {{"model", "moon"}, "there is no command 'model moon'; percuss model --help lists the commands"},
+                {{"model"}, "no command after percuss model; percuss model --help lists the commands"}});
 }
 
 TEST(Usage, NamesTheNearestOption) {
@@ -63,11 +63,12 @@ TEST(Usage, NamesTheNearestOption) {
 }
 
 TEST(Usage, SuggestsNothingForADistantWord) {
-  expect_lines({{{"analyze", "x.h5", "--zebra"}, "analyze has no option --zebra; percuss analyze --help lists them"},
-                {{"analyze", "x.h5", "-z"}, "analyze has no option -z; percuss analyze --help lists them"},
-                {{"--zebra"}, "there is no option --zebra; percuss --help lists them"},
-                {{"analyze", "x.h5", "--" + std::string(500, 'b')},
-                 "analyze has no option --" + std::string(38, 'b') + "...; percuss analyze --help lists them"}});
+  expect_lines(
+      {{{"analyze", "x.h5", "--zebra"}, "analyze has no option --zebra; percuss analyze --help lists the options"},
+       {{"analyze", "x.h5", "-z"}, "analyze has no option -z; percuss analyze --help lists the options"},
+       {{"--zebra"}, "there is no option --zebra; percuss --help lists the options"},
+       {{"analyze", "x.h5", "--" + std::string(500, 'b')},
+        "analyze has no option --" + std::string(38, 'b') + "...; percuss analyze --help lists the options"}});
 }
 
 // A mistyped option often causes the other errors.
@@ -132,7 +133,7 @@ TEST(Usage, NamesTheSuperfluousArgument) {
   expect_lines({{{"analyze", "x.h5", "--band", "1:2", "--band", "3:4"}, "--band is given twice; keep one"},
                 {{"synth", "a", "b"}, "synth takes one SPEC, and 'b' is another; omit one"},
                 {{"model", "beam", "x"},
-                 "model beam takes options only, and 'x' is not one; percuss model beam --help lists them"},
+                 "model beam takes options only, and 'x' is not one; percuss model beam --help lists the options"},
                 {{"analyze", "x.h5", "--json=yes"}, "--json takes no value; give it alone, or omit it"}});
 }
 
@@ -145,9 +146,9 @@ TEST(Usage, NamesTheOptionsOfTheRemedy) {
        {{"nodes", "x.h5", "--positions", "3:0.3:9.1"},
         "--positions cannot be '3:0.3:9.1': the end is not a whole number of steps from the start; give START:STEP:END "
         "with a unit (in, m, mm, cm, ft), such as 3:0.25:9in; without a unit, inches"},
-       {{"synth"}, "no spec is given; name a JSON file, a preset, or - for standard input (percuss synth --list)"},
+       {{"synth"}, "no spec is given; name a JSON file, a preset, or - for standard input (see percuss synth --list)"},
        {{"study"},
-        "no table is given; name a table of bats, or analyses that name their bat (percuss analyze --bat-id)"}});
+        "no table is given; name a table of bats, or analyses that name their bat (see percuss analyze --bat-id)"}});
 }
 
 // "--" ends the options, so that the name of a file may look like one.

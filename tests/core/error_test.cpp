@@ -38,6 +38,13 @@ TEST(InputError, AddsItsOptionsInTheNotationOfAnInterface) {
   EXPECT_EQ(InputError("a", "b", "c").written(write), "a (b); c");
 }
 
+TEST(InputError, RefersToOptionsOfOtherCommandsAfterItsOwn) {
+  const OptionWriter write = [](std::string_view id) { return "--" + std::string(id); };
+  EXPECT_EQ(InputError("a", "b", "c", {"x.fs"}).written(write), "a (b); c (see --x.fs)");
+  EXPECT_EQ(InputError("a", "b", "c", {"x.fs", "unit", "y.fs"}).written(write),
+            "a (b); c (--unit; see --x.fs, --y.fs)");
+}
+
 TEST(OneLine, KeepsPrintableTextAndBytesBeyondAscii) {
   EXPECT_EQ(one_line("m/s² at 90°"), "m/s² at 90°");
   EXPECT_EQ(one_line(""), "");

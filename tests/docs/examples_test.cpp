@@ -16,7 +16,7 @@
 #include "support/scratch_folder.hpp"
 #include "synth/synthesise.hpp"
 
-// The examples that --help shows are typed into a shell as they stand there, in a folder with the files that they name.
+// Runs each example of --help in a shell, in a folder with the files that it reads.
 namespace percuss::examples_test {
 
 namespace fs = std::filesystem;
@@ -29,7 +29,7 @@ struct ShellOutcome {
   std::string err;
 };
 
-/// What /bin/sh makes of a line in `folder`, percuss on its path. It stops at the first command that fails.
+/// Runs a line with /bin/sh in `folder`, with percuss on the path. Stops at the first command that fails.
 ShellOutcome run_in_shell(const std::string& line, const std::string& folder) {
   const test::ScratchFolder aside;
   test::write_bytes(aside.file("line"), line + "\n");
@@ -40,7 +40,7 @@ ShellOutcome run_in_shell(const std::string& line, const std::string& folder) {
   return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .err = test::bytes_of(aside.file("err"))};
 }
 
-// A hammer that reads 1 for every N of a mass of 1.25 kg, in the column CH8.
+// A hit on a mass of 1.25 kg. A force of 10 N accelerates it with 8 m/s²; the hammer's column CH8 then reads 1000.
 std::string calibration_hits() {
   std::string hits = "t_s,CH8,acc_m_s2\n";
   for (int i = 0; i < 1000; ++i) {
@@ -50,7 +50,7 @@ std::string calibration_hits() {
   return hits;
 }
 
-/// The folder that the examples find: every file that they name and do not write themselves.
+/// Prepares a folder with every file that the examples read and do not write themselves.
 class Examples : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -79,7 +79,7 @@ class Examples : public testing::Test {
     return folder;
   }
 
-  // Of the files prepared, links: what an example writes does not meet the next one.
+  // Each example runs in a new folder of links to the prepared files, so that it finds no output of another example.
   static void expect_works(const std::string& line) {
     const test::ScratchFolder folder;
     for (const auto& entry : fs::directory_iterator(prepared()->path()))
@@ -90,7 +90,7 @@ class Examples : public testing::Test {
   }
 };
 
-TEST_F(Examples, WorkAsTheyStandThere) {
+TEST_F(Examples, SucceedAsShown) {
   for (const auto& command : test::commands()) {
     for (const std::string& line : test::example_lines(command)) expect_works(line);
   }
@@ -106,8 +106,8 @@ TEST_F(Examples, AreShownForEveryCommandAndUseIt) {
   }
 }
 
-// The checks above would pass if the shell were not asked, or did not tell.
-TEST_F(Examples, AreSeenToFail) {
+// The checks above would also pass if run_in_shell hid failures.
+TEST_F(Examples, ReportFailures) {
   const test::ScratchFolder folder;
   EXPECT_EQ(run_in_shell("percuss analyze none.h5", folder.path()).code, 3);
   EXPECT_EQ(run_in_shell("percuss anaylze; true", folder.path()).code, 2);

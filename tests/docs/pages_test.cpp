@@ -12,7 +12,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-// What the pages say of the command line, held against the command line.
+// Checks the commands, options and links of the pages, and the width of their lines.
 namespace percuss::pages_test {
 
 namespace fs = std::filesystem;
@@ -34,7 +34,7 @@ struct NamedCommand {
   std::vector<std::string> options;
 };
 
-/// The parts of a line of text between `backticks`; of a line of code all of it.
+/// The parts of a line of text between `backticks`, or the whole line if it is code.
 std::vector<std::string> code_in(const std::string& line, bool code) {
   if (code) return {line};
   std::vector<std::string> out;
@@ -76,8 +76,8 @@ std::vector<NamedCommand> commands_of(const std::string& page) {
   return out;
 }
 
-// The help of the command that these words name; of `model beam` and `batch run` both words are the name, of `synth
-// wood-bat` one.
+// The help of the command that the words begin with. `model beam` and `batch run` are names of two words; in `synth
+// wood-bat` only the first word is the name.
 const std::string& help_of(const std::vector<std::string>& words) {
   static std::map<std::string, std::string> known;
   std::vector<std::string> name;
@@ -115,10 +115,10 @@ TEST(Pages, NameCommandsAndOptionsThatExist) {
     commands += commands_of(page).size();
     EXPECT_THAT(wrong_in(page), IsEmpty()) << page;
   }
-  EXPECT_GT(commands, 100U);  // else they are not found any more
+  EXPECT_GT(commands, 100U) << "the search misses commands";
 }
 
-TEST(Pages, AreHeldAgainstTheHelpOfEachCommand) {
+TEST(Pages, AreCheckedAgainstTheHelpOfEachCommand) {
   const test::ScratchFolder folder;
   test::write_bytes(
       folder.file("a.md"),
@@ -128,7 +128,7 @@ TEST(Pages, AreHeldAgainstTheHelpOfEachCommand) {
               testing::ElementsAre("no option --bands of analyze", "no command analyse", "no option --at of model"));
 }
 
-// Links to other pages, without those to the network.
+// Checks links to files; links to the network are skipped.
 TEST(Pages, LinkToFilesThatExist) {
   static const std::regex link(R"(\]\(([^)#]+)(#[^)]*)?\))");
   for (const std::string& page : pages()) {
@@ -141,7 +141,7 @@ TEST(Pages, LinkToFilesThatExist) {
   }
 }
 
-// docs/index.md is where the navigation of the HTML pages comes from, so an unlisted page could not be found.
+// The navigation of the HTML pages comes from docs/index.md. A page that is not listed there has no link.
 TEST(Pages, AreListedInTheIndex) {
   const fs::path index = PERCUSS_SOURCE_DIR "/docs/index.md";
   const std::string text = test::bytes_of(index.string());
@@ -152,7 +152,7 @@ TEST(Pages, AreListedInTheIndex) {
   }
 }
 
-// Characters, not bytes: each but the continuation bytes of UTF-8.
+// The number of characters: all bytes but the continuation bytes of UTF-8.
 std::size_t width_of(const std::string& line) {
   return static_cast<std::size_t>(
       std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
@@ -172,9 +172,7 @@ std::vector<std::string> prose_lines(const std::string& page) {
 
 TEST(Pages, HaveLinesOfAtMost120Characters) {
   constexpr std::size_t kMaxWidth = 120;
-  const std::string generated = "accuracy.md";  // the benchmark writes it
   for (const std::string& page : pages()) {
-    if (page.ends_with(generated)) continue;
     for (const std::string& line : prose_lines(page)) EXPECT_LE(width_of(line), kMaxWidth) << page << ": " << line;
   }
 }

@@ -1,4 +1,4 @@
-// Errors found in published tools, each by name against this library.
+// Checks that percuss does not have the errors that were found in published tools.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ pipeline::Analysis analysis_of(const synth::SynthSpec& spec, pipeline::AnalysisO
   return {synth::synthesise(spec).record, std::move(options)};
 }
 
-// H of the truth at s = jω + decay, where a windowed FRF stands.
+// The exact FRF at s = jω + decay, the line of a windowed FRF.
 Complex exact_at(const synth::Truth& truth, Complex s, std::size_t channel) {
   Complex h = truth.rigid_per_kg[0][channel];
   for (std::size_t m = 0; m < truth.spec.modes.size(); ++m) {
@@ -52,8 +52,8 @@ Complex exact_at(const synth::Truth& truth, Complex s, std::size_t channel) {
 }
 
 TEST(PublishedDefects, AnExponentialWindowDoesNotScaleTheFrf) {
-  // Multiplied by N/Σw it would read 4.65 times too much. Nothing is left of this mode after a second, so that the
-  // windowed FRF is the true one at jω + decay, to what the force's gate leaves out.
+  // A factor N/Σw would make the FRF 4.65 times too large. The mode has decayed after a second, so the windowed FRF is
+  // the exact FRF at jω + decay, except for the force outside the gate.
   constexpr double kGate = 1e-4;
   const synth::SynthSpec spec = second_of({{.freq_Hz = 200, .damping_ratio = 0.02}});
   const synth::Truth truth = synth::synthesise(spec).truth;
@@ -73,13 +73,13 @@ TEST(PublishedDefects, DampingIsCorrectedForTheExponentialWindowExactly) {
   ASSERT_EQ(analysis.modes().size(), 1U);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.damping_ratio / 0.01 - 1), kRounding);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.freq_Hz / 200 - 1), kRounding);
-  // What an uncorrected tool reads stands beside it, under its own name.
+  // damping_ratio_raw is the value that a tool without correction reports.
   const auto document = test::parse_json(report::analysis_json(analysis));
   EXPECT_NEAR(document["modes"][0]["damping_ratio_raw"].get<double>(), 0.0137, 5e-5);
 }
 
 TEST(PublishedDefects, TheBandsBeginningEntersTheImaginaryPartOnly) {
-  // Added to |pole|, a band from 90 Hz makes 101.07 Hz of a mode of 5 % at 100 Hz.
+  // If the band's lower limit of 90 Hz were added to |pole|, a mode of 5 % at 100 Hz would read 101.07 Hz.
   constexpr double kExact = 1e-6;  // relative
   identify::FrfDataset set = test::empty_set(4096, 16384, 90, 400, 1);
   test::add_mode(set, 0, {100, 0.05}, 0.8);
@@ -161,8 +161,8 @@ TEST(PublishedDefects, AFrequencyIsNotQuantisedToABinAndHasItsDeviation) {
 }
 
 TEST(PublishedDefects, ACoherenceAbove1IsNotClipped) {
-  // Our own cannot exceed 1 but by rounding, so that there is nothing to clip: both sides of the fraction are the same
-  // sums. Another tool's can, and is shown as its file has it.
+  // The coherence of percuss exceeds 1 only by rounding, because numerator and denominator come from the same sums. The
+  // coherence of a file may exceed 1 and is kept unchanged.
   constexpr double kRounding = 1e-15;
   using Spectra = std::array<std::vector<Complex>, 2>;
   const Spectra f{{{{0.3, 0.7}, {1, -2}}, {{0.9, 0.1}, {1e-3, 4}}}};

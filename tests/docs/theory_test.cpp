@@ -19,7 +19,7 @@ using testing::IsEmpty;
 
 using Numbers = std::multiset<std::string>;  // "4.7"
 
-/// Numbers at the end of the page's lines of formulas, which are indented by four blanks.
+/// The numbers at the end of the page's equations, which are lines indented by four blanks.
 Numbers defined_in(const std::string& page) {
   static const std::regex at_end(R"(^    .*\((\d+\.\d+)\)$)");
   Numbers numbers;
@@ -38,7 +38,7 @@ Numbers mentioned_in(const std::string& text) {
   return numbers;
 }
 
-/// What follows the word: "theory (4.7), (4.8)", a line's end and the comment's slashes not minded.
+/// The numbers after the word theory: "theory (4.7), (4.8)". Line ends and comment slashes between them are ignored.
 Numbers cited_in(const std::string& source) {
   static const std::regex citation(R"(theory((?:[,\s/]*\(\d+\.\d+\))+))");
   Numbers numbers;
@@ -77,9 +77,10 @@ const std::string& page() {
 
 TEST(Theory, NumbersEachEquationOnce) {
   const Numbers defined = defined_in(page());
-  EXPECT_GT(defined.size(), 80U);  // else they are not found any more
+  EXPECT_GT(defined.size(), 80U) << "the search misses equations";
   for (const std::string& number : defined) EXPECT_EQ(defined.count(number), 1U) << number;
-  EXPECT_THAT(without(mentioned_in(page()), defined), IsEmpty()) << "named in docs/theory/theory.md, where none stands";
+  EXPECT_THAT(without(mentioned_in(page()), defined), IsEmpty())
+      << "mentioned in docs/theory/theory.md, but not defined there";
 }
 
 TEST(Theory, IsCitedByTheCodeThatComputesIt) {
@@ -94,7 +95,7 @@ TEST(Theory, CitationsAreRead) {
   EXPECT_THAT(defined_in("    a = b (1.1), c    (1.2)\nsee (1.3)\n    d\n"), ElementsAre("1.2"));
 }
 
-// The equations of bat performance have a page of their own, in whose tables each begins a line.
+// The equations of bat performance have their own page. Each one begins a row of its tables.
 TEST(Theory, AndTheCodeNameTheSameEquationsOfPerformance) {
   static const std::regex row(R"(^\| (\(P\d+\)) .*)"), name(R"(\(P\d+\))");
   Numbers defined, cited;
@@ -111,7 +112,7 @@ TEST(Theory, AndTheCodeNameTheSameEquationsOfPerformance) {
   EXPECT_THAT(without(defined, cited), IsEmpty()) << "in docs/theory/performance.md, but cited by no code";
 }
 
-// A page without its code, whose brackets are lists.
+// A page without its code: brackets in code are shapes of arrays, not citations.
 std::string prose_of(const std::string& page) {
   static const std::regex code("`[^`]*`");
   std::string prose;
@@ -123,7 +124,7 @@ std::string prose_of(const std::string& page) {
   return prose;
 }
 
-// A source that a page cites stands in the list.
+// Each source that a page cites is listed in docs/theory/sources.md.
 TEST(Theory, CitesSourcesThatAreListed) {
   static const std::regex reference(R"(\[(\d+)\])"), entry(R"(^\[(\d+)\] )");
   std::set<std::string> listed;

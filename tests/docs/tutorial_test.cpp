@@ -25,7 +25,7 @@ struct CommandResult {
   std::vector<std::string> lines;  // of both streams, as a terminal shows them
 };
 
-// In a shell of its own, which is told the exit code of the command before it, so that `echo $?` works.
+// Runs the script in a new shell that starts with the exit code of the previous command, so that `echo $?` works.
 CommandResult run_shell(const std::string& script, const std::string& folder, int code_before) {
   const std::string bin = std::filesystem::path(PERCUSS_EXECUTABLE).parent_path().string();
   const std::string prepared = "exec 2>&1 </dev/null\ncd '" + folder + "' || exit 99\nPATH='" + bin +
@@ -46,11 +46,11 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-/// Runs the commands of a page in an empty folder. What does not print as shown is printed whole, to be looked at and
-/// put into the page.
-void expect_page_to_print_as_shown(const std::string& page, std::size_t least_commands) {
+/// Runs the commands of a page in an empty folder. If an output differs from the page, the test prints the whole output
+/// for pasting into the page.
+void expect_page_to_print_as_shown(const std::string& page, std::size_t min_commands) {
   const auto commands = test::transcript_commands(test::bytes_of(PERCUSS_SOURCE_DIR "/" + page));
-  ASSERT_GE(commands.size(), least_commands) << page << " has lost commands, or their form";
+  ASSERT_GE(commands.size(), min_commands) << page << ": too few commands; check the ```console blocks";
   const test::ScratchFolder folder;
   int code = 0;
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -58,13 +58,12 @@ void expect_page_to_print_as_shown(const std::string& page, std::size_t least_co
     const CommandResult outcome = run_shell(command.script, folder.path(), code);
     code = outcome.code;
     EXPECT_TRUE(matches_transcript(command.expected, outcome.lines))
-        << page << ":" << command.line << " shows something else than what is printed now:\n$ " << command.script
-        << "\n"
+        << page << ":" << command.line << " differs from the output, which is:\n$ " << command.script << "\n"
         << joined(outcome.lines);
-    const bool told = i + 1 < commands.size() && commands[i + 1].script == "echo $?";
-    EXPECT_TRUE(code == 0 || told) << page << ":" << command.line << ": exit code " << code << " of\n$ "
-                                   << command.script << "\n"
-                                   << joined(outcome.lines);
+    const bool code_is_shown = i + 1 < commands.size() && commands[i + 1].script == "echo $?";
+    EXPECT_TRUE(code == 0 || code_is_shown)
+        << page << ":" << command.line << ": exit code " << code << " of\n$ " << command.script << "\n"
+        << joined(outcome.lines);
   }
 }
 
@@ -113,7 +112,7 @@ TEST(ConsolePage, LeavesLinesOutWhereDotsStandForThem) {
   EXPECT_FALSE(matches_transcript({}, {"a"}));
 }
 
-// How many commands each page has at the least: a page whose blocks lost their form would pass by running nothing.
+// The minimum number of commands of each page: a page with malformed blocks would pass without running any command.
 TEST(Tutorial, OfABatPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/bat.md", 12); }
 TEST(Tutorial, OfASurveyPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/survey.md", 6); }
 TEST(Tutorial, OfADeflectionPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/deflection.md", 8); }

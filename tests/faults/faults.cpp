@@ -1,4 +1,4 @@
-// Preloaded into percuss by the tests: makes calls of the system fail.
+// The tests preload this library into percuss. It makes allocations and writes fail.
 //   PERCUSS_FAULT_ALLOCATION=N  the N-th allocation of each process fails
 //   PERCUSS_FAULT_WRITE=N       the N-th write and all later ones fail: the disk is full
 //   PERCUSS_FAULT_SHORT=N       no write accepts more than N bytes

@@ -45,7 +45,8 @@ Complex true_frf(std::size_t line) {
   return std::polar(0.5 + static_cast<double>(line % 7), 0.3 * static_cast<double>(line));
 }
 
-/// Hits of unlike forces whose responses follow true_frf; noise powers beside a force of mean square 1.
+/// Hits of different forces of mean square 1, whose responses follow true_frf. The noise powers are relative to the
+/// force.
 Hits simulated(std::size_t hits, std::size_t lines, double force_noise, double accel_noise, std::uint64_t seed = 1) {
   Noise noise(seed);
   Hits out{std::vector<Lines>(hits, Lines(lines)), std::vector<Lines>(hits, Lines(lines))};
@@ -63,7 +64,8 @@ TEST(EstimateFrf, FollowsItsEquationsOnTwoHits) {
   const Hits hits{{{1.0}, {1.0}}, {{2.0}, {4.0}}};  // G_ff = 2, G_aa = 20, G_fa = 6
   EXPECT_DOUBLE_EQ(hits.frf(Estimator::h1).value[0].real(), 3);
   EXPECT_DOUBLE_EQ(hits.frf(Estimator::h2).value[0].real(), 20.0 / 6);
-  EXPECT_DOUBLE_EQ(hits.frf(Estimator::hv).value[0].real(), std::sqrt(10.0));  // scaled alike, the line at 45°
+  // Hv scales both channels to equal power, so that its line is at 45°.
+  EXPECT_DOUBLE_EQ(hits.frf(Estimator::hv).value[0].real(), std::sqrt(10.0));
   EXPECT_DOUBLE_EQ(hits.frf(Estimator::h1).coherence[0], 0.9);
   EXPECT_DOUBLE_EQ(hits.frf(Estimator::h1).std[0], 1);
   EXPECT_EQ(hits.frf(Estimator::h1).averages, 2U);
@@ -173,7 +175,7 @@ TEST(Coherence, OfUnrelatedNoiseIsOneOverTheHits) {
   }
 }
 
-TEST(Coherence, OfManyHitsIsThatOfTheirNoise) {
+TEST(Coherence, OfManyHitsFollowsFromTheirNoise) {
   constexpr double kHits = 2000, kLineCount = 50;
   const Frf frf = simulated(2000, 50, 0.25, 0.5).frf(Estimator::h1);
   const double exact = 1 / (1.25 * 1.5);
@@ -183,7 +185,7 @@ TEST(Coherence, OfManyHitsIsThatOfTheirNoise) {
 }
 
 TEST(FrfStd, IsTheDeviationFromTheTruth) {
-  constexpr double kRepetitions = 20000, kHits = 5;  // each line is one
+  constexpr double kRepetitions = 20000, kHits = 5;  // each line is one repetition
   Noise noise(11);
   Hits hits{std::vector<Lines>(5, Lines(20000)), std::vector<Lines>(5, Lines(20000))};
   const Complex truth(-2, 1);

@@ -7,7 +7,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-// Calls of the system fail: no memory, a full disk, short writes.
+// Allocations and writes fail: no memory, a full disk, short writes.
 namespace percuss::faults_test {
 
 namespace fs = std::filesystem;
@@ -85,10 +85,10 @@ TEST_F(Faults, OfAddressSpaceDoNotChangeASmallTest) {
   const std::vector<std::string> arguments{"analyze", inputs.file("record.h5"), "--json", "--threads", "1"};
   const ProcessOutcome free = test::run_percuss(arguments);
   ASSERT_EQ(free.code, 0) << free.err;
-  for (const std::size_t most_MiB : {150U, 300U, 600U, 700U, 1000U}) {
-    const ProcessOutcome limited = test::run_percuss(arguments, {.most_address_bytes = most_MiB << 20U});
-    EXPECT_EQ(limited.code, 0) << most_MiB << " MiB: " << limited.err;
-    EXPECT_TRUE(limited.out == free.out) << most_MiB << " MiB";
+  for (const std::size_t max_MiB : {150U, 300U, 600U, 700U, 1000U}) {
+    const ProcessOutcome limited = test::run_percuss(arguments, {.max_address_bytes = max_MiB << 20U});
+    EXPECT_EQ(limited.code, 0) << max_MiB << " MiB: " << limited.err;
+    EXPECT_TRUE(limited.out == free.out) << max_MiB << " MiB";
   }
 }
 

@@ -17,9 +17,9 @@ namespace percuss::large_record_test {
 constexpr hsize_t kSamples = 89'500'000, kHits = 9, kHitEvery = 9'900'000;
 constexpr double kForce_bytes = kSamples * 8.0;
 #ifdef PERCUSS_SANITIZED
-constexpr std::size_t kMostMemory_bytes = 400'000'000;  // sanitizers keep data about accesses and freed memory
+constexpr std::size_t kMaxMemory_bytes = 400'000'000;  // sanitizers keep data about accesses and freed memory
 #else
-constexpr std::size_t kMostMemory_bytes = 120'000'000;
+constexpr std::size_t kMaxMemory_bytes = 120'000'000;
 #endif
 
 /// A data set of zeros; only written values take space on the disk.
@@ -95,7 +95,7 @@ TEST_F(LargeRecord, HitsTakeLittleMemory) {
                                          {.environment = {"ASAN_OPTIONS=quarantine_size_mb=1"}});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(test::parse_json(outcome.out)["hits"].size(), kHits);
-  EXPECT_LT(outcome.peak_bytes, kMostMemory_bytes);
+  EXPECT_LT(outcome.peak_bytes, kMaxMemory_bytes);
 }
 
 }  // namespace percuss::large_record_test

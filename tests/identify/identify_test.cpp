@@ -11,7 +11,7 @@
 
 namespace percuss::identify::identify_test {
 
-// Standard deviations. One of a few hundred errors beyond this limit is not chance.
+// Standard deviations. Among a few hundred errors, one beyond this limit is not chance.
 constexpr double kDeviations = 4.5;
 
 struct Pair {

@@ -9,7 +9,7 @@
 
 namespace percuss::identify::multi_output_test {
 
-constexpr double kDeviations = 4.5;
+constexpr double kDeviations = 4.5;  // standard deviations
 constexpr std::size_t kChannels = 30;
 const std::vector<Pole> kTruth{{300.3, 0.01}, {306, 0.009}, {420, 0.006}};
 

@@ -10,7 +10,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/random_stream.hpp"
 
-namespace percuss::identify::crowd_test {
+namespace percuss::identify::spurious_peaks_test {
 
 constexpr double kGainNoise = 0.05;
 constexpr double kLineNoise = 0.01;  // of peaks of some hundred
@@ -50,4 +50,4 @@ TEST(IdentifyModes, KeepsTheModesWithAPeakWhenTheResidualHasManyPeaks) {
   }
 }
 
-}  // namespace percuss::identify::crowd_test
+}  // namespace percuss::identify::spurious_peaks_test

@@ -18,8 +18,8 @@ struct Cell {
   Expectation expected{};
   std::string defect{};
   std::size_t runs = 1, full_runs = 1;
-  double exponential_end = 0;  // as AnalysisOptions
-  bool calibrated = false;     // as Result
+  double exponential_end = 0;  // AnalysisOptions::exponential_end
+  bool calibrated = false;     // Result::calibrated
 };
 Check check_of(Cell cell);
 

@@ -37,7 +37,7 @@ struct Check {
   std::size_t full_runs = 1;
   std::function<Result(std::uint64_t run)> run;
   std::function<acquire::Record(std::uint64_t run)>
-      record{};  // the analysed record, for writing to a file; may be empty
+      record{};  // for writing the analysed record to a file; may be empty
 };
 
 }  // namespace percuss::stress

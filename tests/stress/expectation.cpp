@@ -14,9 +14,9 @@ constexpr double kNear = 3;               // bandwidths within which a reported 
 
 double width_Hz(const identify::Pole& pole) { return 2 * pole.damping_ratio * pole.freq_Hz; }
 
-bool told(const TrueMode& mode) { return mode.damping_bound <= kMaxDampingBound * mode.pole.damping_ratio; }
+bool is_resolvable(const TrueMode& mode) { return mode.damping_bound <= kMaxDampingBound * mode.pole.damping_ratio; }
 
-bool told_apart(const TrueMode& a, const TrueMode& b) {
+bool are_separable(const TrueMode& a, const TrueMode& b) {
   const double apart_Hz = std::abs(a.pole.freq_Hz - b.pole.freq_Hz);
   // The centre of a close pair is known well, its distance badly: the two errors are opposite, and add up.
   return apart_Hz > kRoundingOfPole * a.pole.freq_Hz && apart_Hz > kMinSeparation * (a.freq_bound_Hz + b.freq_bound_Hz);
@@ -32,7 +32,7 @@ Miss miss_of(const identify::Mode& mode, const identify::Pole& truth) {
 
 double worse(const Miss& miss) { return std::max(miss.freq_sigmas, miss.damping_sigmas); }
 
-bool meant_for(const identify::Mode& mode, const identify::Pole& truth) {
+bool is_candidate_for(const identify::Mode& mode, const identify::Pole& truth) {
   const double off_Hz = std::abs(mode.pole.freq_Hz - truth.freq_Hz);
   return off_Hz <= std::max(kNear * width_Hz(truth), kMaxSigmas * mode.freq_std_Hz);
 }
@@ -89,15 +89,15 @@ class Judge {
   }
 
   bool must_be_found(const TrueMode& mode) const {
-    if (expected_.demand == Demand::as_the_bound_allows) return told(mode);
+    if (expected_.demand == Demand::as_the_bound_allows) return is_resolvable(mode);
     return expected_.demand == Demand::all;
   }
 
   // A mode and its inseparable neighbours.
   std::pair<std::size_t, std::size_t> cluster(std::size_t t) const {
     std::size_t first = t, last = t;
-    while (first > 0 && !told_apart(truth_[first - 1], truth_[first])) --first;
-    while (last + 1 < truth_.size() && !told_apart(truth_[last], truth_[last + 1])) ++last;
+    while (first > 0 && !are_separable(truth_[first - 1], truth_[first])) --first;
+    while (last + 1 < truth_.size() && !are_separable(truth_[last], truth_[last + 1])) ++last;
     return {first, last};
   }
 
@@ -126,7 +126,7 @@ class Judge {
     std::vector<Pair> pairs;
     for (std::size_t m = 0; m < outcome_.modes.size(); ++m) {
       for (std::size_t t = 0; t < truth_.size(); ++t) {
-        if (meant_for(outcome_.modes[m], truth_[t].pole))
+        if (is_candidate_for(outcome_.modes[m], truth_[t].pole))
           pairs.push_back({worse(miss_of(outcome_.modes[m], truth_[t].pole)), m, t});
       }
     }
@@ -147,7 +147,7 @@ class Judge {
       const identify::Mode& mode = outcome_.modes[m];
       const std::size_t t = of_mode_[m];
       if (t == truth_.size()) {
-        if (!warned_) fail("no such mode: " + words(mode));
+        if (!warned_) fail("spurious mode: " + words(mode));
         continue;
       }
       const auto [first, last] = cluster(t);
@@ -184,7 +184,8 @@ class Judge {
     result_.damping_absolute = std::max(result_.damping_absolute, damping_absolute);
     const auto of_truth = fmt::format("{} for {:.9g} Hz, {:.6g}", words(mode), truth.freq_Hz, truth.damping_ratio);
     if (!warned_ && !(worse(miss) <= kMaxSigmas))
-      fail(fmt::format("{:.1f} and {:.1f} deviations off: {}", miss.freq_sigmas, miss.damping_sigmas, of_truth));
+      fail(fmt::format("{:.1f} and {:.1f} standard deviations off: {}", miss.freq_sigmas, miss.damping_sigmas,
+                       of_truth));
     if (expected_.freq_relative && !(freq_relative <= *expected_.freq_relative))
       fail(fmt::format("frequency off by {:.2g}: {}", freq_relative, of_truth));
     if (expected_.damping_absolute && !(damping_absolute <= *expected_.damping_absolute))
@@ -206,7 +207,7 @@ std::string text_of(const Expectation& expected) {
   if (expected.exit_code != 0) return fmt::format("exit {}: {}", expected.exit_code, expected.reason);
   std::string text = expected.demand == Demand::all                   ? "all modes, within 5σ"
                      : expected.demand == Demand::as_the_bound_allows ? "what the bound allows, within 5σ"
-                                                                      : "what is reported within 5σ";
+                                                                      : "every reported mode within 5σ";
   if (expected.freq_relative) text += fmt::format(", frequency to {:.0e}", *expected.freq_relative);
   if (expected.damping_absolute) text += fmt::format(", damping ratio to {:.0e}", *expected.damping_absolute);
   for (const std::string& code : expected.says) text += ", says " + code;

@@ -17,7 +17,7 @@ inline constexpr double kRoundingOfPole = 1e-9;
 inline constexpr double kMaxSigmas = 5;
 
 enum class Demand {
-  as_the_bound_allows,  // every mode that the Cramér–Rao bound makes resolvable (Resolvable)
+  as_the_bound_allows,  // every resolvable mode, by its Cramér–Rao bound (judge)
   all,
   none  // every reported mode must be right
 };
@@ -45,8 +45,8 @@ std::vector<TrueMode> true_modes(const synth::Truth& truth);
 
 /// Compares an outcome with the truth.
 ///   resolvable  A mode is resolvable when the bound of its damping is at most a tenth of the damping. Two modes are
-///               separable when their distance is at least ten times its bound. One mode within the range of
-///               inseparable modes is right as well, and so is no mode for one that is not resolvable.
+///               separable when their distance exceeds ten times the sum of their bounds. One mode within the range
+///               of inseparable modes is also right. A mode that is not resolvable may be missing.
 ///   wrong       An error above kMaxSigmas, a spurious mode, or a missing resolvable mode, unless the warning of
 ///               unmodelled peaks names its frequency.
 Result judge(const CommandResult& outcome, const std::vector<TrueMode>& truth, const Expectation& expected);

@@ -29,7 +29,7 @@ void compare(const CommandResult& before, const CommandResult& after, const Chan
     const double off = std::abs(a - b);
     if (!(off <= change.tolerance * std)) {
       result.failures.push_back(
-          fmt::format("{} of mode {} is {:.12g}, was {:.12g}: {:.2g} deviations", what, m, b, a, off / std));
+          fmt::format("{} of mode {} is {:.12g}, was {:.12g}: {:.2g} standard deviations", what, m, b, a, off / std));
     }
   };
   if (before.exit_code != 0 || after.exit_code != 0)
@@ -63,7 +63,7 @@ using Altered = std::function<acquire::Record(const acquire::Record&)>;
 
 Check invariant(const std::string& name, const Change& change, const Altered& altered, double freq = 1) {
   Check check{.group = "invariance", .name = name, .runs = 2, .full_runs = 16};
-  check.expectation = change.tolerance > 0 ? fmt::format("the same modes to {:g} deviations", change.tolerance)
+  check.expectation = change.tolerance > 0 ? fmt::format("the same modes to {:g} standard deviations", change.tolerance)
                                            : "the same modes, every bit";
   check.run = [=](std::uint64_t run) {
     const synth::SynthSpec spec = spec_of(run);

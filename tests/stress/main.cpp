@@ -79,7 +79,7 @@ void write_table(const std::string& path, const std::string& tables) {
 }
 
 std::string words(const Coverage& coverage) {
-  if (coverage.modes == 0) return "no intervals to hold against the truth";
+  if (coverage.modes == 0) return "no intervals to compare with the truth";
   return fmt::format("95 % intervals hold the truth in {:.1f} % (frequency) and {:.1f} % (damping ratio) of {} modes",
                      100 * coverage.of_freq(), 100 * coverage.of_damping(), coverage.modes);
 }
@@ -95,7 +95,8 @@ int run(const Options& options) {
     return exact ? full_name(check) != options.only : full_name(check).find(options.only) == std::string::npos;
   });
   if (!options.record.empty()) {
-    if (checks.size() != 1) throw std::invalid_argument(fmt::format("--only chooses {} cells", checks.size()));
+    if (checks.size() != 1)
+      throw std::invalid_argument(fmt::format("--record needs one cell, --only selects {}", checks.size()));
     acquire::write_record(options.record, checks.front().record(options.record_run), true);
     return 0;
   }
@@ -107,7 +108,7 @@ int run(const Options& options) {
     add(coverage, summary.coverage);
     if (summary.failed()) ++(summary.known() ? known : failed);
     if (!summary.failed() && summary.known() && options.full)
-      std::cout << "      no longer fails: can its defect be struck out?\n";
+      std::cout << "      no longer fails; remove its defect from the cell\n";
   }
   const std::string end = fmt::format("{} cells: {} as expected, {} with known defects, {} fail. ", summaries.size(),
                                       summaries.size() - known - failed, known, failed) +

@@ -11,10 +11,10 @@
 namespace percuss::stress {
 namespace {
 
-// As documented in docs/conventions and the manual.
+// The exit codes that README.md and the manual list.
 constexpr int kInternal = 1, kBadInput = 3, kImpossible = 4;
 
-bool deviation(double x) { return std::isfinite(x) && x > 0; }
+bool usable_std(double x) { return std::isfinite(x) && x > 0; }
 
 bool usable(const identify::Residue& residue) {
   return std::isfinite(residue.value.real()) && std::isfinite(residue.value.imag()) && std::isfinite(residue.std) &&
@@ -27,7 +27,7 @@ void note_findings(const pipeline::Analysis& analysis, std::set<std::string>& sa
   }
 }
 
-// "… mode stands for: 1518 Hz (-23 dB), 1521.2 Hz (-25 dB). …"
+// Reads the frequencies from "no mode models these peaks: 1518 Hz (-23 dB), 1521.2 Hz (-25 dB). …".
 std::vector<double> frequencies_of(const std::string& message) {
   std::vector<double> freq_Hz;
   static const std::regex kPlace("([0-9.e+]+) Hz \\(");
@@ -71,13 +71,13 @@ CommandResult analyse(acquire::Record record, const pipeline::AnalysisOptions& o
 std::string unusable_number(const std::vector<identify::Mode>& modes) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
     const identify::Mode& mode = modes[m];
-    const auto named = [m](const char* what) { return fmt::format("{} of mode {} is no number", what, m); };
+    const auto named = [m](const char* what) { return fmt::format("{} of mode {} is not usable", what, m); };
     if (!(std::isfinite(mode.pole.freq_Hz) && mode.pole.freq_Hz > 0)) return named("frequency");
     if (!(std::isfinite(mode.pole.damping_ratio) && mode.pole.damping_ratio > 0)) return named("damping ratio");
-    if (!deviation(mode.freq_std_Hz)) return named("deviation of the frequency");
-    if (!deviation(mode.damping_std)) return named("deviation of the damping ratio");
+    if (!usable_std(mode.freq_std_Hz)) return named("standard deviation of the frequency");
+    if (!usable_std(mode.damping_std)) return named("standard deviation of the damping ratio");
     for (const identify::Residue& residue : mode.residues) {
-      if (!usable(residue)) return named("a residue");
+      if (!usable(residue)) return named("residue");
     }
   }
   return {};

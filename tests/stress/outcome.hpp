@@ -21,7 +21,8 @@ struct CommandResult {
 
 CommandResult analyse(acquire::Record record, const pipeline::AnalysisOptions& options);
 
-/// "frequency of mode 2" for a mode with NaN or without a standard deviation; empty without such a mode.
+/// "frequency of mode 2 is not usable" for a number that is not finite or out of range, or a missing standard
+/// deviation; empty if all numbers are usable.
 std::string unusable_number(const std::vector<identify::Mode>& modes);
 
 }  // namespace percuss::stress

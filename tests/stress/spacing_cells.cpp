@@ -51,7 +51,7 @@ std::vector<Cell> spacing_cells() {
     Cell cell{.group = "spacing",
               .name = fmt::format("repeated root, {:g} dB", snr_dB),
               .spec = pair_of({1000, 0.01, 0}),
-              .expected = {.text = "one mode for the two (one struck point cannot tell them), within 5σ",
+              .expected = {.text = "one mode for the two (one struck point cannot separate them), within 5σ",
                            .demand = Demand::all}};
     cell.spec.noise.accel = ratio_of_dB(snr_dB);
     cell.runs = 4;

@@ -49,7 +49,7 @@ std::vector<Cell> nodes() {
   one.spec.noise.accel = 1e-3;
   Cell both = one;
   both.name = "both sensors on nodes of a mode";
-  both.expected.text = "the other mode within 5σ, nothing else (no signal holds it)";
+  both.expected.text = "the other mode within 5σ, nothing else (no signal contains it)";
   both.spec.modes[1].residue_per_kg = {0, 0};
   Cell near = one;
   near.name = "both sensors near nodes, 1e-4 of the antinode";

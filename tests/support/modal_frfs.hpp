@@ -11,8 +11,8 @@ namespace percuss::test {
 /// force is exact, without a force window or baseline. `decay_per_s` is the decay of an exponential window.
 identify::FrfDataset frf_set_of(const acquire::Record& record, double low_Hz, double high_Hz, double decay_per_s = 0);
 
-/// FRFs of zeros for one point and `channels` FRF channels, from a force of one sample. The spectral lines belong to a
-/// record so long that a mode of more than 5 bandwidths per hertz has decayed at its end.
+/// FRFs of zeros for one point and `channels` FRF channels, from a force of one sample. `samples` is the length of the
+/// record and sets the line spacing. A mode with a half-power bandwidth of 5 lines decays to 2e-7 within the record.
 identify::FrfDataset empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels);
 
 /// The FRF of one mode, by its definition.

@@ -56,9 +56,9 @@ std::vector<char*> c_strings(std::vector<std::string>& texts) {
   const int output = options.output.empty() ? out.ends[1] : ::open(options.output.c_str(), O_WRONLY | O_CLOEXEC);
   bool ready = program >= 0 && ::dup2(input, 0) == 0 && ::dup2(output, 1) == 1 && ::dup2(err.ends[1], 2) == 2;
   ready = ready && (options.folder.empty() || ::chdir(options.folder.c_str()) == 0);
-  if (options.most_address_bytes > 0) {
-    const rlimit most{.rlim_cur = options.most_address_bytes, .rlim_max = options.most_address_bytes};
-    ready = ready && ::setrlimit(RLIMIT_AS, &most) == 0;
+  if (options.max_address_bytes > 0) {
+    const rlimit limit{.rlim_cur = options.max_address_bytes, .rlim_max = options.max_address_bytes};
+    ready = ready && ::setrlimit(RLIMIT_AS, &limit) == 0;
   }
   if (options.ordinary_user && ::geteuid() == 0) ready = ready && give_up_root_rights();
   if (ready) ::fexecve(program, arguments, environment);

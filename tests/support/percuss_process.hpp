@@ -13,7 +13,7 @@ struct ProcessOptions {
   std::string folder;                      // working folder; empty: the current one
   std::vector<std::string> environment{};  // NAME=VALUE, in addition to the current environment
   bool ordinary_user = false;              // drop root's privileges first
-  std::size_t most_address_bytes = 0;      // limit of the address space; 0: the current limit
+  std::size_t max_address_bytes = 0;       // limit of the address space; 0: the current limit
   std::chrono::seconds limit{110};         // sanitizers make programs twenty times slower
 };
 

@@ -20,8 +20,8 @@ SynthSpec single_mode() {
 }
 
 TEST(CramerRaoBound, MatchesTheTextbookForOneLightlyDampedMode) {
-  // A decay a e^−σt cos(ωt + φ), φ known, seen until it is over in white noise s at interval Δ: the Fisher matrix of
-  // (a, σ, ω) gives
+  // A decay a e^−σt cos(ωt + φ) with known φ, recorded to its end with white noise s at intervals Δ. The Fisher matrix
+  // of (a, σ, ω) gives
   //   var ω = 8σ³ s²Δ/a²,  var σ = 16σ³ s²Δ/a²
   const SynthSpec spec = single_mode();
   const SyntheticTest test = synthesise(spec);
@@ -32,7 +32,7 @@ TEST(CramerRaoBound, MatchesTheTextbookForOneLightlyDampedMode) {
   const double spectrum = 0.5 * hit.peak_N * hit.width_s * std::sin(pi * turns) / (pi * turns) / (1 - turns * turns);
   const double amplitude = 0.8 * omega * spectrum;
   const double scale = std::sqrt(8 * std::pow(sigma, 3) / spec.fs_Hz) * test.truth.accel_noise_mps2[0] / amplitude;
-  constexpr double kTolerance = 0.01;  // a few times ζ: light damping, and the phase's own dependence on the pole
+  constexpr double kTolerance = 0.01;  // a few times ζ: neglected terms of the damping, and of the phase
   EXPECT_LE(std::abs(test.truth.bound->freq_std_Hz[0] / (scale / (2 * pi)) - 1), kTolerance);
   EXPECT_LE(std::abs(test.truth.bound->damping_ratio_std[0] / (scale * std::sqrt(2) / omega) - 1), kTolerance);
 }

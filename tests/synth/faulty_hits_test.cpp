@@ -55,7 +55,7 @@ TEST(DoubleHit, AddsASecondPulseAfterTheDelay) {
     const std::size_t n = basis.first + i;
     ASSERT_LE(std::abs(with[n] - without[n] - basis.force_N[i]), kTolerance);
   }
-  EXPECT_EQ(force(bad, 0), force(good, 0));  // the other hits are what they were
+  EXPECT_EQ(force(bad, 0), force(good, 0));  // the other hits do not change
   EXPECT_EQ(accel(bad, 2), accel(good, 2));
 }
 
@@ -162,9 +162,9 @@ TEST(RandomStream, NormalsHaveTheirMoments) {
     fourth += std::pow(v / 2, 4);
   }
   const auto n = static_cast<double>(x.size());
-  EXPECT_LE(std::abs(mean / n), 5 / std::sqrt(n));             // five deviations each: 1,
-  EXPECT_LE(std::abs(second / n - 1), 5 * std::sqrt(2 / n));   // √2
-  EXPECT_LE(std::abs(fourth / n - 3), 5 * std::sqrt(96 / n));  // and √96 over √n
+  EXPECT_LE(std::abs(mean / n), 5 / std::sqrt(n));             // five standard deviations each: 1/√n,
+  EXPECT_LE(std::abs(second / n - 1), 5 * std::sqrt(2 / n));   // √(2/n),
+  EXPECT_LE(std::abs(fourth / n - 3), 5 * std::sqrt(96 / n));  // √(96/n)
 }
 
 }  // namespace percuss::synth::synth_fault_test

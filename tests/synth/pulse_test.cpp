@@ -15,8 +15,8 @@ namespace percuss::synth::synth_pulse_test {
 
 constexpr double kFs_Hz = 25600;
 
-/// Five-point Gauss rule on panels of a quarter sample: the integrands turn by less than 0.4 rad from a panel's middle
-/// to its edge, which leaves about 1e-13.
+/// Five-point Gauss rule on panels of a quarter sample: the phases of the integrands change by less than 0.4 rad from a
+/// panel's middle to its edge, which limits the error to about 1e-13.
 double integral(double from, double to, const std::function<double(double)>& f) {
   static constexpr std::array kX{-0.906179845938664, -0.538469310105683, 0.0, 0.538469310105683, 0.906179845938664};
   static constexpr std::array kW{0.236926885056189, 0.478628670499366, 0.568888888888889, 0.478628670499366,
@@ -44,8 +44,8 @@ double peak(const std::vector<double>& values) {
 class EveryPulse : public testing::TestWithParam<PulseKind> {};
 
 TEST_P(EveryPulse, ImpulseIsTheIntegralOfItsForce) {
-  const Pulse pulse{GetParam(), 0, 10, 3};  // ten "seconds": panels of `integral` are a quarter
-  constexpr double kTolerance = 1e-12;      // the rule's
+  const Pulse pulse{GetParam(), 0, 10, 3};  // 10 s, because the panels of `integral` are 1/4 wide
+  constexpr double kTolerance = 1e-12;      // error of the quadrature
   EXPECT_LE(std::abs(integral(0, 10, [&](double t) { return pulse_force_N(pulse, t); }) - pulse_impulse_Ns(pulse)),
             kTolerance);
   EXPECT_EQ(pulse_force_N(pulse, 5), 3);
@@ -57,8 +57,7 @@ TEST_P(EveryPulse, KeepsItsImpulseInTheFilter) {
   const Pulse pulse{GetParam(), 0.0051337, 0.35e-3, 250};
   const PulseBasis basis = pulse_basis(pulse, kFs_Hz, {}, 0, 1024);
   const double sum = std::accumulate(basis.force_N.begin(), basis.force_N.end(), 0.0) / kFs_Hz;
-  constexpr double kTolerance =
-      1e-13;  // the filter passes 0 Hz exactly and stops fs, the first alias of it; rounding is left
+  constexpr double kTolerance = 1e-13;  // rounding: the filter passes 0 Hz exactly and stops its first alias, fs
   EXPECT_LE(std::abs(sum / pulse_impulse_Ns(pulse) - 1), kTolerance);
 }
 
@@ -78,7 +77,7 @@ TEST_P(EveryPulse, MatchesANumericalConvolution) {
   const auto response = [&](double tau) {
     return integral(0, std::min(tau, width), [&](double v) { return impulse_response(tau - v) * shape(v); });
   };
-  constexpr double kTolerance = 1e-11;  // of the peak: that of the quadrature in this test
+  constexpr double kTolerance = 1e-11;  // of the peak: error of the quadrature in this test
   for (const std::size_t n : {100U, 130U, 134U, 138U, 160U, 201U, 203U, 260U}) {
     const double t = static_cast<double>(n) - onset, from = std::max(0.0, t - kFilterHalfWidth),
                  to = t + kFilterHalfWidth;
@@ -115,8 +114,8 @@ TEST(Pulse, TruncatesADecayOnlyBelowRounding) {
   const PulseBasis basis =
       pulse_basis({PulseKind::halfsine, 0.005, 0.4e-3, 300}, kFs_Hz, std::array{SynthPole{2000, 0.05}}, 0, 20000);
   EXPECT_LT(basis.regular_N[0].size(), 5000U);
-  constexpr double kForgotten = 1e-17;  // of the peak: a tenth of what a double could add to it
-  EXPECT_LE(std::abs(basis.regular_N[0].back()), kForgotten * peak(basis.regular_N[0]));
+  constexpr double kTruncated = 1e-17;  // of the peak: a tenth of the rounding of a double
+  EXPECT_LE(std::abs(basis.regular_N[0].back()), kTruncated * peak(basis.regular_N[0]));
 }
 
 TEST(Pulse, DoesNotDependOnTheRangeOfSamples) {

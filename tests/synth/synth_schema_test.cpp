@@ -13,21 +13,20 @@ using test::schema_named;
 using test::schema_violations;
 using testing::IsEmpty;
 
-json with_comments(std::string_view text) { return json::parse(text.begin(), text.end(), nullptr, true, true); }
+json json_without_comments(std::string_view text) { return json::parse(text.begin(), text.end(), nullptr, true, true); }
 
 TEST(SynthSchema, AcceptsEveryPresetAndTheExample) {
   const json schema = schema_named("synth");
   for (const SynthPreset& preset : synth_presets()) {
-    EXPECT_THAT(schema_violations(with_comments(preset.text), schema), IsEmpty()) << preset.name;
+    EXPECT_THAT(schema_violations(json_without_comments(preset.text), schema), IsEmpty()) << preset.name;
   }
-  EXPECT_THAT(schema_violations(with_comments(synth_example()), schema), IsEmpty());
+  EXPECT_THAT(schema_violations(json_without_comments(synth_example()), schema), IsEmpty());
 }
 
 TEST(SynthSchema, HasTheKeysOfTheReader) {
-  // A key of the schema that the reader does not know would be refused as unknown; the reverse is in the example, which
-  // has them all.
+  // The example has every key, and the schema accepts it. Reader and schema both refuse an unknown key.
   const json schema = schema_named("synth");
-  json document = with_comments(synth_example());
+  json document = json_without_comments(synth_example());
   EXPECT_THAT(schema_violations(document, schema), IsEmpty());
   document["sampels"] = 3;
   EXPECT_EQ(schema_violations(document, schema).size(), 1U);

@@ -12,7 +12,7 @@ namespace percuss::synth::synth_record_test {
 
 using std::numbers::pi;
 
-/// Decays to e^−27 within its rows.
+/// A bat whose slowest mode decays to e^−27 within a row.
 SynthSpec bat() {
   SynthSpec spec;
   spec.samples = 65536;
@@ -52,8 +52,8 @@ TEST(Synthesise, HasTheExactAcceleranceAsItsRatioOfSpectra) {
   const auto lines = static_cast<std::size_t>(3500.0 / test.record.fs_Hz * 65536);
   std::vector<double> freq_Hz(lines);
   for (std::size_t k = 0; k < lines; ++k) freq_Hz[k] = static_cast<double>(k) * test.record.fs_Hz / 65536;
-  // What is left of the decay at the row's end (e^−27 = 1e-12), aliases through the filter (1e-12) and rounding over a
-  // spectrum whose lines differ by 1e3.
+  // The sum of three errors: the truncation of the decay at the row's end (e^−27 = 1e-12), aliases through the filter
+  // (1e-12), and rounding over a spectrum whose lines differ by a factor of 1e3.
   constexpr double kTolerance = 1e-9;
   for (std::size_t row = 0; row < 2; ++row) {
     const std::vector<Complex> f = real_dft(force(test.record, row));

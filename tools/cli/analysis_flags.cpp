@@ -46,7 +46,7 @@ identify::Effort effort_of(const std::string& name) {
 }
 
 void add_analysis_options(Command& command, AnalysisFlags& flags) {
-  const std::string others = command.heading(kAnalysisHeading);
+  const std::string previous = command.heading(kAnalysisHeading);
   command
       .value("--band", flags.band,
              "Analyse this frequency band in Hz, such as 60:3200 (default: the band that the hammer excites)")
@@ -73,7 +73,7 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
   command.value("--pretrigger", flags.pretrigger_s, "Keep this time before each hit of a long record")
       .not_negative()
       .type("S");
-  command.value("--length", flags.length_s, "Keep this time of each hit").above_zero().type("S");
+  command.value("--length", flags.length_s, "Keep this time of each hit, pre-trigger included").above_zero().type("S");
   command.value("--from", flags.from_s, "Use each row from this time on").not_negative().type("S");
   command.value("--to", flags.to_s, "Use each row up to this time").above_zero().type("S");
   command
@@ -83,8 +83,8 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
       .show_default();
   command
       .value("--exponential", flags.exponential_end,
-             "Apply an exponential window that falls to this fraction at the end, such as 0.01; damping is corrected "
-             "exactly")
+             "Apply an exponential window that falls to this fraction at the end of each hit, such as 0.01; damping is "
+             "corrected exactly")
       .within(1e-12, 0.999999)
       .type("FRACTION");
   command
@@ -93,15 +93,15 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
       .above_zero()
       .type("DB")
       .show_default();
-  command.heading(others);
+  command.heading(previous);
 }
 
 void add_analysis_flags(Command& command, AnalysisFlags& flags) {
   add_analysis_options(command, flags);
-  const std::string others = command.heading(kAnalysisHeading);
+  const std::string previous = command.heading(kAnalysisHeading);
   command.value("--threads", flags.threads, "Use this many threads (default: all; the result is the same)")
       .within(0, 1024);
-  command.heading(others);
+  command.heading(previous);
 }
 
 namespace {

@@ -16,17 +16,17 @@ namespace percuss::tools {
 namespace {
 
 double number_in(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);  // from_chars takes none
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);  // from_chars rejects a plus sign
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = error == std::errc{} && end == text.data() + text.size();
   return whole ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::function<bool(const std::string&)> number(const std::function<bool(double)>& holds) {
-  return [holds](const std::string& text) {
+std::function<bool(const std::string&)> number_check(const std::function<bool(double)>& accepts) {
+  return [accepts](const std::string& text) {
     const double value = number_in(text);
-    return std::isfinite(value) && holds(value);
+    return std::isfinite(value) && accepts(value);
   };
 }
 
@@ -42,7 +42,7 @@ std::vector<std::string> names_in(std::string_view names) {
 
 }  // namespace
 
-Option Option::holds(std::string requirement, const std::function<bool(const std::string&)>& check) {
+Option Option::add_check(std::string requirement, const std::function<bool(const std::string&)>& check) {
   declared_->requirement = std::move(requirement);
   const DeclaredOption* const declared = declared_;
   option_->check([declared, check](const std::string& text) {
@@ -61,7 +61,8 @@ Option Option::one_of(const std::vector<std::string>& names) {
   declared_->choices = names;
   if (!declared_->list && !declared_->value.empty()) type(fmt::format("{}", fmt::join(names, "|")).c_str());
   declared_->kind = ArgumentKind::text;
-  return holds("", [names](const auto& text) { return std::find(names.begin(), names.end(), text) != names.end(); });
+  return add_check("",
+                   [names](const auto& text) { return std::find(names.begin(), names.end(), text) != names.end(); });
 }
 Option Option::suggest(const std::vector<std::string>& names) {
   declared_->suggestions = names;
@@ -69,22 +70,22 @@ Option Option::suggest(const std::vector<std::string>& names) {
 }
 Option Option::within(double low, double high) {
   const char* const kind = declared_->whole ? "whole number" : "number";
-  return holds(fmt::format("a {} from {} to {}", kind, low, high),
-               number([low, high](double value) { return value >= low && value <= high; }));
+  return add_check(fmt::format("a {} from {} to {}", kind, low, high),
+                   number_check([low, high](double value) { return value >= low && value <= high; }));
 }
 Option Option::above_zero() {
-  return holds(declared_->whole ? "a whole number above 0" : "a number above 0",
-               number([](double value) { return value > 0; }));
+  return add_check(declared_->whole ? "a whole number above 0" : "a number above 0",
+                   number_check([](double value) { return value > 0; }));
 }
 Option Option::not_negative() {
-  return holds("a number from 0 up", number([](double value) { return value >= 0; }));
+  return add_check("a number from 0 up", number_check([](double value) { return value >= 0; }));
 }
 Option Option::finite() {
-  return holds("a number", number([](double) { return true; }));
+  return add_check("a number", number_check([](double) { return true; }));
 }
 Option Option::counted() {
   declared_->whole = true;
-  return holds("a whole number from 0 up", [declared = declared_](const std::string& text) {
+  return add_check("a whole number from 0 up", [declared = declared_](const std::string& text) {
     if (!only_digits(text)) return false;
     std::size_t number = 0;
     if (std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc{}) return true;
@@ -110,7 +111,7 @@ Option Command::declared(const char* names, const char* value, const char* help,
   place.push_back({.names = names_in(names), .value = value, .help = help, .group = group_});
   DeclaredOption* const made = &place.back();
   made->kind = is_argument ? ArgumentKind::file : ArgumentKind::text;
-  if (!is_argument && !made->is_flag()) {  // an option that was meant to be given is no value
+  if (!is_argument && !made->is_flag()) {  // the name of an option is never a value
     option->check([made, all = declared_](const std::string& text) {
       return find_option(*all, text) == nullptr ? std::string() : throw missing_value(*made);
     });

@@ -35,7 +35,7 @@ class Option {
 
  private:
   friend class Command;
-  Option holds(std::string requirement, const std::function<bool(const std::string&)>& check);
+  Option add_check(std::string requirement, const std::function<bool(const std::string&)>& check);
 
   CLI::Option* option_;
   DeclaredOption* declared_;

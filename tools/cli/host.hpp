@@ -23,7 +23,7 @@ using InMemoryInput = std::function<std::variant<acquire::Record, acquire::FrfRe
 /// functions.
 struct CommandResult {
   std::string document;        // the output of --json
-  std::vector<Message> notes;  // remarks, of which a shell prints the text
+  std::vector<Message> notes;  // remarks, which the command line prints on standard error
   /// The text for a terminal of that width; `write_option` writes the options of warnings.
   std::function<std::string(std::size_t width, OptionWriter write_option)> text;
   std::function<std::string()> html;                                // the main table as HTML elements

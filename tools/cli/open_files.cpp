@@ -77,9 +77,9 @@ std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, bool fo
 }  // namespace
 
 acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOptions& options, std::size_t index) {
-  const acquire::ReadOptions its = read_options_of_file(options, index, input_count(flags));
-  if (!has_in_memory_inputs(flags)) return acquire::open_record(flags.paths[index], its);
-  auto given = flags.host->inputs[index]({.read = its, .kind = flags.frf_kind});
+  const acquire::ReadOptions file_options = read_options_of_file(options, index, input_count(flags));
+  if (!has_in_memory_inputs(flags)) return acquire::open_record(flags.paths[index], file_options);
+  auto given = flags.host->inputs[index]({.read = file_options, .kind = flags.frf_kind});
   if (auto* record = std::get_if<acquire::Record>(&given)) return std::move(*record);
   throw InputError("the file holds FRFs, not a record", std::get<acquire::FrfRecord>(given).source(),
                    "give force and acceleration");
@@ -88,10 +88,10 @@ acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOption
 std::variant<acquire::Record, acquire::FrfRecord> open_measurement_at(const ReadFlags& flags,
                                                                       const acquire::ReadOptions& options,
                                                                       std::size_t index) {
-  const acquire::FrfReadOptions its{.read = read_options_of_file(options, index, input_count(flags)),
-                                    .kind = flags.frf_kind};
-  return has_in_memory_inputs(flags) ? flags.host->inputs[index](its)
-                                     : acquire::open_measurement(flags.paths[index], its);
+  const acquire::FrfReadOptions file_options{.read = read_options_of_file(options, index, input_count(flags)),
+                                             .kind = flags.frf_kind};
+  return has_in_memory_inputs(flags) ? flags.host->inputs[index](file_options)
+                                     : acquire::open_measurement(flags.paths[index], file_options);
 }
 
 Measurements open_measurements(const ReadFlags& flags) {

@@ -23,13 +23,13 @@ constexpr std::size_t kMaxNoteBytes = 2000;
 
 void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
   flags.host = command.host();
-  const std::string others = command.heading("Output");
+  const std::string previous = command.heading("Output");
   const std::string help = std::string("Write this file; its extension sets the kind: ") + kinds + " (repeatable)";
   command.repeatable("-o,--output", flags.paths, help.c_str()).type("FILE");
   command.flag("--json", flags.json, "Print one JSON document on standard output");
   command.flag("--force", flags.force, "Overwrite existing files");
   command.flag("--quiet", flags.quiet, "Print no progress and no warnings");
-  command.heading(others);
+  command.heading(previous);
 }
 
 OutputFlags captured_output(const OutputFlags& flags) {
@@ -81,6 +81,8 @@ std::string extension_of(const std::string& path) {
 bool is_uff(const std::string& path) { return extension_of(path) == ".uff" || extension_of(path) == ".unv"; }
 
 bool is_html(const std::string& path) { return extension_of(path) == ".html"; }
+
+bool is_json(const std::string& path) { return extension_of(path) == ".json"; }
 
 bool writes_charts(const OutputFlags& flags) {
   return std::any_of(flags.paths.begin(), flags.paths.end(),

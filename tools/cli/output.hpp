@@ -41,6 +41,7 @@ std::string extension_of(const std::string& path);
 bool is_uff(const std::string& path);
 
 bool is_html(const std::string& path);
+bool is_json(const std::string& path);
 
 /// Whether an output file holds charts: .svg or .html.
 bool writes_charts(const OutputFlags& flags);

@@ -22,7 +22,7 @@ std::vector<double> Range::values() const {
   return all;
 }
 
-RangeText parse_range_with_unit(const OptionId& option, const std::string& text, const char* remedy, RangeForm may) {
+RangeText parse_range_with_unit(const OptionId& option, const std::string& text, const char* remedy, RangeForm form) {
   const auto refuse = [&](const char* problem) { return OptionError::wrong_value(option, text, remedy, problem); };
   std::array<double, 3> number{};
   const char* at = text.data();
@@ -35,7 +35,7 @@ RangeText parse_range_with_unit(const OptionId& option, const std::string& text,
     at = after;
   }
   const auto [low, step, high] = number;
-  const bool spans = high > low || (may == RangeForm::single_value_allowed && high == low);
+  const bool spans = high > low || (form == RangeForm::single_value_allowed && high == low);
   if (!(step > 0) || !spans) throw refuse("the step must be above zero and the end above the start");
   const double steps = (high - low) / step;
   if (!(steps < kMaxValues)) throw refuse("more than 10000 values");
@@ -45,8 +45,8 @@ RangeText parse_range_with_unit(const OptionId& option, const std::string& text,
           .unit = {at, static_cast<std::size_t>(end - at)}};
 }
 
-Range parse_range(const OptionId& option, const std::string& text, RangeForm may) {
-  const auto [range, unit] = parse_range_with_unit(option, text, kForm, may);
+Range parse_range(const OptionId& option, const std::string& text, RangeForm form) {
+  const auto [range, unit] = parse_range_with_unit(option, text, kForm, form);
   if (!unit.empty()) throw OptionError::wrong_value(option, text, kForm, "something follows the numbers");
   return range;
 }

@@ -27,12 +27,12 @@ struct RangeText {
 enum class RangeForm { several_values, single_value_allowed };
 
 /// Reads "3:0.25:9in" for the option `option` ("positions"). Throws an OptionError that ends in `remedy` unless the
-/// text holds three finite numbers, the step is above zero, HI is above LO (or equal, where `may` allows a single
+/// text holds three finite numbers, the step is above zero, HI is above LO (or equal, where `form` allows a single
 /// value), HI is a whole number of steps from LO, and there are at most 10000 values.
 RangeText parse_range_with_unit(const OptionId& option, const std::string& text, const char* remedy,
-                                RangeForm may = RangeForm::several_values);
+                                RangeForm form = RangeForm::several_values);
 
 /// Reads a range that has no unit.
-Range parse_range(const OptionId& option, const std::string& text, RangeForm may = RangeForm::several_values);
+Range parse_range(const OptionId& option, const std::string& text, RangeForm form = RangeForm::several_values);
 
 }  // namespace percuss::tools

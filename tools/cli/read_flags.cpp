@@ -45,7 +45,7 @@ void set_rate(const std::string& text, acquire::ReadOptions& options) {
 }
 
 // Joins the pieces of a column of a MAT variable, "data(:,2)", which was split at its comma.
-std::vector<std::string> whole_names(const std::vector<std::string>& pieces) {
+std::vector<std::string> rejoined_names(const std::vector<std::string>& pieces) {
   std::vector<std::string> names;
   bool open = false;
   for (const std::string& piece : pieces) {
@@ -63,11 +63,11 @@ std::vector<std::string> whole_names(const std::vector<std::string>& pieces) {
 
 void add_reading_options(Command& command, ReadFlags& flags) {
   acquire::ReadOptions& options = flags.options;
-  const std::string others = command.heading(kReadingHeading);
+  const std::string previous = command.heading(kReadingHeading);
   command
       .value(
           "--fs", [&options](const std::string& text) { set_rate(text, options); },
-          "Set the sampling rate, in place of the file's; for a MAT file also by the name of a variable")
+          "Set the sampling rate in place of the file's: a number, or for a MAT file the name of a variable")
       .type("HZ");
   command
       .value("--df", options.df_Hz, "Set the frequency spacing of FRFs, for files that do not state frequencies (MAT)")
@@ -82,8 +82,11 @@ void add_reading_options(Command& command, ReadFlags& flags) {
   command.value("--unit", options.accel_unit, "Set the unit of the stored accelerations: m/s^2, g, cm/s^2, V, ...")
       .type("UNIT");
   command.value("--force-unit", options.force_unit, "Set the unit of the stored forces: N, lbf, V, ...").type("UNIT");
-  command.list("--force-scale", options.force_scale, "Set N per stored unit; one value, or one per file").type("N,...");
-  command.list("--accel-scale", options.accel_scale, "Set m/s^2 per stored unit; one value, or one per channel")
+  command.list("--force-scale", options.force_scale, "Set the force in N per stored unit; one value, or one per file")
+      .type("N,...");
+  command
+      .list("--accel-scale", options.accel_scale,
+            "Set the acceleration in m/s^2 per stored unit; one value, or one per channel")
       .type("X,...");
   command
       .value("--force-sensitivity", flags.force_sensitivity_mV_per_N,
@@ -105,22 +108,22 @@ void add_reading_options(Command& command, ReadFlags& flags) {
           "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = acquire::parse_frf_kind(text); },
           "Set the kind of the FRFs, in place of the file's")
       .one_of({"accelerance", "mobility", "receptance"});
-  command.heading(others);
+  command.heading(previous);
 }
 
 void add_setup_option(Command& command, ReadFlags& flags) {
-  const std::string others = command.heading(kReadingHeading);
+  const std::string previous = command.heading(kReadingHeading);
   command
       .value("--setup", flags.setup_path,
              "Read the channel set-up from this file (JSON; percuss info --example prints one)")
       .type("FILE");
-  command.heading(others);
+  command.heading(previous);
 }
 
 void add_trust_input_option(Command& command, ReadFlags& flags) {
-  const std::string others = command.heading(kReadingHeading);
+  const std::string previous = command.heading(kReadingHeading);
   command.flag("--trust-input", flags.trust_input, "Read MAT and HDF5 files in this process, without a sandbox");
-  command.heading(others);
+  command.heading(previous);
 }
 
 void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
@@ -131,14 +134,14 @@ void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
                         : "Records or FRFs to read: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input");
   add_reading_options(command, flags);
   add_setup_option(command, flags);
-  const std::string others = command.heading(kReadingHeading);
+  const std::string previous = command.heading(kReadingHeading);
   command
       .value(
           "--files", [&flags](const std::string& text) { flags.files = grouping_named(text); },
           "Group several files: as hits of one test, as points of one test, or as separate tests (default: hits if "
           "rates and channels agree)")
       .one_of({"hits", "points", "tests"});
-  command.heading(others);
+  command.heading(previous);
   add_trust_input_option(command, flags);
 }
 
@@ -164,7 +167,7 @@ acquire::ReadOptions options_of(const ReadFlags& flags) {
   }
   require_unit_or_volts(options.accel_unit, Quantity::acceleration, "unit");
   require_unit_or_volts(options.force_unit, Quantity::force, "force_unit");
-  options.accel_channels = whole_names(options.accel_channels);
+  options.accel_channels = rejoined_names(options.accel_channels);
   if (!flags.setup_path.empty()) options.setup = acquire::read_channel_setup(flags.setup_path);
   return options;
 }

@@ -49,9 +49,9 @@ int show_report(const report::CommandReport& report, const OutputFlags& flags, c
   print_report(report, flags);
   if (flags.host != nullptr) {
     flags.host->outcome.save = [report, inputs, output = captured_output(flags)](const std::string& path, bool force) {
-      const OutputFlags its = single_output(output, path, force);
-      check_report_outputs(its);
-      write_report(path, report, inputs, its);
+      const OutputFlags file_flags = single_output(output, path, force);
+      check_report_outputs(file_flags);
+      write_report(path, report, inputs, file_flags);
     };
   }
   return kOk;

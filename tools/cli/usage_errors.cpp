@@ -8,9 +8,9 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kTypedBytes = 40;  // bytes of what was typed
+constexpr std::size_t kTypedBytes = 40;  // bytes of a typed word that a message shows
 
-std::string with_dashes(const std::string& typed) { return one_line(typed.substr(0, typed.find('=')), kTypedBytes); }
+std::string option_word(const std::string& typed) { return one_line(typed.substr(0, typed.find('=')), kTypedBytes); }
 
 std::string typed_word(const std::string& typed) { return "'" + one_line(typed, kTypedBytes) + "'"; }
 
@@ -34,8 +34,8 @@ std::string help_of(const Declaration& all, const DeclaredCommand& command) {
 }  // namespace
 
 UsageError missing_command(const Declaration& all, const DeclaredCommand& group) {
-  return {group.name.empty() ? "no command" : "no command after " + full_name(all, group),
-          help_of(all, group) + " lists them"};
+  return {group.name.empty() ? "no command is given" : "no command after " + full_name(all, group),
+          help_of(all, group) + " lists the commands"};
 }
 
 UsageError unknown_command(const Declaration& all, const DeclaredCommand& group, const std::string& typed) {
@@ -46,16 +46,16 @@ UsageError unknown_command(const Declaration& all, const DeclaredCommand& group,
   const auto meant = nearest(typed, known);
   return {"there is no command '" + place + one_line(typed, kTypedBytes) + "'",
           meant ? "did you mean " + (meant->front() == '-' ? *meant : place + *meant) + "?"
-                : help_of(all, group) + " lists them"};
+                : help_of(all, group) + " lists the commands"};
 }
 
 UsageError unknown_option(const Declaration& all, const DeclaredCommand& command, const std::string& typed) {
   std::vector<std::string> known;
   for (const DeclaredOption& option : command.options) known.push_back(option.name());
-  const std::string shown = with_dashes(typed);
+  const std::string shown = option_word(typed);
   const auto meant = nearest(shown, known);
   const std::string place = command.name.empty() ? "there is no option " : command.name + " has no option ";
-  return {place + shown, meant ? "did you mean " + *meant + "?" : help_of(all, command) + " lists them"};
+  return {place + shown, meant ? "did you mean " + *meant + "?" : help_of(all, command) + " lists the options"};
 }
 
 UsageError option_before_command(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option) {
@@ -66,7 +66,7 @@ UsageError option_before_command(const Declaration& all, const DeclaredCommand& 
 UsageError extra_argument(const Declaration& all, const DeclaredCommand& command, const std::string& typed) {
   if (command.arguments.empty()) {
     return {command.name + " takes options only, and " + typed_word(typed) + " is not one",
-            help_of(all, command) + " lists them"};
+            help_of(all, command) + " lists the options"};
   }
   return {
       command.name + " takes one " + command.arguments.front().name() + ", and " + typed_word(typed) + " is another",

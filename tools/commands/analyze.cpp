@@ -22,8 +22,6 @@
 namespace percuss::tools {
 namespace {
 
-bool is_json(const std::string& path) { return extension_of(path) == ".json"; }
-
 void print_trace(const pipeline::Analysis& analysis) {
   for (const auto& stage : analysis.trace().stages())
     std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
@@ -94,24 +92,25 @@ int analyze(const AnalyzeFlags& flags) {
   }
   std::optional<report::CommandReport> comparison;
   if (!flags.compared.empty()) comparison = comparison_of(flags, document, tests.front().analysis->record().source());
-  const auto kept = std::make_shared<const AnalyzeResults>(AnalyzeResults{.flags = flags,
-                                                                          .tests = std::move(tests),
-                                                                          .sections = sections,
-                                                                          .document = std::move(document),
-                                                                          .comparison = std::move(comparison)});
-  const std::string text = flags.output.json ? "" : text_of(*kept, terminal_width(), can_plot_in_terminal(), flag_of);
+  const auto results = std::make_shared<const AnalyzeResults>(AnalyzeResults{.flags = flags,
+                                                                             .tests = std::move(tests),
+                                                                             .sections = sections,
+                                                                             .document = std::move(document),
+                                                                             .comparison = std::move(comparison)});
+  const std::string text =
+      flags.output.json ? "" : text_of(*results, terminal_width(), can_plot_in_terminal(), flag_of);
   progress.stop();
-  write_outputs(flags, *kept);
-  print(flags.output, flags.output.json ? kept->document : text);
-  if (flags.output.host != nullptr) give_to_host(flags.output, kept);
+  write_outputs(flags, *results);
+  print(flags.output, flags.output.json ? results->document : text);
+  if (flags.output.host != nullptr) give_to_host(flags.output, results);
   if (flags.trace && !flags.output.json) {
-    for (const Test& test : kept->tests) print_trace(*test.analysis);
+    for (const Test& test : results->tests) print_trace(*test.analysis);
   }
   if (flags.explain && !flags.output.json) {
-    for (const Test& test : kept->tests) std::cerr << report::skipped_text(*test.analysis).text(terminal_width());
+    for (const Test& test : results->tests) std::cerr << report::skipped_text(*test.analysis).text(terminal_width());
   }
-  const bool possible =
-      std::all_of(kept->tests.begin(), kept->tests.end(), [](const Test& test) { return test.analysis->possible(); });
+  const bool possible = std::all_of(results->tests.begin(), results->tests.end(),
+                                    [](const Test& test) { return test.analysis->possible(); });
   return possible ? kOk : kImpossible;
 }
 
@@ -123,9 +122,10 @@ void add_analyze(CommandLine& line) {
                                  [flags] { return analyze(*flags); });
   command.about(
       "Reads records of force and acceleration, cuts them into hits and grades the hits. Averages the accepted hits to "
-      "frequency response functions (FRFs) and fits the modes: frequency in Hz, damping ratio, and bending or hoop, "
-      "each with its standard deviation. Files of FRFs are fitted directly. Two accelerometers are assumed at 0° and "
-      "90° around the barrel; --angle sets other angles.");
+      "frequency response functions (FRFs) and fits the modes: frequency in Hz and damping ratio with their standard "
+      "deviations, and bending or hoop. Files of FRFs are fitted directly. Two accelerometers are assumed at 0° and "
+      "90° "
+      "around the barrel; --angle sets other angles.");
   command.example("percuss analyze bat.h5 --band 60:3200", "Print hits and modes from 60 to 3200 Hz as tables");
   command.example("percuss analyze bat.h5 --band 60:3200 -o report.html -o modes.json",
                   "Write the same as an HTML page and as a JSON document");

@@ -20,12 +20,12 @@
 namespace percuss::tools {
 namespace {
 
-std::string page_of(const AnalyzeFlags& flags, const AnalyzeResults& kept) {
-  const Test& test = kept.tests.front();
+std::string page_of(const AnalyzeFlags& flags, const AnalyzeResults& results) {
+  const Test& test = results.tests.front();
   return report::analysis_page(*test.analysis,
-                               {.sections = kept.sections,
+                               {.sections = results.sections,
                                 .deflection = test.deflection ? &*test.deflection : nullptr,
-                                .comparison = kept.comparison ? &*kept.comparison : nullptr},
+                                .comparison = results.comparison ? &*results.comparison : nullptr},
                                provenance_now(flags.output));
 }
 
@@ -35,14 +35,14 @@ std::string drawing_of(const AnalyzeFlags& flags, const pipeline::Analysis& anal
   return report::svg_document(report::analysis_charts(analysis, classifications, flags.pictures));
 }
 
-std::string html_of(const AnalyzeResults& kept) {
-  const bool classes = kept.sections.contains(report::ReportSection::classes);
+std::string html_of(const AnalyzeResults& results) {
+  const bool classes = results.sections.contains(report::ReportSection::classes);
   std::string html;
-  for (const Test& test : kept.tests) {
-    if (kept.tests.size() > 1) html += report::page_paragraph(fmt::format("test {}", test.run));
+  for (const Test& test : results.tests) {
+    if (results.tests.size() > 1) html += report::page_paragraph(fmt::format("test {}", test.run));
     if (!test.analysis->possible()) {
       html += report::page_paragraph(report::no_usable_hit().text);
-    } else if (classes || kept.sections.contains(report::ReportSection::modes)) {
+    } else if (classes || results.sections.contains(report::ReportSection::modes)) {
       html += report::modes_table(*test.analysis, classes).html();
     } else {
       html += report::hits_table(*test.analysis, test.analysis->force_hits()).shown.html();
@@ -67,29 +67,29 @@ void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSe
     throw OptionError({}, "several tests cannot be integrated to deflection or compared", remedy);
 }
 
-std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch, OptionWriter write_option) {
+std::string text_of(const AnalyzeResults& results, std::size_t width, bool sketch, OptionWriter write_option) {
   std::string text;
-  for (const Test& test : kept.tests) {
-    if (kept.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
-    text += report::analysis_text(*test.analysis, {.sections = kept.sections,
+  for (const Test& test : results.tests) {
+    if (results.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
+    text += report::analysis_text(*test.analysis, {.sections = results.sections,
                                                    .width = width,
-                                                   .per_hit = kept.flags.per_hit,
+                                                   .per_hit = results.flags.per_hit,
                                                    .sketch = sketch,
                                                    .write_option = write_option});
     if (test.deflection)
       text += "\n" + report::deflection_tables(*test.analysis, *test.deflection).text(width, write_option);
-    if (kept.comparison) text += "\n" + kept.comparison->text.text(width, write_option);
+    if (results.comparison) text += "\n" + results.comparison->text.text(width, write_option);
   }
   return text;
 }
 
-void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept) {
-  const pipeline::Analysis& analysis = *kept.tests.front().analysis;
+void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
+  const pipeline::Analysis& analysis = *results.tests.front().analysis;
   for (const std::string& path : flags.output.paths) {
-    if (extension_of(path) == ".json") {
-      write_file(path, kept.document, flags.output.force);
+    if (is_json(path)) {
+      write_file(path, results.document, flags.output.force);
     } else if (is_html(path)) {
-      write_file(path, page_of(flags, kept), flags.output.force);
+      write_file(path, page_of(flags, results), flags.output.force);
     } else if (extension_of(path) == ".svg") {
       write_file(path, drawing_of(flags, analysis), flags.output.force);
     } else if (!analysis.possible()) {
@@ -104,20 +104,20 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept) {
   }
 }
 
-void give_to_host(const OutputFlags& output, const std::shared_ptr<const AnalyzeResults>& kept) {
+void give_to_host(const OutputFlags& output, const std::shared_ptr<const AnalyzeResults>& results) {
   CommandResult& outcome = output.host->outcome;
-  for (const Test& test : kept->tests) outcome.analyses.emplace_back(kept, test.analysis.get());
-  if (const auto& deflection = kept->tests.front().deflection) outcome.deflection = {kept, &*deflection};
-  outcome.text = [kept](std::size_t width, OptionWriter write_option) {
-    return text_of(*kept, width, false, write_option);
+  for (const Test& test : results->tests) outcome.analyses.emplace_back(results, test.analysis.get());
+  if (const auto& deflection = results->tests.front().deflection) outcome.deflection = {results, &*deflection};
+  outcome.text = [results](std::size_t width, OptionWriter write_option) {
+    return text_of(*results, width, false, write_option);
   };
-  outcome.html = [kept] { return html_of(*kept); };
-  outcome.save = [kept, its = captured_output(output)](const std::string& path, bool force) {
-    AnalyzeFlags flags = kept->flags;
-    flags.output = single_output(its, path, force);
+  outcome.html = [results] { return html_of(*results); };
+  outcome.save = [results, captured = captured_output(output)](const std::string& path, bool force) {
+    AnalyzeFlags flags = results->flags;
+    flags.output = single_output(captured, path, force);
     check_analyze_outputs(flags.output);
-    require_one_test(flags, kept->sections, kept->tests.size());
-    write_outputs(flags, *kept);
+    require_one_test(flags, results->sections, results->tests.size());
+    write_outputs(flags, *results);
   };
 }
 

@@ -28,12 +28,12 @@ void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSe
 
 /// The text for a terminal. `sketch` adds a plot of the FRFs in characters; `write_option` writes the options of
 /// warnings.
-std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch, OptionWriter write_option);
+std::string text_of(const AnalyzeResults& results, std::size_t width, bool sketch, OptionWriter write_option);
 
 /// Writes all output files of the flags.
-void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept);
+void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results);
 
 /// Gives the results to the host.
-void give_to_host(const OutputFlags& output, const std::shared_ptr<const AnalyzeResults>& kept);
+void give_to_host(const OutputFlags& output, const std::shared_ptr<const AnalyzeResults>& results);
 
 }  // namespace percuss::tools

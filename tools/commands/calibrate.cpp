@@ -87,8 +87,10 @@ void add_calibrate(CommandLine& line) {
   Command command = line.command("calibrate", "Calibrate the force channel from hits on a free mass",
                                  [flags] { return calibrate_file(*flags); });
   command.about(
-      "A freely hanging mass accelerates by force / mass under a hit. From force and acceleration follow the N per "
-      "unit of the force channel and its standard deviation. The last line prints the --force-scale to use. The force "
+      "A freely hanging mass accelerates by force / mass under a hit. Computes the N per unit of the force channel "
+      "from "
+      "the measured acceleration, with its standard deviation. The last line prints the --force-scale to use. The "
+      "force "
       "may be stored in any unit; the options under Reading set the unit of the acceleration.");
   command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8",
                   "Calibrate with a mass of 1.25 kg; the hammer is in column CH8");

@@ -52,7 +52,7 @@ void add_certify(CommandLine& line) {
       .one_of({"besr", "ncaa_besr", "bbcor"});
   command.value("--limit", flags->limit, "Use this limit in place of the session's").above_zero();
   command.flag("--accept-plateau", flags->accept_plateau,
-               "If no location stands out, accept the best within the margin as the sweet spot");
+               "Accept the best location within the margin as the sweet spot if no location stands out");
   command.flag("--example", flags->example, "Print an example session with comments");
   command.flag("--example-table", flags->example_table, "Print an example session as a table");
   add_output_flags(command, flags->output, kReportKinds);

@@ -30,7 +30,7 @@ std::string take_output(ConvertFlags& flags) {
     flags.read.paths.pop_back();
   }
   if (flags.output.paths.size() != 1)
-    throw OptionError({}, "there is not exactly one output", "give IN and OUT: percuss convert IN OUT");
+    throw OptionError({}, "convert writes exactly one file", "give input and output: percuss convert IN OUT");
   check_outputs(flags.output, acquire::record_extensions());
   return flags.output.paths.front();
 }

@@ -70,9 +70,9 @@ int deflect_files(const DeflectFlags& flags) {
   if (!flags.positions.empty())
     options.position_m = parse_range("positions", flags.positions, RangeForm::single_value_allowed).values();
   const Progress progress("integrating", flags.output.quiet);
-  const std::shared_ptr<const pipeline::Analysis> made = analysis_of(flags);
-  const auto deflected = std::make_shared<const pipeline::ImpactTest>(pipeline::deflect(*made, options));
-  const pipeline::Analysis& analysis = *made;
+  const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags);
+  const auto deflected = std::make_shared<const pipeline::ImpactTest>(pipeline::deflect(*shared_analysis, options));
+  const pipeline::Analysis& analysis = *shared_analysis;
   const pipeline::ImpactTest& test = *deflected;
   progress.stop();
   report::CommandReport report;
@@ -82,13 +82,13 @@ int deflect_files(const DeflectFlags& flags) {
   print_report(report, flags.output);
   if (flags.output.host != nullptr) {
     CommandResult& outcome = flags.output.host->outcome;
-    outcome.analyses = {made};
+    outcome.analyses = {shared_analysis};
     outcome.deflection = deflected;
-    outcome.save = [output = captured_output(flags.output), report, made, deflected](const std::string& path,
-                                                                                     bool force) {
-      const OutputFlags its = single_output(output, path, force);
-      check_deflection_outputs(its);
-      write_deflection(its, report, *made, *deflected);
+    outcome.save = [output = captured_output(flags.output), report, shared_analysis, deflected](const std::string& path,
+                                                                                                bool force) {
+      const OutputFlags file_flags = single_output(output, path, force);
+      check_deflection_outputs(file_flags);
+      write_deflection(file_flags, report, *shared_analysis, *deflected);
     };
   }
   return test.hits.empty() ? kImpossible : kOk;
@@ -103,15 +103,15 @@ void add_deflect(CommandLine& line) {
                    [flags] { return deflect_files(*flags); });
   command.about(
       "Integrates the acceleration of the struck point twice, without the drift of plain sums. Reports the largest "
-      "deflection of each hit in m with its standard deviation; -o writes the curves over time.");
+      "deflection of each hit in m with its standard deviation. Files (.csv, .h5) hold the curves over time.");
   command.example("percuss deflect bat.h5 --highpass-corner 1", "Undo the 1 Hz high-pass of the charge amplifier");
   command.example("percuss deflect bat.h5 --method drift-free -o deflection.csv",
                   "Write the curves over time as a table");
   metrics::DeflectionOptions& deflection = flags->options.deflection;
   command
       .value("--method", flags->method,
-             "Choose the method. auto: integrate without drift if the record shows the rest before the impact, "
-             "otherwise use modes and force")
+             "Choose the method. auto: integrate without drift if the record shows the structure at rest before the "
+             "impact, otherwise use modes and force")
       .one_of({"auto", "small-interval", "drift-free", "frequency", "modal"})
       .show_default();
   command
@@ -119,7 +119,7 @@ void add_deflect(CommandLine& line) {
              "Undo the first-order high-pass of the charge amplifier with this corner frequency; 0: none")
       .not_negative()
       .type("HZ");
-  command.value("--lowest", deflection.lowest_Hz, "With --method frequency: omit frequencies below this")
+  command.value("--lowest", deflection.lowest_Hz, "Omit frequencies below this; for --method frequency")
       .above_zero()
       .type("HZ");
   command.flag("--free-body", deflection.free_body, "Let the structure move away from its rest position");

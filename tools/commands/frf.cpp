@@ -66,9 +66,9 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const pipelin
   if (!analysis->possible()) return;
   outcome.save = [output = captured_output(output), analysis, kind, summary = outcome.document](const std::string& path,
                                                                                                 bool force) {
-    const OutputFlags its = single_output(output, path, force);
-    check_frf_outputs(its);
-    write_frf_outputs(its, *analysis, kind, summary);
+    const OutputFlags file_flags = single_output(output, path, force);
+    check_frf_outputs(file_flags);
+    write_frf_outputs(file_flags, *analysis, kind, summary);
   };
 }
 
@@ -78,13 +78,13 @@ int frf(const FrfFlags& flags) {
                                 : flags.kind == "receptance" ? acquire::FrfKind::receptance
                                                              : acquire::FrfKind::accelerance;
   const Progress progress("averaging", flags.output.quiet);
-  const std::shared_ptr<const pipeline::Analysis> opened = analysis_of(flags);
-  const pipeline::Analysis& analysis = *opened;
+  const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags);
+  const pipeline::Analysis& analysis = *shared_analysis;
   analysis.hits();
   if (!analysis.possible()) {
     progress.stop();
     print(flags.output, report::analysis_json(analysis, {.sections = {report::ReportSection::hits}}));
-    if (flags.output.host != nullptr) give_to_host(flags.output, opened, kind);
+    if (flags.output.host != nullptr) give_to_host(flags.output, shared_analysis, kind);
     return kImpossible;
   }
   const auto summary = report::analysis_json(analysis, {.sections = kShown});
@@ -95,7 +95,7 @@ int frf(const FrfFlags& flags) {
   } else if (flags.output.paths.empty()) {
     print(flags.output, report::frf_csv(analysis, kind));
   }
-  if (flags.output.host != nullptr) give_to_host(flags.output, opened, kind);
+  if (flags.output.host != nullptr) give_to_host(flags.output, shared_analysis, kind);
   return kOk;
 }
 

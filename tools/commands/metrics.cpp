@@ -88,7 +88,7 @@ void require_one_source(const MetricsFlags& f) {
     throw OptionError({"diameter_in"}, "has more than 7 values", "give the diameters 3 to 9 in from the tip");
 }
 
-void require_room(const MetricsFlags& f) {
+void require_positions_before_pivot(const MetricsFlags& f) {
   constexpr double kPivot_in = 6;
   const double length_in = f.length_in.value_or(2 * kPivot_in + 1e6);
   if (!(length_in > 2 * kPivot_in)) throw OptionError({"length_in"}, "is too short for a bat", "give more than 12 in");
@@ -101,7 +101,7 @@ void require_room(const MetricsFlags& f) {
 int metrics(const MetricsFlags& flags) {
   check_outputs(flags.output, {".json", ".csv", ".html"});
   require_one_source(flags);
-  require_room(flags);
+  require_positions_before_pivot(flags);
   const report::BatProfileReadings profile{.length_in = flags.length_in,
                                            .weight_oz = flags.weight_oz,
                                            .cg_in = flags.cg_in,
@@ -113,7 +113,7 @@ int metrics(const MetricsFlags& flags) {
 }
 
 void add_readings(Command& command, MetricsFlags& f) {
-  const std::string before = command.heading("Readings");
+  const std::string previous = command.heading("Readings");
   command.value("--length-in", f.length_in, "Set the length of the bat").above_zero().type("IN");
   command.value("--weight-oz", f.weight_oz, "Set the weight of the bat").above_zero().type("OZ");
   command.value("--cg-in", f.cg_in, "Set the balance point, from the tip of the barrel").not_negative().type("IN");
@@ -124,7 +124,7 @@ void add_readings(Command& command, MetricsFlags& f) {
       .type("S,...");
   command
       .value("--crossings-per-period", f.crossings_per_period,
-             "Set the crossings of the gate per period: 2 in both directions, 1 in one direction")
+             "Set the crossings of the gate per period: 2 if the gate counts both directions, 1 if it counts one")
       .within(1, 2)
       .type("1|2")
       .show_default();
@@ -149,12 +149,12 @@ void add_readings(Command& command, MetricsFlags& f) {
   command.value("--handle-diameter-in", f.handle_in, "Set the diameter of the handle 6 in from the knob")
       .above_zero()
       .type("IN");
-  command.heading(before);
+  command.heading(previous);
 }
 
 void add_resolutions(Command& command, MetricsFlags& f) {
-  const std::string before =
-      command.heading("Resolution of the readings (standard deviation: the step divided by √12)");
+  const std::string previous =
+      command.heading("Resolution of the readings (standard deviation: the resolution divided by √12)");
   command.value("--length-resolution-in", f.steps.length_in, "Set the resolution of the length")
       .not_negative()
       .type("IN")
@@ -191,12 +191,12 @@ void add_resolutions(Command& command, MetricsFlags& f) {
       .not_negative()
       .type("MPH")
       .show_default();
-  command.flag("--round", f.rounded, "Round the readings to these steps, as the protocol records them");
-  command.heading(before);
+  command.flag("--round", f.rounded, "Round the readings to these resolutions, as the protocol records them");
+  command.heading(previous);
 }
 
 void add_constants(Command& command, MetricsFlags& f) {
-  const std::string before = command.heading("Constants");
+  const std::string previous = command.heading("Constants");
   command.value("--v-pitch-mph", f.pitch_mph, "Set the speed of the pitch at the plate")
       .not_negative()
       .type("MPH")
@@ -232,7 +232,7 @@ void add_constants(Command& command, MetricsFlags& f) {
       .above_zero()
       .type("IN/S2")
       .show_default();
-  command.heading(before);
+  command.heading(previous);
 }
 
 }  // namespace

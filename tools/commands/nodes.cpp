@@ -20,7 +20,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr double kResolution_m = 0.125 * kInch_m;  // reading resolution of the rule of thumb
+constexpr double kResolution_m = 0.125 * kInch_m;  // rule of thumb: the smallest peak, read to an eighth of an inch
 
 struct NodesFlags {
   ReadFlags read;

@@ -81,8 +81,9 @@ void add_study(CommandLine& line) {
   Command command = line.command("study", "Correlate the properties of a population of bats with their performance",
                                  [flags] { return run_study(*flags); });
   command.about(
-      "Joins tables of bats, analyses with --bat-id and results of percuss batch merge. Tests which properties go with "
-      "performance: for each hypothesis a verdict, its p-value, and correlations with 95 % intervals. --example prints "
+      "Joins tables of bats, analyses with --bat-id and results of percuss batch merge. Tests which properties "
+      "correlate with performance: reports each hypothesis with verdict, p-value, and correlations with 95 % "
+      "intervals. --example prints "
       "a table with all known columns.");
   command.example("percuss study --example > bats.csv; percuss study bats.csv --figures figures",
                   "Study a synthetic population, and write every figure as picture and table");

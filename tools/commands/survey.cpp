@@ -119,25 +119,25 @@ struct SurveyResults {
   pipeline::Survey survey;
 };
 
-void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyResults>& kept,
+void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyResults>& results,
                   const std::string& document) {
   CommandResult& outcome = flags.output.host->outcome;
-  outcome.analyses = {kept->analysis};
-  outcome.survey = {kept, &kept->survey};
-  outcome.text = [kept, hits = flags.hits](std::size_t width, OptionWriter write_option) {
-    return report::survey_text(kept->survey, hits, width, write_option);
+  outcome.analyses = {results->analysis};
+  outcome.survey = {results, &results->survey};
+  outcome.text = [results, hits = flags.hits](std::size_t width, OptionWriter write_option) {
+    return report::survey_text(results->survey, hits, width, write_option);
   };
-  outcome.html = [kept] {
-    return kept->analysis->possible() ? report::survey_modes_table(kept->survey).html()
-                                      : report::page_paragraph(report::no_usable_hit().text);
+  outcome.html = [results] {
+    return results->analysis->possible() ? report::survey_modes_table(results->survey).html()
+                                         : report::page_paragraph(report::no_usable_hit().text);
   };
-  SurveyFlags asked = flags;
-  asked.output = captured_output(flags.output);
-  outcome.save = [kept, document, asked](const std::string& path, bool force) {
-    SurveyFlags its = asked;
-    its.output = single_output(asked.output, path, force);
-    check_survey_outputs(its.output);
-    write_outputs(its, kept->survey, document);
+  SurveyFlags captured = flags;
+  captured.output = captured_output(flags.output);
+  outcome.save = [results, document, captured](const std::string& path, bool force) {
+    SurveyFlags file_flags = captured;
+    file_flags.output = single_output(captured.output, path, force);
+    check_survey_outputs(file_flags.output);
+    write_outputs(file_flags, results->survey, document);
   };
 }
 
@@ -149,21 +149,21 @@ int run_survey(const SurveyFlags& flags) {
   check_survey_outputs(flags.output);
   const pipeline::SurveyOptions options = survey_options(flags);
   const Progress progress("analysing", flags.output.quiet);
-  const std::shared_ptr<const pipeline::Analysis> made = analysis_of(flags);
-  const pipeline::Analysis& analysis = *made;
-  const auto kept =
-      std::make_shared<const SurveyResults>(SurveyResults{.analysis = made, .survey = {analysis, options}});
-  const pipeline::Survey& survey = kept->survey;
+  const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags);
+  const pipeline::Analysis& analysis = *shared_analysis;
+  const auto results =
+      std::make_shared<const SurveyResults>(SurveyResults{.analysis = shared_analysis, .survey = {analysis, options}});
+  const pipeline::Survey& survey = results->survey;
   analysis.hits();
   if (analysis.possible()) analysis.compute_modes_and_frfs();  // used by both the text and the document
-  const bool wants_json = flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
-                                                           [](const auto& p) { return extension_of(p) == ".json"; });
+  const bool wants_json =
+      flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
   const std::string document = wants_json ? report::survey_json(survey, {.trace = flags.trace}) : "";
   const std::string text = flags.output.json ? "" : report::survey_text(survey, flags.hits, terminal_width(), flag_of);
   progress.stop();
   write_outputs(flags, survey, document);
   print(flags.output, flags.output.json ? document : text);
-  if (flags.output.host != nullptr) give_to_host(flags, kept, document);
+  if (flags.output.host != nullptr) give_to_host(flags, results, document);
   if (flags.trace && !flags.output.json) {
     for (const auto& stage : analysis.trace().stages())
       std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);

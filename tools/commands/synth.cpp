@@ -105,12 +105,12 @@ void give_to_host(const SynthFlags& flags, const std::shared_ptr<const synth::Sy
   outcome.document = truth;
   outcome.synthetic = test;
   outcome.save = [flags, test, truth](const std::string& path, bool force) {
-    SynthFlags its = flags;
-    its.outputs = {path};
-    its.force = force;
-    its.host = nullptr;
-    check_outputs(its);
-    write_outputs(its, *test, truth);
+    SynthFlags file_flags = flags;
+    file_flags.outputs = {path};
+    file_flags.force = force;
+    file_flags.host = nullptr;
+    check_outputs(file_flags);
+    write_outputs(file_flags, *test, truth);
   };
 }
 
@@ -150,8 +150,9 @@ void add_synth(CommandLine& line) {
                                  [flags] { return run_synth(*flags); });
   flags->host = command.host();
   command.about(
-      "Makes hammer tests of structures with exactly known modes, with noise and the faults of real tests, to learn "
-      "from and to test software with. Writes the truth beside each record as JSON. docs/guides/synth.md describes the "
+      "Makes hammer tests of structures with exactly known modes, with noise and the faults of real tests, for "
+      "learning "
+      "and for tests of software. Writes the truth beside each record as JSON. docs/guides/synth.md describes the "
       "spec.");
   command.example("percuss synth --list", "List the presets");
   command.example("percuss synth composite-bat -o composite.h5",

@@ -11,14 +11,14 @@ enum ForkCommandKind : int { kStartReader, kPoll, kKillReader, kRelease };
 struct ForkCommand {
   int kind = 0;
   int reader = 0;
-  int cpu = -1;  // kStartReader: where the requesting thread runs
+  int cpu = -1;  // kStartReader: the processor of the requesting thread
 };
 
 struct ForkReply {
   int reader = -1, status = 0;
 };
 
-/// A command, and what kStartReader needs.
+/// A command. `path` and `descriptors` are for kStartReader.
 struct ForkRequest {
   ForkCommand command;
   std::string path;

@@ -31,7 +31,7 @@ ForkServer::ForkServer(const Open& open) {
   descriptor_ = paired ? ends[0] : -1;
   if (process_ > 0) return;
   if (paired) ::close(descriptor_);
-  throw InputError("no process can be started to read files in", "batch", "close other programs, or trust the input",
+  throw InputError("cannot start a process that reads files", "batch", "close other programs, or trust the input",
                    {"trust_input"});
 }
 
@@ -49,7 +49,9 @@ int ForkServer::start(const std::string& path, int descriptor, int memory) {
 }
 
 int ForkServer::ended(int reader, int& status) { return send_and_receive({.kind = kPoll, .reader = reader}, status); }
-void ForkServer::end(int reader, int& status) { send_and_receive({.kind = kKillReader, .reader = reader}, status); }
+void ForkServer::kill_and_wait(int reader, int& status) {
+  send_and_receive({.kind = kKillReader, .reader = reader}, status);
+}
 void ForkServer::release(int reader) { send({.command = {.kind = kRelease, .reader = reader}}); }
 
 bool ForkServer::send(const ForkRequest& request) {

@@ -12,12 +12,13 @@ struct ForkRequest;
 struct ForkCommand;
 
 /// A small process that forks sandboxed readers for this process. Forking a process with threads and much memory slows
-/// down all its threads; the server is forked before there are any, and stays small. It ends with this object, or with
+/// down all its threads. Create the server before any thread: it then stays small. It ends with this object, or with
 /// this process.
 class ForkServer {
  public:
   using Open = std::function<SandboxService(const std::string& path)>;
-  /// The readers call `open`. errors  InputError: no process can be started
+  /// The readers call `open`.
+  /// errors  InputError: no process can be started
   explicit ForkServer(const Open& open);
   ~ForkServer();
   ForkServer(const ForkServer&) = delete;
@@ -30,8 +31,8 @@ class ForkServer {
   /// The reader's number when it has ended, with its status as from waitpid; 0 while it runs; −1 for an unknown reader.
   int ended(int reader, int& status);
   /// Kills a reader and waits for its status.
-  void end(int reader, int& status);
-  /// Kills a reader without waiting; its last request.
+  void kill_and_wait(int reader, int& status);
+  /// Kills a reader without waiting. Its number is not valid afterwards.
   void release(int reader);
 
   /// Whether the server has ended unexpectedly: requests get no reply.
@@ -41,7 +42,7 @@ class ForkServer {
   bool send(const ForkRequest& request);
   int send_and_receive(const ForkCommand& command, int& status);
 
-  std::mutex mutex_;  // from a command to its reply
+  std::mutex mutex_;  // held from a command to its reply
   std::atomic<int> readers_{0};
   std::atomic<bool> lost_{false};
   int descriptor_ = -1;

@@ -17,7 +17,7 @@
 namespace percuss::acquire {
 namespace {
 
-int read_for(const ForkServer::Open& open, const std::string& path, int descriptor, int memory) {
+int run_reader(const ForkServer::Open& open, const std::string& path, int descriptor, int memory) {
   struct stat status {};
   const std::uint64_t bytes = ::stat(path.c_str(), &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
   void* const shared = ::mmap(nullptr, kSharedNumbers * sizeof(double), PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0);
@@ -25,8 +25,9 @@ int read_for(const ForkServer::Open& open, const std::string& path, int descript
   return serve_in_sandbox(descriptor, static_cast<double*>(shared), bytes, [&] { return open(path); });
 }
 
-// The requesting thread sleeps until its reader answers, so its processor is free. The kernel often starts the reader
-// on a processor where another thread works. During its lifetime, this process and its children run on `cpu`.
+// Pins this process and the children that it forks to `cpu` while the object lives. The requesting thread sleeps until
+// its reader answers, so its processor is free. Without pinning, the kernel often starts the reader on a busy
+// processor.
 class CpuPinning {
  public:
   explicit CpuPinning(int cpu) {
@@ -47,18 +48,18 @@ class CpuPinning {
   bool pinned_ = false;
 };
 
-// Released readers are reaped before the next start: waiting for one to end would delay the other requests.
+// The readers of the server. Released readers are reaped before the next start: waiting for them would delay requests.
 class Readers {
  public:
-  Readers(int own, const ForkServer::Open& open) : own_(own), open_(open) {}
+  Readers(int socket, const ForkServer::Open& open) : socket_(socket), open_(open) {}
 
   void start(const ForkRequest& request) {
     reap();
     const int process = fork_on_cpu(request.command.cpu);
     if (process > 0) processes_[request.command.reader] = process;
     if (process != 0) return;
-    ::close(own_);
-    ::_exit(read_for(open_, request.path, request.descriptors[0], request.descriptors[1]));
+    ::close(socket_);
+    ::_exit(run_reader(open_, request.path, request.descriptors[0], request.descriptors[1]));
   }
 
   ForkReply ended(int reader, int flags) {
@@ -73,7 +74,7 @@ class Readers {
     return reply;
   }
 
-  ForkReply end(int reader) {
+  ForkReply kill_and_wait(int reader) {
     kill(reader);
     return ended(reader, 0);
   }
@@ -97,7 +98,7 @@ class Readers {
     std::erase_if(released_, [&](int reader) { return ended(reader, WNOHANG).reader != 0; });
   }
 
-  int own_;
+  int socket_;  // only the server uses it: readers close their copy
   const ForkServer::Open& open_;
   std::map<int, int> processes_;  // of readers that have not been reaped
   std::set<int> released_;
@@ -105,11 +106,11 @@ class Readers {
 
 }  // namespace
 
-void run_fork_server(int own, const ForkServer::Open& open) {
+void run_fork_server(int socket, const ForkServer::Open& open) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);  // the parent handles them
   hdf5::start_library();                                                            // once, for all readers
-  Readers readers(own, open);
-  while (const auto request = receive_fork_request(own)) {
+  Readers readers(socket, open);
+  while (const auto request = receive_fork_request(socket)) {
     const ForkCommand& command = request->command;
     const bool has_descriptors = request->descriptors.front() >= 0;
     if (command.kind == kStartReader && has_descriptors) readers.start(*request);
@@ -119,8 +120,8 @@ void run_fork_server(int own, const ForkServer::Open& open) {
     if (command.kind == kRelease) readers.release(command.reader);
     if (command.kind != kPoll && command.kind != kKillReader) continue;
     const ForkReply reply =
-        command.kind == kKillReader ? readers.end(command.reader) : readers.ended(command.reader, WNOHANG);
-    if (::send(own, &reply, sizeof reply, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof reply)) return;
+        command.kind == kKillReader ? readers.kill_and_wait(command.reader) : readers.ended(command.reader, WNOHANG);
+    if (::send(socket, &reply, sizeof reply, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof reply)) return;
   }
 }
 

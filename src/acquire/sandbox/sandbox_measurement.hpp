@@ -11,10 +11,11 @@ namespace percuss::acquire {
 /// The service of a measurement: samples of a record on request, FRFs as a whole.
 SandboxService measurement_service(Measurement opened);
 
-/// The measurement that a child process with measurement_service describes and serves.
+/// The measurement of a child process that runs measurement_service.
 Measurement sandboxed_measurement(const std::shared_ptr<SandboxProcess>& process);
 
-/// The result of `open`, called in a sandboxed child process. errors  InputError: as SandboxProcess.
+/// The result of `open`, called in a sandboxed child process.
+/// errors  InputError: as SandboxProcess.
 Measurement open_in_sandbox(const std::string& path, const std::function<Measurement()>& open);
 
 }  // namespace percuss::acquire

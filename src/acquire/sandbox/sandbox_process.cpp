@@ -27,7 +27,7 @@ constexpr int kNoMemoryExit = 11, kFailedExit = 12;
 constexpr const char* kDamaged = "is the file damaged? Save it again";
 constexpr const char* kDamagedOrTrusted = "is the file damaged? If not, trust the input";
 
-// The lock is held across the fork: otherwise the child could inherit a library that another thread was changing.
+// Holds the lock across the fork: otherwise the child could inherit the library while another thread changes it.
 int fork_with_libraries_idle() {
   const hdf5::ExclusiveAccess access;
   return ::fork();
@@ -85,11 +85,11 @@ SandboxProcess::SandboxProcess(std::string path, std::shared_ptr<ForkServer> for
 }
 
 void SandboxProcess::begin(const std::function<int(int descriptor, int memory)>& start) {
-  constexpr unsigned kClockPerProcessor = 3;  // the child waits for the disk and for other programs as well
+  constexpr unsigned kWallPerCpuTime = 3;  // the child waits for the disk and for other programs as well
   constexpr std::size_t kSharedBytes = kSharedNumbers * sizeof(double);
   struct stat status {};
   if (::stat(path_.c_str(), &status) == 0) file_bytes_ = static_cast<std::uint64_t>(status.st_size);
-  if (timeout_s_ == 0) timeout_s_ = kClockPerProcessor * processor_limit_s(file_bytes_);
+  if (timeout_s_ == 0) timeout_s_ = kWallPerCpuTime * processor_limit_s(file_bytes_);
   std::array<int, 2> ends{-1, -1};
   const int memory = ::memfd_create("percuss", MFD_CLOEXEC);
   const bool sized = memory >= 0 && ::ftruncate(memory, kSharedBytes) == 0;
@@ -123,8 +123,8 @@ SandboxProcess::~SandboxProcess() {
   ::munmap(shared_, kSharedNumbers * sizeof(double));
 }
 
-// A damaged file can make the child wait for ever, hence the timeout. It counts only the seconds in which this process
-// ran: a stopped parent does not blame the child.
+// A damaged file can make the child wait for ever, hence the timeout. It counts only seconds in which this process
+// runs: the child must not fail because its parent was stopped.
 void SandboxProcess::receive(void* to, std::size_t bytes) {
   pollfd readable{descriptor_, POLLIN, 0};
   for (unsigned s = 0; ::poll(&readable, 1, 1000) <= 0; ++s) {
@@ -139,7 +139,7 @@ int SandboxProcess::kill_child() {
   int status = 0;
   if (child_ <= 0) return status;
   if (fork_server_ != nullptr) {
-    fork_server_->end(child_, status);
+    fork_server_->kill_and_wait(child_, status);
   } else {
     ::kill(child_, SIGKILL);
     ::waitpid(child_, &status, 0);
@@ -185,7 +185,7 @@ void SandboxProcess::rethrow(SandboxOutcome outcome, const std::string& payload)
 }
 
 void SandboxProcess::report_no_process() const {
-  throw InputError("no process can be started to read the file in", path_, "close other programs, or trust the input",
+  throw InputError("cannot start a process that reads the file", path_, "close other programs, or trust the input",
                    {"trust_input"});
 }
 

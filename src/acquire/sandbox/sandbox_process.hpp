@@ -30,25 +30,26 @@ class SandboxProcess {
   /// errors  InputError: the error of `open` (also AmbiguousColumns); the child crashed or exceeded a limit
   SandboxProcess(std::string path, const std::function<SandboxService()>& open,
                  std::optional<unsigned> timeout_s = std::nullopt);
-  /// As above, with a child of the fork server, which opens the file.
+  /// As above. The fork server forks the child, which opens the file with the server's `open`.
   SandboxProcess(std::string path, std::shared_ptr<ForkServer> fork_server);
   ~SandboxProcess();
   SandboxProcess(const SandboxProcess&) = delete;
   SandboxProcess& operator=(const SandboxProcess&) = delete;
 
   const std::string& description() const { return description_; }
-  /// Several threads may call at the same time. errors  as above
+  /// Copies numbers from the child, as SandboxService::read. Several threads may call at the same time.
+  /// errors  InputError: as above
   void read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out);
   /// Throws the InputError for an impossible description.
   [[noreturn]] void report_contradiction() const;
 
  private:
-  /// Creates the socket and the shared memory, then the child by start(the child's end, memory), which returns a
-  /// process number.
+  /// Creates the socket and the shared memory, starts the child and receives its description. start(descriptor, memory)
+  /// gets the child's end of the socket and returns a process number.
   void begin(const std::function<int(int descriptor, int memory)>& start);
   int ended(int& status) const;  // as ForkServer::ended
   void receive_outcome(std::string& payload);
-  int kill_child();  // its status as from waitpid
+  int kill_child();  // returns the child's status as from waitpid; 0 without a child
   [[noreturn]] void report_crash();
   [[noreturn]] void report_no_process() const;
   [[noreturn]] void report_timeout() const;

@@ -11,7 +11,8 @@
 
 namespace percuss::acquire {
 
-// The protocol between a sandboxed process and its parent, over a socket: requests one way, outcomes the other.
+// The protocol between a sandboxed process and its parent, over a socket: the parent sends requests, the process sends
+// outcomes.
 
 /// Asks for numbers first … first + count − 1 of a row's signal, to be written to the shared memory.
 struct SandboxRequest {

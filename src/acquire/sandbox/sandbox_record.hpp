@@ -13,7 +13,7 @@ SandboxService record_service(Record record);
 /// The record that a sandboxed process describes and serves. `in` is at the start of the bytes of record_service.
 Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>& process);
 
-/// Parts of a description, for other descriptions.
+/// Parts of the description of a record, which the description of FRFs shares.
 void serialize_signal(Serializer& out, const SignalInfo& signal);
 SignalInfo deserialize_signal(Deserializer& in);
 void serialize_notes(Serializer& out, const std::vector<Message>& notes);

@@ -32,8 +32,8 @@ class Serializer {
   std::string bytes_;
 };
 
-/// Reads the values back. The bytes are not trusted: sizes are checked against the bytes left.
-/// errors  std::out_of_range
+/// Reads the values of a Serializer. The bytes are not trusted: sizes are checked against the bytes left.
+/// errors  std::out_of_range from every member: the bytes end before the value.
 class Deserializer {
  public:
   explicit Deserializer(std::string_view bytes) : rest_(bytes) {}

@@ -62,7 +62,8 @@ std::string temporary_name(const std::string& target, int attempt) {
   return name;
 }
 
-/// Calls make(name) with new names until one succeeds, or fails for another reason than an existing file.
+/// Calls make(name) with new names until one succeeds. Returns that name, or an empty text where a call fails for
+/// another reason than an existing file.
 template <class Make>
 std::string first_free_name(const std::string& target, Make&& make) {
   for (int attempt = 0; attempt < kNamesTried; ++attempt) {
@@ -99,7 +100,7 @@ void sync_folder(const std::string& folder) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::string path, bool force, Temporary aside) : path_(std::move(path)), force_(force) {
+AtomicFile::AtomicFile(std::string path, bool force, Temporary kind) : path_(std::move(path)), force_(force) {
   if (path_.empty()) throw InputError("empty file name", "output", "name the file to write");
   target_ = resolved(path_);
   struct stat info {};
@@ -112,7 +113,7 @@ AtomicFile::AtomicFile(std::string path, bool force, Temporary aside) : path_(st
   } else if (errno != ENOENT) {
     fail("cannot write");
   }
-  if (aside == Temporary::unnamed_if_possible) open_unnamed(folder_of(target_));
+  if (kind == Temporary::unnamed_if_possible) open_unnamed(folder_of(target_));
   if (descriptor_ < 0) open_named();
 }
 

@@ -14,22 +14,23 @@ inline namespace core {
 ///   file.write("hit,t_s\n");
 ///   file.commit();
 /// Where the file system allows it, the temporary file has no name, so that even SIGKILL leaves nothing behind.
-/// Elsewhere it is called ".out.csv.percuss-PID". A symbolic link is followed: its target is replaced. errors
-/// InputError from every member: the file exists and `force` is not set, the folder is missing, the disk is full, …
+/// Elsewhere it is called ".out.csv.percuss-PID". A symbolic link is followed: its target is replaced.
+/// errors  InputError from every member: the file exists and `force` is not set, the folder is missing, the disk is
+/// full, …
 class AtomicFile {
  public:
   /// The kind of temporary file. It is `named` wherever the file system or /proc does not support the other kind.
   enum class Temporary { unnamed_if_possible, named };
 
-  AtomicFile(std::string path, bool force, Temporary aside = Temporary::unnamed_if_possible);
+  AtomicFile(std::string path, bool force, Temporary kind = Temporary::unnamed_if_possible);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Appends.
+  /// Appends bytes to the file.
   void write(std::string_view bytes);
-  /// The path for libraries that need a name, until commit. Use Temporary::named for libraries that do not accept
-  /// /proc/self/fd/N.
+  /// The path of the temporary file until commit(), for libraries that need a name. Use Temporary::named for libraries
+  /// that do not accept /proc/self/fd/N.
   const std::string& temporary_path() const { return temporary_path_; }
   /// Renames the file to its path, with mode 0644 less the umask. Call it once.
   void commit();

@@ -76,7 +76,7 @@ std::vector<std::string_view> used_cells(std::string_view line, const CsvDialect
   return cells;
 }
 
-// The number of names in the last line before the numbers, and the first line of numbers.
+// The number of names in the last line before the numbers, and the lines of numbers among the first 64 lines.
 struct Beginning {
   std::size_t names = 0;
   std::vector<std::string_view> numbers;
@@ -120,7 +120,7 @@ bool take_cell(std::string_view& line, const CsvDialect& dialect, std::string_vi
   if (line.data() == nullptr) return false;
   const std::size_t end = cell_end(line, dialect);
   cell = line.substr(0, end);
-  line = end < line.size() ? line.substr(end + 1) : std::string_view{};  // empty after the last line
+  line = end < line.size() ? line.substr(end + 1) : std::string_view{};  // no data pointer after the last cell
   return true;
 }
 

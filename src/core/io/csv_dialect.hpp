@@ -27,19 +27,23 @@ std::vector<std::string_view> split_cells(std::string_view line, const CsvDialec
 /// Whether a line has no data: blank, only delimiters, or a comment (# or %).
 bool is_skipped(std::string_view line, const CsvDialect& dialect);
 
-/// Lines from the last eighth of the file, behind any header, last one first. At least one (if there is one) and at
-/// most 64, without blank lines and comments.
+/// Lines from the last eighth of the file, where no header is expected. The last line comes first. Blank lines and
+/// comments are omitted. At most 64 lines, and at least one where the text has one.
 std::vector<std::string_view> probe_lines(std::string_view text, char line_end);
 
 char find_line_end(std::string_view text);
 
-/// The dialect of `probes`. The delimiter is the first of ; tab , in most of them, otherwise blanks. A comma is the
-/// decimal mark when it is not the delimiter, or when a line holds only words like 0,25 and blanks.
+/// The dialect of `probes`. The delimiter is the first of ; tab , that most probes contain, otherwise blanks. A comma
+/// is no delimiter where every probe holds only numbers like 0,25 and blanks. It is the decimal mark where a cell holds
+/// a number with a comma.
 CsvDialect find_dialect(const std::vector<std::string_view>& probes, char line_end);
 
-/// Whether commas seem to be both delimiters and decimal marks, as in "0,05,1,5" under two names. Then no line of
-/// numbers (the first of the text and the probes) holds a point, and most have more cells than the last line of names.
-/// Their number of cells is as fractions make it: twice the names, changing, or with numbers padded with zeros.
+/// Whether commas seem to be both delimiters and decimal marks, as in "0,05,1,5" under two names. Lines of numbers are
+/// those among the first 64 lines of the text, and the probes. All of these must hold:
+///   the delimiter is the comma, and there are at least two names;
+///   no line of numbers contains a point;
+///   most probes have more cells than there are names, and no line has more than twice as many;
+///   the number of cells varies, or is twice the names in every line, or a cell is padded with zeros ("05").
 bool has_two_kinds_of_comma(std::string_view text, const std::vector<std::string_view>& probes,
                             const CsvDialect& dialect);
 

@@ -38,7 +38,8 @@ bool looks_like_data(std::string_view line, const CsvDialect& dialect, const std
   return 2 * numbers >= columns.size();
 }
 
-// After a column of text, a header line such as "Range,5,5" looks like data: then four lines in a row must.
+// Where the first column is text, a header line such as "Range,5,5" looks like data. Four lines in a row must then look
+// like data.
 bool data_starts_here(std::string_view rest, const CsvDialect& dialect, const std::vector<std::size_t>& columns) {
   const int wanted = columns.front() == 0 ? 1 : 4;
   for (int seen = 0; seen < wanted && !rest.empty();) {
@@ -123,7 +124,7 @@ bool is_unit_row(const Cells& cells, const std::vector<std::size_t>& columns) {
   return units > 0;
 }
 
-// The words in the column names give the kind of file.
+// Throws InputError for an FRF or a spectrum, which the words in the column names show.
 void refuse_frf(const std::vector<HeaderLine>& lines, const CsvDialect& dialect, std::size_t columns,
                 const std::string& file) {
   for (const auto& line : lines) {

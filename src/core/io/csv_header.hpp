@@ -23,8 +23,8 @@ struct CsvHeader {
   std::size_t lines = 0;       // all lines before the data
   std::size_t data_start = 0;  // byte offset of the first line of data
   bool named = false;
-  bool text = true;                // false: the columns are signals of a file of another kind
-  std::size_t width = 0;           // cells of the line of names, with the empty ones
+  bool text = true;                // false where the columns are the signals of a file that is not text
+  std::size_t width = 0;           // cells of the line of names, including empty cells
   std::vector<CsvColumn> columns;  // every column with a name or numbers, in the order of the file
   std::optional<double> fs_Hz;     // stated by a line such as "Sampling Rate(Hz),50"
   std::string fs_line;             // that line, for messages

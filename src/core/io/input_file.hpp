@@ -20,7 +20,8 @@ struct FileBytes {
   std::string_view view() const { return {data.get(), size}; }
 };
 
-/// A file with its first 64 KiB loaded and address space for all. errors  as read_input
+/// A file with its first 64 KiB loaded, and address space for all its bytes.
+/// errors  as read_input
 FileBytes lazy_input(const std::string& path, std::uint64_t limit_bytes);
 
 /// Checks the first bytes (up to 64 KiB) before the rest is read. Throws InputError for a wrong kind of file.
@@ -29,7 +30,8 @@ using HeadCheck = std::function<void(std::string_view head)>;
 /// `path` for messages: "standard input" for "-".
 std::string input_name(const std::string& path);
 
-/// Opens a regular file for reading and gets its size. errors  as first_bytes; longer than `limit_bytes`
+/// Opens a regular file for reading and gets its size.
+/// errors  as first_bytes; longer than `limit_bytes`
 int open_regular_file(const std::string& path, std::uint64_t limit_bytes, std::uint64_t& size_bytes);
 
 /// The first bytes of a regular file, at most `count`. Rejects pipes, devices and folders without waiting for them.
@@ -37,7 +39,8 @@ int open_regular_file(const std::string& path, std::uint64_t limit_bytes, std::u
 std::string first_bytes(const std::string& path, std::size_t count);
 
 /// The bytes of a regular file, or of standard input for "-". Memory grows with the bytes read, never with a size that
-/// a file claims. errors  as first_bytes; longer than `limit_bytes`; the errors of `check_head`
+/// a file claims.
+/// errors  as first_bytes; longer than `limit_bytes`; the errors of `check_head`
 FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const HeadCheck& check_head = {});
 
 }  // namespace core

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kLargestSheet_bytes = std::size_t{16} << 20U;
+constexpr std::size_t kMaxStrictTable_bytes = std::size_t{16} << 20U;
 constexpr std::size_t kMaxTableRows = 100'000;
 
 // "# bat.length_in = 34" into document["bat"]["length_in"]; other comments are ignored.
@@ -29,7 +29,7 @@ void take_setting(std::string_view line, json& document, const std::string& plac
   json& at = dot == std::string::npos ? document : document[key.substr(0, dot)];
   const std::string last = dot == std::string::npos ? key : key.substr(dot + 1);
   if ((!at.is_object() && !at.is_null()) || at.contains(last))
-    throw InputError(fmt::format("\"{}\" is given twice", one_line(key, 60)), place, "leave one of them");
+    throw InputError(fmt::format("\"{}\" is given twice", one_line(key, 60)), place, "keep one of them");
   at[last] = to_utf8(trimmed(line.substr(equals + 1)));
 }
 
@@ -62,7 +62,7 @@ CsvDialect table_dialect(std::string_view names) {
 
 std::string json_from_table(const StrictText& input, StrictSource& source) {
   std::string_view text = input.text;
-  if (text.size() > kLargestSheet_bytes) throw InputError("longer than 16 MiB", input.where, "split the file");
+  if (text.size() > kMaxStrictTable_bytes) throw InputError("longer than 16 MiB", input.where, "split the file");
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   if (text.find('\0') != std::string_view::npos)
     throw InputError("this is not text", input.where, input.remedy, input.options);
@@ -70,7 +70,7 @@ std::string json_from_table(const StrictText& input, StrictSource& source) {
   const auto lines = table_lines(text, document, input.where);
   if (lines.empty()) throw InputError("no line of column names", input.where, input.remedy, input.options);
   if (document.contains(source.rows))
-    throw InputError("\"" + source.rows + "\" is set above the rows", input.where, "leave one of them");
+    throw InputError("\"" + source.rows + "\" is set above the rows", input.where, "keep one of them");
   const CsvDialect dialect = table_dialect(lines.front().text);
   source.table = true;
   source.decimal_comma = dialect.decimal_comma;

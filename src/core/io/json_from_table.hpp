@@ -8,12 +8,13 @@
 namespace percuss {
 inline namespace core {
 
-/// The text that contains StrictObjects. For a table, also the line of each row of the list `rows`.
+/// The text from which StrictObjects are read, for messages. A table adds the line number of each row of the list
+/// `rows`.
 struct StrictSource {
   std::string where, remedy;
   std::vector<OptionId> options{};
-  std::string rows{};
-  std::vector<std::size_t> lines{};
+  std::string rows{};                         // name of the list of rows
+  std::vector<std::size_t> lines{};           // [rows] line numbers
   bool table = false, decimal_comma = false;  // all values are texts; numbers may have a decimal comma
 };
 

@@ -31,12 +31,12 @@ class JsonValidator : public nlohmann::json_sax<json> {
 
   bool key(string_t& name) override {
     if (keys_.back().insert(name).second) return true;
-    throw InputError(fmt::format("key \"{}\" is given twice", one_line(name, 60)), input_.where, "leave one of them");
+    throw InputError(fmt::format("key \"{}\" is given twice", one_line(name, 60)), input_.where, "keep one of them");
   }
 
   bool parse_error(std::size_t byte, const std::string&, const json::exception& problem) override {
     if (dynamic_cast<const json::out_of_range*>(&problem) != nullptr)
-      throw InputError("a number too large to hold", input_.where, "give a finite number");
+      throw InputError("number too large for double precision", input_.where, "give a finite number");
     throw InputError("not JSON", fmt::format("{}, byte {}", input_.where, byte), input_.remedy, input_.options);
   }
 

@@ -21,7 +21,7 @@ LazyFile::LazyFile(const std::string& path, std::uint64_t limit_bytes) : path_(p
                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (place == MAP_FAILED) {
     ::close(descriptor_);
-    throw InputError("no memory for a file of its size", path, "split it, or save it as HDF5");
+    throw InputError("not enough address space for the file", path, "split it, or save it as HDF5");
   }
   data_ = static_cast<char*>(place);
 }

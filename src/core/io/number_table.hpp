@@ -17,7 +17,7 @@ struct NumberTableRow {
 struct NumberTableSpec {
   std::size_t columns = 2;  // in every line
   std::size_t max_rows = 10'000;
-  std::string remedy;  // of messages: the expected lines
+  std::string remedy;  // for messages: describes the expected lines
 };
 
 /// Reads a text of numbers, with delimiters, quotes, comments and decimal marks as in records. Lines of names may come

@@ -10,7 +10,7 @@ inline namespace core {
 
 std::string significant(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return fmt::format("{:g}", value);
-  // 9.999 has its last digits where 10.0 has them: the exponent is the rounded number's.
+  // The exponent is taken after rounding: 9.999 with three digits is 10.0, not 10.00.
   std::string scientific = fmt::format("{:.{}e}", value, digits - 1);
   const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
   if (exponent < -5) return scientific;

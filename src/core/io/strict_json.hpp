@@ -73,15 +73,15 @@ class StrictObject {
 /// errors  InputError: not JSON, nested deeper than `max_depth`, a key given twice, a key that `read` does not read
 void read_strict_json(const StrictText& text, const StrictObject::Reader& read);
 
-/// Reads a table like such a document. Its rows are the objects of the list `rows`, the column names are the keys, and
-/// empty cells are absent. Lines like "# bat.length_in = 34" above the table are the other keys. A cell is text, a
+/// Reads a table as such a document. Its rows are the objects of the list `rows`, the column names are the keys, and
+/// empty cells are absent keys. Lines like "# bat.length_in = 34" above the table set the other keys. A cell is text, a
 /// number, several numbers separated by blanks, "yes" or "no". Comma, semicolon or tab separate cells; the decimal mark
 /// may be a comma where the comma does not separate cells.
 /// errors  InputError with the line: as above; a cell without a column, two columns of one name, more than 100000 rows
 /// or 16 MiB
 void read_strict_table(const StrictText& text, const std::string& rows, const StrictObject::Reader& read);
 
-/// Whether the first character of a text that is neither blank nor comment opens a JSON object.
+/// Whether a text begins with a JSON object, after blanks and comments.
 bool looks_like_json(std::string_view text);
 
 /// Whether the lists and objects of a JSON text are nested more than `depth` times, which would take unbounded memory

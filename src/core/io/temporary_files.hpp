@@ -4,8 +4,8 @@
 namespace percuss {
 inline namespace core {
 
-/// Registers a file under a temporary name with remove_temporary_files() during the lifetime of this object. A lock
-/// (flock) distinguishes the file from those that a killed process left behind.
+/// A file under a temporary name. During the lifetime of this object, remove_temporary_files() removes the file, and a
+/// lock (flock) distinguishes it from files that a killed process left behind.
 class TemporaryFile {
  public:
   /// `descriptor` is open for the file at `path`. On a file system without locks, the file stays unlocked.
@@ -22,8 +22,8 @@ class TemporaryFile {
   int descriptor_;
 };
 
-/// Removes the temporary files of this process. Safe in handlers of signals that end it (SIGINT, SIGTERM, SIGHUP).
-/// Later use of the files fails.
+/// Removes the temporary files of this process. Safe in handlers of signals that end the process (SIGINT, SIGTERM,
+/// SIGHUP). Later use of the files fails.
 void remove_temporary_files() noexcept;
 
 /// Removes the files in `folder` whose names start with `prefix`, except those that a running process has locked.

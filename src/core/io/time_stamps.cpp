@@ -99,7 +99,8 @@ bool is_even(const TimeStamps& row, const Deviation& deviation) {
   const double step_s = mean_step_s(t);
   if (!(step_s > 0)) return false;
   if (is_exact(row, deviation)) return true;
-  // Steps of one unit with a few of two are probably lost samples, not a rate just off the unit.
+  // Steps of one unit with a few steps of two units are probably lost samples, not a rate slightly below one sample per
+  // unit.
   if (std::abs(step_s / row.resolution_s - 1) < 0.25) return false;
   // Stamps may carry the rounding of single precision, but never as much as a lost sample.
   const double largest_s = std::max(std::abs(t.front()), std::abs(t.back()));
@@ -107,7 +108,7 @@ bool is_even(const TimeStamps& row, const Deviation& deviation) {
   return deviation.stamp_s <= tolerance_s && deviation.step_s <= tolerance_s;
 }
 
-// The stamp after the step that differs most from the usual step: the place to report.
+// The index of the stamp after the step that differs most from the median step, for messages.
 std::size_t oddest_step(const TimeStamps& row, double& step_s) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < row.time_s.size(); ++i) steps.push_back(row.time_s[i] - row.time_s[i - 1]);
@@ -169,7 +170,7 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
     return std::nullopt;
   }
   if (!(off_s <= kCoarsest * length_s)) {
-    problem.text = fmt::format("time stamps with {:.2g} s per digit are too coarse to tell the sampling rate",
+    problem.text = fmt::format("time stamps with a resolution of {:.2g} s are too coarse to give the sampling rate",
                                off_s / static_cast<double>(rows.size()));
     return std::nullopt;
   }
@@ -179,10 +180,11 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
   rate.lowest_Hz *= 1 - 1e-12;
   rate.highest_Hz *= 1 + 1e-12;
   const double round_Hz = roundest_between(rate.lowest_Hz, rate.highest_Hz);
-  constexpr double kNotedDifference = 1e-6;  // recorder clocks are not better
+  constexpr double kNotedDifference = 1e-6;  // relative; clocks of recorders are not more accurate
   if (std::abs(round_Hz / rate.fs_Hz - 1) > kNotedDifference) {
     rate.note = fmt::format(
-        "the time stamps are rounded: the sampling rate is taken as {:.10g} Hz, not {:.10g}; state it if it is another",
+        "the time stamps are rounded: the sampling rate is taken as {:.10g} Hz, not {:.10g}; state the rate if it "
+        "differs",
         round_Hz, rate.fs_Hz);
   }
   rate.fs_Hz = round_Hz;

@@ -24,18 +24,20 @@ struct TimeStamps {
 struct StampedRate {
   double fs_Hz = 0;
   double lowest_Hz = 0, highest_Hz = 0;  // limits from the rounding of the stamps
-  std::string note;                      // empty when the stamps give the rate exactly; it concerns the option "fs"
+  std::string note;                      // empty when the stamps give the rate exactly; for the option "fs"
+};
+
+/// The reason why time stamps give no rate, and the place of the worst stamp.
+struct StampProblem {
+  std::string text;
+  std::size_t row = 0, at = 0;  // `at`: index of the stamp in its row
 };
 
 /// The rate of evenly spaced stamps:
 ///   fs = Σ (n − 1) / Σ (t_last − t_first)   over rows                              (1)
-/// then the number with the fewest digits within the limits from the rounding of the stamps.
-/// errors  nothing, with the reason in `problem`: stamps that are uneven beyond their rounding, do not rise, are too
-/// coarse to give the rate to 5e-4, or are fewer than two. `at` is the index of the wrong stamp in its row.
-struct StampProblem {
-  std::string text;
-  std::size_t row = 0, at = 0;
-};
+/// The result is the number with the fewest digits within the limits from the rounding of the stamps.
+/// errors  Returns nothing and sets `problem`: stamps that are uneven beyond their rounding, do not rise, are too
+/// coarse to give the rate to 5e-4, or are fewer than two.
 std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows, StampProblem& problem);
 
 /// The number with the fewest significant decimal digits in [low, high], 0 < low <= high.

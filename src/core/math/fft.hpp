@@ -21,11 +21,11 @@ std::vector<Complex> real_dft(std::span<const double> x);
 /// for the plan.
 void plan_real_dft(std::size_t n);
 
-/// As above into the caller's storage; x.size() >= 1, out.size() == x.size()/2 + 1.
+/// As real_dft(x), into the caller's storage; x.size() >= 1, out.size() == x.size()/2 + 1.
 void real_dft(std::span<const double> x, std::span<Complex> out);
 
-/// As above into memory of the calling thread, which its next call overwrites. For callers that keep a part of the
-/// lines.
+/// As real_dft(x), into memory of the calling thread. The next call on this thread overwrites the result. For callers
+/// that keep only a part of the lines.
 std::span<const Complex> real_dft_in_scratch(std::span<const double> x);
 
 /// The inverse of (1), with the factor 1/N: the sequence of `samples` values with the one-sided transform `lines`.

@@ -71,7 +71,7 @@ class Search {
   }
 
  private:
-  // Raises the damping until a trial lowers the cost. The reason to stop, if there is one.
+  // Raises the damping until a trial lowers the cost. Returns the reason to stop, if there is one.
   std::optional<Stop> next_step() {
     const NormalEquations& normal = problem_.normal_equations();
     for (int rejections = 0; rejections < options_.max_rejections && damping_ <= options_.max_damping; ++rejections) {

@@ -71,15 +71,16 @@ Value evaluate(const VectorXcd& c, Complex w) {
   return value;
 }
 
-// Newton's step of root i on the polynomial with all other roots divided out. False when p is within its rounding.
+// Newton's step of root i on the polynomial with all other roots divided out. False when the root has
+// converged: p, or the step, is within its rounding.
 bool improve(const VectorXcd& c, VectorXcd& w, Index i) {
   const Value value = evaluate(c, w(i));
   if (std::abs(value.p) <= value.rounding) return false;
-  Complex pull = 0;
+  Complex deflation = 0;
   for (Index j = 0; j < w.size(); ++j) {
-    if (j != i) pull += inverse(w(i) - w(j));
+    if (j != i) deflation += inverse(w(i) - w(j));
   }
-  const Complex step = value.p / (value.slope - times(value.p, pull));
+  const Complex step = value.p / (value.slope - times(value.p, deflation));
   w(i) -= step;
   return !(std::abs(step) <= kEpsilon * std::abs(w(i)));
 }

@@ -13,7 +13,8 @@ using Eigen::Map;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-// Σ conj(a)·b in two independent sums over alternate elements: each addition waits for the previous one.
+// Σ conj(a)·b in two independent sums over alternate elements, because each addition to one sum waits for the previous
+// one.
 Complex dot_conj(const Complex* a, const Complex* b, Index n) {
   const auto at = [](const Complex* z, Index i) { return Map<const Array2d>(reinterpret_cast<const double*>(z + i)); };
   Array2d straight = Array2d::Zero(), crossed = Array2d::Zero(), straight2 = Array2d::Zero(),

@@ -25,8 +25,8 @@ void initialise_this_thread() {
   if (const auto initialise = thread_initialiser.load()) initialise();
 }
 
-// oneTBB orders tasks after the code before parallel_for, and the code after it after the tasks. The thread sanitizer
-// does not see that order in the library; these counters state it again.
+// oneTBB guarantees an order: the code before parallel_for, the tasks, the code after it. The thread sanitizer does not
+// see this order in the library; these counters make it visible.
 std::atomic<std::size_t> loops_begun{0}, tasks_ended{0};
 
 // Also counts a task that throws.

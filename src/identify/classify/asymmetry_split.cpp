@@ -9,12 +9,13 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kMinPlaneSine = 0.2;  // sine of n times the angle between the sensors
-constexpr double kHidden_dB = 20;      // level difference at which the second peak hides the first
-constexpr double kPlacement = 0.0873;  // 5°: error of the pattern cos n(θ − plane) for real shapes
-constexpr double kDeviations = 3;
+constexpr double kMinPlaneSine = 0.2;         // sine of n times the angle between the sensors
+constexpr double kHidden_dB = 20;             // level difference at which the second peak hides the first
+constexpr double kPatternError_rad = 0.0873;  // 5°: error of the pattern cos n(θ − plane) for real shapes
+constexpr double kMinAngleSignificance = 3;   // standard deviations of an angle that differs from zero
 
-// Residues at the two sensors over all impact points, in phase with the larger of them.
+// Amplitudes at the two sensors over all impact points, and their standard deviations. The second amplitude is negative
+// where the sensors move in opposite phase.
 struct SensorAmplitudes {
   double first = 0, second = 0, first_std = 0, second_std = 0;
 };
@@ -48,7 +49,7 @@ double between(const PatternPlane& a, const PatternPlane& b) {
 }
 
 SplitCause cause_of(double between_rad, double std_rad, int order) {
-  const double wide = std::max(kDeviations * std_rad, kPlacement), apart = pi / (2 * order);
+  const double wide = std::max(kMinAngleSignificance * std_rad, kPatternError_rad), apart = pi / (2 * order);
   if (2 * wide >= apart) return SplitCause::unclear;  // too uncertain
   if (apart - between_rad <= wide) return SplitCause::asymmetry;
   return between_rad <= wide ? SplitCause::coupled : SplitCause::unclear;

@@ -14,7 +14,7 @@ std::optional<PatternPlane> plane_from_sensors(const Mode& mode, const SensorPai
 
 /// Describes the two members of a split mode in `of_first` and `of_second`: standard deviation of the separation, level
 /// of the first over the second, the quoted member, and both planes where known. The source quotes the first member.
-/// The second is quoted where it hides the first (20 dB lower). source  [8] section 3.6.
+/// The second is quoted where the first is 20 dB lower and therefore hidden. source  [8] section 3.6.
 void describe_split(const Mode& first, const Mode& second, const std::optional<PatternPlane>& first_plane,
                     const std::optional<PatternPlane>& second_plane, SplitMode& of_first, SplitMode& of_second);
 

@@ -10,10 +10,10 @@ namespace percuss::identify {
 namespace {
 
 constexpr double kPairSpacing = 0.04;        // relative: the two planes of one bending mode are closer
-constexpr double kSplitSpacing = 0.15;       // relative: the 25 Hz rule applies to bats, whose modes are above 100 Hz
+constexpr double kSplitSpacing = 0.15;       // relative: limits the 25 Hz rule of bats, whose modes are above 100 Hz
 constexpr double kMinLoneProbability = 0.9;  // below it the second type is stated
 constexpr double kMinRivalProbability = 0.03;
-constexpr double kComplex = 0.4;  // |Im| over |ratio| above which the shape is not real
+constexpr double kMaxOutOfPhase = 0.4;  // RatioAngle::out_of_phase above which the shape is not real
 
 struct Ratio {
   Complex value;
@@ -23,7 +23,7 @@ struct Ratio {
   bool known = false;
 };
 
-// Least squares over the impact points, whose pairs of residues have one ratio.
+// The ratio of the residues at the two sensors, by least squares over the impact points.
 Ratio ratio_of(const Mode& mode, const SensorPair& sensors) {
   double first_power = 0, second_power = 0, first_noise = 0, second_noise = 0;
   Complex cross;
@@ -84,21 +84,21 @@ std::vector<TypePosterior> posteriors_of(const std::vector<Mode>& modes, const s
   return type_posteriors(evidence, RatioLikelihood(sensors.first_rad, sensors.second_rad, error));
 }
 
-void judge(ModeClassification& verdict, const TypePosterior& belief, const Ratio& ratio) {
+void set_type(ModeClassification& classification, const TypePosterior& posterior, const Ratio& ratio) {
   if (!ratio.known) return;
-  verdict.ratio = ratio.value;
-  verdict.ratio_std = ratio.std;
-  const bool bending = belief[0] >= belief[1];
-  const double best = std::max(belief[0], belief[1]);
-  const double rival = std::min(belief[0], belief[1]);
-  const bool real_shape = ratio.angle.out_of_phase < kComplex;
-  verdict.family =
+  classification.ratio = ratio.value;
+  classification.ratio_std = ratio.std;
+  const bool bending = posterior[0] >= posterior[1];
+  const double best = std::max(posterior[0], posterior[1]);
+  const double rival = std::min(posterior[0], posterior[1]);
+  const bool real_shape = ratio.angle.out_of_phase < kMaxOutOfPhase;
+  classification.family =
       best >= kMinTypeProbability && real_shape ? (bending ? ModeType::bending : ModeType::hoop) : ModeType::unknown;
-  verdict.confidence = verdict.family == ModeType::unknown ? 1 - best : best;
-  if (verdict.family == ModeType::unknown) {
-    verdict.alternative = bending ? ModeType::bending : ModeType::hoop;
+  classification.confidence = classification.family == ModeType::unknown ? 1 - best : best;
+  if (classification.family == ModeType::unknown) {
+    classification.alternative = bending ? ModeType::bending : ModeType::hoop;
   } else if (rival > kMinRivalProbability || best < kMinLoneProbability) {
-    verdict.alternative = bending ? ModeType::hoop : ModeType::bending;
+    classification.alternative = bending ? ModeType::hoop : ModeType::bending;
   }
 }
 
@@ -150,9 +150,9 @@ void find_planes(const std::vector<Mode>& modes, std::vector<ModeClassification>
 
 void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
                    const ClassifyOptions& options) {
-  for (ModeClassification& verdict : classifications) {
-    verdict.order = 0;
-    verdict.split_mode.reset();
+  for (ModeClassification& classification : classifications) {
+    classification.order = 0;
+    classification.split_mode.reset();
   }
   mark_split_modes(modes, classifications, options);
   number_orders(modes, classifications, options);
@@ -203,7 +203,7 @@ std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const s
     ratios.reserve(modes.size());
     for (const Mode& mode : modes) ratios.push_back(ratio_of(mode, *sensors));
     const auto posteriors = posteriors_of(modes, ratios, *sensors, options);
-    for (std::size_t m = 0; m < modes.size(); ++m) judge(classifications[m], posteriors[m], ratios[m]);
+    for (std::size_t m = 0; m < modes.size(); ++m) set_type(classifications[m], posteriors[m], ratios[m]);
   }
   assign_orders(modes, classifications, options);
   if (sensors) find_planes(modes, classifications, *sensors, options);

@@ -18,7 +18,7 @@ struct ModeClassification {
   ModeType family = ModeType::unknown;
   int order = 0;                        // from 1 within the type; 0 for unknown
   double confidence = 0;                // posterior probability of `family`
-  std::optional<ModeType> alternative;  // second type: below 90 % confidence, or at 3 % or more
+  std::optional<ModeType> alternative;  // second type: confidence below 90 %, or the second type above 3 %
   std::optional<double> overlay_dB;     // level of the second FRF over the first at the peak
   bool overlaid = false;                // |overlay_dB| within the threshold: a hoop mode by the rule of [8]
   std::optional<Complex> ratio;         // residue of the second sensor over that of the first

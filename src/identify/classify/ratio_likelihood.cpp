@@ -10,9 +10,9 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-constexpr double kFloor_rad = 0.035;  // 2°: error of the pattern, for mixed shapes and barrels that are not round
-constexpr double kPlane_rad = 0.14;   // 8°: difference between the planes of different bending modes
-constexpr double kKnownPlane = 0.7;   // prior of bending in the bat's plane; the rest is bending in any plane
+constexpr double kPatternStd_rad = 0.035;  // 2°: error of the pattern, for mixed shapes and barrels that are not round
+constexpr double kPlane_rad = 0.14;        // 8°: difference between the planes of different bending modes
+constexpr double kKnownPlane = 0.7;        // prior of bending in the bat's plane; the rest is bending in any plane
 constexpr double kOtherTypePrior =
     0.05;                             // prior of modes that are neither bending nor n = 2, for a bat below a few kHz
 constexpr double kMinDensity = 1e-6;  // lower limit of a density
@@ -48,12 +48,12 @@ RatioLikelihood::RatioLikelihood(double first_rad, double second_rad, const SetU
 }
 
 // A relative gain error e changes χ by e sin χ cos χ.
-double RatioLikelihood::deviation(const RatioAngle& ratio) const {
-  return std::hypot(ratio.std_rad, kFloor_rad, 0.5 * std::sin(2 * ratio.chi_rad) * gain_std_);
+double RatioLikelihood::chi_std_rad(const RatioAngle& ratio) const {
+  return std::hypot(ratio.std_rad, kPatternStd_rad, 0.5 * std::sin(2 * ratio.chi_rad) * gain_std_);
 }
 
 double RatioLikelihood::density(const RatioAngle& ratio, Complex mean) const {  // (1)
-  const double s = deviation(ratio);
+  const double s = chi_std_rad(ratio);
   const Complex z = std::polar(1.0, 2 * ratio.chi_rad) * std::conj(mean);
   const double shrink = std::exp(-4 * s * s);  // ratio of successive factors
   double factor = std::exp(-2 * s * s), step = factor * shrink, sum = 1;
@@ -75,7 +75,7 @@ double RatioLikelihood::bending(const RatioAngle& ratio, double plane_rad) const
     const double a = std::cos(first_rad_ - plane), b = std::cos(second_rad_ - plane);
     const double slope = std::abs(std::sin(second_rad_ - first_rad_)) / std::max(a * a + b * b, kMinDensity);  // dχ/dψ
     in_plane +=
-        0.5 * wrapped_density(ratio.chi_rad - std::atan2(b, a), std::hypot(deviation(ratio), slope * kPlane_rad));
+        0.5 * wrapped_density(ratio.chi_rad - std::atan2(b, a), std::hypot(chi_std_rad(ratio), slope * kPlane_rad));
   }
   return kKnownPlane * in_plane + (1 - kKnownPlane) * bending(ratio);
 }
@@ -96,7 +96,7 @@ double RatioLikelihood::other(const RatioAngle& ratio) const {
 }
 
 // The pattern's angle follows from the ratio: |(a, b)|² = sin² nΔ/(1 − sin 2χ cos nΔ), Δ the angle between the sensors.
-double RatioLikelihood::seen(const RatioAngle& ratio, int n) const {
+double RatioLikelihood::observed_amplitude(const RatioAngle& ratio, int n) const {
   const double apart = n * (second_rad_ - first_rad_), blur = n * apart_std_rad_;
   const double sine_2 = std::min(std::pow(std::sin(apart), 2) + blur * blur, 1.0);
   const double cosine = std::copysign(std::sqrt(1 - sine_2), std::cos(apart));

@@ -9,7 +9,7 @@ namespace percuss::identify {
 struct RatioAngle {
   double chi_rad = 0;
   double std_rad = 0;
-  double out_of_phase = 0;  // |Im|/| · | of the ratio: 0 for a real shape
+  double out_of_phase = 0;  // 2 |Im(conj(A₁)·A₂)|/(|A₁|² + |A₂|²): 0 for a real shape
 };
 
 /// Density of a wrapped Gaussian of standard deviation `std` with period 180°, per radian.
@@ -26,7 +26,8 @@ struct SetUpError {
 /// is a Möbius transform of a uniform phase: its k-th moment is the k-th power of the transform's value μ at the
 /// circle's centre (at infinity where |α| < |β|). With a Gaussian of standard deviation s for noise and gains:
 ///   p(χ) = (1 + 2 Re Σ_k z^k exp(−2 k² s²))/π,  z = e^2jχ conj(μ),  μ = β/conj(α) or α/conj(β), |μ| ≤ 1           (1)
-/// Sensors at 90° give |μ| = 0 for bending (any χ) and 1 for n = 2 (χ = −45°); misplaced ones blur the latter.
+/// Sensors at 90° give |μ| = 0 for bending (any χ) and 1 for n = 2 (χ = −45°). Misplaced
+/// sensors blur the peak at −45°.
 /// theory (6.4), (6.5)
 class RatioLikelihood {
  public:
@@ -48,10 +49,10 @@ class RatioLikelihood {
   double other(const RatioAngle& ratio) const;
 
   /// Amplitude at both sensors of a unit pattern of n waves with this ratio: 0 at its nodes, √2 at most.
-  double seen(const RatioAngle& ratio, int n) const;
+  double observed_amplitude(const RatioAngle& ratio, int n) const;
 
  private:
-  double deviation(const RatioAngle& ratio) const;
+  double chi_std_rad(const RatioAngle& ratio) const;
   double density(const RatioAngle& ratio, std::complex<double> mean) const;
   double first_rad_, second_rad_, apart_std_rad_, gain_std_;
   std::complex<double> bending_mean_;

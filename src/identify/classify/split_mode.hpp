@@ -16,7 +16,7 @@ struct PatternPlane {
 enum class SplitCause { asymmetry, coupled, unclear };
 const char* name_of(SplitCause cause);
 
-/// The planes of the two members of a split mode.
+/// The plane of one member of a split mode, and its angle to the plane of the other member.
 struct SplitPlanes {
   PatternPlane own;
   double between_rad = 0;  // angle between the two planes, 0 … π/2n

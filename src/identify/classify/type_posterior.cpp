@@ -73,7 +73,8 @@ PairTable table_of(const TypeEvidence& one, const TypeEvidence& two, const Ratio
   const RatioAngle &a = *one.ratio, &b = *two.ratio;
   const double log_ratio = std::log(one.size / two.size);
   const auto as = [&](int n) {
-    return pair_density(log_ratio - std::log(likelihood.seen(a, n) / likelihood.seen(b, n)));
+    return pair_density(log_ratio -
+                        std::log(likelihood.observed_amplitude(a, n) / likelihood.observed_amplitude(b, n)));
   };
   const double spread = std::hypot(kPairAngle_rad, a.std_rad, b.std_rad);
   return {.size = {as(1), as(2), pair_density(log_ratio)},
@@ -101,30 +102,31 @@ class JointPosterior {
       const double weight = std::exp(log_weight[s] - most);
       if (weight < kNegligible) continue;
       for (std::size_t m = 0; m < modes_.size(); ++m) {
-        const TypePosterior here = normalised(readings(s, m));
+        const TypePosterior here = normalised(joint_weights(s, m));
         for (std::size_t f = 0; f < here.size(); ++f) out[m][f] += weight * here[f];
       }
     }
-    for (TypePosterior& belief : out) belief = normalised(belief);
+    for (TypePosterior& posterior : out) posterior = normalised(posterior);
     return out;
   }
 
  private:
   static constexpr double kNegligible = 1e-9;
 
+  // s numbers the combinations of the shared unknowns, plane and placement.
   static std::size_t placement_of(std::size_t s) { return s / kPlanes; }
 
-  TypePosterior alone(std::size_t s, std::size_t m) const {
+  TypePosterior own_weights(std::size_t s, std::size_t m) const {
     const ModeTable& table = tables_[m];
     return product_of({table.bending[s % kPlanes], table.hoop[placement_of(s)], table.other}, table.prior);
   }
 
-  // Types of mode m, summed over the partner's types; the total is the same for both partners.
-  TypePosterior readings(std::size_t s, std::size_t m) const {
-    const TypePosterior own = alone(s, m);
+  // Weights of the types of mode m, summed over the types of its partner. The total is the same for both partners.
+  TypePosterior joint_weights(std::size_t s, std::size_t m) const {
+    const TypePosterior own = own_weights(s, m);
     if (!pairs_[m]) return own;
     const std::size_t partner = *modes_[m].partner;
-    const TypePosterior other = alone(s, partner);
+    const TypePosterior other = own_weights(s, partner);
     const std::size_t sharper = modes_[m].ratio->std_rad < modes_[partner].ratio->std_rad ? m : partner;
     const double bending = tables_[sharper].bending[s % kPlanes] * tables_[std::min(m, partner)].prior[0];
     const TypePosterior together =
@@ -139,7 +141,7 @@ class JointPosterior {
     double sum = std::log(RatioLikelihood::weight_of(placement_of(s)));
     for (std::size_t m = 0; m < modes_.size(); ++m) {
       if (pairs_[m] && *modes_[m].partner < m) continue;  // counted with its partner
-      sum += std::log(sum_of(readings(s, m)));
+      sum += std::log(sum_of(joint_weights(s, m)));
     }
     return sum;
   }

@@ -43,8 +43,8 @@ std::vector<std::size_t> FrequencyBins::middles() const {
 }
 
 void FrequencyBins::sum(const Eigen::VectorXcd& z, const Eigen::VectorXd& w, Eigen::Ref<Eigen::VectorXd> column) const {
-  const Eigen::Index blocks = count();
-  for (Eigen::Index b = 0; b < blocks; ++b) {
+  const Eigen::Index bins = count();
+  for (Eigen::Index b = 0; b < bins; ++b) {
     const auto at = static_cast<std::size_t>(b);
     double re = 0;
     double im = 0;
@@ -53,7 +53,7 @@ void FrequencyBins::sum(const Eigen::VectorXcd& z, const Eigen::VectorXd& w, Eig
       im += w(k) * z(k).imag();
     }
     column(b) = re * scale_[at];
-    column(blocks + b) = im * scale_[at];
+    column(bins + b) = im * scale_[at];
   }
 }
 

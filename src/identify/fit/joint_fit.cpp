@@ -57,9 +57,9 @@ bool descend(const JointProjection& projection, JointState& state, const JointFi
   return levenberg_marquardt(problem, search).converged();
 }
 
-class Joint {
+class JointFitter {
  public:
-  Joint(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options)
+  JointFitter(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options)
       : set_(set), options_(options), projection_(set, start) {
     const std::size_t modes = start.size();
     state_ = projection_.evaluate({.poles = std::move(start), .real = std::vector<char>(modes, 0)});
@@ -79,7 +79,7 @@ class Joint {
     return result(converged, covariance_of(state_));
   }
 
-  JointFit at_start(const MatrixXd& covariance) {
+  JointFit residues_at_start(const MatrixXd& covariance) {
     projection_.weight_by_residual(state_, projection_.unweighted_residual(state_));
     state_ = projection_.evaluate(state_.model);
     return result(true, covariance);
@@ -147,7 +147,7 @@ class Joint {
 
   void add_residues(JointFit& fit, std::size_t p, const MatrixXd& covariance) const {
     const JointPart& part = state_.parts[p];
-    // Of the slopes on the columns.
+    // Projection of the slopes on the columns.
     const MatrixXd projection = part.inverse * (part.columns.transpose() * part.slopes);
     const auto unknowns = static_cast<std::size_t>(part.inverse.rows());
     parallel_for_cost(part.channels.size(), 2 * unknowns * unknowns * unknowns, [&](std::size_t i) {
@@ -183,11 +183,11 @@ class Joint {
 }  // namespace
 
 JointFit fit_jointly(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options) {
-  return Joint(set, std::move(start), options).run();
+  return JointFitter(set, std::move(start), options).run();
 }
 
 JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles, const MatrixXd& covariance) {
-  return Joint(set, poles, {}).at_start(covariance);
+  return JointFitter(set, poles, {}).residues_at_start(covariance);
 }
 
 Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& poles) {

@@ -15,14 +15,14 @@ using Eigen::VectorXd;
 
 // ε·H of one FRF for each variable of ε. shapes  response [rows], errors [bins, variables].
 MatrixXd times_response(const MatrixXcd& errors, const VectorXd& response) {
-  const Index blocks = errors.rows();
+  const Index bins = errors.rows();
   const MatrixXd re = errors.real();
   const MatrixXd im = errors.imag();
-  const auto h_re = response.head(blocks).asDiagonal();
-  const auto h_im = response.tail(blocks).asDiagonal();
-  MatrixXd response_error(2 * blocks, errors.cols());
-  response_error.topRows(blocks) = h_re * re - h_im * im;
-  response_error.bottomRows(blocks) = h_re * im + h_im * re;
+  const auto h_re = response.head(bins).asDiagonal();
+  const auto h_im = response.tail(bins).asDiagonal();
+  MatrixXd response_error(2 * bins, errors.cols());
+  response_error.topRows(bins) = h_re * re - h_im * im;
+  response_error.bottomRows(bins) = h_re * im + h_im * re;
   return response_error;
 }
 

@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 constexpr Index kStrip = 16;  // FRFs per block of matrix products
 
-// A stacked column times j.
+// Multiplies a column (real parts above imaginary parts) by j.
 void turn(const Eigen::Ref<const VectorXd>& column, Eigen::Ref<VectorXd> turned) {
   const Index half = column.size() / 2;
   turned.head(half) = -column.tail(half);
@@ -103,8 +103,8 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
     unknowns += real ? 1 : 2;
   }
   const PointForce& force = set_.points[set_.channels[plan.channels.front()].point];
-  const Index turns = model.all_real() ? 1 : 2;  // columns per term: real or complex coefficients of the background
-  part.columns.resize(rows, unknowns + turns * background_.cols());
+  const Index columns_per_term = model.all_real() ? 1 : 2;  // real or complex coefficients of the background
+  part.columns.resize(rows, unknowns + columns_per_term * background_.cols());
   part.slopes.resize(rows, 2 * unknowns);
   part.quadrature.resize(rows, modes);
   parallel_for_cost(model.poles.size(), kFlopsPerColumnLine * set_.lines.count, [&](std::size_t at) {
@@ -121,9 +121,9 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
     turn(part.slopes.col(2 * first + 1), part.slopes.col(2 * first + 3));
   });
   for (Index term = 0; term < background_.cols(); ++term) {
-    const Index at = unknowns + turns * term;
+    const Index at = unknowns + columns_per_term * term;
     part.columns.col(at) = plan.background.col(term);
-    if (turns == 2) turn(part.columns.col(at), part.columns.col(at + 1));
+    if (columns_per_term == 2) turn(part.columns.col(at), part.columns.col(at + 1));
   }
   part.inverse = inverse_gram(MatrixXd(part.columns.transpose() * part.columns));
   part.amplitude.resize(part.columns.cols(), plan.data.cols());

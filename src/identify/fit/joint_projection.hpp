@@ -50,7 +50,7 @@ class JointProjection {
   /// Covariance of the normal equations' right-hand side that the force channel's errors cause, [2 modes, 2 modes].
   Eigen::MatrixXd force_covariance(const JointState& state, ForceErrors of) const;
   /// Variance of each residue (of its real and of its imaginary part) from the force channel's noise, [channels,
-  /// modes]. The gain common to the point's FRFs (gain_deviation) is excluded; the effect through the other modes
+  /// modes]. The gain common to the point's FRFs (gain_std) is excluded; the effect through the other modes
   /// remains.
   Eigen::MatrixXd residue_force_variance(const JointState& state) const;
 

@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr Index kSmoothLines = 100;  // on either side: a variance from 200 lines costs under 1 % of the bound
+constexpr Index kSmoothLines = 100;  // on either side: the variance of 200 lines adds under 1 % to the errors
 constexpr double kMinNoise = 1e-3;   // of the noise elsewhere: an FRF without residual keeps a finite weight
 
 }  // namespace
@@ -31,11 +31,11 @@ std::vector<VectorXcd> JointProjection::unweighted_residual(const JointState& st
       columns.col(first) = subtract_truncation(whole[m], state.model.poles[m], force, set_.lines, 0).value;
       if (!state.model.real[m]) columns.col(first + 1) = Complex(0, 1) * columns.col(first);
     });
-    const Index turns = state.model.all_real() ? 1 : 2;
+    const Index columns_per_term = state.model.all_real() ? 1 : 2;
     for (Index term = 0; term < background_.cols(); ++term) {
-      const Index at = columns.cols() - turns * (background_.cols() - term);
+      const Index at = columns.cols() - columns_per_term * (background_.cols() - term);
       columns.col(at) = background_.col(term).cast<Complex>();
-      if (turns == 2) columns.col(at + 1) = Complex(0, 1) * columns.col(at);
+      if (columns_per_term == 2) columns.col(at + 1) = Complex(0, 1) * columns.col(at);
     }
     subtract_model(columns, part, residual);
   }

@@ -50,7 +50,7 @@ PhaseEffect effect_of(const JointProjection& projection, const JointState& state
 // Variance of the force's mean phase over the points, near a pole.
 double phase_variance(const FrfDataset& set, const Pole& pole) {
   double sum = 0;
-  for (std::size_t p = 0; p < set.points.size(); ++p) sum += std::pow(gain_deviation(set, p, pole.freq_Hz), 2);
+  for (std::size_t p = 0; p < set.points.size(); ++p) sum += std::pow(gain_std(set, p, pole.freq_Hz), 2);
   return sum / static_cast<double>(set.points.size() * set.points.size());
 }
 

@@ -16,30 +16,30 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kAboveNoise = 20;        // energy of a line over the noise of all FRFs, from which it takes part
-constexpr Index kColumns = 16;            // columns
-constexpr std::size_t kCopied = 10;       // operations of a copied line
-constexpr std::size_t kMaxChosen = 1500;  // of these lines, the strongest
+constexpr double kAboveNoise = 20;  // lowest energy of a line that is used, over the noise of all FRFs
+constexpr Index kColumnsPerTask = 16;
+constexpr std::size_t kFlopsPerCopiedLine = 10;
+constexpr std::size_t kMaxUsedLines = 1500;  // the strongest lines are used
 
 // The FRFs over their noise at the lines above the noise, real parts above imaginary parts: [2 lines, channels].
 MatrixXd lines_above_noise(const FrfDataset& set, const VectorXd& noise) {
   const std::size_t lines = set.lines.count;
   std::vector<std::pair<double, std::size_t>> level(lines);
   for (std::size_t k = 0; k < lines; ++k) level[k].second = k;
-  parallel_for_chunks(lines, kCopied * set.channels.size(), [&](std::size_t first, std::size_t count) {
+  parallel_for_chunks(lines, kFlopsPerCopiedLine * set.channels.size(), [&](std::size_t first, std::size_t count) {
     for (std::size_t o = 0; o < set.channels.size(); ++o) {
       const double n = noise(static_cast<Index>(o)), factor = 1 / (n * n);
       const std::vector<Complex>& frf = set.channels[o].frf;
       for (std::size_t k = first; k < first + count; ++k) level[k].first += factor * std::norm(frf[k]);
     }
   });
-  const auto strong = level.begin() + static_cast<std::ptrdiff_t>(std::min(lines, kMaxChosen));
+  const auto strong = level.begin() + static_cast<std::ptrdiff_t>(std::min(lines, kMaxUsedLines));
   std::partial_sort(level.begin(), strong, level.end(), std::greater<>());
   const double least = kAboveNoise * static_cast<double>(set.channels.size());
   std::size_t kept = 0;
-  while (kept < std::min(lines, kMaxChosen) && (kept < 2 * set.channels.size() || level[kept].first > least)) ++kept;
+  while (kept < std::min(lines, kMaxUsedLines) && (kept < 2 * set.channels.size() || level[kept].first > least)) ++kept;
   MatrixXd rows(static_cast<Index>(2 * kept), static_cast<Index>(set.channels.size()));
-  parallel_for_cost(set.channels.size(), kCopied * kept, [&](std::size_t o) {
+  parallel_for_cost(set.channels.size(), kFlopsPerCopiedLine * kept, [&](std::size_t o) {
     const auto column = static_cast<Index>(o);
     for (std::size_t i = 0; i < kept; ++i) {
       const Complex line = set.channels[o].frf[level[i].second] / noise(column);
@@ -50,55 +50,56 @@ MatrixXd lines_above_noise(const FrfDataset& set, const VectorXd& noise) {
   return rows;
 }
 
-// columnsᵀ·columns, the lower triangle only, which the eigenvalue solver reads.
+// rowsᵀ·rows. Only the lower triangle is filled: the eigenvalue solver reads nothing else.
 MatrixXd gram_of(const MatrixXd& rows) {
   MatrixXd gram = MatrixXd::Zero(rows.cols(), rows.cols());
-  const Index strips = (rows.cols() + kColumns - 1) / kColumns;
-  parallel_for_cost(
-      static_cast<std::size_t>(strips), static_cast<std::size_t>(2 * rows.size() * kColumns), [&](std::size_t strip) {
-        const Index first = static_cast<Index>(strip) * kColumns, count = std::min(kColumns, rows.cols() - first);
-        const Index below = rows.cols() - first;
-        gram.block(first, first, below, count).noalias() =
-            rows.rightCols(below).transpose() * rows.middleCols(first, count);
-      });
+  const Index strips = (rows.cols() + kColumnsPerTask - 1) / kColumnsPerTask;
+  parallel_for_cost(static_cast<std::size_t>(strips), static_cast<std::size_t>(2 * rows.size() * kColumnsPerTask),
+                    [&](std::size_t strip) {
+                      const Index first = static_cast<Index>(strip) * kColumnsPerTask,
+                                  count = std::min(kColumnsPerTask, rows.cols() - first);
+                      const Index below = rows.cols() - first;
+                      gram.block(first, first, below, count).noalias() =
+                          rows.rightCols(below).transpose() * rows.middleCols(first, count);
+                    });
   return gram;
 }
 
 }  // namespace
 
-MatrixXd principal_components(const FrfDataset& set, std::size_t most) {
+MatrixXd principal_components(const FrfDataset& set, std::size_t max_components) {
   const VectorXd noise = LineNoise(set).over(0, set.lines.count);
   const MatrixXd directions = eigenvectors(gram_of(lines_above_noise(set, noise)));
-  const auto kept = static_cast<Index>(std::min(set.channels.size(), most));
+  const auto kept = static_cast<Index>(std::min(set.channels.size(), max_components));
   return directions.leftCols(kept).array().colwise() / noise.array();
 }
 
-FrfDataset principal_frfs(const FrfDataset& set, const MatrixXd& sums) {
-  FrfDataset mixed{.lines = set.lines, .usable_bandwidth_Hz = set.usable_bandwidth_Hz};
+FrfDataset principal_frfs(const FrfDataset& set, const MatrixXd& components) {
+  FrfDataset out{.lines = set.lines, .usable_bandwidth_Hz = set.usable_bandwidth_Hz};
   PointForce force = set.points.front();
   force.noise_N = 0;
-  for (Index i = 0; i < sums.cols(); ++i) {
-    FrfChannel& channel = mixed.channels.emplace_back();
+  for (Index i = 0; i < components.cols(); ++i) {
+    FrfChannel& channel = out.channels.emplace_back();
     channel.channel = static_cast<std::size_t>(i);
     channel.frf.resize(set.lines.count);
   }
   // In chunks of lines, which stay in the cache for all components.
-  const std::size_t operations = kFlopsPerProduct * set.channels.size() * mixed.channels.size();
+  const std::size_t operations = kFlopsPerProduct * set.channels.size() * out.channels.size();
   parallel_for_chunks(set.lines.count, operations, [&](std::size_t first, std::size_t count) {
     for (std::size_t p = 1; p < set.points.size() && !force.ff.empty(); ++p) {
       for (std::size_t k = first; k < first + count; ++k) force.ff[k] += set.points[p].ff[k];
     }
-    for (Index i = 0; i < sums.cols(); ++i) {
-      Eigen::Map<Eigen::VectorXcd> sum(mixed.channels[static_cast<std::size_t>(i)].frf.data() + first,
+    for (Index i = 0; i < components.cols(); ++i) {
+      Eigen::Map<Eigen::VectorXcd> sum(out.channels[static_cast<std::size_t>(i)].frf.data() + first,
                                        static_cast<Index>(count));
-      for (Index o = 0; o < sums.rows(); ++o) {
+      for (Index o = 0; o < components.rows(); ++o) {
         const auto& frf = set.channels[static_cast<std::size_t>(o)].frf;
-        sum += sums(o, i) * Eigen::Map<const Eigen::VectorXcd>(frf.data() + first, sum.size());
+        sum += components(o, i) * Eigen::Map<const Eigen::VectorXcd>(frf.data() + first, sum.size());
       }
     }
   });
-  mixed.points.push_back(std::move(force));
-  return mixed;
+  out.points.push_back(std::move(force));
+  return out;
 }
 
 }  // namespace percuss::identify

@@ -13,6 +13,6 @@ Eigen::MatrixXd principal_components(const FrfDataset& set, std::size_t max_comp
 
 /// The FRFs of the principal components; real residues stay real. They count as FRFs of one impact point with a
 /// noise-free force and without truncation.
-FrfDataset principal_frfs(const FrfDataset& set, const Eigen::MatrixXd& sums);
+FrfDataset principal_frfs(const FrfDataset& set, const Eigen::MatrixXd& components);
 
 }  // namespace percuss::identify

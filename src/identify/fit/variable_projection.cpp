@@ -58,13 +58,13 @@ NormalEquations VariableProjection::normal_equations(const ProjectedState& state
     const MatrixXcd cross = adjoint_product(part.columns, part.slopes);
     const MatrixXcd gram = adjoint_gram(part.slopes) - adjoint_gram(poly) -
                            adjoint_product(cross, part.inverse_gram.lazyProduct(cross).eval());
-    const MatrixXcd slope = adjoint_product(part.slopes, part.residual);
+    const MatrixXcd score = adjoint_product(part.slopes, part.residual);
     for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const double w = weight_(static_cast<Index>(part.channels[i]));
       const auto column = static_cast<Index>(i);
       for (Index r = 0; r < n; ++r) {
         const Complex amplitude = std::conj(part.amplitude(r / 2, column));
-        normal.right(r) += (amplitude * slope(r, column)).real() / (w * w);
+        normal.right(r) += (amplitude * score(r, column)).real() / (w * w);
         for (Index c = 0; c < n; ++c)
           normal.matrix(r, c) += (amplitude * gram(r, c) * part.amplitude(c / 2, column)).real() / (w * w);
       }

@@ -52,7 +52,7 @@ class VariableProjection {
   Eigen::MatrixXcd data_;       // [lines, channels] the polynomial projected out
   Eigen::VectorXd weight_;
   std::size_t first_, count_;
-  std::vector<std::vector<std::size_t>> by_point_, together_{1};
+  std::vector<std::vector<std::size_t>> by_point_, together_{1};  // the FRFs of each point; all FRFs in one list
 };
 
 }  // namespace percuss::identify

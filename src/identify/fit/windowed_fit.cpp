@@ -20,10 +20,11 @@ constexpr double kMinForcePower =
     1e-6;  // of the strongest line's power: FRFs are meaningless at the zeros of a pulse's spectrum
 constexpr double kMinWeight = 1e-3;             // of the noise elsewhere: an FRF without residual keeps a finite weight
 constexpr std::size_t kFlopsPerPowerLine = 10;  // operations
-constexpr std::size_t kOutgrown = 2;            // times: a window shorter than needed by this factor is replaced
-constexpr int kMaxPasses = 5;                   // of widening
-constexpr double kGroupingGap = 4;              // bandwidths or lines: closer modes are fitted together
+constexpr std::size_t kOutgrown = 2;  // a window is replaced where it needs more than this many times its lines
+constexpr int kMaxPasses = 5;         // of widening
+constexpr double kGroupingGap = 4;    // bandwidths or lines: closer modes are fitted together
 
+// Takes the residues and the noise of mode m from the group that held it before.
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
   for (const FitGroup& old : before) {
     for (std::size_t i = 0; i < old.fit.poles.size(); ++i) {
@@ -161,7 +162,8 @@ void WindowedFit::widen() {
   }
 }
 
-// In turn: in a parallel fit without the neighbours' latest contributions, half of the modes of a dense group are lost.
+// The groups are fitted in turn, each with the latest contributions of its neighbours. In a parallel fit without them,
+// half of the modes of a dense group are lost.
 void WindowedFit::fit_all() {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     FitGroup& group = groups_[g];

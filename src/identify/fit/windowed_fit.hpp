@@ -37,8 +37,8 @@ class WindowedFit {
   /// [channels] rms noise in the group's window, from the FRFs' roughness (LineNoise).
   Eigen::VectorXd noise(const FitGroup& group) const { return noise_.over(group.first, group.count); }
   const LineNoise& line_noise() const { return noise_; }
-  /// [channels] the largest line at which the force has energy.
-  const Eigen::VectorXd& largest() const { return largest_; }
+  /// [channels] the largest |H| over the lines at which the force has energy.
+  const Eigen::VectorXd& largest_magnitude() const { return largest_; }
   /// The half-power bandwidth, at least half the line spacing.
   double width_Hz(const Pole& pole) const;
 
@@ -65,7 +65,7 @@ class WindowedFit {
   static constexpr std::size_t kMaxGroupSize = 4;
 
  private:
-  double gap(const Pole& below, const Pole& above) const;  // in bandwidths or lines, the larger
+  double gap(const Pole& below, const Pole& above) const;  // over the larger of the bandwidths and the line spacing
   void add_groups(std::span<const Pole> poles);
   void place_window(FitGroup& group) const;
   bool same_window(const FitGroup& before, const FitGroup& group) const;

@@ -50,7 +50,7 @@ class Synthesis {
     }
   }
 
-  // Returns the measured FRF's power.
+  // Synthesises FRF o into `made`. Returns the power of the measured FRF.
   double make(std::size_t o, SynthesisedFrf& made) const {
     const FrfChannel& channel = set_.channels[o];
     const auto begin = channel.frf.begin() + static_cast<std::ptrdiff_t>(first_);
@@ -94,14 +94,14 @@ class Synthesis {
 
 }  // namespace
 
-double frac(const std::vector<Complex>& measured, const std::vector<Complex>& made) {
-  assert(measured.size() == made.size());
+double frac(const std::vector<Complex>& measured, const std::vector<Complex>& synthesised) {
+  assert(measured.size() == synthesised.size());
   Complex cross;
   double a = 0, b = 0;
   for (std::size_t k = 0; k < measured.size(); ++k) {
-    cross += std::conj(measured[k]) * made[k];
+    cross += std::conj(measured[k]) * synthesised[k];
     a += std::norm(measured[k]);
-    b += std::norm(made[k]);
+    b += std::norm(synthesised[k]);
   }
   return a > 0 && b > 0 ? std::min(1.0, std::norm(cross) / a / b) : 0;  // (2)
 }

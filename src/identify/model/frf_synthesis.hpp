@@ -32,6 +32,6 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::v
                                              const acquire::LineRange& band);
 
 /// FRAC (2) of two FRFs; 0 where either FRF is zero everywhere.
-double frac(const std::vector<Complex>& measured, const std::vector<Complex>& made);
+double frac(const std::vector<Complex>& measured, const std::vector<Complex>& synthesised);
 
 }  // namespace percuss::identify

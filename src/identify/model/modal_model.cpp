@@ -48,21 +48,20 @@ std::pair<Complex, Complex> state_at_end(const frf::ForceBlock& block, Complex s
   return {q, by_s};
 }
 
-// The truncation term of one of the two conjugate poles. It is added to `value` and, by the chain rule along ds, to
-// the derivatives.
-struct Missing {
+// The truncation term of one of the two conjugate poles.
+struct TruncationTerm {
   Complex windowed;                // s − σ
-  Complex c, c_by_s;               // at constant ω_d; see `chain`
+  Complex c, c_by_s;               // at constant ω_d; see subtract_truncation_term
   std::vector<Complex> q, q_by_s;  // [hits]
 };
 
-Missing missing_of(Complex s, const PointForce& force, const acquire::LineRange& lines) {
+TruncationTerm truncation_term_of(Complex s, const PointForce& force, const acquire::LineRange& lines) {
   const Complex two_j_wd(0, 2 * s.imag());  // s.imag() = ±ω_d: the conjugate pole has the conjugate factor
-  Missing m{.windowed = s - force.window_decay_per_s(),
-            .c = s * s / two_j_wd,
-            .c_by_s = 2.0 * s / two_j_wd,
-            .q = {},
-            .q_by_s = {}};
+  TruncationTerm m{.windowed = s - force.window_decay_per_s(),
+                   .c = s * s / two_j_wd,
+                   .c_by_s = 2.0 * s / two_j_wd,
+                   .q = {},
+                   .q_by_s = {}};
   for (const frf::ForceBlock& block : force.blocks) {
     const auto [q, by_s] = state_at_end(block, m.windowed, 1 / lines.fs_Hz, lines.samples);
     m.q.push_back(q);
@@ -71,11 +70,12 @@ Missing missing_of(Complex s, const PointForce& force, const acquire::LineRange&
   return m;
 }
 
-void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, const PointForce& force,
-                      const acquire::LineRange& lines, std::size_t first) {
+// Subtracts the term from the column's value and, by the chain rule along ds, from its derivatives.
+void subtract_truncation_term(ModeColumn& column, const PoleTerms& p, bool conjugate, const PointForce& force,
+                              const acquire::LineRange& lines, std::size_t first) {
   const double dt_s = 1 / lines.fs_Hz;
   const auto side = [&](Complex z) { return conjugate ? std::conj(z) : z; };
-  const Missing m = missing_of(side(p.s), force, lines);
+  const TruncationTerm m = truncation_term_of(side(p.s), force, lines);
   // c contains 1/ω_d: d(1/ω_d) = −dω_d/ω_d · (1/ω_d).
   const Complex by_freq = side(p.by_omega) * kTwoPi;
   const Complex by_damping = side(p.by_zeta);
@@ -104,7 +104,7 @@ void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, co
 }
 
 // H and its derivatives on the imaginary axis, where (jω)² is real: a third of the work.
-void fill_whole(ModeColumn& column, const PoleTerms& p, const acquire::LineRange& lines, std::size_t first) {
+void fill_untruncated(ModeColumn& column, const PoleTerms& p, const acquire::LineRange& lines, std::size_t first) {
   const bool slopes = column.by_freq.size() > 0;
   const double step = kTwoPi * lines.df_Hz();
   for (Eigen::Index i = 0; i < column.value.size(); ++i) {
@@ -170,7 +170,7 @@ ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const
   const bool slopes = need == ColumnContent::derivatives;
   ModeColumn column{Eigen::VectorXcd(size), Eigen::VectorXcd(slopes ? size : 0), Eigen::VectorXcd(slopes ? size : 0)};
   if (window_decay_per_s == 0) {
-    fill_whole(column, p, lines, first);
+    fill_untruncated(column, p, lines, first);
     return column;
   }
   for (Eigen::Index i = 0; i < size; ++i) {
@@ -197,7 +197,7 @@ ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointFo
     return whole;
   }
   const PoleTerms terms = terms_of(pole);
-  for (const bool conjugate : {false, true}) subtract_missing(whole, terms, conjugate, force, lines, first);
+  for (const bool conjugate : {false, true}) subtract_truncation_term(whole, terms, conjugate, force, lines, first);
   return whole;
 }
 

@@ -10,18 +10,18 @@ namespace {
 
 using Eigen::Index;
 
-// Spacing of the delays, in periods of the highest line. Its square turns by four radians at most from one delay to
-// the next, so that real and imaginary parts share the noise as with all samples.
+// Spacing of the delays, in periods of the highest line. From one delay to the next, the square of the phase factor
+// turns by at most four radians, so that real and imaginary parts share the noise as with all samples.
 constexpr double kDelay = 0.32;
 
 constexpr double kNarrow = 0.2;  // half of a band's width over its highest line
-constexpr double kMinStretches = 16;
+constexpr double kMinGroups = 16;
 
-// Standard deviations of the noise: the gate ends where the ringing is below four. The ringing roughly alternates in
-// sign from sample to sample: at low frequencies its sum is half its first sample, and more near half the sampling
-// rate.
+// Size of the ringing that the gate cuts off, in standard deviations of the noise. The gate ends where the ringing is
+// below four. The ringing roughly alternates in sign from sample to sample, so that at low frequencies its sum is half
+// its first sample. Near half the sampling rate the sum is larger, by the factor kMaxRingingGain at most.
 constexpr double kCutRinging = 1;
-constexpr double kMaxCutRinging = 5;
+constexpr double kMaxRingingGain = 5;
 
 // Samples of the gate that carry noise into the force, averaged over the hits.
 double gated_samples(const PointForce& force) {
@@ -42,26 +42,27 @@ double centre_of(const frf::ForceBlock& block) {
   return sum > 0 ? moment / sum : 0;
 }
 
-// A group of samples as one: its delay from the pulse's centre, and its variance over a sample's.
+// A group of samples that counts as one: its delay from the pulse's centre, and its variance over the variance of one
+// sample.
 struct Delay {
   double samples, variance;
 };
 
 // The gate, divided into groups of samples.
-std::vector<Delay> delays_of(const PointForce& force, double stretches) {
-  const double step = gated_samples(force) / stretches;
+std::vector<Delay> delays_of(const PointForce& force, double groups) {
+  const double step = gated_samples(force) / groups;
   const double centre = centre_of(force.blocks.front());
   std::vector<Delay> delays;
-  delays.reserve(static_cast<std::size_t>(stretches));
-  for (double i = 0; i < stretches; ++i) delays.push_back({(i + 0.5) * step - 0.5 - centre, step});
+  delays.reserve(static_cast<std::size_t>(groups));
+  for (double i = 0; i < groups; ++i) delays.push_back({(i + 0.5) * step - 0.5 - centre, step});
   return delays;
 }
 
 // Standard deviation of the ringing cut off on one side of the gate, the same in all hits, N.
 double cut_ringing_N(const PointForce& force, double turns) {
   if (!force.blocks.front().ungated_N.empty()) return 0;
-  const double rise = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMaxCutRinging);
-  return kCutRinging * force.noise_N * rise * std::sqrt(static_cast<double>(force.blocks.size()));
+  const double gain = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMaxRingingGain);
+  return kCutRinging * force.noise_N * gain * std::sqrt(static_cast<double>(force.blocks.size()));
 }
 
 double one_over_force(const PointForce& force, std::size_t line) {
@@ -70,8 +71,8 @@ double one_over_force(const PointForce& force, std::size_t line) {
 
 // [lines, delays + 2] relative error of the force's spectrum from the noise around each delay and from the ringing cut
 // off on either side.
-Eigen::MatrixXcd over_force(const FrfDataset& set, const PointForce& force, const std::vector<std::size_t>& lines,
-                            const std::vector<Delay>& delays) {
+Eigen::MatrixXcd relative_force_errors(const FrfDataset& set, const PointForce& force,
+                                       const std::vector<std::size_t>& lines, const std::vector<Delay>& delays) {
   const auto count = static_cast<Index>(delays.size());
   Eigen::MatrixXcd errors(static_cast<Index>(lines.size()), count + 2);
   const double apart = delays[1].samples - delays[0].samples;
@@ -106,19 +107,19 @@ Eigen::MatrixXcd gain_errors(const FrfDataset& set, std::size_t point, const std
   if (half >= kNarrow * highest) {
     const double apart = std::max(1.0, kDelay / highest);
     const auto delays = delays_of(force, std::max(2.0, std::ceil(gated / apart)));
-    const Eigen::MatrixXcd errors = over_force(set, force, lines, delays);
+    const Eigen::MatrixXcd errors = relative_force_errors(set, force, lines, delays);
     return of == ForceErrors::all ? errors : errors.leftCols(static_cast<Index>(delays.size()));
   }
   // A narrow band allows groups of many periods, each with an in-phase and a quadrature variable.
-  const double stretches = std::max(kMinStretches, std::ceil(gated * half / kDelay));
-  Eigen::MatrixXcd in_phase = over_force(set, force, lines, delays_of(force, stretches));
+  const double groups = std::max(kMinGroups, std::ceil(gated * half / kDelay));
+  Eigen::MatrixXcd in_phase = relative_force_errors(set, force, lines, delays_of(force, groups));
   if (of == ForceErrors::noise) in_phase = in_phase.leftCols(in_phase.cols() - 2).eval();
   Eigen::MatrixXcd errors(in_phase.rows(), 2 * in_phase.cols());
   errors << std::sqrt(0.5) * in_phase, Complex(0, std::sqrt(0.5)) * in_phase;
   return errors;
 }
 
-double gain_deviation(const FrfDataset& set, std::size_t point, double freq_Hz) {
+double gain_std(const FrfDataset& set, std::size_t point, double freq_Hz) {
   const PointForce& force = set.points[point];
   if (force.blocks.empty() || force.ff.empty()) return 0;  // the force is unknown
   const std::size_t line = set.lines.nearest(freq_Hz);

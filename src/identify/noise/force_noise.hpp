@@ -19,7 +19,7 @@ enum class ForceErrors { noise, all };
 Eigen::MatrixXcd gain_errors(const FrfDataset& set, std::size_t point, const std::vector<std::size_t>& lines,
                              ForceErrors of = ForceErrors::all);
 
-/// Standard deviation of this gain near a frequency, of its real part and of its imaginary part.
-double gain_deviation(const FrfDataset& set, std::size_t point, double freq_Hz);
+/// Standard deviation of the gain error near a frequency: of its real part, and of its imaginary part.
+double gain_std(const FrfDataset& set, std::size_t point, double freq_Hz);
 
 }  // namespace percuss::identify

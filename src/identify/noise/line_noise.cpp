@@ -16,7 +16,7 @@ constexpr double kMedianOfNoise = 0.693147;  // median of an exponential distrib
 constexpr double kRounding =
     1e-12;  // of the largest line: rounding noise of a noise-free FRF, so that no weight is infinite
 constexpr double kMinPower = 1e-300;
-constexpr std::size_t kMinNoiseSegment = 8;  // lines
+constexpr std::size_t kStride = 8;  // lines between two that are tested for the largest
 constexpr std::size_t kFlopsPerNoiseLine = 20;
 
 // The middle line of a block, when the lines make `blocks` blocks.
@@ -27,9 +27,9 @@ std::size_t middle_of(std::size_t block, std::size_t blocks, std::size_t lines) 
 
 double response_noise(const std::vector<Complex>& frf, const std::vector<double>& ff, std::vector<double> blocks) {
   double largest = 0;  // approximate: rounding noise is known only to its order of magnitude
-  for (std::size_t k = 0; k < frf.size(); k += kMinNoiseSegment)
+  for (std::size_t k = 0; k < frf.size(); k += kStride)
     largest = std::max(largest, std::norm(frf[k]) * (ff.empty() ? 1 : ff[k]));
-  // The force is smooth, so constant over a block.
+  // The force is smooth: its value at the middle line stands for the block.
   for (std::size_t b = 0; b < blocks.size() && !ff.empty(); ++b)
     blocks[b] *= ff[middle_of(b, blocks.size(), ff.size())];
   return std::sqrt(std::max({median(std::move(blocks)), kRounding * kRounding * largest, kMinPower}));

@@ -31,8 +31,8 @@ class LineNoise {
 /// Noise power of each block of kNoiseBlock spectral lines; the last block holds the rest as well. Empty for fewer than
 /// three lines. The second difference of a smooth FRF is pure noise, and the median excludes resonances. Every second
 /// line suffices, because neighbouring differences share lines.
-/// theory (4.1)
 /// `roughness` is the variance of a second difference over the variance of a line (WindowNoise::roughness).
+/// theory (4.1)
 std::vector<double> block_noise(std::span<const Complex> lines, double roughness);
 inline constexpr std::size_t kNoiseBlock = 64;
 

@@ -33,8 +33,8 @@ std::vector<Index> misfitting_channels(const WindowedFit& all, const FitGroup& g
   return channels;
 }
 
-// The residual energy above the noise, after over before, the mean over these FRFs. A mean of ratios, because many
-// FRFs see little of a mode.
+// The ratio of the residual energies above the noise, after a split to before it, as a mean over these FRFs. Ratios are
+// averaged, not energies, because many FRFs observe little of a mode.
 double residual_energy_ratio(const std::vector<Index>& channels, const VectorXd& expected, const LocalFit& before,
                              const LocalFit& after) {
   double sum = 0;
@@ -53,6 +53,7 @@ std::vector<Pole> split(std::vector<Pole> poles, std::size_t m) {
   return poles;
 }
 
+// The poles of the group, with one more where a close mode is found.
 std::vector<Pole> try_close_mode(const WindowedFit& all, const FitGroup& group, const AcceptanceContext& context) {
   const std::vector<Pole>& now = group.fit.poles;
   const std::size_t channels = all.set().channels.size(), unknowns = 2 + 2 * channels;

@@ -20,7 +20,8 @@ struct FittedMode {
 };
 
 /// The modes of all groups with their standard deviations, in ascending frequency; at most `max_modes`, those with the
-/// largest peak_to_residual. Where the impact points disagree about a frequency, scattered_modes() states the mode.
+/// largest peak_to_residual. Where a frequency scatters between the impact points, the values come
+/// from scattered_modes().
 std::vector<FittedMode> fitted_modes(const WindowedFit& fit, std::optional<std::size_t> max_modes = {});
 
 }  // namespace percuss::identify

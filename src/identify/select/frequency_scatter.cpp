@@ -90,7 +90,7 @@ Mean mean_of(const std::vector<double>& value, const std::vector<double>& std) {
 // The points whose separate fit determines this mode.
 std::vector<std::size_t> points_observing(const PointFits& points, const FitGroup& group, std::size_t mode,
                                           double width_Hz) {
-  std::vector<std::size_t> seeing;
+  std::vector<std::size_t> observing;
   const auto m = static_cast<Index>(mode);
   for (std::size_t p = 0; p < points.fits.size(); ++p) {
     const LocalFit& fit = points.fits[p];
@@ -98,16 +98,16 @@ std::vector<std::size_t> points_observing(const PointFits& points, const FitGrou
     const bool near = std::abs(pole.freq_Hz - group.fit.poles[mode].freq_Hz) < kMaxPoleOffset * width_Hz;
     const bool sure = fit.freq_std_Hz(m) > 0 && fit.freq_std_Hz(m) < 0.5 * width_Hz && fit.damping_std(m) > 0 &&
                       fit.damping_std(m) < pole.damping_ratio;
-    if (near && sure) seeing.push_back(p);
+    if (near && sure) observing.push_back(p);
   }
-  return seeing;
+  return observing;
 }
 
 ScatteredMode scattered_mode(const WindowedFit& all, const FitGroup& group, const PointFits& points,
-                             const std::vector<std::size_t>& seeing, std::size_t mode) {
+                             const std::vector<std::size_t>& observing, std::size_t mode) {
   const auto m = static_cast<Index>(mode);
   std::vector<double> freq_Hz, freq_std_Hz, damping, damping_std;
-  for (const std::size_t p : seeing) {
+  for (const std::size_t p : observing) {
     freq_Hz.push_back(points.fits[p].poles[mode].freq_Hz);
     freq_std_Hz.push_back(points.fits[p].freq_std_Hz(m));
     damping.push_back(points.fits[p].poles[mode].damping_ratio);
@@ -125,7 +125,7 @@ ScatteredMode scattered_mode(const WindowedFit& all, const FitGroup& group, cons
                     .residue_std = std::vector<double>(channels),
                     .noise = group.fit.noise};
   for (std::size_t p = 0; p < points.fits.size(); ++p) {
-    const bool own = std::find(seeing.begin(), seeing.end(), p) != seeing.end();
+    const bool own = std::find(observing.begin(), observing.end(), p) != observing.end();
     const auto members = set_of_point(all.set(), p).channels;
     for (std::size_t i = 0; i < members.size(); ++i) {
       const auto o = static_cast<Index>(members[i]);
@@ -215,9 +215,9 @@ std::vector<ScatteredMode> scattered_modes(const WindowedFit& all, const FitGrou
   if (gained < kScatterFStatistic * points.cost / static_cast<double>(points.degrees)) return {};
   std::vector<ScatteredMode> out;
   for (std::size_t m = 0; m < group.fit.poles.size(); ++m) {
-    const auto seeing = points_observing(points, group, m, all.width_Hz(group.fit.poles[m]));
-    if (seeing.size() < kMinPoints) return {};
-    out.push_back(scattered_mode(all, group, points, seeing, m));
+    const auto observing = points_observing(points, group, m, all.width_Hz(group.fit.poles[m]));
+    if (observing.size() < kMinPoints) return {};
+    out.push_back(scattered_mode(all, group, points, observing, m));
   }
   return out;
 }

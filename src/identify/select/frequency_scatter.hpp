@@ -27,7 +27,8 @@ struct WindowData {
 PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double max_cost);
 
 /// True where the modes of `one`, with separate poles at each point, explain the window as well as the additional
-/// common modes of `more`. The additional modes then only describe the frequency scatter, to first order exactly.
+/// common modes of `more`. The additional modes then only describe the frequency scatter. To first order, they
+/// describe it exactly.
 /// Always false for fewer than three points, because two orthogonal modes look the same there. `more` was fitted to
 /// this window.
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,

@@ -19,7 +19,7 @@ constexpr double kMinRelativeNoise = 1e-6;  // of the largest noise: limits the 
 
 using WindowModes = std::vector<FittedMode*>;  // modes that were fitted together
 
-bool local(const FittedMode& mode) { return !mode.joint && !(mode.mode.freq_scatter_Hz > 0); }
+bool is_local_fit(const FittedMode& mode) { return !mode.joint && !(mode.mode.freq_scatter_Hz > 0); }
 
 // Derivatives of a window's FRFs by the poles, the linear part (modes and polynomial) projected out.
 struct Slopes {
@@ -66,17 +66,17 @@ void add_point(const FrfDataset& set, std::size_t point, const WindowModes& mode
     const Eigen::Map<const Eigen::VectorXcd> frf(set.channels[o].frf.data() + first, lines);
     const auto residue = [&](Index r) { return modes[static_cast<std::size_t>(r / 2)]->mode.residues[o].value; };
     for (Index r = 0; r < n; ++r) {
-      const Complex back = std::conj(residue(r)) * weight;
-      score.col(r) += back * slopes.lines.col(r).conjugate().cwiseProduct(frf);
-      for (Index c = 0; c < n; ++c) sum.fisher(r, c) += (back * slopes.gram(r, c) * residue(c)).real();
+      const Complex weighted_residue = std::conj(residue(r)) * weight;
+      score.col(r) += weighted_residue * slopes.lines.col(r).conjugate().cwiseProduct(frf);
+      for (Index c = 0; c < n; ++c) sum.fisher(r, c) += (weighted_residue * slopes.gram(r, c) * residue(c)).real();
     }
   }
   std::vector<std::size_t> window(modes.front()->count);
   std::iota(window.begin(), window.end(), first);
   const MatrixXcd errors = gain_errors(set, point, window);
   if (errors.size() == 0) return;
-  const MatrixXd push = (score.transpose() * errors).real();
-  sum.force += push * push.transpose();
+  const MatrixXd force_score = (score.transpose() * errors).real();
+  sum.force += force_score * force_score.transpose();
 }
 
 void add_to_window(const FrfDataset& set, const WindowModes& modes) {
@@ -91,13 +91,13 @@ void add_to_window(const FrfDataset& set, const WindowModes& modes) {
     add_point(set, point, modes, slopes, sum);
   }
   const MatrixXd inverse = inverse_gram(sum.fisher);
-  const MatrixXd more = inverse * sum.force * inverse;
+  const MatrixXd added = inverse * sum.force * inverse;
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (!local(*modes[m])) continue;
+    if (!is_local_fit(*modes[m])) continue;
     const auto i = static_cast<Index>(2 * m);
     Mode& mode = modes[m]->mode;
-    mode.freq_std_Hz = std::hypot(mode.freq_std_Hz, std::sqrt(std::max(0.0, more(i, i))));
-    mode.damping_std = std::hypot(mode.damping_std, std::sqrt(std::max(0.0, more(i + 1, i + 1))));
+    mode.freq_std_Hz = std::hypot(mode.freq_std_Hz, std::sqrt(std::max(0.0, added(i, i))));
+    mode.damping_std = std::hypot(mode.damping_std, std::sqrt(std::max(0.0, added(i + 1, i + 1))));
   }
 }
 
@@ -106,7 +106,7 @@ void add_to_window(const FrfDataset& set, const WindowModes& modes) {
 void add_force_noise(const FrfDataset& set, std::vector<FittedMode>& modes) {
   std::vector<char> done(modes.size(), 0);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (done[m] || !local(modes[m])) continue;
+    if (done[m] || !is_local_fit(modes[m])) continue;
     WindowModes together;
     for (std::size_t i = 0; i < modes.size(); ++i) {
       if (modes[i].first != modes[m].first || modes[i].count != modes[m].count) continue;

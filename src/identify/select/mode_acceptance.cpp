@@ -46,8 +46,8 @@ double significance(const LocalFit& fit, std::size_t mode) {
   return best;
 }
 
-// One of a close pair whose residual is only noise. Its residue is uncertain, because the other mode can replace most
-// of it; that there are two modes is more certain.
+// True for a mode of a close pair whose residual is only noise. The other mode can replace most of its residue, so the
+// residue is uncertain. The number of modes is more certain.
 bool is_resolved_pair(const WindowedFit& all, const FitGroup& group, std::size_t mode) {
   const Pole& pole = group.fit.poles[mode];
   const auto beside = [&](const Pole& other) {
@@ -61,7 +61,7 @@ bool is_resolved_pair(const WindowedFit& all, const FitGroup& group, std::size_t
 bool above_dynamic_range(const WindowedFit& all, const LocalFit& fit, std::size_t mode) {
   for (Index o = 0; o < fit.residues.rows(); ++o) {
     const double peak = std::abs(fit.residues(o, static_cast<Index>(mode))) / (2 * fit.poles[mode].damping_ratio);
-    if (peak > kDynamicRange * all.largest()(o)) return true;
+    if (peak > kDynamicRange * all.largest_magnitude()(o)) return true;
   }
   return false;
 }
@@ -84,7 +84,7 @@ bool above_force_noise(const WindowedFit& all, const FitGroup& group, std::size_
     const FrfChannel& channel = set.channels[static_cast<std::size_t>(o)];
     const double peak = std::abs(group.fit.residues(o, static_cast<Index>(mode))) / (2 * pole.damping_ratio);
     const bool known = !set.points[channel.point].ff.empty();
-    const double gain = known ? gain_deviation(set, channel.point, pole.freq_Hz) : kUnknownGain;
+    const double gain = known ? gain_std(set, channel.point, pole.freq_Hz) : kUnknownGain;
     // A varying gain can make a broad peak of the flank of a strong mode.
     const double reach = pole.half_power_Hz() / set.lines.df_Hz();
     if (peak > kForceNoise * gain * largest_within(channel.frf, set.lines, pole.freq_Hz, reach)) return true;

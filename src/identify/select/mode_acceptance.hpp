@@ -22,7 +22,7 @@ double peak_to_residual(const WindowedFit& all, const FitGroup& group, std::size
 bool accept_mode(const WindowedFit& all, const FitGroup& group, std::size_t mode, const AcceptanceContext& context);
 
 /// True for two poles that a fit has merged, so that their residues cannot be distinguished. Where the force is
-/// unknown, and so truncation and window, poles within one line count as one resonance.
+/// unknown, truncation and window are unknown as well: poles within one line then count as one resonance.
 bool poles_coincide(const WindowedFit& all, const Pole& a, const Pole& b);
 
 /// True where every mode of the group is accepted, and any two are at least half a bandwidth apart.

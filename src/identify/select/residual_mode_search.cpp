@@ -28,9 +28,9 @@ std::vector<Pole> scattered_poles(const WindowedFit& all, std::vector<Eigen::Vec
   return poles;
 }
 
-bool near(const WindowedFit& all, const std::vector<Pole>& list, const Pole& hidden, double widths) {
+bool near(const WindowedFit& all, const std::vector<Pole>& list, const Pole& candidate, double widths) {
   return std::any_of(list.begin(), list.end(), [&](const Pole& pole) {
-    return std::abs(pole.freq_Hz - hidden.freq_Hz) <= widths * all.width_Hz(pole);
+    return std::abs(pole.freq_Hz - candidate.freq_Hz) <= widths * all.width_Hz(pole);
   });
 }
 
@@ -42,12 +42,13 @@ std::vector<Pole> ResidualModeSearch::next(const WindowedFit& all, ResidualSearc
   const std::vector<Pole> scattered = scattered_poles(all, residual);
   const double broad_Hz = kBroad * all.set().lines.freq_Hz(all.set().lines.count - 1);
   std::vector<Pole> found, rejected;
-  for (const Pole& hidden : residual_mode_poles(all.set(), residual)) {
-    if (near(all, known, hidden, kKnownModeExclusion) || near(all, scattered, hidden, kScatterExclusion)) continue;
-    if (!near(all, tried_, hidden, 1)) {
-      found.push_back(hidden);
-    } else if (hidden.half_power_Hz() > broad_Hz && !near(all, alone_, hidden, 1)) {
-      rejected.push_back(hidden);
+  for (const Pole& candidate : residual_mode_poles(all.set(), residual)) {
+    if (near(all, known, candidate, kKnownModeExclusion) || near(all, scattered, candidate, kScatterExclusion))
+      continue;
+    if (!near(all, tried_, candidate, 1)) {
+      found.push_back(candidate);
+    } else if (candidate.half_power_Hz() > broad_Hz && !near(all, alone_, candidate, 1)) {
+      rejected.push_back(candidate);
     }
   }
   if (which == ResidualSearch::all && !found.empty()) {

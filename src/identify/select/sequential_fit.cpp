@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kMinFitLines = 16;
 
-// A step of the search. The order is the order of a round: windows are split once insignificant modes are out of them,
-// and the residual is searched once no window splits.
+// The steps of the search, in the order of a round. Windows are split after insignificant modes are dropped. The
+// residual is searched when no window splits.
 enum class Step { drop_insignificant, split_close, add_residual };
 constexpr std::array kSteps{Step::drop_insignificant, Step::split_close, Step::add_residual};
 
@@ -124,7 +124,7 @@ class SequentialFit {
         return outcome;
       }
       case Step::split_close:
-        return use(close_search_.next(fit_, context_));
+        return replace_poles(close_search_.next(fit_, context_));
       case Step::add_residual:
         return which == ResidualSearch::none ? Outcome::unchanged : add(residual_search_.next(fit_, which));
     }
@@ -147,10 +147,10 @@ class SequentialFit {
         if (!repeated && accept_mode(fit_, group, m, context_)) kept.push_back(pole);
       }
     }
-    return use(std::move(kept));
+    return replace_poles(std::move(kept));
   }
 
-  // Replaces several poles that stand for one mode, whose frequency scatters between the points, by one.
+  // Where several poles only describe the frequency scatter of one mode, replaces them by one pole.
   void merge_scattered() {
     Outcome outcome = Outcome::changed;
     while (outcome == Outcome::changed) {
@@ -162,7 +162,7 @@ class SequentialFit {
           kept.insert(kept.end(), group.fit.poles.begin(), group.fit.poles.end());
         }
       }
-      outcome = use(std::move(kept));
+      outcome = replace_poles(std::move(kept));
       if (outcome == Outcome::changed) fit_.sweep();
     }
   }
@@ -170,11 +170,11 @@ class SequentialFit {
   Outcome add(const std::vector<Pole>& more) {
     std::vector<Pole> poles = fit_.poles();
     poles.insert(poles.end(), more.begin(), more.end());
-    return use(std::move(poles));
+    return replace_poles(std::move(poles));
   }
 
   // Every step adds or removes poles: an equal number means the same poles.
-  Outcome use(std::vector<Pole> poles) {
+  Outcome replace_poles(std::vector<Pole> poles) {
     if (poles.size() == fit_.poles().size()) return Outcome::unchanged;
     fit_.replace(std::move(poles));
     return Outcome::changed;

@@ -76,18 +76,19 @@ Eigen::MatrixXd patterns(const Ring& ring, int highest) {
   return out;
 }
 
-// 2n equal angles show only one combination of the cosine and sine of order n, which is used here.
-Eigen::Vector2d largest_turn(const Ring& ring, int n) {
+// At 2n evenly spaced angles, only one combination of cos nθ and sin nθ is observable. Returns its coefficients.
+Eigen::Vector2d observable_combination(const Ring& ring, int n) {
   std::complex<double> sum;
   for (const Point& p : ring) sum += std::polar(1.0, 2 * n * p.angle_rad);
   return {std::cos(0.5 * std::arg(sum)), std::sin(0.5 * std::arg(sum))};
 }
 
-bool resolves(const Ring& ring, int highest, bool half, CircumferentialFit& fit) {
+// Fills pattern and inverse. False where the ring does not resolve the highest order.
+bool fit_ring(const Ring& ring, int highest, bool half, CircumferentialFit& fit) {
   fit.pattern = patterns(ring, highest);
   fit.half = half;
   Eigen::MatrixXd columns = fit.pattern;
-  const Eigen::Vector2d turn = half ? largest_turn(ring, highest) : Eigen::Vector2d(1, 0);
+  const Eigen::Vector2d turn = half ? observable_combination(ring, highest) : Eigen::Vector2d(1, 0);
   if (half) {
     columns.conservativeResize(Eigen::NoChange, Eigen::Index{2} * highest);
     columns.rightCols<1>() = fit.pattern.rightCols<2>() * turn;
@@ -108,7 +109,7 @@ int fit_all(const std::vector<Ring>& rings, std::size_t angles, std::vector<Circ
     const bool half = 2 * highest == static_cast<int>(angles);
     fits.assign(rings.size(), {});
     bool all = true;
-    for (std::size_t r = 0; r < rings.size() && all; ++r) all = resolves(rings[r], highest, half, fits[r]);
+    for (std::size_t r = 0; r < rings.size() && all; ++r) all = fit_ring(rings[r], highest, half, fits[r]);
     if (all) return highest;
   }
   return 0;

@@ -81,7 +81,7 @@ void find_axial(TubeShape& shape, const std::vector<CircumferentialFit>& fits) {
   }
   const Eigen::Vector2d across(-along(1), along(0));
   double power = 0, across_variance = 0;
-  bool told = shape.order > 0;
+  bool plane_known = shape.order > 0;
   for (const CircumferentialFit& fit : fits) {
     const Eigen::Index rows = shape.order == 0 ? 1 : 2;
     const Eigen::RowVectorXd to_value = along.head(rows).transpose() * fit.inverse.middleRows(first, rows);
@@ -92,9 +92,9 @@ void find_axial(TubeShape& shape, const std::vector<CircumferentialFit>& fits) {
     const Eigen::RowVectorXd to_across = across.transpose() * fit.inverse.middleRows(first, 2);
     power += value * value;
     across_variance += value * value * (to_across.cwiseAbs2() * fit.variance).value();
-    told = told && !(fit.half && 2 * shape.order + 1 == fit.pattern.cols());
+    plane_known = plane_known && !(fit.half && 2 * shape.order + 1 == fit.pattern.cols());
   }
-  if (!told || !(power > 0)) return;
+  if (!plane_known || !(power > 0)) return;
   const double turn = std::numbers::pi / shape.order;
   const double plane = std::atan2(along(1), along(0)) / shape.order;
   shape.plane_rad = plane - turn * std::floor(plane / turn);

@@ -32,7 +32,7 @@ struct ModeShape {
   std::vector<ShapePlace> places;   // ascending by point, then channel
   std::vector<ShapePlace> sensors;  // roving hammer: the shape at the fixed sensors, in their order; point is 0
   Normalisation normalisation = Normalisation::largest_one;
-  double scale_std = 0;                 // unit modal mass: relative, of the common scale
+  double scale_std = 0;                 // relative standard deviation of the common scale, for unit modal mass
   std::optional<double> modal_mass_kg;  // of the shape with its largest component 1; needs a driving point
   double modal_mass_std_kg = 0;
   double mpc = 0;           // modal phase collinearity: 1 for a real shape, 0 for a travelling wave

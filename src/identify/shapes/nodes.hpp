@@ -23,8 +23,9 @@ struct NodeOptions {
 
 /// The nodes: zero crossings of the shape. A crossing lies between neighbouring points of opposite sign, both three
 /// standard deviations from zero. The node is the root of a polynomial in the position, fitted to the points around by
-/// weighted least squares. Its degree minimises χ² + k ln n. The variance is the sum of the next higher degree's
-/// variance, scaled by its χ² where that is too large, and of the squared distance to its root, the model error.
+/// weighted least squares. Its degree minimises χ² + k ln n. The variance is a sum of two terms. The first is the
+/// variance of the next higher degree's root, scaled by χ² where that is too large. The second is the model error: the
+/// squared distance to that root.
 /// theory (5.8)
 std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options = {});
 

@@ -75,16 +75,16 @@ ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<co
   if (table.value.size() == 0) return shape;
   const VectorXd weight = channel_weights(table);
   const MatrixXcd scaled = table.value * weight.cast<Complex>().asDiagonal();
-  const VectorXcd sees = leading_right_vector(scaled);
-  const VectorXcd along = scaled * sees;
+  const VectorXcd channel_vector = leading_right_vector(scaled);
+  const VectorXcd along = scaled * channel_vector;
   // Σ a² has twice the phase of the best line through the values a.
   Complex turn = std::polar(1.0, -0.5 * std::arg((along.array() * along.array()).sum()));
   if ((turn * along(0)).real() < 0) turn = -turn;
   Index channel = 0;
-  const double back = sees.cwiseAbs().cwiseQuotient(weight).maxCoeff(&channel);
+  const double back = channel_vector.cwiseAbs().cwiseQuotient(weight).maxCoeff(&channel);
   for (Index p = 0; p < along.size(); ++p) {
     const double noise =
-        (table.std.row(p).transpose().array() * weight.array() * sees.cwiseAbs().array()).matrix().norm();
+        (table.std.row(p).transpose().array() * weight.array() * channel_vector.cwiseAbs().array()).matrix().norm();
     shape.amplitude.push_back((turn * along(p)).real() * back);
     shape.std.push_back(std::hypot(noise * back, table.relative_std(p) * shape.amplitude.back()));
   }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNoiseProminence = 6;  // standard deviations of the level's fluctuation
 constexpr double kDecibelsPerNeper = 8.6859;
-constexpr double kPointing = 0.005;
+constexpr double kSearchRange = 0.005;  // of a given frequency, on either side
 constexpr double kResonanceSpan =
     6;  // half-widths on either side, over which a resonance is compared with the residual
 constexpr double kMinResidualModeGain =
@@ -74,7 +74,7 @@ struct ResidualLines {
 };
 
 // Doubles the line width: the mean of two lines has half the noise power, but the full model error.
-ResidualLines halved(const ResidualLines& lines, double floor) {
+ResidualLines with_doubled_width(const ResidualLines& lines, double floor) {
   const Eigen::Index n = lines.residual.size() / 2;
   ResidualLines wide{Eigen::VectorXcd(n), std::vector<double>(static_cast<std::size_t>(n))};
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -102,7 +102,7 @@ std::vector<double> gain_of(const std::vector<ResidualLines>& channels, const Ei
   return gain;
 }
 
-std::vector<Eigen::VectorXcd> cut(const FrfDataset& set, std::size_t first, std::size_t count) {
+std::vector<Eigen::VectorXcd> frf_segments(const FrfDataset& set, std::size_t first, std::size_t count) {
   std::vector<Eigen::VectorXcd> out;
   for (const FrfChannel& channel : set.channels) {
     out.emplace_back(Eigen::Map<const Eigen::VectorXcd>(channel.frf.data() + first, static_cast<Eigen::Index>(count)));
@@ -124,7 +124,7 @@ Pole pole_at_line(const FrfDataset& set, std::size_t line) {
     const std::size_t first = line > half ? line - half : 0;
     const std::size_t end = std::min(set.lines.count, line + half + 1);
     if (end - first < 4) break;
-    const Pole found = pole_of_window(set, cut(set, first, end - first), first);
+    const Pole found = pole_of_window(set, frf_segments(set, first, end - first), first);
     const bool near = std::abs(found.freq_Hz - set.lines.freq_Hz(line)) < static_cast<double>(half) * set.lines.df_Hz();
     if (!(found.freq_Hz > 0) || !near) break;
     pole = found;
@@ -136,7 +136,7 @@ Pole pole_at_line(const FrfDataset& set, std::size_t line) {
 // A given frequency stands for the highest line within half a per cent, or within four lines.
 Pole peak_near(const FrfDataset& set, double freq_Hz) {
   const double at = set.lines.position(freq_Hz);
-  const double reach = std::max(4.0, kPointing * freq_Hz / set.lines.df_Hz());
+  const double reach = std::max(4.0, kSearchRange * freq_Hz / set.lines.df_Hz());
   std::size_t best = set.lines.at(at);
   double highest = 0;
   for (std::size_t line = set.lines.at(at - reach); line <= set.lines.at(at + reach); ++line) {
@@ -159,9 +159,9 @@ std::vector<std::size_t> prominent_lines(const FrfDataset& set, const LineNoise&
     const double power = level.power[peak.line];
     const double snr = level.noise[peak.line] > 0 ? std::sqrt(power / level.noise[peak.line]) : 1e9;
     if (snr < options.snr) continue;
-    const double wobble_dB = kNoiseProminence * kDecibelsPerNeper / (snr * std::sqrt(2.0));
+    const double fluctuation_dB = kNoiseProminence * kDecibelsPerNeper / (snr * std::sqrt(2.0));
     const double saddle = std::max(power - peak.prominence, 1e-300);
-    if (10 * std::log10(power / saddle) >= options.prominence_dB + wobble_dB) lines.push_back(peak.line);
+    if (10 * std::log10(power / saddle) >= options.prominence_dB + fluctuation_dB) lines.push_back(peak.line);
   }
   return lines;
 }
@@ -196,7 +196,7 @@ std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vec
     }
     const auto lines = static_cast<std::size_t>(channels.front().residual.size());
     parallel_for_cost(channels.size(), kFlopsPerLevelLine * lines,
-                      [&](std::size_t o) { channels[o] = halved(channels[o], floors[o]); });
+                      [&](std::size_t o) { channels[o] = with_doubled_width(channels[o], floors[o]); });
   }
   return found;
 }
@@ -231,10 +231,10 @@ std::vector<Pole> poles_near(const FrfDataset& set, const std::vector<double>& f
   std::vector<Pole> poles;
   for (const double asked_Hz : freq_Hz) {
     const Pole peak = peak_near(set, asked_Hz);
-    const bool anothers = std::any_of(freq_Hz.begin(), freq_Hz.end(), [&](double other_Hz) {
+    const bool belongs_to_other = std::any_of(freq_Hz.begin(), freq_Hz.end(), [&](double other_Hz) {
       return std::abs(other_Hz - peak.freq_Hz) < std::abs(asked_Hz - peak.freq_Hz);
     });
-    poles.push_back(anothers ? narrowest_pole(set, asked_Hz) : peak);
+    poles.push_back(belongs_to_other ? narrowest_pole(set, asked_Hz) : peak);
   }
   return poles;
 }

@@ -32,8 +32,8 @@ std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vec
 /// at its best width. The most significant first.
 std::vector<Pole> residual_mode_poles(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual);
 
-/// A first pole for each given frequency, in their order: the nearest peak's, unless another frequency is nearer to
-/// that peak; then a pole at the frequency itself.
+/// A first pole for each given frequency, in their order: the pole of the highest line nearby. Where another given
+/// frequency is nearer to that pole, the result is a pole at the frequency itself.
 std::vector<Pole> poles_near(const FrfDataset& set, const std::vector<double>& freq_Hz);
 
 }  // namespace percuss::identify

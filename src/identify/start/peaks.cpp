@@ -26,12 +26,13 @@ std::vector<double> saddles_before(std::span<const double> tops, std::span<const
   return saddle;
 }
 
-// The runs of equal values that are higher than both neighbours. A constant sequence has none.
+// A run of equal values.
 struct Plateau {
   std::size_t begin, end;
   std::size_t middle() const { return (begin + end - 1) / 2; }
 };
 
+// The runs above `min_level` that are higher than both neighbours. A constant sequence has none.
 std::vector<Plateau> plateaus_above(std::span<const double> x, double min_level) {
   std::vector<Plateau> found;
   for (std::size_t i = 0; i < x.size();) {

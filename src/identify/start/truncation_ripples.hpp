@@ -6,7 +6,7 @@
 namespace percuss::identify {
 
 /// A decay that the record's end truncates leaves ripples on the flanks of its resonance, which look like peaks.
-/// [poles] true for the peaks that are no higher than such a flank, and so may be ripples.
+/// [poles] true for the peaks that are lower than twice such a flank, and so may be ripples.
 std::vector<char> find_truncation_ripples(const FrfDataset& set, const std::vector<Pole>& poles);
 
 /// True where the residual, [channels][lines], still holds a large part of the energy at the pole's line.

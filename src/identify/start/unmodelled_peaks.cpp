@@ -19,7 +19,7 @@ constexpr double kUnexplained = 0.25;  // residual energy over a peak's energy: 
 constexpr double kPeakSpan = 6;        // half-widths on either side, for a peak's energy
 
 // The residual of the synthesised FRFs, [channels][lines].
-std::vector<Eigen::VectorXcd> left_by(const FrfDataset& set, const std::vector<Mode>& modes) {
+std::vector<Eigen::VectorXcd> residual_of(const FrfDataset& set, const std::vector<Mode>& modes) {
   std::vector<Eigen::VectorXcd> left;
   const auto made = synthesised_frfs(set, modes, set.lines);
   for (std::size_t o = 0; o < set.channels.size(); ++o) {
@@ -61,23 +61,22 @@ std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::v
     const double freq_Hz = set.lines.freq_Hz(line);
     const bool reached = set.usable_bandwidth_Hz <= 0 || freq_Hz <= set.usable_bandwidth_Hz;
     return !reached || std::any_of(modes.begin(), modes.end(), [&](const Mode& mode) {
-      const double usable_bandwidth_Hz = kNear * std::max(mode.pole.half_power_Hz(), set.lines.df_Hz());
-      return std::abs(mode.pole.freq_Hz - freq_Hz) <= usable_bandwidth_Hz;
+      const double excluded_Hz = kNear * std::max(mode.pole.half_power_Hz(), set.lines.df_Hz());
+      return std::abs(mode.pole.freq_Hz - freq_Hz) <= excluded_Hz;
     });
   });
   if (lines.empty()) return {};
   double largest = 0;
   for (std::size_t k = 0; k < set.lines.count; ++k) largest = std::max(largest, power_at(set, k));
-  const auto left = left_by(set, modes);
+  const auto left = residual_of(set, modes);
   const auto resonances = residual_resonances(set, left);
   std::vector<UnmodelledPeak> peaks;
   for (const std::size_t line : lines) {
-    const bool unweighted_residual = std::any_of(resonances.begin(), resonances.end(), [&](const Resonance& at) {
+    const bool remains = std::any_of(resonances.begin(), resonances.end(), [&](const Resonance& at) {
       return std::abs(at.line - static_cast<double>(line)) <= 2 * at.half_width && unexplained(set, left, at);
     });
     const double level_dB = 10 * std::log10(power_at(set, line) / largest);
-    if (unweighted_residual && level_dB >= -range_dB)
-      peaks.push_back({.freq_Hz = set.lines.freq_Hz(line), .level_dB = level_dB});
+    if (remains && level_dB >= -range_dB) peaks.push_back({.freq_Hz = set.lines.freq_Hz(line), .level_dB = level_dB});
   }
   return peaks;
 }

@@ -13,10 +13,10 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-constexpr std::size_t kMinRest = 8;    // samples that a line and its scatter take
-constexpr double kUnknownBias = 0.1;   // of the signal: a sensor worse than that is broken
+constexpr std::size_t kMinRest = 8;    // samples needed for a straight line and its scatter
+constexpr double kUnknownBias = 0.1;   // std of an unknown bias, of the signal's RMS; with more the sensor is broken
 constexpr double kMinCycles = 3;       // of the slowest oscillation within a window, for a mean near zero
-constexpr double kContradiction = 30;  // χ² of two means: one in three million
+constexpr double kContradiction = 30;  // χ² of two means, exceeded by chance once in three million
 constexpr double kLeakageMargin = 2;   // the oscillation's amplitude and phase are only estimated
 
 // ∫K·w for one window, and the contributions of noise and bias to it.
@@ -28,7 +28,7 @@ struct WindowMean {
 
 double hann(double x) { return x <= 0 || x >= 1 ? 0 : 1 - std::cos(kTwoPi * x); }  // mean 1
 
-// The oscillation that a Hann window of so many cycles lets through, at the most: its transform's envelope.
+// The largest share of an oscillation that a Hann window over so many cycles passes: the envelope of its transform.
 double hann_leakage(double cycles) { return 1 / (std::numbers::pi * cycles * (cycles * cycles - 1)); }
 
 WindowMean window_mean(std::span<const double> w, double fs_Hz, double corner_Hz, double from, double to) {
@@ -42,7 +42,8 @@ WindowMean window_mean(std::span<const double> w, double fs_Hz, double corner_Hz
     out.mean_m += kernel[i] * w[i];
     out.by_bias += kernel[i] * drifted_deflection_m(static_cast<double>(i) * dt_s, corner_Hz);
   }
-  // A sample at τ moves w(t) by (t − τ)Δt (and by ω_c (t − τ)²/2 with the high-pass undone): sums from the end.
+  // A sample at τ moves w(t) by (t − τ)Δt (and by ω_c (t − τ)²/2 with the high-pass undone).
+  // The sums therefore run from the end.
   double once = 0, twice = 0, thrice = 0;
   for (std::size_t i = n; i-- > 0;) {
     out.by_noise[i] = (twice + kTwoPi * corner_Hz * thrice) * dt_s;
@@ -53,7 +54,7 @@ WindowMean window_mean(std::span<const double> w, double fs_Hz, double corner_Hz
   return out;
 }
 
-// Deviation from a parabola through the window, and how fast it swings: cycles within the window.
+// The residual of a parabola fitted to a window: its amplitude, and its number of cycles within the window.
 struct ParabolaResidual {
   double amplitude_m = 0, cycles = 0;
 };

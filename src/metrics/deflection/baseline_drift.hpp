@@ -7,7 +7,7 @@
 namespace percuss::metrics {
 
 /// The bias and the noise of the measuring chain, from the samples before an impact, where the structure rests. The
-/// bias is bias + drift·t; t counts from the sample after the last of them.
+/// acceleration's error is bias + drift·t; t counts from the first sample after them.
 struct BaselineEstimate {
   Eigen::Vector2d bias;        // m/s², m/s³
   Eigen::Matrix2d covariance;  // of both
@@ -31,9 +31,9 @@ Eigen::Vector2d drifted_velocity_mps(double t_s, double highpass_corner_Hz);
 struct ZeroMeanCorrection {
   Eigen::Vector2d bias;        // to subtract in addition
   Eigen::Matrix2d covariance;  // of the remaining bias
-  bool held = false;           // false: the deflection contradicts it or is too short; nothing is subtracted
+  bool held = false;           // false: the deflection contradicts zero means or is too short; nothing is subtracted
 };
-/// deflection_m is integrate_twice of the samples after the rest, minus the bias in `rest`.
+/// deflection_m: the samples after the rest, minus the bias in `rest`, integrated by integrate_twice.
 /// theory (7.5)
 ZeroMeanCorrection zero_mean_correction(std::span<const double> deflection_m, double fs_Hz, double highpass_corner_Hz,
                                         const BaselineEstimate& rest);

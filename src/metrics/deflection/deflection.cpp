@@ -12,17 +12,17 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr std::size_t kMinBefore = 8;  // samples at rest that a bias can be read from
-constexpr std::size_t kRinging = 32;   // samples before the onset that an anti-alias filter rings for, at the most
-constexpr double kMethodError = 1e-6;  // of the largest deflection: what rounding and the filter's first ringing leave
+constexpr std::size_t kMinBefore = 8;  // samples at rest needed to estimate a bias
+constexpr std::size_t kRinging = 32;   // longest ringing of an anti-alias filter before the onset, in samples
+constexpr double kMethodError = 1e-6;  // of the largest deflection: error by rounding and by the filter's first ringing
 constexpr double kOnsetNoise = 8, kOnsetLevel = 1e-3;
-constexpr double kSureDeviations = 4;
+constexpr double kSignificantStds = 4;
 constexpr double kClearlyMoved = 0.1;  // of the largest deflection
-constexpr double kHalf = 0.5;          // of the frequency of the strongest line, below which nothing is kept
+constexpr double kLowestShare = 0.5;   // default lowest frequency over the frequency of the strongest line
 
 double largest_magnitude(std::span<const double> x) { return extremes_of(x).max_distance_from(0); }
 
-// Samples before the ringing of the filter begins: those at rest.
+// The number of samples at rest: those before the filter's ringing begins.
 std::size_t samples_at_rest(const ImpactSignal& signal) {
   const auto onset = static_cast<std::size_t>(std::max(0.0, signal.onset_s * signal.fs_Hz));
   return onset - std::min(kRinging, onset / 2);
@@ -54,7 +54,7 @@ Deflection drift_free(const ImpactSignal& signal, const DeflectionOptions& optio
     const auto by_bias = drifted_deflection_m(t_s, options.highpass_corner_Hz);
     motion.deflection_m[i] -= late.bias.dot(by_bias);
     motion.velocity_mps[i] -= late.bias.dot(drifted_velocity_mps(t_s, options.highpass_corner_Hz));
-    // The first sample carries noise as well: it stands for the time until the next.
+    // t + Δt, because the noise of the first sample acts over the interval after it.
     const double noise = rest.noise_mps2 * rest.noise_mps2 * std::pow(t_s + 1 / signal.fs_Hz, 3) / (3 * signal.fs_Hz);
     const double bias = by_bias.dot(late.covariance * by_bias);
     out.std_m[i] = std::sqrt(std::max(0.0, noise + bias) + std::pow(kMethodError * largest, 2));
@@ -82,7 +82,7 @@ double strongest_line_Hz(std::span<const double> accel_mps2, double fs_Hz) {
   const auto lines = real_dft(accel_mps2);
   std::size_t best = 1;
   double largest = 0;
-  // The first two lines contain the drift.
+  // Lines 0 to 2 contain bias and drift.
   for (std::size_t k = 3; k < lines.size(); ++k) {
     const double deflection = std::abs(lines[k]) / std::pow(static_cast<double>(k), 2);
     if (deflection > largest) best = k;
@@ -91,14 +91,14 @@ double strongest_line_Hz(std::span<const double> accel_mps2, double fs_Hz) {
   return static_cast<double>(best) * fs_Hz / static_cast<double>(accel_mps2.size());
 }
 
-Deflection by_lines(const ImpactSignal& signal, const DeflectionOptions& options) {
+Deflection deflection_by_frequency(const ImpactSignal& signal, const DeflectionOptions& options) {
   const std::size_t first = std::min(samples_at_rest(signal), signal.accel_mps2.size() - 1);
   const BaselineEstimate rest = baseline_estimate(signal.accel_mps2.first(first), signal.fs_Hz, rms(signal.accel_mps2));
   std::vector<double> accel(signal.accel_mps2.begin(), signal.accel_mps2.end());
   for (double& value : accel) value -= rest.bias(0);
-  const double lowest_Hz = options.lowest_Hz.value_or(kHalf * strongest_line_Hz(accel, signal.fs_Hz));
+  const double lowest_Hz = options.lowest_Hz.value_or(kLowestShare * strongest_line_Hz(accel, signal.fs_Hz));
   Motion motion = integrate_in_frequency_domain(accel, signal.fs_Hz, options.highpass_corner_Hz, lowest_Hz);
-  // At rest until the impact: the constants of integration.
+  // The structure rests until the impact: this fixes the constants of integration.
   const double w0 = motion.deflection_m[first], v0 = motion.velocity_mps[first];
   for (std::size_t i = 0; i < accel.size(); ++i) {
     motion.deflection_m[i] = i < first ? 0 : motion.deflection_m[i] - w0;
@@ -113,13 +113,13 @@ Deflection by_lines(const ImpactSignal& signal, const DeflectionOptions& options
 Deflection by_modes(const ImpactSignal& signal) {
   assert(!signal.force_N.empty());
   ModalDeflection modal = modal_deflection(signal.force_N, signal.fs_Hz, signal.modes, signal.rigid_per_kg);
-  // The relative residual of the acceleration without the modes may be missing from the deflection as well.
-  double left = 0, all = 0;
+  // The share of the acceleration that the modes do not explain may be missing from the deflection as well.
+  double unexplained = 0, all = 0;
   for (std::size_t i = 0; i < signal.accel_mps2.size(); ++i) {
-    left += std::pow(signal.accel_mps2[i] - modal.accel_mps2[i], 2);
+    unexplained += std::pow(signal.accel_mps2[i] - modal.accel_mps2[i], 2);
     all += std::pow(signal.accel_mps2[i], 2);
   }
-  const double missing = all > 0 ? std::sqrt(left / all) : 0;
+  const double missing = all > 0 ? std::sqrt(unexplained / all) : 0;
   for (std::size_t i = 0; i < modal.std_m.size(); ++i)
     modal.std_m[i] = std::hypot(modal.std_m[i], missing * modal.deflection_m[i]);
   return {.method = DeflectionMethod::modal,
@@ -128,16 +128,17 @@ Deflection by_modes(const ImpactSignal& signal) {
           .std_m = std::move(modal.std_m)};
 }
 
-// Where direction times deflection is largest beyond four of its deviations: late in a record that drifts, large values
-// mean nothing, and one of six walks ends beyond one deviation. Direction 0: either way. None: nothing stands out.
+// The sample with the largest excess of direction × deflection over four standard deviations. Late in a record that
+// drifts, large values mean nothing: one random walk in six ends beyond one standard deviation. Direction 0: either
+// sign. None: no deflection is significant.
 std::optional<std::size_t> most_significant_peak(const Deflection& d, double direction) {
   std::optional<std::size_t> best;
-  double most = 0;
+  double largest_excess_m = 0;
   for (std::size_t i = 0; i < d.deflection_m.size(); ++i) {
-    const double way = direction == 0 ? std::abs(d.deflection_m[i]) : direction * d.deflection_m[i];
-    const double sure = way - (d.std_m.empty() ? 0 : kSureDeviations * d.std_m[i]);
-    if (sure > most) best = i;
-    most = std::max(most, sure);
+    const double signed_m = direction == 0 ? std::abs(d.deflection_m[i]) : direction * d.deflection_m[i];
+    const double excess_m = signed_m - (d.std_m.empty() ? 0 : kSignificantStds * d.std_m[i]);
+    if (excess_m > largest_excess_m) best = i;
+    largest_excess_m = std::max(largest_excess_m, excess_m);
   }
   return best;
 }
@@ -185,7 +186,7 @@ Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& op
     method = modal ? DeflectionMethod::modal : DeflectionMethod::drift_free;
   }
   Deflection out = method == DeflectionMethod::small_interval ? small_interval(signal)
-                   : method == DeflectionMethod::frequency    ? by_lines(signal, options)
+                   : method == DeflectionMethod::frequency    ? deflection_by_frequency(signal, options)
                    : method == DeflectionMethod::modal        ? by_modes(signal)
                                                               : drift_free(signal, options);
   find_peaks_of(out);

@@ -7,8 +7,8 @@
 namespace percuss::metrics {
 namespace {
 
-// Natural logarithm of the remainder of the first sample where the transform wraps around: below rounding, while the
-// rounding that dividing by the window raises at the last sample stays below 1e-9.
+// Exponent of the window's decay over the padded length. A response that wraps around is damped to e^−30 = 1e-13.
+// Division by the window raises rounding at the last sample by at most e^15, to less than 1e-9.
 constexpr double kWindowEnd = 30;
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace percuss::metrics {
 namespace {
 
-const char* what_is_done(AbiStep step) {
+const char* action_of(AbiStep step) {
   switch (step) {
     case AbiStep::roll:
       return "roll the barrel";
@@ -43,7 +43,7 @@ class AbiEvaluation {
     entry_ = &entry;
     if (run_.next == AbiStep::done) {
       throw InputError(fmt::format("{} after the procedure's end ({})", kind_of(entry), run_.why), entry.place,
-                       "continued_after_failure: true lets a test go on at the sponsor's request");
+                       "remove it; after a failure, continued_after_failure: true continues the test for the sponsor");
     }
     switch (run_.next) {
       case AbiStep::roll:
@@ -59,8 +59,8 @@ class AbiEvaluation {
   template <class What>
   const What& expected() const {
     if (const What* what = std::get_if<What>(&entry_->what)) return *what;
-    throw InputError(fmt::format("step {} comes next ({}), not {}", static_cast<int>(run_.next),
-                                 what_is_done(run_.next), kind_of(*entry_)),
+    throw InputError(fmt::format("step {} comes next ({}), not {}", static_cast<int>(run_.next), action_of(run_.next),
+                                 kind_of(*entry_)),
                      entry_->place, "enter the steps in the order of the procedure");
   }
 
@@ -78,40 +78,42 @@ class AbiEvaluation {
     now.reduction = reduction;
     run_.compressions.push_back(now);
     if (after_roll) {
-      enough_rolling(reduction);
+      judge_rolling(reduction);
     } else {
       unrolled_lbf_ = mean_lbf;
       run_.roll = 0;
       run_.next = reduction > rules_.skip_reduction + kReadingTolerance ? AbiStep::performance : AbiStep::roll;
     }
-    if (run_.next == AbiStep::roll) give_up_beyond_depth();
+    if (run_.next == AbiStep::roll) end_beyond_max_depth();
   }
 
   // Step 6.
-  void enough_rolling(double reduction) {
+  void judge_rolling(double reduction) {
     const bool enough = reduction >= rules_.min_reduction - kReadingTolerance;
     run_.next = enough ? AbiStep::performance : AbiStep::roll;
     if (reduction > 2 * rules_.min_reduction) {
-      remark("overshoot", fmt::format("cycle {}: {:.1f} % of reduction; as close to {:g} % as possible is asked for",
+      remark("overshoot", fmt::format("cycle {}: the compression fell by {:.1f} %; aim for {:g} %, or slightly more",
                                       run_.cycle, 100 * reduction, 100 * rules_.min_reduction));
     }
   }
 
-  void give_up_beyond_depth() {
+  void end_beyond_max_depth() {
     if (next_depth_in(run_, rules_) <= rules_.max_depth_in) return;
-    end(AbiVerdict::undecided, fmt::format("the rollers are at their end and the barrel has not softened by {:g} %",
-                                           100 * rules_.min_reduction));
+    end(AbiVerdict::undecided,
+        fmt::format("the rollers are at their largest depth, but the barrel has not softened by {:g} %",
+                    100 * rules_.min_reduction));
   }
 
   void rolled(const AbiRoll& roll) {
     if (run_.depth_in && !(roll.depth_in > *run_.depth_in)) {
-      throw InputError(fmt::format("step 4: rolled {:g} in deep after {:g} in", roll.depth_in, *run_.depth_in),
-                       entry_->place, "each rolling goes about 0.0125 in deeper than the one before");
+      throw InputError(
+          fmt::format("step 4: rolled {:g} in deep, not deeper than the {:g} in before", roll.depth_in, *run_.depth_in),
+          entry_->place, "give a depth about 0.0125 in above the last one");
     }
     const double asked_in = next_depth_in(run_, rules_);
     if (std::abs(roll.depth_in - asked_in) > rules_.depth_tolerance_in) {
       remark("roll_depth",
-             fmt::format("rolled {:g} in deep where about {:g} in was asked for", roll.depth_in, asked_in));
+             fmt::format("rolled {:g} in deep; the procedure asks for about {:g} in", roll.depth_in, asked_in));
     }
     run_.depth_in = roll.depth_in;
     ++run_.roll;
@@ -137,8 +139,9 @@ class AbiEvaluation {
     const double drop = best - test.value, asked = log_.bbcor ? rules_.pass_drop_bbcor : rules_.pass_drop_besr;
     if (!first && drop >= asked - kReadingTolerance)
       return end(AbiVerdict::pass, fmt::format("cycle {}: {:.4f} below the best of {:g}", run_.cycle, drop, best));
-    if (test.broken) return end(AbiVerdict::undecided, "broken before its performance fell");
-    if (run_.cycle >= rules_.max_cycles) end(AbiVerdict::undecided, "its performance does not fall");
+    if (test.broken) return end(AbiVerdict::undecided, "the bat broke before its performance fell");
+    if (run_.cycle >= rules_.max_cycles)
+      end(AbiVerdict::undecided, fmt::format("the performance does not fall in {} tests", run_.cycle));
   }
 
   // A failure is final.
@@ -186,16 +189,17 @@ AbiRun evaluate_abi(const AbiLog& log, const AbiRules& rules) {
     run.remarks.push_back(
         {"material", "the procedure applies to composite barrels, not to " + one_line(log.material, 40)});
   }
-  if (!log.limit) run.remarks.push_back({"no_limit", "no limit is given: the bat cannot pass, nor fail by it"});
+  if (!log.limit)
+    run.remarks.push_back({"no_limit", "no limit is given: the bat can neither pass nor fail by its performance"});
   return run;
 }
 
 std::string next_step_text(const AbiRun& run, const AbiRules& rules) {
   if (run.next == AbiStep::done)
     return fmt::format("{}: {}", run.verdict == AbiVerdict::undecided ? "no verdict" : name_of(run.verdict), run.why);
-  std::string out = fmt::format("step {}: {}", static_cast<int>(run.next), what_is_done(run.next));
+  std::string out = fmt::format("step {}: {}", static_cast<int>(run.next), action_of(run.next));
   if (run.next == AbiStep::roll) {
-    out += fmt::format(", rollers about {:.4g} in in, 10 times each way at 0, 90, 45 and -45 degrees",
+    out += fmt::format(", rollers about {:.4g} in deep, 10 times each way at 0, 90, 45 and -45 degrees",
                        next_depth_in(run, rules));
   }
   return out;

@@ -10,11 +10,11 @@ namespace percuss::metrics {
 
 /// Limits of the accelerated break-in (ABI), [8] in docs/theory/sources.md, appendix E, and the limits that end a run.
 struct AbiRules {
-  double min_reduction = 0.05;   // rolling must reach it
-  double skip_reduction = 0.15;  // above it the next test follows without rolling
+  double min_reduction = 0.05;   // least reduction of the compression by rolling
+  double skip_reduction = 0.15;  // above this reduction, the next test follows without rolling
   double pass_drop_besr = 0.014, pass_drop_bbcor = 0.018;
   double first_depth_in = 0.10, depth_step_in = 0.0125, depth_tolerance_in = 0.00625;
-  double max_depth_in = 0.5;  // beyond it no barrel keeps its form
+  double max_depth_in = 0.5;  // deeper rolling would deform any barrel for good
   int max_cycles = 50;
 };
 
@@ -69,7 +69,7 @@ AbiRun evaluate_abi(const AbiLog& log, const AbiRules& rules = {});
 /// The next depth of the rollers.
 double next_depth_in(const AbiRun& run, const AbiRules& rules = {});
 
-/// The next step as text: "step 4: roll the barrel, rollers 0.1125 in in".
+/// The next step as text: "step 4: roll the barrel, rollers about 0.1125 in deep".
 std::string next_step_text(const AbiRun& run, const AbiRules& rules = {});
 
 }  // namespace percuss::metrics

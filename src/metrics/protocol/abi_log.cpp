@@ -25,7 +25,7 @@ AbiEntry read_abi_entry(StrictObject& o) {
       o.fail("not four forces", "force_lbf", "give the forces at 0, 90, 45 and -45 degrees");
     for (const double force : compression.force_lbf) {
       if (!(force > 0 && force <= kLoadFrame_lbf))
-        o.fail("a force beyond the load frame", "force_lbf", "give 0 to 1000 lbf");
+        o.fail("a force outside the range of the load frame", "force_lbf", "give 0 to 1000 lbf");
     }
     entry.what = compression;
   } else if (kind == "roll") {
@@ -42,7 +42,7 @@ AbiEntry read_abi_entry(StrictObject& o) {
     o.read_within("hoop_hz", 1, 1e6, test.hoop_Hz);
     entry.what = test;
   } else {
-    o.fail("\"" + one_line(kind, 40) + "\" is no step", "do", "give compression, roll or performance");
+    o.fail("\"" + one_line(kind, 40) + "\" is not a step", "do", "give compression, roll or performance");
   }
   return entry;
 }
@@ -50,7 +50,7 @@ AbiEntry read_abi_entry(StrictObject& o) {
 void read_abi_document(StrictObject& o, AbiLog& log) {
   std::string schema = "percuss/abi-log/1", metric = "besr";
   o.read("schema", schema);
-  if (schema != "percuss/abi-log/1") o.fail("no log of a break-in", "schema", "give percuss/abi-log/1");
+  if (schema != "percuss/abi-log/1") o.fail("not a log of a break-in", "schema", "give percuss/abi-log/1");
   for (const char* key : {"bat", "entries"}) o.need(key);
   o.read_part("bat", [&](StrictObject& bat) {
     bat.need("id");
@@ -87,11 +87,12 @@ std::string abi_log_example() {
   return R"({
   "schema": "percuss/abi-log/1",
   "bat": {"id": "AS333", "material": "composite"},
-  // What the bat is judged by, besr or bbcor, and what it must not exceed.
+  // The metric, besr or bbcor, and its limit, which the bat must not exceed.
   "metric": "besr",
   "limit": 0.728,
-  // What was done, in its order. Forces in lbf at 0, 90, 45 and -45 degrees; the rollers' depth in inches; a performance
-  // test's value at its best location. "damage" and "broken" say what was seen; "hoop_hz" may be added.
+  // The steps in the order of testing. A compression holds the forces in lbf at 0, 90, 45 and -45 degrees, a roll the
+  // depth of the rollers in inches. A performance test holds the value at its best location. Optional: "damage" and
+  // "broken" (true or false), and "hoop_hz".
   "entries": [
     {"do": "compression", "force_lbf": [612, 604, 598, 606]},
     {"do": "performance", "value": 0.7138, "damage": false, "hoop_hz": 1970},

@@ -23,7 +23,7 @@ struct AbiRoll {
 struct AbiPerformance {
   double value = 0;
   bool damage = false;  // visible damage, or failed the ring test
-  bool broken = false;  // further tests make no sense
+  bool broken = false;  // the bat cannot be tested further
   std::optional<double> hoop_Hz;
 };
 
@@ -42,7 +42,8 @@ struct AbiLog {
 };
 
 /// Reads percuss/abi-log/1 (docs/schema/abi-log.schema.json).
-/// errors  InputError with file and key: another document, a force beyond the load frame, an impossible number.
+/// errors  InputError with file and key: another document, a force outside the range of the load frame, an impossible
+/// number.
 AbiLog parse_abi_log(std::string_view text, const std::string& where);
 AbiLog read_abi_log(const std::string& path);
 

@@ -7,7 +7,7 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr double kMinBelow = 2.1, kMaxBelow = 3.0;  // ounces of class −3
+constexpr double kMinBelow = 2.1, kMaxBelow = 3.0;  // weight in ounces below the length in inches, class −3
 constexpr double kMinExponent = 0.08, kMaxExponent = 0.37;
 
 // f(numbers), or nothing when a number is absent.

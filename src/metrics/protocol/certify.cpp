@@ -14,7 +14,7 @@ namespace percuss::metrics {
 namespace {
 
 constexpr double kNominal_mph = 136;
-constexpr double kOnGrid = 1e-6;  // of half an inch
+constexpr double kGridTolerance = 1e-6;  // in half inches
 
 double contact_mph(const Session& s, double z_in) {
   return contact_speed_mps(s.bat.length_in * kInch_m, z_in * kInch_m) / kMilePerHour_mps;  // (P5)
@@ -44,9 +44,9 @@ void judge_lot(const Session& s, const ProtocolLimits& limits, Certification& ou
 }
 
 void check_location(const Session& s, const SessionShot& shot, JudgedShot& judged) {
-  const double halves = 2 * shot.z_in;
-  if (std::abs(halves - std::round(halves)) > kOnGrid)
-    judged.reasons.push_back({"location", fmt::format("{:g} in is no half inch", shot.z_in)});
+  const double half_inches = 2 * shot.z_in;
+  if (std::abs(half_inches - std::round(half_inches)) > kGridTolerance)
+    judged.reasons.push_back({"location", fmt::format("{:g} in is not a multiple of 0.5 in", shot.z_in)});
   if (shot.z_in < s.low_in || shot.z_in > s.high_in) {
     judged.reasons.push_back(
         {"location", fmt::format("{:g} in is outside {:g} to {:g} in", shot.z_in, s.low_in, s.high_in)});
@@ -93,10 +93,10 @@ void search(const Session& s, const ProtocolLimits& limits, Certification& out) 
   SearchRules rules{.margin = limits.margin_besr,
                     .low = static_cast<HalfInches>(std::ceil(2 * s.low_in)),
                     .high = static_cast<HalfInches>(std::floor(2 * s.high_in))};
-  // The margin is in BESR: (P9) stretches it.
+  // The margin is stated in BESR. By (P9), a difference of BBCOR is 1 + k times as large.
   if (s.metric == PerformanceMetric::bbcor) rules.margin *= 1 + inertia_ratio(s, 6, limits.ball_g);
   out.search = next_location(tested, rules);
-  // A started location with a better mean so far is completed before any conclusion.
+  // An incomplete location with a higher mean so far must be completed before a conclusion.
   for (const TestedLocation& location : out.locations) {
     if (out.search.state != SearchState::shoot && !location.complete && location.mean > out.best)
       out.search = {.at = static_cast<HalfInches>(std::lround(2 * location.z_in))};
@@ -104,8 +104,9 @@ void search(const Session& s, const ProtocolLimits& limits, Certification& out) 
   const bool plateau = limits.accept_plateau && out.search.state == SearchState::plateau;
   if (plateau || out.search.state == SearchState::found) out.sweet_spot_in = 0.5 * out.search.at;
   if (!plateau) return;
-  out.remarks.push_back({"plateau", fmt::format("{:g} to {:g} in are within the margin: the best of them was accepted",
-                                                0.5 * out.search.plateau.front(), 0.5 * out.search.plateau.back())});
+  out.remarks.push_back(
+      {"plateau", fmt::format("{:g} to {:g} in are within the margin: the best location was accepted as the sweet spot",
+                              0.5 * out.search.plateau.front(), 0.5 * out.search.plateau.back())});
 }
 
 bool damaged(const Certification& c) {
@@ -152,17 +153,16 @@ std::string end_message(const Session& s, const Certification& c) {
                  ? "stop: the bat is damaged"
                  : fmt::format("stop: {} {:.4f} exceeds the limit of {:g}", name_of(s.metric), *c.best, *s.limit);
     case CertifyVerdict::no_limit:
-      return fmt::format(
-          "done: the sweet spot is {:g} in from the tip, {} {:.4f} there; no limit was given to judge it",
-          *c.sweet_spot_in, name_of(s.metric), *c.best);
+      return fmt::format("done: the sweet spot is {:g} in from the tip, {} {:.4f} there; no limit was given",
+                         *c.sweet_spot_in, name_of(s.metric), *c.best);
     default:
       return c.search.state == SearchState::edge
                  ? fmt::format(
-                       "stop: the best location, {:g} in, lies at the end of those that can be hit: no sweet "
-                       "spot is isolated",
+                       "stop: the best location, {:g} in, or a location within its margin is at an end of the "
+                       "permitted range: no sweet spot is isolated",
                        0.5 * c.search.at)
                  : fmt::format(
-                       "stop: {} locations next to one another, {:g} to {:g} in, are within the margin: no "
+                       "stop: {} adjacent locations, {:g} to {:g} in, are within the margin: no "
                        "sweet spot is isolated",
                        c.search.plateau.size(), 0.5 * c.search.plateau.front(), 0.5 * c.search.plateau.back());
   }
@@ -192,17 +192,18 @@ NextAction next_action(const Session& s, const Certification& c, const ProtocolL
   return next;
 }
 
-void remark(const Session& s, Certification& c) {
+void add_remarks(const Session& s, Certification& c) {
   if (s.limit && c.best && std::abs(*c.best - *s.limit) < 2 * *c.best_std) {
-    c.remarks.push_back({"near_limit", fmt::format("{:.4f} ± {:.4f} is within two standard errors of the limit",
-                                                   *c.best, *c.best_std)});
+    c.remarks.push_back(
+        {"near_limit", fmt::format("the highest mean, {:.4f} ± {:.4f}, is within two standard errors of the limit",
+                                   *c.best, *c.best_std)});
   }
   const auto no_pairs =
       std::count_if(s.shots.begin(), s.shots.end(), [](const SessionShot& shot) { return shot.pairs_in_mph.empty(); });
   if (no_pairs > 0) {
     c.remarks.push_back(
-        {"pairs_not_given", fmt::format("{} with one speed: whether the gates agree was not checked",
-                                        no_pairs == 1 ? "1 shot comes" : fmt::format("{} shots come", no_pairs))});
+        {"pairs_not_given", fmt::format("{} one speed only: the agreement of the gates was not checked",
+                                        no_pairs == 1 ? "1 shot has" : fmt::format("{} shots have", no_pairs))});
   }
 }
 
@@ -234,7 +235,7 @@ Certification certify(const Session& session, const ProtocolLimits& limits) {
   judge_shots(session, limits, out);
   search(session, limits, out);
   out.verdict = verdict_of(session, out);
-  remark(session, out);
+  add_remarks(session, out);
   out.next = next_action(session, out, limits);
   return out;
 }

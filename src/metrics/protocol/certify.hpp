@@ -30,7 +30,7 @@ struct ProtocolFinding {
 };
 
 struct JudgedShot {
-  double in_mph = 0, out_mph = 0, target_mph = 0, value = 0;  // value: of the metric, without the correction of the lot
+  double in_mph = 0, out_mph = 0, target_mph = 0, value = 0;  // value: the metric (BESR for BBCOR), uncorrected
   bool counted = false;                                       // one of the first six of its location
   std::vector<ProtocolFinding> reasons;                       // none: valid
   bool valid() const { return reasons.empty(); }
@@ -79,6 +79,7 @@ struct Certification {
 /// changes the judgement of an earlier one. The mean of a location is the mean of its first six valid shots.
 /// A bat fails as soon as a complete location exceeds the limit or damage is seen. It passes only when the sweet spot
 /// is found and every tested location keeps the limit.
+/// errors  InputError: BBCOR without the bat's moment of inertia.
 Certification certify(const Session& session, const ProtocolLimits& limits = {});
 
 /// Violated limits of the laboratory and of conditioning.

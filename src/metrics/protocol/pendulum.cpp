@@ -11,7 +11,7 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr double kMaxUneven = 0.2;  // of a period: damping and noise are far below, a lost crossing is a half or more
+constexpr double kMaxUneven = 0.2;  // of a period: damping and noise change less, a lost crossing half a period or more
 
 std::string uneven_crossing(const std::vector<double>& times_s, std::size_t p) {
   std::vector<double> spans;
@@ -19,8 +19,9 @@ std::string uneven_crossing(const std::vector<double>& times_s, std::size_t p) {
   const double usual = median(spans);
   for (std::size_t n = 0; n < spans.size(); ++n) {
     if (std::abs(spans[n] - usual) > kMaxUneven * usual) {
-      return fmt::format("time {} comes {:.4g} s after time {}, others {:.4g} s: one is missing or counted twice",
-                         n + p + 1, spans[n], n + 1, usual);
+      return fmt::format(
+          "time {} is {:.4g} s after time {}, but the usual interval is {:.4g} s: a time is missing or counted twice",
+          n + p + 1, spans[n], n + 1, usual);
     }
   }
   return {};
@@ -29,7 +30,7 @@ std::string uneven_crossing(const std::vector<double>& times_s, std::size_t p) {
 }  // namespace
 
 PeriodEstimate mean_period(const std::vector<double>& periods_s, double resolution_s) {
-  if (periods_s.empty()) return {.problem = "no period"};
+  if (periods_s.empty()) return {.problem = "no period is given"};
   const auto n = static_cast<double>(periods_s.size());
   return {.period_s = mean_of(periods_s),
           .std_s = std::hypot(standard_error_of(periods_s), reading_std(resolution_s) / std::sqrt(n))};
@@ -37,13 +38,14 @@ PeriodEstimate mean_period(const std::vector<double>& periods_s, double resoluti
 
 PeriodEstimate period_of_crossings(const std::vector<double>& times_s, std::size_t p, double resolution_s) {
   const std::size_t count = times_s.size();
-  if (count < p + 1) return {.problem = fmt::format("{} times are fewer than the {} of a period", count, p + 1)};
+  if (count < p + 1)
+    return {.problem = fmt::format("the number of times is {}, but a period needs at least {}", count, p + 1)};
   for (std::size_t n = 1; n < count; ++n) {
     if (!(times_s[n] > times_s[n - 1]))
       return {.problem = fmt::format("time {} does not come after time {}", n + 1, n)};
   }
   if (std::string problem = uneven_crossing(times_s, p); !problem.empty()) return {.problem = std::move(problem)};
-  // (P2): every direction's own mean taken off leaves one slope.
+  // (P2): with the means of their directions subtracted, all times lie on one line, whose slope is the period.
   std::vector<double> turns(count), turn_mean(p, 0), time_mean(p, 0), members(p, 0);
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t whole = n / p;
@@ -54,14 +56,15 @@ PeriodEstimate period_of_crossings(const std::vector<double>& times_s, std::size
   }
   const auto turn = [&](std::size_t n) { return turns[n] - turn_mean[n % p] / members[n % p]; };
   const auto time = [&](std::size_t n) { return times_s[n] - time_mean[n % p] / members[n % p]; };
-  double xx = 0, xy = 0, left = 0;
+  double xx = 0, xy = 0, residual_square = 0;
   for (std::size_t n = 0; n < count; ++n) {
     xx += turn(n) * turn(n);
     xy += turn(n) * time(n);
   }
   const double period = xy / xx;
-  for (std::size_t n = 0; n < count; ++n) left += (time(n) - period * turn(n)) * (time(n) - period * turn(n));
-  const double variance = count > p + 1 ? left / static_cast<double>(count - p - 1) : 0;
+  for (std::size_t n = 0; n < count; ++n)
+    residual_square += (time(n) - period * turn(n)) * (time(n) - period * turn(n));
+  const double variance = count > p + 1 ? residual_square / static_cast<double>(count - p - 1) : 0;
   const double read = reading_std(resolution_s);
   return {.period_s = period, .std_s = std::sqrt(std::max(variance, read * read) / xx)};
 }

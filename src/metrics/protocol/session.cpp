@@ -23,7 +23,7 @@ constexpr std::array<std::pair<const char*, PerformanceMetric>, 3> kMetricNames{
      {"ncaa_besr", PerformanceMetric::ncaa_besr},
      {"bbcor", PerformanceMetric::bbcor}}};
 
-// (P12): each pair of gates on its own; four gates in a row make three pairs.
+// (P12) for each pair of gates. Four gates in a row make three pairs.
 std::vector<double> pair_speeds_mph(const StrictObject& o, const std::string& key, const std::vector<double>& times_s,
                                     double spacing_in) {
   if (times_s.size() != 6 && times_s.size() != 4)
@@ -62,7 +62,7 @@ void read_speed(StrictObject& o, const std::string& side, double spacing_in, dou
     if (!(pair > 0 && pair <= kFastest_mph)) o.fail(fmt::format("a speed of {:g} mph", pair), key, "check the gates");
   }
   if (!(speed_mph > 0 && speed_mph <= kFastest_mph))
-    o.fail(fmt::format("a speed of {:g} mph", speed_mph), key, "give 0 to 400 mph, both ways above 0");
+    o.fail(fmt::format("a speed of {:g} mph", speed_mph), key, "give a speed above 0 mph, at most 400 mph");
 }
 
 SessionShot read_session_shot(StrictObject& o, double spacing_in, bool of_lot) {
@@ -70,7 +70,7 @@ SessionShot read_session_shot(StrictObject& o, double spacing_in, bool of_lot) {
   for (const char* key : {"ball", "ball_g", "angle_deg"}) o.need(key);
   o.read("ball", shot.ball);
   if (shot.ball.empty() || shot.ball.size() > 80)
-    o.fail("no number of the ball", "ball", "give the number on the ball");
+    o.fail("the ball's number is empty or longer than 80 characters", "ball", "give the number on the ball");
   if (!of_lot) o.need("z_in");
   if (!of_lot) o.read_within("z_in", 0, 60, shot.z_in);
   o.read("ear", shot.ear);
@@ -105,13 +105,14 @@ void read_lot(StrictObject& o, double spacing_in, BallLot& lot) {
   });
 }
 
-// The number a table's metadata or a document gives: where the ball may hit, in whole half inches.
+// The range of permitted locations, from a document or from the metadata of a table.
 void read_range(StrictObject& o, Session& s) {
   std::vector<double> range{s.low_in, s.high_in};
   o.read("range_in", range);
   const bool fits = range.size() == 2 && range[0] > 0 && range[0] <= 5 && range[1] >= 7;
   if (!fits || range[1] >= s.bat.length_in - 12)
-    o.fail("no range of locations", "range_in", "give [low, high] with 5 and 7 in inside and the handle outside");
+    o.fail("not a range of locations", "range_in",
+           "give [low, high]: low at most 5 in, high at least 7 in and less than the length minus 12 in");
   s.low_in = range[0];
   s.high_in = range[1];
 }
@@ -119,7 +120,7 @@ void read_range(StrictObject& o, Session& s) {
 void read_session_document(StrictObject& o, Session& s) {
   std::string schema = "percuss/session/1", metric = name_of(s.metric);
   o.read("schema", schema);
-  if (schema != "percuss/session/1") o.fail("no session", "schema", "give percuss/session/1");
+  if (schema != "percuss/session/1") o.fail("not a session", "schema", "give percuss/session/1");
   for (const char* key : {"bat", "ball_lot", "lab", "shots"}) o.need(key);
   double spacing_in = 6;
   o.read_within("gate_spacing_in", 0.1, 100, spacing_in);

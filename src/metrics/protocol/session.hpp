@@ -11,8 +11,8 @@ enum class PerformanceMetric { besr, ncaa_besr, bbcor };
 const char* name_of(PerformanceMetric metric);
 std::optional<PerformanceMetric> performance_metric_named(std::string_view name);
 
-/// One ball fired at the bat (or at the standard bat, for the lot), in the units of the protocol: there its limits are
-/// round numbers.
+/// One ball fired at the bat (or at the standard bat, for the lot). The units are those of the protocol, because its
+/// limits are round numbers in them.
 struct SessionShot {
   std::string place;  // in the file, for error messages
   std::string ball;
@@ -54,8 +54,7 @@ struct Session {
 
 /// Reads percuss/session/1 (docs/schema/session.schema.json) or the same as a table of shots
 /// (docs/theory/performance.md).
-/// errors  InputError with file and key or line: another document, an impossible number, gate times that do not rise, a
-/// missing moment of inertia for BBCOR.
+/// errors  InputError with file and key or line: another document, an impossible number, gate times that do not rise.
 Session parse_session(std::string_view text, const std::string& where);
 Session read_session(const std::string& path);
 

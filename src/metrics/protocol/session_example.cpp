@@ -5,17 +5,17 @@ namespace percuss::metrics {
 std::string session_example() {
   return R"({
   "schema": "percuss/session/1",
-  // What the bat is judged by, besr, ncaa_besr or bbcor, and what it must not exceed.
+  // The metric, besr, ncaa_besr or bbcor, and its limit, which the bat must not exceed.
   "metric": "ncaa_besr",
   "limit": 0.728,
   "bat": {"id": "AS001", "length_in": 33, "weight_oz": 30.1, "moi_oz_in2": 9600, "days_in_lab": 3},
   "lab": {"temperature_f": 72.4, "humidity_percent": 51},
-  // Either the lot's correction, or "hits": the balls fired at the standard bat, as the shots below without z_in.
+  // Either the lot's correction, or "hits": shots at the standard bat, written like the shots below but without z_in.
   "ball_lot": {"id": "L12", "days_in_lab": 21, "correction": 0.002},
   "gate_spacing_in": 6,
   "range_in": [3, 9],
   "shots": [
-    // Speeds as v_in_mph and v_out_mph, or of each pair of gates, or the times at the gates.
+    // Give speeds as v_in_mph and v_out_mph, as the speeds of the three gate pairs, or as the times at the gates.
     {"z_in": 6, "ball": "L12-001", "ear": 1, "ball_g": 145.3, "v_in_mph": 136.2, "v_out_mph": 29.9, "angle_deg": 1.2},
     {"z_in": 6, "ball": "L12-002", "ear": 1, "ball_g": 145.6, "angle_deg": -2.0,
      "pairs_in_mph": [136.4, 136.1, 135.8], "pairs_out_mph": [30.3, 30.0, 29.8]},

@@ -20,8 +20,8 @@ void check_pairs(const std::vector<double>& pairs_mph, const char* code, const c
   if (pairs_mph.empty()) return;
   const auto [low, high] = std::minmax_element(pairs_mph.begin(), pairs_mph.end());
   if (*high - *low <= tolerance_mph + kReadingTolerance) return;
-  reasons.push_back({code, fmt::format("the gates' {} speeds differ by {:.2f} mph, more than {:g}", way, *high - *low,
-                                       tolerance_mph)});
+  reasons.push_back({code, fmt::format("the gates' {} speeds differ by {:.2f} mph, more than {:g} mph", way,
+                                       *high - *low, tolerance_mph)});
 }
 
 void check_ball(const SessionShot& shot, BallUse& ball, const ProtocolLimits& limits,
@@ -30,18 +30,19 @@ void check_ball(const SessionShot& shot, BallUse& ball, const ProtocolLimits& li
   ++ball.ears.at(static_cast<std::size_t>(shot.ear));
   ball.ball_g = shot.ball_g;
   if (!within(shot.ball_g, limits.ball_g, limits.ball_tolerance_g)) {
-    reasons.push_back({"ball_mass", fmt::format("a ball of {:g} g, not {:g} ± {:g} g", shot.ball_g, limits.ball_g,
+    reasons.push_back({"ball_mass", fmt::format("the ball weighs {:g} g, not {:g} ± {:g} g", shot.ball_g, limits.ball_g,
                                                 limits.ball_tolerance_g)});
-    ball.spent = "its mass";
+    ball.spent = "its mass is out of tolerance";
   }
   if (ball.impacts > limits.impacts)
-    reasons.push_back({"ball_impacts", fmt::format("impact {} of this ball, of {}", ball.impacts, limits.impacts)});
+    reasons.push_back(
+        {"ball_impacts", fmt::format("impact {} of this ball; the limit is {}", ball.impacts, limits.impacts)});
   if (shot.ear > 0 && ball.ears.at(static_cast<std::size_t>(shot.ear)) > limits.ear_impacts) {
     reasons.push_back(
-        {"ear_impacts", fmt::format("impact {} on ear {} of this ball, of {}",
+        {"ear_impacts", fmt::format("impact {} on ear {} of this ball; the limit is {}",
                                     ball.ears.at(static_cast<std::size_t>(shot.ear)), shot.ear, limits.ear_impacts)});
   }
-  if (ball.impacts >= limits.impacts) ball.spent = "its impacts";
+  if (ball.impacts >= limits.impacts) ball.spent = fmt::format("it had {} impacts", limits.impacts);
 }
 
 void check_climate(const Session& session, const SessionShot& shot, const ProtocolLimits& limits,
@@ -49,23 +50,24 @@ void check_climate(const Session& session, const SessionShot& shot, const Protoc
   const double temperature_F = shot.temperature_F.value_or(session.temperature_F);
   const double humidity = shot.humidity_percent.value_or(session.humidity_percent);
   if (!within(temperature_F, limits.temperature_F, limits.temperature_tolerance_F)) {
-    reasons.push_back({"temperature", fmt::format("{:g} °F, not {:g} ± {:g}", temperature_F, limits.temperature_F,
+    reasons.push_back({"temperature", fmt::format("{:g} °F, not {:g} ± {:g} °F", temperature_F, limits.temperature_F,
                                                   limits.temperature_tolerance_F)});
   }
   if (!within(humidity, limits.humidity_percent, limits.humidity_tolerance_percent)) {
-    reasons.push_back({"humidity", fmt::format("{:g} % of humidity, not {:g} ± {:g}", humidity, limits.humidity_percent,
+    reasons.push_back({"humidity", fmt::format("{:g} % humidity, not {:g} ± {:g} %", humidity, limits.humidity_percent,
                                                limits.humidity_tolerance_percent)});
   }
 }
 
 void check_conditioning(const Session& session, const ProtocolLimits& limits, std::vector<ProtocolFinding>& reasons) {
   if (session.bat.days_in_lab < limits.bat_days) {
-    reasons.push_back({"bat_conditioning", fmt::format("the bat was {:g} days in the laboratory, not {:g}",
+    reasons.push_back({"bat_conditioning", fmt::format("the bat was {:g} days in the laboratory, not the required {:g}",
                                                        session.bat.days_in_lab, limits.bat_days)});
   }
   if (session.lot.days_in_lab < limits.ball_days) {
-    reasons.push_back({"ball_conditioning", fmt::format("the balls were {:g} days in the laboratory, not {:g}",
-                                                        session.lot.days_in_lab, limits.ball_days)});
+    reasons.push_back(
+        {"ball_conditioning", fmt::format("the balls were {:g} days in the laboratory, not the required {:g}",
+                                          session.lot.days_in_lab, limits.ball_days)});
   }
 }
 
@@ -73,7 +75,7 @@ double value_of(const Session& session, const SessionShot& shot, double target_m
   const double besr = besr_of(shot.out_mph, shot.in_mph);  // (P6)
   if (session.metric == PerformanceMetric::ncaa_besr)
     return ncaa_besr_of(shot.out_mph, shot.in_mph, target_mph, kNominalSpeed_mps / kMilePerHour_mps);  // (P7)
-  return besr;  // BBCOR follows from the corrected mean
+  return besr;  // certify() converts the corrected value to BBCOR
 }
 
 }  // namespace
@@ -93,7 +95,7 @@ JudgedShot judge_shot(const Session& session, const SessionShot& shot, double ta
   check_climate(session, shot, limits, out.reasons);
   check_ball(shot, ball, limits, out.reasons);
   if (!within(shot.in_mph, target_mph, limits.inbound_tolerance_mph)) {
-    out.reasons.push_back({"inbound_speed", fmt::format("{:.2f} mph inbound, not {:.2f} ± {:g}", shot.in_mph,
+    out.reasons.push_back({"inbound_speed", fmt::format("{:.2f} mph inbound, not {:.2f} ± {:g} mph", shot.in_mph,
                                                         target_mph, limits.inbound_tolerance_mph)});
   }
   if (!within(shot.angle_deg, 0, limits.angle_deg)) {

@@ -18,7 +18,7 @@ HalfInches best_of(const std::map<HalfInches, double>& tested) {
   return best;
 }
 
-// Its neighbours in the order of testing.
+// The two neighbours of a location, in the order of testing.
 std::vector<HalfInches> neighbours(HalfInches at, const std::map<HalfInches, double>& tested) {
   const bool lower_first = at == kFirst ? tested.at(kSecond) > tested.at(kThird) : at > kFirst;
   return lower_first ? std::vector{at - 1, at + 1} : std::vector{at + 1, at - 1};

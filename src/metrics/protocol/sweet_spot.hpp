@@ -30,7 +30,8 @@ struct SearchStep {
 /// first. Then comes the neighbour of the best towards 6 in (for 6 in itself: on the better side), then its outer
 /// neighbour. Where a neighbour is within the margin, the untested locations beside the two come next. The search ends
 /// after at most high − low + 1 locations, all between low and high. Among equals the location nearest 6 in is the
-/// best. source  [8] in docs/theory/sources.md, section 3.5; docs/theory/performance.md decides what [8] leaves open.
+/// best.
+/// source  [8] in docs/theory/sources.md, section 3.5; docs/theory/performance.md decides what [8] leaves open.
 SearchStep next_location(const std::map<HalfInches, double>& tested, const SearchRules& rules = {});
 
 }  // namespace percuss::metrics

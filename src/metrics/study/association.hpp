@@ -19,7 +19,7 @@ struct Correlation {
 struct Association {
   std::size_t points = 0, classes = 0;  // without classes of one point, which contribute nothing
   Correlation pearson, spearman;
-  double p = 1;  // two-sided probability of such a Spearman correlation or a stronger one without association
+  double p = 1;  // two-sided probability of a Spearman correlation at least as strong, without association
 };
 
 /// Correlation within classes, without the differences between classes. r correlates values minus their class's mean. ρ
@@ -27,7 +27,8 @@ struct Association {
 /// they are the usual r and ρ. With d = points − classes − 1 degrees of freedom
 ///   interval:  tanh(artanh r ± 1.96/√(d − 1)),  tanh(artanh ρ ± 1.96 √((1 + ρ²/2)/(d − 1)))           (P15)
 ///   p: Student's t of d degrees, t = ρ √(d/(1 − ρ²))                                                (P16)
-/// None below d = 2, or when x or y does not vary within classes. source  [3] and [16] in docs/theory/sources.md
+/// None below d = 2, or when x or y does not vary within classes.
+/// source  [3] and [16] in docs/theory/sources.md
 std::optional<Association> association_of(const std::vector<ClassPoints>& classes);
 
 /// A robust straight line y = at + slope x, and the 95 % interval of its slope.
@@ -35,17 +36,19 @@ struct TrendLine {
   double slope = 0, at = 0, slope_low = 0, slope_high = 0;
 };
 
-/// The Theil–Sen line: the median of the slopes of all pairs of points, and the median of y − slope x. The interval is
-///   the (N ∓ 1.96 √(n(n−1)(2n+5)/18))/2-th of N in order                                          (P17)
-/// Up to 29 % of the points may lie anywhere. None for fewer than 3 different values of x. source  [17]
+/// The Theil–Sen line: the median of the slopes of all pairs of points, and the median of y − slope x. The interval
+/// ends at these ranks of the N sorted slopes:
+///   (N ∓ 1.96 √(n(n−1)(2n+5)/18))/2                                                               (P17)
+/// Up to 29 % of the points may lie anywhere. None for fewer than 3 different values of x.
+/// source  [17]
 std::optional<TrendLine> trend_line_of(const ClassPoints& points);
 
 /// The points further from the line than 3.5 robust standard deviations of the residuals, (P18); none for fewer than 6
 /// points.
 std::vector<std::size_t> outliers_of(const ClassPoints& points, const TrendLine& line);
 
-/// Adjusts the probabilities of several tests: the chance of any false positive stays the one of a single test. The
-/// k-th smallest of m is multiplied by m − k + 1, and none is below its predecessor (Holm, [18]).          (P19)
+/// Adjusts the probabilities of several tests: the chance of any false positive stays at the level of a single test.
+/// The k-th smallest of m is multiplied by m − k + 1, and none is below its predecessor (Holm, [18]).      (P19)
 std::vector<double> holm_adjusted(const std::vector<double>& p);
 
 }  // namespace percuss::metrics

@@ -20,7 +20,7 @@ ClassPoints points_of(const Study& study, StudyQuantity x, StudyQuantity y, cons
   return points;
 }
 
-// States of one bat are not independent bats: the first one counts.
+// States of one bat are not independent: only the first state counts.
 std::vector<std::size_t> counted_of(const Study& study, const std::vector<std::size_t>& members) {
   std::vector<std::size_t> out;
   for (const std::size_t b : members) {
@@ -95,8 +95,8 @@ void judge_statements(Study& study) {
     StudyStatement& statement = study.statements[testable[k]];
     statement.adjusted_p = adjusted[k];
     if (!(adjusted[k] < kFalsePositives)) continue;
-    const bool as_said = statement.association->spearman.value * statement.sign > 0;
-    statement.verdict = as_said ? StatementVerdict::supported : StatementVerdict::contradicted;
+    const bool has_stated_sign = statement.association->spearman.value * statement.sign > 0;
+    statement.verdict = has_stated_sign ? StatementVerdict::supported : StatementVerdict::contradicted;
   }
 }
 

@@ -31,7 +31,7 @@ struct StudyFigure {
   std::vector<StudyClass> classes;  // by length; in a figure of all lengths the last holds all bats
 };
 
-/// The states of one bat during its break-in, in their order.
+/// The trail of a bat: its states during the break-in, in their order.
 struct StudyHistory {
   std::string bat;
   std::vector<std::size_t> states;              // of Study::bats

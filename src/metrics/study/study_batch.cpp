@@ -14,18 +14,16 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kMerging = "percuss batch merge";
-
 std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
 
-// The rows of a record follow one another.
+// The rows of a record are adjacent, so only the last bat can have the id.
 BatProperties& bat_named(std::vector<BatProperties>& bats, const std::string& id) {
   if (bats.empty() || bats.back().at("id") != id) bats.push_back({{"id", id}});
   return bats.back();
 }
 
 void take_row(StrictObject& row, std::vector<BatProperties>& bats) {
-  for (const std::string& column : batch_columns()) row.has(column);  // all of them are known
+  for (const std::string& column : batch_columns()) row.has(column);  // marks the column as known
   std::string kind, id, family;
   std::size_t order = 0;
   double freq_Hz = 0;
@@ -57,8 +55,7 @@ std::vector<BatProperties> bats_of_lines(std::string_view text, const std::strin
       if (nests_deeper_than(line, kRowDepth)) throw std::out_of_range("deep");
       take_line(Json::parse(line), bats);
     } catch (const std::exception&) {
-      throw InputError("not a row of a batch", fmt::format("{}, line {}", where, number + 1),
-                       std::string("give the file as ") + kMerging + " wrote it");
+      throw InputError("not a row of a batch", fmt::format("{}, line {}", where, number + 1), "merge the batch again");
     }
   }
   return bats;

@@ -10,8 +10,8 @@ namespace {
 
 using enum StudyQuantity;
 
-// A family of figures of the source: y over x, of all lengths, by length, or both; the number of its first figure (of
-// 31 in for those by length), and of that of all lengths; 0: the source has none.
+// A group of figures of the source, y over x. first_by_length is the number of its figure for 31 in (the figures for 32
+// to 34 in follow). of_all is the number of its figure for all lengths. 0: the source has none.
 struct FigureKind {
   StudyFamily family;
   StudyQuantity x, y;
@@ -87,17 +87,17 @@ std::vector<StudyFigure> study_figures_of(const std::vector<StudyBat>& bats) {
     const ByLength lengths = bats_by_length(bats, kind);
     if (lengths.empty()) continue;
     StudyFigure all = figure_of(kind, 0);
-    StudyClass everyone;
+    StudyClass all_lengths;
     for (const auto& [length, members] : lengths) {
       StudyClass one{.length_class = length, .bats = members};
-      everyone.bats.insert(everyone.bats.end(), members.begin(), members.end());
+      all_lengths.bats.insert(all_lengths.bats.end(), members.begin(), members.end());
       if (kind.first_by_length != 0) {
         out.push_back(figure_of(kind, length));
         out.back().classes = {one};
       }
       all.classes.push_back(std::move(one));
     }
-    all.classes.push_back(std::move(everyone));
+    all.classes.push_back(std::move(all_lengths));
     out.push_back(std::move(all));
   }
   return out;

@@ -14,11 +14,12 @@ struct StudyCurve {
   std::vector<double> hoop_Hz, value;  // hoop_Hz rising
 };
 
-/// Reads the "curve" of a document percuss/model-trampoline/1. errors  InputError: another document.
+/// Reads the "curve" of a document percuss/model-trampoline/1.
+/// errors  InputError: another document.
 StudyCurve parse_study_curve(std::string_view text, const std::string& where);
 
-/// Replaces the bats' ids by neutral ones (AS001, AS002, … in their order; states of one bat keep together under the id
-/// of the first) and removes maker and model. Returns the key: a table of neutral and true names.
+/// Replaces the bats' ids by neutral ones (AS001, AS002, … in their order; states of one bat share the id of the first)
+/// and removes maker and model. Returns the key: a table of neutral and true names.
 std::string anonymise_bats(std::vector<StudyBat>& bats);
 
 /// The bats as a table that a study can read.

@@ -47,7 +47,7 @@ std::optional<double> number_of(const BatProperties& p, const std::string& colum
   const ParsedNumber number = parse_number(found->second, false);
   const bool fits = number.problem == NumberProblem::none && number.value >= low && number.value <= high;
   if (fits) return number.value;
-  throw InputError(fmt::format("{} is {}, which cannot be", column, one_line(found->second, 40)),
+  throw InputError(fmt::format("{} is {}, which is not a possible value", column, one_line(found->second, 40)),
                    "bat " + one_line(id, 60), fmt::format("give {:g} to {:g}", low, high));
 }
 
@@ -104,7 +104,7 @@ StudyBat bat_of(const BatProperties& p) {
   return bat;
 }
 
-std::string shortest(const Json& value) {
+std::string text_of_value(const Json& value) {
   return value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
 }
 
@@ -133,7 +133,7 @@ BatProperties properties_in(const Json& analysis, const std::string& where) {
     for (const auto& [key, value] : properties->items()) {
       const auto& known = study_columns();
       const bool simple = value.is_string() || value.is_number();
-      if (simple && std::find(known.begin(), known.end(), key) != known.end()) p.emplace(key, shortest(value));
+      if (simple && std::find(known.begin(), known.end(), key) != known.end()) p.emplace(key, text_of_value(value));
     }
   }
   take_frequencies(analysis, p);
@@ -158,7 +158,8 @@ const std::vector<std::string>& study_columns() {
 
 void StudyRows::merge(const BatProperties& properties, const std::string& where) {
   const std::string id = text_of(properties, "id");
-  if (id.empty() || id.size() > 80) throw InputError("a bat without an id", where, "fill the column id");
+  if (id.empty() || id.size() > 80)
+    throw InputError("a bat without an id of 1 to 80 characters", where, "fill the column id");
   auto [known, fresh] = by_id_.try_emplace(id);
   if (fresh) order_.push_back(id);
   if (order_.size() > kMaxBats) throw InputError("more than 2000 bats", where, "split the study");
@@ -201,7 +202,7 @@ void StudyRows::add(std::string_view text, const std::string& where) {
   const auto read = [&](StrictObject& o) {
     std::string schema = "percuss/study-table/1";
     o.read("schema", schema);
-    if (schema != "percuss/study-table/1") o.fail("no table of bats", "schema", "give a table or analyses");
+    if (schema != "percuss/study-table/1") o.fail("not a table of bats", "schema", "give a table or analyses");
     o.need("bats");
     o.read_list("bats", read_row);
   };

@@ -41,8 +41,9 @@ using BatProperties = std::map<std::string, std::string>;
 class StudyRows {
  public:
   /// Adds a table (docs/schema/study-table.schema.json, or the same as CSV), a document percuss/analysis/1 with "bat",
-  /// or the ids and frequencies of a batch. errors  InputError: another document, an unknown column, an impossible
-  /// value, two values for one id, more than 2000 bats.
+  /// or the ids and frequencies of a batch.
+  /// errors  InputError: another document, an unknown column, an impossible value, two values for one id, more than
+  /// 2000 bats.
   void add(std::string_view text, const std::string& where);
   /// All bats, with drop, BBS and BBCOR computed where possible ((P1), (P8), (P9), a ball of 145.4 g).
   /// errors  InputError: no bats, a bat without length or material.

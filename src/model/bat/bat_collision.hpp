@@ -30,7 +30,8 @@ struct BatCollision {
 };
 
 /// The result of a collision. Energies are shares of the collision energy ½ μ v², with μ = m M_e/(m + M_e) and v the
-/// closing speed at the point of impact. The rest of it is the relative motion of ball and rigid bat.
+/// closing speed at the point of impact. The remaining share is the energy of the relative motion of ball and
+/// rigid bat after the impact.
 struct BatRebound {
   double exit_speed_mps = 0;   // of the ball after its last contact, against its initial direction
   double contact_s = 0;        // from the first touch to the end of the last contact
@@ -41,7 +42,7 @@ struct BatRebound {
 };
 
 struct BatCollisionOptions {
-  std::size_t steps = 200;           // during the loading against a wall: about a fifth of all steps
+  std::size_t steps = 200;           // of the loading against a rigid wall: about a fifth of all steps of a collision
   double recontact_window_s = 0.03;  // search for a further contact after the last
 };
 
@@ -59,7 +60,7 @@ BatRebound bat_rebound(const BatModes& bat, std::size_t modes, const BatCollisio
 std::vector<BatRebound> bat_sweep(const BatModes& bat, std::size_t modes, const BatCollision& collision,
                                   const std::vector<double>& z_m, std::size_t threads = 0);
 
-/// The same ball and bat for rigid_collision.hpp. bat_rebound without modes equals exit_speed_mps of the result, with z
+/// Converts ball and bat for rigid_collision.hpp. bat_rebound without modes equals exit_speed_mps of the result, with z
 /// from the centre of mass: a spring that returns e₀² of the energy returns e₀ of the speed.
 RigidCollision rigid_collision(const BatInertia& bat, const BatCollision& collision);
 

@@ -9,7 +9,7 @@ namespace percuss::model {
 namespace {
 
 constexpr Eigen::Index kRigidMotions = 2;
-constexpr double kFreeSteps = 4;  // steps of the contact in one step between contacts
+constexpr double kFreeSteps = 4;  // length of a step between contacts, in steps of the contact
 constexpr int kMaxTries = 100;
 constexpr double kForceAccuracy = 1e-14;  // of the ball's deepest compression on a wall
 constexpr std::size_t kMaxTouches = 1000;
@@ -85,7 +85,7 @@ Eigen::VectorXd BatImpact::amplitudes_at(double time_s) {
 BatRebound BatImpact::run() {
   BatRebound result;
   for (result.contacts = 0;; ++result.contacts) {
-    const double touch_by_s = time_s_ + 2 * free_.step_s;  // later there is no touch: rounding suggested one
+    const double touch_by_s = time_s_ + 2 * free_.step_s;  // without compression by then, the touch was rounding
     do {
       step();
     } while (u_m_ > 0 || (largest_m_ == 0 && time_s_ < touch_by_s));
@@ -109,7 +109,7 @@ double BatImpact::turning_point(double free_u, double free_rate) const {
   const double h = contact_.step_s, a = u_m_, ra = h * rate_mps_, b = free_u - compliance_ * force_N_;
   const double rb = h * (free_rate - compliance_rate_ * force_N_), c = 3 * (b - a) - 2 * ra - rb,
                d = 2 * (a - b) + ra + rb;
-  const double at = ra / (std::sqrt(std::max(0.0, c * c - 3 * d * ra)) - c);  // zero of the falling slope
+  const double at = ra / (std::sqrt(std::max(0.0, c * c - 3 * d * ra)) - c);  // the root of the slope at the maximum
   return at > 0 && at < 1 ? a + at * (ra + at * (c + at * d)) : std::max(a, b);
 }
 
@@ -119,7 +119,7 @@ double BatImpact::end_force(double free_u) const {
   for (int i = 0; i < kMaxTries && high - low > kForceAccuracy * wall_m_; ++i) {
     const double force_N = ball_.force_N(u, largest_m_), excess = u + compliance_ * force_N - free_u;
     (excess > 0 ? high : low) = u;
-    const double slope = 1 + compliance_ * (u > 0 ? force_N / u * power_at(u) : 0);
+    const double slope = 1 + compliance_ * (u > 0 ? force_N / u * exponent_at(u) : 0);
     const double newton = u - excess / slope;
     if (std::abs(newton - u) <= kForceAccuracy * wall_m_) break;
     u = newton > low && newton < high ? newton : (low + high) / 2;
@@ -127,7 +127,7 @@ double BatImpact::end_force(double free_u) const {
   return ball_.force_N(u, largest_m_);
 }
 
-double BatImpact::power_at(double u) const {
+double BatImpact::exponent_at(double u) const {
   const double e = ball_.restitution;
   return u >= largest_m_ ? ball_.exponent : (1 + ball_.exponent) / (e * e) - 1;
 }

@@ -33,7 +33,7 @@ class BatImpact {
   // Solves u + compliance · F(u) = free_u for F. The left side rises with u, so Newton's method within a bracket
   // converges. It needs about three evaluations, and bracketed_root needs ten: most of the time of a step goes here.
   double end_force(double free_u) const;
-  double power_at(double u) const;
+  double exponent_at(double u) const;
 
   // Whether the bat catches up with the ball. If it does, the state is the one just before the touch.
   bool will_recontact();

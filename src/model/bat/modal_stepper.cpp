@@ -22,17 +22,17 @@ ModalStepper::ModalStepper(const Eigen::ArrayXd& omega_radps, const Eigen::Array
       rate_to(shape.size()) {
   for (Eigen::Index i = 0; i < phi.size(); ++i) {
     const double omega = omega_radps[i], x = omega * h, x2 = x * x;
-    // With x = ωh: sin(x)/x, (1 − cos x)/x² and (1 − sin(x)/x)/x².
+    // With x = ωh: sinc = sin(x)/x, versine = (1 − cos x)/x² and lag = (1 − sin(x)/x)/x², without cancellation.
     const double sinc = x == 0 ? 1 : std::sin(x) / x, half = x == 0 ? 1 : std::sin(x / 2) / (x / 2);
-    const double rounded = half * half / 2;
+    const double versine = half * half / 2;
     const double lag = std::abs(x) < kSmallAngle ? (1 - x2 / 20 * (1 - x2 / 42 * (1 - x2 / 72))) / 6 : (1 - sinc) / x2;
     cosine[i] = std::cos(x);
     sine_over[i] = h * sinc;
     sine_times[i] = omega * std::sin(x);
     q_to[i] = phi[i] * h * h * lag;
-    q_from[i] = phi[i] * h * h * (rounded - lag);
-    rate_to[i] = phi[i] * h * rounded;
-    rate_from[i] = phi[i] * h * (sinc - rounded);
+    q_from[i] = phi[i] * h * h * (versine - lag);
+    rate_to[i] = phi[i] * h * versine;
+    rate_from[i] = phi[i] * h * (sinc - versine);
   }
 }
 

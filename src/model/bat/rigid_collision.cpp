@@ -9,8 +9,8 @@ double effective_mass_kg(const RigidCollision& c, double z_m) {
 }
 
 double swing_speed_mps(const RigidCollision& c, double z_m) {
-  return c.bat_speed_mps + c.swing_rate_radps * z_m;
-}  // (2)
+  return c.bat_speed_mps + c.swing_rate_radps * z_m;  // (2)
+}
 
 double exit_speed_mps(const RigidCollision& c, double z_m) {
   const double mass = effective_mass_kg(c, z_m);
@@ -20,8 +20,8 @@ double exit_speed_mps(const RigidCollision& c, double z_m) {
 }
 
 BestImpact best_impact(const RigidCollision& c, double low_m, double high_m) {
-  // (1) in (3), with the fraction expanded by 1 + M z²/I, is (n0 + n1 z + n2 z²) / (d0 + d2 z²). In its derivative the
-  // cubic terms cancel, which leaves a z² + 2 b z + f = 0.
+  // (3) with (1), numerator and denominator times I + M z², is (n0 + n1 z + n2 z²) / (d0 + d2 z²). The cubic terms of
+  // its derivative cancel, so the derivative is zero where a z² + 2 b z + f = 0.
   const double mi = c.bat_mass_kg * c.inertia_kgm2, mm = c.ball_mass_kg * c.bat_mass_kg;
   const double n0 = c.ball_speed_mps * (c.restitution * mi - c.ball_mass_kg * c.inertia_kgm2) +
                     c.bat_speed_mps * mi * (1 + c.restitution);

@@ -31,11 +31,11 @@ void add_square(ElementMatrix& sum, double factor, const ElementVector& shape) {
 void add_element(const BeamElement& e, Index first, Triplets& stiffness, Triplets& mass) {
   ElementMatrix k = ElementMatrix::Zero(), m = ElementMatrix::Zero();
   for (std::size_t i = 0; i < kGaussAt.size(); ++i) {
-    const double x = kGaussAt.at(i), element_length_m = kGaussWeight.at(i) * e.element_length_m;
-    add_square(k, element_length_m * e.bending_Nm2, e.curvature(x));
-    add_square(k, element_length_m * e.shear_N, e.shear(x));
-    add_square(m, element_length_m * e.mass_kgpm, e.deflection(x));
-    add_square(m, element_length_m * e.rotary_kgm, e.rotation(x));
+    const double x = kGaussAt.at(i), weight_m = kGaussWeight.at(i) * e.element_length_m;
+    add_square(k, weight_m * e.bending_Nm2, e.curvature(x));
+    add_square(k, weight_m * e.shear_N, e.shear(x));
+    add_square(m, weight_m * e.mass_kgpm, e.deflection(x));
+    add_square(m, weight_m * e.rotary_kgm, e.rotation(x));
   }
   for (Index row = 0; row < k.rows(); ++row) {
     for (Index column = 0; column < k.cols(); ++column) {

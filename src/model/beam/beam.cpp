@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHalfTurn_rad = std::numbers::pi;
 
-// The beam functions times 2 e^(−λ): none of them grows with λ.
+// cosh λ and sinh λ times 2 e^(−λ), which do not grow with λ; sin λ and cos λ are not scaled.
 struct Scaled {
   double e, s, c, ch, sh;
   explicit Scaled(double lambda)
@@ -22,8 +22,8 @@ struct Scaled {
   double one_minus_cc() const { return 2 * e - c * ch; }
 };
 
-// s ch − c sh. For small λ the difference would cancel: there its series Σ (−1)^k 2^(2k+2) λ^(4k+3)/(4k+3)!.
-double turning(double lambda, const Scaled& of) {
+// s ch − c sh. Its terms cancel for small λ, so the series Σ (−1)^k 2^(2k+2) λ^(4k+3)/(4k+3)! is used there.
+double sine_difference(double lambda, const Scaled& of) {
   if (lambda >= 1) return of.s * of.ch - of.c * of.sh;
   const double fourth = lambda * lambda * lambda * lambda;
   double term = 2 * lambda * lambda * lambda / 3, sum = 0;
@@ -38,7 +38,7 @@ double turning(double lambda, const Scaled& of) {
 // Elastic modes count from 1.
 double pinned_lambda(std::size_t mode) {
   const double from = static_cast<double>(mode) * kHalfTurn_rad;
-  return bracketed_root([](double x) { return turning(x, Scaled(x)); }, from, from + kHalfTurn_rad / 2);  // (4)
+  return bracketed_root([](double x) { return sine_difference(x, Scaled(x)); }, from, from + kHalfTurn_rad / 2);  // (4)
 }
 
 double clamped_lambda(std::size_t mode) {
@@ -55,7 +55,7 @@ double torsion_lambda(std::size_t mode, double relative_torsion) {
   const double spring = relative_torsion / (1 + relative_torsion), hinge = 1 / (1 + relative_torsion);
   const auto difference = [&](double x) {
     const Scaled of(x);
-    return hinge * x * turning(x, of) - spring * of.one_plus_cc();  // (2)
+    return hinge * x * sine_difference(x, of) - spring * of.one_plus_cc();  // (2)
   };
   return bracketed_root(difference, mode == 1 ? 0 : pinned_lambda(mode - 1), clamped_lambda(mode));
 }
@@ -65,7 +65,7 @@ BeamMode supported_mode(double lambda) {
   const double d = of.one_plus_cc() + of.s * of.sh;
   return {.lambda = lambda,
           .sine = 1,
-          .cosine = -turning(lambda, of) / d,
+          .cosine = -sine_difference(lambda, of) / d,
           .far = (1 + of.e * (of.c + of.s)) / d,
           .near = (of.s - of.c - of.e) / d};
 }

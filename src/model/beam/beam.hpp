@@ -31,7 +31,8 @@ struct UniformBeam {
 ///   X = o + t ξ + p sin λξ + q cos λξ + a e^(−δ(1−ξ)) + b e^(−δξ)      (1)
 /// A rigid-body mode (λ = 0) has only o and t, an elastic mode only the other terms. No exponential grows, so high
 /// modes do not suffer from cancellation. δ = λ for Euler–Bernoulli beams. The shape is scaled to X = 1 at the free end
-/// x = L. theory (8.5)
+/// x = L.
+/// theory (8.5)
 struct BeamMode {
   double lambda = 0;       // βL
   double decay = 0;        // δ
@@ -55,7 +56,7 @@ struct BeamMode {
 /// The equations are multiplied by e^(−λ) before they are solved. A root of (2) lies between roots of (4) and (3).
 /// timoshenko_mode solves Timoshenko beams.
 /// errors  InputError when a double cannot hold a frequency, or where timoshenko_mode throws one.
-/// source  [9], its equations repaired.
+/// source  [9], with its equations corrected.
 /// theory (8.1), (8.2), (8.3), (8.4), (8.6)
 std::vector<BeamMode> beam_modes(const UniformBeam& beam, std::size_t count);
 

@@ -14,7 +14,7 @@ namespace percuss::model {
 namespace {
 
 constexpr double kMinTorsion = 1e-6, kMaxTorsion = 1e6;  // of T*: beyond them frequencies do not depend on it
-constexpr double kNearLimit = 10;
+constexpr double kNearLimit = 10;                        // a fitted T* within this factor of a limit is not determined
 constexpr LevenbergMarquardtOptions kBeamFitOptions{.max_steps = 200, .max_damping = 1e15, .step_tolerance = 1e-12};
 constexpr double kFitDifference = 1e-5;  // of a logarithm, for central differences: their relative error is 1e-10
 
@@ -77,7 +77,7 @@ class FrequencyFit {
     return columns;
   }
 
-  // The best of a range of T*, with only the fitted parameters changed.
+  // The best start from a range of T*. Only the fitted parameters change.
   Eigen::VectorXd best_start() const {
     Eigen::VectorXd best = logs_of(start_);
     double least = std::numeric_limits<double>::infinity();
@@ -122,7 +122,7 @@ class FrequencyFit {
     }
     return beam;
   }
-  // EI/ρA scaled so that the frequencies fit on average, at the same T*.
+  // Scales EI/ρA at constant T*, so that the frequencies fit on average.
   UniformBeam scaled(UniformBeam beam) const {
     const double squares = weight_.squaredNorm();
     const double factor = std::exp(2 * (log_f_ - model_logs(beam)).cwiseProduct(weight_.cwiseAbs2()).sum() / squares);

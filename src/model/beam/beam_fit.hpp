@@ -25,8 +25,8 @@ struct BeamFit {
   UniformBeam beam;  // with the fitted values
   std::vector<FittedParameter> parameters;
   std::vector<double> model_Hz;  // the model's frequency for each measured one
-  bool at_limit = false;         // T* reached 1e-6 or 1e6: like a pin or a clamp, and T is not determined
-  double chi2 = 0;               // Σ ((ln f − ln f_model) f/σ)²; σ = f where it is unknown
+  bool at_limit = false;  // T* is below 1e-5 or above 1e5: the spring acts as a pin or a clamp, and T is not determined
+  double chi2 = 0;        // Σ ((ln f − ln f_model) f/σ)²; σ = f where it is unknown
 };
 
 /// The number of parameters that can be fitted together. Frequencies depend only on EI/ρA and T* = T L/EI, and without

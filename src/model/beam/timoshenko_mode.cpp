@@ -43,7 +43,7 @@ Waves waves_of(const UniformBeam& beam, double lambda) {
   return waves;
 }
 
-// The λ at which (3) is zero, reduced by 1e-9 of itself.
+// The λ at the cut-off frequency, where (3) is zero, less a relative 1e-9.
 double last_lambda(const UniformBeam& beam) {
   if (!(beam.gyration_m > 0 && beam.shear_stiffness_N > 0)) return kNoLimit;
   const double length2 = beam.length_m * beam.length_m;
@@ -62,10 +62,10 @@ double free_condition(const Waves& w, bool even) {
 double boundary_condition(const Waves& w, double spring, double hinge) {
   const double e = std::exp(-w.a), ch = 1 + e * e, sh = 1 - e * e, s = std::sin(w.b), c = std::cos(w.b);
   const double ka = w.lean / w.a, kb = w.bend / w.b;
-  const double turning = w.lean * sh * c / w.b - w.bend * s * ch / w.a;
-  const double holding = ka * (w.lean * c * ch / w.b + 2 * e * w.bend / w.b - w.bend * s * sh / w.a) +
-                         kb * (2 * e * w.lean / w.a + w.lean * s * sh / w.b + w.bend * c * ch / w.a);
-  return spring * holding + hinge * (w.a * w.a + w.b * w.b) * turning;
+  const double hinge_term = w.lean * sh * c / w.b - w.bend * s * ch / w.a;
+  const double spring_term = ka * (w.lean * c * ch / w.b + 2 * e * w.bend / w.b - w.bend * s * sh / w.a) +
+                             kb * (2 * e * w.lean / w.a + w.lean * s * sh / w.b + w.bend * c * ch / w.a);
+  return spring * spring_term + hinge * (w.a * w.a + w.b * w.b) * hinge_term;
 }
 
 // The only root between low and high, or none when it lies beyond the last λ.

@@ -14,9 +14,9 @@
 namespace percuss::model {
 namespace {
 
-constexpr double kFirstPassSteps = 32;            // to the Hertz time
+constexpr double kFirstPassSteps = 32;            // of the first pass, per Hertz contact time
 constexpr double kMaxImpactError = 5e-10;         // of the coefficient of restitution, and of the energy
-constexpr double kTargetImpactError = 2e-10;      // for the choice of a shorter step
+constexpr double kTargetImpactError = 2e-10;      // from which the next shorter step is chosen
 constexpr std::size_t kMaxModeSteps = 5'000'000;  // modes times steps in one pass: less than a second
 constexpr double kClassicStep_s = 1e-5;
 constexpr std::size_t kSeriesContact = 400, kSeriesFree = 4000;
@@ -158,7 +158,7 @@ void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool serie
   }
   if (!series) return;
   thin_series(result.series);
-  result.series.back().force_N = 0;  // not zero only by rounding
+  result.series.back().force_N = 0;  // the computed force differs from zero only by rounding
   for (std::size_t i = 1; i <= kSeriesFree; ++i) {
     const double time_s = kFollowUp_s * static_cast<double>(i) / static_cast<double>(kSeriesFree);
     result.series.push_back({.time_s = result.contact_s + time_s,
@@ -179,7 +179,7 @@ double hysteresis_for_spm(double restitution, double speed_mps) {
   // For small d the difference is −d² (1 − e²)/2, below zero; towards 1/e it grows without bound.
   const double low = 0.75 * (1 - e * e) / (1 + e * e * e);
   const double high = (1 - 1e-15) / e;
-  if (difference(high) < 0) return high / speed_mps;  // the root is nearer to 1/e than a double can be
+  if (difference(high) < 0) return high / speed_mps;  // the root lies within a relative 1e-15 of 1/e
   return bracketed_root(difference, low, high) / speed_mps;
 }
 

@@ -58,9 +58,8 @@ inline constexpr double kFollowUp_s = 0.08;
 /// The contact ends when F falls to zero. With 1 + χα̇ < 0 before α = 0 a dent remains, and stays in the free motion.
 /// modal: each step consists of five symmetric second-order steps of p, p, 1 − 4p, p, p of its length, with
 /// p = 1/(4 − 4^(1/3)). Each of the five is half a step of exact free motion, an impulse, and another half step. Steps
-/// shrink as √α where α is small, because the power 3/2 would reduce the order (4). If no step is given, the step
-/// becomes shorter until the rebound changes by less than 1e-9 and the energy closes to the same. The error is then
-/// 1e-10 or less.
+/// shrink as √α where α is small, because the power 3/2 would reduce the order. If no step is given, the step
+/// becomes shorter until the estimated error of the restitution and the error of the energy are at most 5e-10.
 /// errors  InputError when ball and beam do not separate within the limit of steps.
 /// source  [9]; the loss in (2) [13]; the five steps [14].
 /// theory (9.1), (9.2)

@@ -15,7 +15,7 @@ struct MeasuredHoop {
 
 enum class ShellUnknowns : std::uint8_t { young, wall, both };
 
-/// Modulus and wall fitted to measured hoop frequencies; a standard deviation of 0 for a given value.
+/// Modulus and wall fitted to measured hoop frequencies. A value that is not fitted has a standard deviation of 0.
 struct ShellFit {
   TubeShell shell;  // with the fitted values
   double young_std_Pa = 0, wall_std_m = 0;
@@ -26,9 +26,9 @@ struct ShellFit {
 
 /// Fits ln E and ln h to Flügge's frequencies by weighted least squares (Levenberg–Marquardt). `shell` is the start and
 /// holds all other constants. Every frequency is proportional to √E, and in bending to h. E and h differ in their
-/// effect only because patterns stretch the wall by different amounts, most for small n and large m. errors InputError:
-/// fewer frequencies than unknowns; patterns that do not separate E from h (a standard deviation above half the value);
-/// no convergence.
+/// effect only because patterns stretch the wall by different amounts, most for small n and large m.
+/// errors  InputError: fewer frequencies than unknowns; patterns that do not separate E from h (a standard deviation
+/// above half the value); no convergence.
 ShellFit fit_shell(const TubeShell& shell, const std::vector<MeasuredHoop>& measured, ShellUnknowns unknowns);
 
 }  // namespace percuss::model

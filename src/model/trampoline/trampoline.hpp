@@ -50,8 +50,8 @@ struct HoopPeak {
 /// Computes the rebound at each of `hoop_Hz`, `threads` as in parallel_for.
 std::vector<Rebound> hoop_sweep(const Trampoline& model, const std::vector<double>& hoop_Hz, std::size_t threads = 0);
 
-/// The hoop frequency with the largest COR: bracketed_maximum near the best of the sweep. shapes: hoop_Hz ascending,
-/// sweep of the same length.
+/// The hoop frequency with the largest COR: bracketed_maximum near the best of the sweep.
+/// shapes  hoop_Hz ascending, sweep of the same length
 HoopPeak optimal_hoop_frequency(const Trampoline& model, const std::vector<double>& hoop_Hz,
                                 const std::vector<Rebound>& sweep);
 

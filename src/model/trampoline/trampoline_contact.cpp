@@ -18,7 +18,7 @@ constexpr double kScale_s = 1e-3;                      // τ of (1): about the d
 constexpr double kContactTolerance = 1e-10;            // error of a step, relative to the ball's speed
 constexpr double kFirstStep = 0.05, kShortest = 1e-9;  // of s
 constexpr double kRootMargin = 1e-12;                  // of s: above the rounding of the separation
-constexpr double kStarted = 0.1;                       // of s: by then a touch without initial force has some
+constexpr double kStarted = 0.1;                       // of s: by then a touch that begins without force has force
 constexpr double kMaxContactSteps = 1e6;
 using ContactState = std::array<double, kContactStates>;  // ball, its speed, barrel, its speed
 

@@ -29,7 +29,7 @@ struct TrampolineForces {
 
 /// Integrates a contact from its start to its end with an eighth-order Runge–Kutta method. It steps in s, where
 ///   t = t₀ + τ s⁴    (1)
-/// The force starts like tᵇ, which has no derivatives at t₀ but several in s. The end of the contact is found by
+/// The force starts like tᵇ, which has no derivatives by t at t₀, but several by s. The end of the contact is found by
 /// repeating the last step with other lengths.
 class ContactSolver {
  public:
@@ -38,7 +38,8 @@ class ContactSolver {
   ContactSolver(const ContactSolver&) = delete;
   ContactSolver& operator=(const ContactSolver&) = delete;
 
-  /// Integrates from a touch until the force is zero. errors  InputError after a million steps.
+  /// Integrates from a touch until the force is zero.
+  /// errors  InputError after a million steps.
   BallAndBarrel follow(const BallAndBarrel& start);
 
  private:

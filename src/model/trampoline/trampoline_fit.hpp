@@ -22,8 +22,9 @@ struct ExponentFit {
 };
 
 /// Fits a and b of rigid_wall_rebound by weighted least squares (Levenberg–Marquardt). `model` is the start and holds
-/// all other constants. errors  InputError: fewer than two different speeds; speeds too similar to separate a from b;
-/// no convergence. source  [8] in docs/theory/sources.md, 4.4, where all combinations are tried
+/// all other constants.
+/// errors  InputError: fewer than two different speeds; speeds too similar to separate a from b; no convergence.
+/// source  [8] in docs/theory/sources.md, 4.4, which tries all combinations
 ExponentFit fit_exponents(const Trampoline& model, const std::vector<MeasuredCor>& measured);
 
 }  // namespace percuss::model

@@ -36,8 +36,8 @@ class FreeFlight {
     const double amplitude_bound_m = barrel_.amplitude_bound_m({.x_m = start_.barrel_m, .v_mps = start_.barrel_mps});
     for (int i = 1; i < kMaxIntervals; ++i) {
       const double time_s = i * interval_s;
-      if (separation_margin(time_s) > 0) {
-        const auto crossing = [&](double t) { return separation_margin(t); };
+      if (contact_margin(time_s) > 0) {
+        const auto crossing = [&](double t) { return contact_margin(t); };
         return after(bracketed_root(crossing, time_s - interval_s, time_s));
       }
       if (start_.ball_mps < 0 && start_.ball_m + time_s * start_.ball_mps < -amplitude_bound_m) break;
@@ -55,8 +55,8 @@ class FreeFlight {
             .time_s = start_.time_s + time_s};
   }
 
-  // Above zero where they overlap and the force would be positive. It is continuous, so its sign changes are roots.
-  double separation_margin(double time_s) const {
+  // Above zero where ball and barrel overlap and the force is positive. It is continuous: a change of sign is a root.
+  double contact_margin(double time_s) const {
     const BallAndBarrel then = after(time_s);
     const double overlap_m = then.overlap_m();
     return std::min(forces_.model.stiffness * overlap_m, forces_.contact_event(overlap_m, then.closing_mps()));

@@ -22,7 +22,7 @@ nlohmann::json document(std::vector<std::string> arguments) {
 
 TEST(ModelImpactCommand, PrintsADocumentThatFitsItsSchema) {
   const auto all = document({});
-  EXPECT_NEAR(all["cor"].get<double>(), 0.4699495, 1e-6);  // impact_test.cpp says where from
+  EXPECT_NEAR(all["cor"].get<double>(), 0.4699495, 1e-6);  // impact_test.cpp states the source
   EXPECT_EQ(all["recontact"], false);
   EXPECT_EQ(all["frequency_hz"].size(), 10U);
   EXPECT_FALSE(all.contains("sweep"));
@@ -34,7 +34,7 @@ TEST(ModelImpactCommand, SweepsEachOfItsParameters) {
   const auto& sweep = all["sweep"];
   ASSERT_EQ(sweep.size(), 6U + 6U + 13U + 9U + 3U);
   EXPECT_EQ(sweep[3]["ei"], 4000);
-  EXPECT_EQ(sweep[3]["cor"], all["cor"]);  // the bat itself
+  EXPECT_EQ(sweep[3]["cor"], all["cor"]);  // the default EI
   EXPECT_EQ(sweep[12]["rho_a"], 0.6);
   EXPECT_EQ(sweep[12]["recontact"], true);
   EXPECT_LT(sweep[12]["cor"].get<double>(), 0);

@@ -47,7 +47,7 @@ TEST(ModelRigidCommand, NamesTheInvalidOption) {
                                                                                       {"--at", "3:0:4"}}) {
     const auto outcome = run_percuss({"model", "rigid", option, value});
     EXPECT_EQ(outcome.code, 2) << option;
-    EXPECT_THAT(outcome.err, HasSubstr(option));
+    EXPECT_THAT(outcome.err, HasSubstr("percuss: " + option + " "));
     EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
   }
 }
@@ -56,7 +56,7 @@ TEST(ModelCommand, ListsTheModels) {
   EXPECT_EQ(run_percuss({"model"}).code, 2);
   const auto outcome = run_percuss({"model", "fly"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("there is no command 'model fly'; percuss model --help lists them"));
+  EXPECT_THAT(outcome.err, HasSubstr("there is no command 'model fly'; percuss model --help lists the commands"));
 }
 
 }  // namespace percuss::model_rigid_command_test

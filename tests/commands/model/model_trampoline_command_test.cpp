@@ -48,7 +48,7 @@ TEST(ModelTrampolineCommand, FitsTheExponentsFromOptionOrFile) {
   const auto from_file = document_of({"--fit-ccor", folder.file("ccor.csv"), "--hoop", "1000:100:1500"});
   EXPECT_EQ(from_option, from_file);
   EXPECT_EQ(from_option["constants"]["a"], from_option["fit"]["a"]);
-  EXPECT_NEAR(from_option["fit"]["a"].get<double>(), 0.6495, 0.01);  // five digits of the COR tell no more
+  EXPECT_NEAR(from_option["fit"]["a"].get<double>(), 0.6495, 0.01);  // the COR has five digits
 }
 
 TEST(ModelTrampolineCommand, WritesTableAndPicture) {

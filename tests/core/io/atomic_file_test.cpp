@@ -24,7 +24,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using Temporary = AtomicFile::Temporary;
 
-/// Every test twice: without a name until the end, and with a temporary one.
+/// Every test runs twice: with an unnamed and with a named temporary file.
 class AtomicFileTest : public testing::TestWithParam<Temporary> {
  protected:
   std::vector<std::string> files() const {
@@ -38,7 +38,7 @@ class AtomicFileTest : public testing::TestWithParam<Temporary> {
     file.commit();
   }
   /// The status of a child that ran `work`, as from waitpid.
-  static int end_of_child(const std::function<void()>& work) {
+  static int status_of_child(const std::function<void()>& work) {
     const pid_t child = ::fork();
     if (child == 0) {
       work();
@@ -104,7 +104,7 @@ TEST_P(AtomicFileTest, VanishesWithoutCommit) {
 
 TEST_P(AtomicFileTest, LeavesTheOldFileWhenTheWriterIsKilled) {
   test::write_bytes(path_, "old");
-  EXPECT_TRUE(WIFSIGNALED(end_of_child([&] {
+  EXPECT_TRUE(WIFSIGNALED(status_of_child([&] {
     AtomicFile file(path_, true, GetParam());
     file.write("half");
     ::raise(SIGKILL);
@@ -118,7 +118,7 @@ TEST_P(AtomicFileTest, LeavesTheOldFileWhenTheWriterIsKilled) {
 }
 
 TEST_P(AtomicFileTest, CanBeRemovedByASignalHandler) {
-  EXPECT_EQ(end_of_child([&] {
+  EXPECT_EQ(status_of_child([&] {
               AtomicFile file(path_, false, GetParam());
               file.write("half");
               remove_temporary_files();
@@ -166,7 +166,7 @@ TEST_P(AtomicFileTest, ReportsWhyItCannotBeWritten) {
 }
 
 TEST_P(AtomicFileTest, ReportsAFullDisk) {
-  EXPECT_EQ(end_of_child([&] {
+  EXPECT_EQ(status_of_child([&] {
               const rlimit limit{.rlim_cur = 100, .rlim_max = 100};  // fails like a full disk
               ::setrlimit(RLIMIT_FSIZE, &limit);
               ::signal(SIGXFSZ, SIG_IGN);

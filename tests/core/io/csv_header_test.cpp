@@ -64,7 +64,7 @@ TEST(CsvHeader, LeavesOutTextBesideTheNumbers) {
   EXPECT_THAT(names_of(header), ElementsAre("CH No.|", "CH6|cm/s2", "CH8|V"));
 }
 
-TEST(CsvHeader, ReadsNamesFromACommentOtherwise) {
+TEST(CsvHeader, ReadsNamesFromACommentWhereNoOtherLineHasThem) {
   EXPECT_THAT(names_of(header_of("# a record, made today, by me\n# t_s, force_N, acc_g\n0,1,2\n1,2,3\n")),
               ElementsAre("t_s|s", "force_N|N", "acc_g|g"));
   EXPECT_THAT(names_of(header_of("t_s,force_N,acc_g\n# one, two, three\n0,1,2\n1,2,3\n")),

@@ -35,8 +35,8 @@ TEST(JsonText, IsRejectedWithThePlaceAndTheRemedy) {
   EXPECT_THAT(refusal(std::string(1000000, '[')), HasSubstr("nested deeper"));
 }
 
-// The callbacks of json::parse take time with the square of the length: minutes here.
-TEST(JsonText, TakesTimeAsItsLength) {
+// The callbacks of json::parse take time proportional to the square of the length: minutes here.
+TEST(JsonText, TakesTimeProportionalToItsLength) {
   const auto seconds = [](std::size_t objects) {
     std::string text = "[{}";
     for (std::size_t i = 1; i < objects; ++i) text += ",{}";

@@ -18,8 +18,8 @@ using Stop = LevenbergMarquardtStop;
 
 constexpr double kRounding = 1e-14;     // relative; a few hundred roundings
 constexpr double kCostRounding = 1e-6;  // standard deviations; √(30 ε) = 8e-8: rounding of the cost hides smaller steps
-constexpr double kCertified = 1e-10;  // relative; the certified values have 11 digits
-constexpr double kDeviations = 1e-6;  // relative; follows the parameters' own error
+constexpr double kCertified = 1e-10;    // relative; the certified values have 11 digits
+constexpr double kStdTolerance = 1e-6;  // relative; follows the parameters' own error
 
 VectorXd vector(const std::vector<double>& values) {
   return Eigen::Map<const VectorXd>(values.data(), std::ssize(values));
@@ -65,7 +65,7 @@ TEST(LevenbergMarquardt, StaysInsideTheLimits) {
   EXPECT_THROW(levenberg_marquardt(outside, residual, jacobian), std::invalid_argument);
 }
 
-// r = arctan x: the undamped step from x = 3 overshoots to −9.5, and each further one goes farther.
+// r = arctan x: the undamped step from x = 3 overshoots to −9.5, and each further step goes farther.
 TEST(LevenbergMarquardt, NeverRaisesTheCost) {
   VectorXd x = vector({3});
   double lowest = std::numeric_limits<double>::infinity();
@@ -81,7 +81,7 @@ TEST(LevenbergMarquardt, NeverRaisesTheCost) {
   EXPECT_NEAR(x[0], 0, kRounding);
 }
 
-// y = x²: Gauss and Newton's step halves x, however often.
+// r = x²: each Gauss–Newton step halves x.
 TEST(LevenbergMarquardt, StopsForTheReasonThatItStates) {
   const auto residual = [](const VectorXd& p) { return vector({p[0] * p[0]}); };
   const auto jacobian = [](const VectorXd& p) { return MatrixXd(MatrixXd::Constant(1, 1, 2 * p[0])); };
@@ -151,7 +151,7 @@ struct Certified {
   ResidualFunction residual;
   JacobianFunction jacobian;
   std::vector<std::vector<double>> starts;
-  std::vector<double> parameters, deviations;
+  std::vector<double> parameters, standard_deviations;
   double sum_of_squares;
 };
 
@@ -165,9 +165,9 @@ void expect_certified(const Certified& set) {
     const MatrixXd covariance =
         inverse_gram(MatrixXd(j.transpose() * j)) * sum / static_cast<double>(j.rows() - j.cols());
     for (Index i = 0; i < b.size(); ++i) {
-      const double deviation = set.deviations[static_cast<std::size_t>(i)];
-      EXPECT_NEAR(b[i], set.parameters[static_cast<std::size_t>(i)], kCostRounding * deviation);
-      EXPECT_NEAR(std::sqrt(covariance(i, i)) / deviation, 1, kDeviations);
+      const double standard_deviation = set.standard_deviations[static_cast<std::size_t>(i)];
+      EXPECT_NEAR(b[i], set.parameters[static_cast<std::size_t>(i)], kCostRounding * standard_deviation);
+      EXPECT_NEAR(std::sqrt(covariance(i, i)) / standard_deviation, 1, kStdTolerance);
     }
   }
 }
@@ -178,7 +178,7 @@ TEST(LevenbergMarquardt, FindsTheCertifiedValuesOfMisra1a) {
                     .jacobian = misra_jacobian,
                     .starts = {{500, 0.0001}, {250, 0.0005}},
                     .parameters = {2.3894212918E+02, 5.5015643181E-04},
-                    .deviations = {2.7070075241E+00, 7.2668688436E-06},
+                    .standard_deviations = {2.7070075241E+00, 7.2668688436E-06},
                     .sum_of_squares = 1.2455138894E-01});
 }
 
@@ -188,8 +188,8 @@ TEST(LevenbergMarquardt, FindsTheCertifiedValuesOfThurber) {
                     .starts = {{1000, 1000, 400, 40, 0.7, 0.3, 0.03}, {1300, 1500, 500, 75, 1, 0.4, 0.05}},
                     .parameters = {1.2881396800E+03, 1.4910792535E+03, 5.8323836877E+02, 7.5416644291E+01,
                                    9.6629502864E-01, 3.9797285797E-01, 4.9727297349E-02},
-                    .deviations = {4.6647963344E+00, 3.9571156086E+01, 2.8698696102E+01, 5.5675370270E+00,
-                                   3.1333340687E-02, 1.4984928198E-02, 6.5842344623E-03},
+                    .standard_deviations = {4.6647963344E+00, 3.9571156086E+01, 2.8698696102E+01, 5.5675370270E+00,
+                                            3.1333340687E-02, 1.4984928198E-02, 6.5842344623E-03},
                     .sum_of_squares = 5.6427082397E+03});
 }
 

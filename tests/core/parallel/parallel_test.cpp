@@ -60,7 +60,7 @@ TEST(ParallelFor, MayBeNested) {
   for (const auto& number : calls) EXPECT_EQ(number, 1);
 }
 
-// Otherwise it would return with its work undone, without an error.
+// A cancelled nested loop would return with its work undone and without an error.
 TEST(ParallelFor, FinishesANestedLoopWhenTheOuterLoopFails) {
   std::atomic<bool> begun{false}, failed{false};
   std::size_t calls = 0;

@@ -7,7 +7,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::identify::ring_split_test {
+namespace percuss::identify::asymmetry_split_test {
 
 using std::numbers::pi;
 
@@ -18,7 +18,7 @@ SensorPair sensors_at(double first_deg, double second_deg) {
   return {.first = 0, .second = 1, .first_rad = first_deg * kDegree, .second_rad = second_deg * kDegree};
 }
 
-Mode seen(int n, double plane_deg, const SensorPair& sensors, double scale = 1, double std = 1e-4) {
+Mode mode_with_plane(int n, double plane_deg, const SensorPair& sensors, double scale = 1, double std = 1e-4) {
   Mode mode{.pole = {1900, 0.003}, .freq_std_Hz = 0.03};
   const double plane = plane_deg * kDegree;
   mode.residues = {{.channel = 0, .value = scale * std::cos(n * (sensors.first_rad - plane)), .std = std},
@@ -29,7 +29,7 @@ Mode seen(int n, double plane_deg, const SensorPair& sensors, double scale = 1, 
 TEST(PlaneFromSensors, IsTheBendingPlane) {
   for (const double plane_deg : {0.0, 12.0, 45.0, 90.0, 135.0, 179.0}) {
     const SensorPair sensors = sensors_at(0, 90);
-    const auto plane = plane_from_sensors(seen(1, plane_deg, sensors, -3), sensors, 1, 0);
+    const auto plane = plane_from_sensors(mode_with_plane(1, plane_deg, sensors, -3), sensors, 1, 0);
     ASSERT_TRUE(plane);
     EXPECT_NEAR(std::remainder(plane->plane_rad - plane_deg * kDegree, pi), 0, kRounding) << plane_deg;
   }
@@ -38,7 +38,7 @@ TEST(PlaneFromSensors, IsTheBendingPlane) {
 TEST(PlaneFromSensors, IsTheHoopPlaneForOtherSensorAngles) {
   for (const double plane_deg : {1.0, 20.0, 50.0, 80.0}) {
     const SensorPair sensors = sensors_at(10, 60);
-    const auto plane = plane_from_sensors(seen(2, plane_deg, sensors), sensors, 2, 0);
+    const auto plane = plane_from_sensors(mode_with_plane(2, plane_deg, sensors), sensors, 2, 0);
     ASSERT_TRUE(plane);
     EXPECT_NEAR(plane->plane_rad, plane_deg * kDegree, kRounding);
   }
@@ -46,8 +46,8 @@ TEST(PlaneFromSensors, IsTheHoopPlaneForOtherSensorAngles) {
 
 TEST(PlaneFromSensors, IsUnknownForHoopModesAtARightAngle) {
   const SensorPair sensors = sensors_at(0, 90);
-  EXPECT_FALSE(plane_from_sensors(seen(2, 20, sensors), sensors, 2, 0));
-  EXPECT_FALSE(plane_from_sensors(seen(1, 20, sensors, 0), sensors, 1, 0));
+  EXPECT_FALSE(plane_from_sensors(mode_with_plane(2, 20, sensors), sensors, 2, 0));
+  EXPECT_FALSE(plane_from_sensors(mode_with_plane(1, 20, sensors, 0), sensors, 1, 0));
 }
 
 TEST(PlaneFromSensors, HasTrueStandardDeviations) {
@@ -58,19 +58,20 @@ TEST(PlaneFromSensors, HasTrueStandardDeviations) {
   for (std::size_t trial = 0; trial < kTrials; ++trial) {
     std::vector<double> noise(2);
     synth::RandomStream({5, trial}).add_normal(kStd, noise);
-    Mode mode = seen(1, 30, sensors, 1, kStd);
+    Mode mode = mode_with_plane(1, 30, sensors, 1, kStd);
     for (std::size_t c = 0; c < 2; ++c) mode.residues[c].value += noise[c];
     squares += std::pow(plane_from_sensors(mode, sensors, 1, 0)->plane_rad - 30 * kDegree, 2);
   }
-  const double seen_std = std::sqrt(squares / kTrials);
-  EXPECT_NEAR(plane_from_sensors(seen(1, 30, sensors, 1, kStd), sensors, 1, 0)->std_rad / seen_std, 1, kScatter);
+  const double scatter_std = std::sqrt(squares / kTrials);
+  EXPECT_NEAR(plane_from_sensors(mode_with_plane(1, 30, sensors, 1, kStd), sensors, 1, 0)->std_rad / scatter_std, 1,
+              kScatter);
 }
 
 TEST(PlaneFromSensors, IncludesTheSensorsPlacementError) {
   // Both sensors turned by ε turn the plane by ε; independently, at 90° and a plane between them, by ε/√2 each way.
   const SensorPair sensors = sensors_at(0, 90);
-  EXPECT_NEAR(plane_from_sensors(seen(1, 45, sensors, 1, 0), sensors, 1, 0.035)->std_rad, 0.035 / std::sqrt(2.0),
-              kRounding);
+  EXPECT_NEAR(plane_from_sensors(mode_with_plane(1, 45, sensors, 1, 0), sensors, 1, 0.035)->std_rad,
+              0.035 / std::sqrt(2.0), kRounding);
 }
 
 struct Pair {
@@ -79,7 +80,7 @@ struct Pair {
 
 Pair described(double between_deg, int order, double std_rad = 0.01) {
   Pair pair;
-  const Mode mode = seen(1, 20, sensors_at(0, 90));
+  const Mode mode = mode_with_plane(1, 20, sensors_at(0, 90));
   describe_split(mode, mode, PatternPlane{0.1, std_rad, order},
                  PatternPlane{0.1 + between_deg * kDegree, std_rad, order}, pair.first, pair.second);
   return pair;
@@ -99,7 +100,8 @@ TEST(SplitMode, QuotesTheFirstUnlessHidden) {
   const SensorPair sensors = sensors_at(0, 90);
   for (const double scale : {1.0, 0.2, 0.02}) {
     Pair pair;
-    describe_split(seen(2, 20, sensors, scale), seen(2, 65, sensors), {}, {}, pair.first, pair.second);
+    describe_split(mode_with_plane(2, 20, sensors, scale), mode_with_plane(2, 65, sensors), {}, {}, pair.first,
+                   pair.second);
     EXPECT_EQ(pair.first.quoted, scale > 0.1);
     EXPECT_NE(pair.first.quoted, pair.second.quoted);
     EXPECT_FALSE(pair.first.planes);
@@ -109,7 +111,7 @@ TEST(SplitMode, QuotesTheFirstUnlessHidden) {
 
 TEST(SplitMode, IsPartOfTheClassification) {
   const SensorPair sensors = sensors_at(0, 90);
-  std::vector<Mode> modes{seen(1, 20, sensors), seen(1, 110, sensors)};
+  std::vector<Mode> modes{mode_with_plane(1, 20, sensors), mode_with_plane(1, 110, sensors)};
   modes[0].pole.freq_Hz = 169;
   modes[1].pole.freq_Hz = 171;
   const auto classifications = classify(modes, sensors, std::vector<std::optional<double>>(2));
@@ -120,4 +122,4 @@ TEST(SplitMode, IsPartOfTheClassification) {
   EXPECT_TRUE(classifications[0].split_mode->quoted);
 }
 
-}  // namespace percuss::identify::ring_split_test
+}  // namespace percuss::identify::asymmetry_split_test

@@ -23,7 +23,7 @@ std::vector<ModeClassification> classifications(const std::vector<Mode>& modes, 
 std::vector<int> orders_of(const std::vector<ModeClassification>& found) {
   std::vector<int> orders;
   orders.reserve(found.size());
-  for (const ModeClassification& verdict : found) orders.push_back(verdict.order);
+  for (const ModeClassification& classification : found) orders.push_back(classification.order);
   return orders;
 }
 
@@ -46,9 +46,9 @@ TEST(Overlay, HasAnAdjustableThreshold) {
 TEST(Overlay, DoesNotDecideTheType) {
   // Equal levels in phase: overlaid like a hoop mode, but bending at 45°.
   const SensorPair sensors{.first = 0, .second = 1, .first_rad = 0, .second_rad = std::numbers::pi / 2};
-  const ModeClassification verdict = classify({mode_at(169, 1, 1)}, sensors, {0.0})[0];
-  EXPECT_TRUE(verdict.overlaid);
-  EXPECT_EQ(verdict.family, ModeType::bending);
+  const ModeClassification classification = classify({mode_at(169, 1, 1)}, sensors, {0.0})[0];
+  EXPECT_TRUE(classification.overlaid);
+  EXPECT_EQ(classification.family, ModeType::bending);
 }
 
 TEST(SplitMode, IsTwoModesOfOneTypeWithin25Hertz) {
@@ -63,10 +63,10 @@ TEST(SplitMode, IsTwoModesOfOneTypeWithin25Hertz) {
 }
 
 TEST(SplitMode, EndsAt25Hertz) {
-  for (const ModeClassification& verdict : classifications({hoop(1900), hoop(1925.5)}))
-    EXPECT_FALSE(verdict.split_mode);
-  for (const ModeClassification& verdict : classifications({hoop(1900), hoop(1925.5)}, {.double_peak_Hz = 26}))
-    EXPECT_TRUE(verdict.split_mode);
+  for (const ModeClassification& classification : classifications({hoop(1900), hoop(1925.5)}))
+    EXPECT_FALSE(classification.split_mode);
+  for (const ModeClassification& classification : classifications({hoop(1900), hoop(1925.5)}, {.double_peak_Hz = 26}))
+    EXPECT_TRUE(classification.split_mode);
 }
 
 TEST(SplitMode, ExcludesABendingAndAHoopMode) {

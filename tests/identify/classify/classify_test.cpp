@@ -35,20 +35,20 @@ std::vector<ModeClassification> classifications(const std::vector<Mode>& modes, 
 
 TEST(Classify, RatioMinusOneIsHoop) {
   for (const double turn : {0.0, 12.0, 30.0, 40.0, 70.0, 170.0}) {
-    const ModeClassification verdict = classifications({hoop(1900, turn)})[0];
-    EXPECT_EQ(verdict.family, ModeType::hoop) << turn;
-    EXPECT_GE(verdict.confidence, 0.8) << turn;
-    EXPECT_NEAR(std::abs(*verdict.ratio + 1.0), 0, 1e-9) << turn;
+    const ModeClassification classification = classifications({hoop(1900, turn)})[0];
+    EXPECT_EQ(classification.family, ModeType::hoop) << turn;
+    EXPECT_GE(classification.confidence, 0.8) << turn;
+    EXPECT_NEAR(std::abs(*classification.ratio + 1.0), 0, 1e-9) << turn;
   }
 }
 
 TEST(Classify, TangentOfAPlaneIsBending) {
   for (const double plane : {0.5, 20.0, -20.0, 70.0, 89.5, 110.0}) {
-    const ModeClassification verdict = classifications({bending(169, plane)})[0];
-    EXPECT_EQ(verdict.family, ModeType::bending) << plane;
-    EXPECT_GE(verdict.confidence, 0.8) << plane;
-    EXPECT_FALSE(verdict.alternative && verdict.confidence > 0.95) << plane;
-    EXPECT_NEAR(verdict.ratio->real() / std::tan(plane * kDegree), 1, 1e-9) << plane;
+    const ModeClassification classification = classifications({bending(169, plane)})[0];
+    EXPECT_EQ(classification.family, ModeType::bending) << plane;
+    EXPECT_GE(classification.confidence, 0.8) << plane;
+    EXPECT_FALSE(classification.alternative && classification.confidence > 0.95) << plane;
+    EXPECT_NEAR(classification.ratio->real() / std::tan(plane * kDegree), 1, 1e-9) << plane;
   }
 }
 
@@ -56,15 +56,16 @@ TEST(Classify, EqualMotionIsBending) { EXPECT_EQ(classifications({bending(169, 4
 
 TEST(Classify, IsUnsureOfOneBendingModeAtMinus45Degrees) {
   // Its ratio equals the hoop ratio, so that the confidence must be low.
-  const ModeClassification verdict = classifications({bending(169, -45)})[0];
-  EXPECT_FALSE(verdict.family == ModeType::hoop && verdict.confidence > 0.97);
-  ASSERT_TRUE(verdict.alternative);
-  EXPECT_EQ(*verdict.alternative, verdict.family == ModeType::bending ? ModeType::hoop : ModeType::bending);
+  const ModeClassification classification = classifications({bending(169, -45)})[0];
+  EXPECT_FALSE(classification.family == ModeType::hoop && classification.confidence > 0.97);
+  ASSERT_TRUE(classification.alternative);
+  EXPECT_EQ(*classification.alternative,
+            classification.family == ModeType::bending ? ModeType::hoop : ModeType::bending);
 }
 
 TEST(Classify, FindsBendingAt45DegreesByItsOtherPlane) {
   const auto found = classifications({bending(169, -45), bending(172, 45)});
-  for (const ModeClassification& verdict : found) EXPECT_EQ(verdict.family, ModeType::bending);
+  for (const ModeClassification& classification : found) EXPECT_EQ(classification.family, ModeType::bending);
 }
 
 TEST(Classify, FindsBendingAtMinus45DegreesByThePlanesOfOtherModes) {
@@ -77,9 +78,9 @@ TEST(Classify, FindsBendingAtMinus45DegreesByThePlanesOfOtherModes) {
 
 TEST(Classify, FindsAHoopPairByItsEqualRatios) {
   const auto found = classifications({hoop(1900, 12), hoop(1912, 57)});
-  for (const ModeClassification& verdict : found) {
-    EXPECT_EQ(verdict.family, ModeType::hoop);
-    EXPECT_GE(verdict.confidence, 0.9);
+  for (const ModeClassification& classification : found) {
+    EXPECT_EQ(classification.family, ModeType::hoop);
+    EXPECT_GE(classification.confidence, 0.9);
   }
 }
 
@@ -96,19 +97,20 @@ TEST(Classify, ToleratesSensorsPlacedByHand) {
 
 TEST(Classify, AcceptsASensorAtANode) {
   for (const bool first : {true, false}) {
-    const ModeClassification verdict = classifications({first ? mode_at(169, 1e-5, 1) : mode_at(169, 1, 1e-5)})[0];
-    EXPECT_EQ(verdict.family, ModeType::bending);
-    EXPECT_TRUE(std::isfinite(verdict.confidence));
-    EXPECT_TRUE(std::isfinite(verdict.ratio_std));
+    const ModeClassification classification =
+        classifications({first ? mode_at(169, 1e-5, 1) : mode_at(169, 1, 1e-5)})[0];
+    EXPECT_EQ(classification.family, ModeType::bending);
+    EXPECT_TRUE(std::isfinite(classification.confidence));
+    EXPECT_TRUE(std::isfinite(classification.ratio_std));
   }
 }
 
 TEST(Classify, IsUnknownWithoutTwoSensors) {
   const auto found = classify({bending(169, 20), hoop(1900, 0)}, std::nullopt, {std::nullopt, std::nullopt});
-  for (const ModeClassification& verdict : found) {
-    EXPECT_EQ(verdict.family, ModeType::unknown);
-    EXPECT_EQ(verdict.order, 0);
-    EXPECT_FALSE(verdict.ratio);
+  for (const ModeClassification& classification : found) {
+    EXPECT_EQ(classification.family, ModeType::unknown);
+    EXPECT_EQ(classification.order, 0);
+    EXPECT_FALSE(classification.ratio);
   }
 }
 
@@ -129,8 +131,8 @@ TEST(Classify, AcceptsSensorsAt60Degrees) {
   const auto found = classifications({bending(169, 30, 60), bending(575, 30, 60)}, 60);
   EXPECT_EQ(found[0].family, ModeType::bending);
   for (const double turn : {0.0, 15.0, 30.0, 60.0, 75.0}) {
-    const ModeClassification verdict = classifications({hoop(1900, turn, 60)}, 60)[0];
-    EXPECT_FALSE(verdict.family == ModeType::bending && verdict.confidence > 0.95) << turn;
+    const ModeClassification classification = classifications({hoop(1900, turn, 60)}, 60)[0];
+    EXPECT_FALSE(classification.family == ModeType::bending && classification.confidence > 0.95) << turn;
   }
 }
 
@@ -174,9 +176,9 @@ TEST(Classify, UsesTheRatioOverAllPoints) {
   Mode mode = mode_at(1900, 0.01, 0.02, 0.01);  // a point at a node: noise
   mode.residues.push_back({.point = 1, .channel = 0, .value = 2, .std = 0.01});
   mode.residues.push_back({.point = 1, .channel = 1, .value = -2, .std = 0.01});
-  const ModeClassification verdict = classifications({mode})[0];
-  EXPECT_EQ(verdict.family, ModeType::hoop);
-  EXPECT_NEAR(verdict.ratio->real(), (0.01 * 0.02 - 4) / (0.01 * 0.01 + 4), kTolerance);
+  const ModeClassification classification = classifications({mode})[0];
+  EXPECT_EQ(classification.family, ModeType::hoop);
+  EXPECT_NEAR(classification.ratio->real(), (0.01 * 0.02 - 4) / (0.01 * 0.01 + 4), kTolerance);
 }
 
 TEST(PairOfSensors, TakesTheTwoNearestToARightAngle) {

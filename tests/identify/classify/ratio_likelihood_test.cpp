@@ -21,7 +21,7 @@ double integral(Density&& density) {
 }
 
 TEST(WrappedDensity, IsAGaussianOnTheCircleOf180Degrees) {
-  constexpr double kTolerance = 1e-6;  // the floor that keeps every density above zero
+  constexpr double kTolerance = 1e-6;  // the lower limit that keeps every density above zero
   EXPECT_NEAR(wrapped_density(0, 0.1), 1 / (0.1 * std::sqrt(2 * pi)), kTolerance);
   EXPECT_NEAR(wrapped_density(0.1, 0.1) / wrapped_density(0, 0.1), std::exp(-0.5), kTolerance);
   EXPECT_NEAR(wrapped_density(0.03 + pi, 0.1), wrapped_density(0.03, 0.1), kTolerance);
@@ -101,7 +101,7 @@ TEST(RatioLikelihood, AllowsForAMisplacedSensor) {
 
 TEST(RatioLikelihood, IsTheDensityOfTheRatiosOverAllAngles) {
   // A histogram over angles, with gain and noise errors so small that only the 2° of the pattern remain.
-  constexpr double kSecond = 1.3, kFloor = 0.035, kTolerance = 1e-3;  // 7200 angles, and the truncated series
+  constexpr double kSecond = 1.3, kPatternStd = 0.035, kTolerance = 1e-3;  // 7200 angles, and the truncated series
   const RatioLikelihood likelihood(0.2, kSecond, {.angle_rad = 0, .gain = 0});
   constexpr int kTurns = 7200;
   for (const double chi : {-1.2, -0.5, 0.1, 0.9, 1.5}) {
@@ -109,7 +109,7 @@ TEST(RatioLikelihood, IsTheDensityOfTheRatiosOverAllAngles) {
     for (int t = 0; t < kTurns; ++t) {
       const double turn = pi * t / kTurns;
       const double ratio = std::atan2(std::cos(2 * (kSecond - turn)), std::cos(2 * (0.2 - turn)));
-      sum += wrapped_density(chi - ratio, kFloor) / kTurns;
+      sum += wrapped_density(chi - ratio, kPatternStd) / kTurns;
     }
     EXPECT_NEAR(likelihood.hoop({.chi_rad = chi}), sum, kTolerance * (1 + sum)) << chi;
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss::identify::family_belief_test {
+namespace percuss::identify::type_posterior_test {
 
 using std::numbers::pi;
 
@@ -22,30 +22,30 @@ std::vector<TypeEvidence> paired(TypeEvidence one, TypeEvidence two) {
   return {one, two};
 }
 
-std::vector<TypePosterior> beliefs(const std::vector<TypeEvidence>& modes) {
+std::vector<TypePosterior> posteriors(const std::vector<TypeEvidence>& modes) {
   return type_posteriors(modes, RatioLikelihood(0, pi / 2, {}));
 }
 
 TEST(TypePosterior, IsAProbability) {
   for (const auto& modes : {std::vector<TypeEvidence>{mode_at(169, 25), mode_at(1900, -45), {.freq_Hz = 2500}},
                             paired(mode_at(169, 25), mode_at(171, 115))}) {
-    for (const TypePosterior& b : beliefs(modes)) {
+    for (const TypePosterior& b : posteriors(modes)) {
       EXPECT_NEAR(b[0] + b[1] + b[2], 1, 1e-12);
       EXPECT_GE(*std::min_element(b.begin(), b.end()), 0);
     }
   }
-  EXPECT_TRUE(beliefs({}).empty());
+  EXPECT_TRUE(posteriors({}).empty());
 }
 
 TEST(TypePosterior, IsThePriorForAnUnobservedMode) {
-  const auto found = beliefs({mode_at(169, 25), {.freq_Hz = 2500}});
+  const auto found = posteriors({mode_at(169, 25), {.freq_Hz = 2500}});
   for (const double p : found[1]) EXPECT_NEAR(p, 1.0 / 3, 1e-12);
 }
 
 TEST(TypePosterior, StaysUncertainWhereTheLowestModeHasTheHoopRatio) {
   // A bat that bends at −45° shows the hoop ratio in every mode; with bending at 25°, only hoop modes have it.
-  const auto all = beliefs({mode_at(169, -45), mode_at(575, -45), mode_at(1150, -45), mode_at(1900, -45)});
-  const auto one = beliefs({mode_at(169, 25), mode_at(575, 25), mode_at(1150, 25), mode_at(1900, -45)});
+  const auto all = posteriors({mode_at(169, -45), mode_at(575, -45), mode_at(1150, -45), mode_at(1900, -45)});
+  const auto one = posteriors({mode_at(169, 25), mode_at(575, 25), mode_at(1150, 25), mode_at(1900, -45)});
   EXPECT_GT(all[0][0], 0.5);
   for (const TypePosterior& b : all) EXPECT_GT(b[0], 0.05);
   EXPECT_GT(one[3][1], 0.95);
@@ -53,20 +53,20 @@ TEST(TypePosterior, StaysUncertainWhereTheLowestModeHasTheHoopRatio) {
 }
 
 TEST(TypePosterior, AssumesBendingOfTheLowestModeOnlyAtItsFrequencies) {
-  EXPECT_GT(beliefs({mode_at(169, -45)})[0][0], 0.5);
-  EXPECT_GT(beliefs({mode_at(1900, -45)})[0][1], 0.9);
+  EXPECT_GT(posteriors({mode_at(169, -45)})[0][0], 0.5);
+  EXPECT_GT(posteriors({mode_at(1900, -45)})[0][1], 0.9);
 }
 
 TEST(TypePosterior, FindsTheTwoPlanesOfAModeByTheirRightAngle) {
-  const auto across = beliefs(paired(mode_at(1900, -45), mode_at(1912, 45)));
+  const auto across = posteriors(paired(mode_at(1900, -45), mode_at(1912, 45)));
   EXPECT_GT(across[0][0], 0.8);
   EXPECT_GT(across[1][0], 0.8);
 }
 
 TEST(TypePosterior, UsesTheAmplitudeOfAHoopModeNearItsNodes) {
   // Misplaced sensors near nodes may give any ratio, but with a tenth of the other member's amplitude.
-  const auto as_large = beliefs(paired(mode_at(1895, 0, 1), mode_at(1912, -45, 1)));
-  const auto smaller = beliefs(paired(mode_at(1895, 0, 0.07), mode_at(1912, -45, 1)));
+  const auto as_large = posteriors(paired(mode_at(1895, 0, 1), mode_at(1912, -45, 1)));
+  const auto smaller = posteriors(paired(mode_at(1895, 0, 0.07), mode_at(1912, -45, 1)));
   EXPECT_GT(as_large[0][0], as_large[0][1]);
   EXPECT_GT(smaller[0][1], smaller[0][0]);
 }
@@ -74,8 +74,8 @@ TEST(TypePosterior, UsesTheAmplitudeOfAHoopModeNearItsNodes) {
 TEST(TypePosterior, IsFiniteForManyModes) {
   std::vector<TypeEvidence> modes(600);
   for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = mode_at(169 + 20 * static_cast<double>(i), 25);
-  const auto found = beliefs(modes);
+  const auto found = posteriors(modes);
   EXPECT_TRUE(std::all_of(found.begin(), found.end(), [](const TypePosterior& b) { return b[0] > 0.95; }));
 }
 
-}  // namespace percuss::identify::family_belief_test
+}  // namespace percuss::identify::type_posterior_test

@@ -6,22 +6,22 @@
 
 #include "support/modal_frfs.hpp"
 
-namespace percuss::identify::line_blocks_test {
+namespace percuss::identify::frequency_bins_test {
 
 const acquire::LineRange kLines{.fs_Hz = 8192, .samples = 16384, .first = 100, .count = 4000};
 
 TEST(FrequencyBins, KeepTheEnergyOfWhiteNoiseInEveryBin) {
   constexpr double kTolerance = 0.1;  // of a variance from a thousand bins: three standard deviations
-  const FrequencyBins blocks(kLines, {{400, 0.005}, {1500, 0.002}});
+  const FrequencyBins bins(kLines, {{400, 0.005}, {1500, 0.002}});
   FrfDataset set = test::empty_set(kLines.fs_Hz, kLines.samples, 50, 2049.5, 1);
   ASSERT_EQ(set.lines.count, kLines.count);
   double energy = 0;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     set.channels[0].frf.assign(set.lines.count, Complex());
     test::add_frf_noise(set, 1, seed);
-    Eigen::VectorXd column(2 * blocks.count());
+    Eigen::VectorXd column(2 * bins.count());
     const Eigen::Map<const Eigen::VectorXcd> z(set.channels[0].frf.data(), static_cast<Eigen::Index>(kLines.count));
-    blocks.sum(z, Eigen::VectorXd::Ones(z.size()), column);
+    bins.sum(z, Eigen::VectorXd::Ones(z.size()), column);
     energy += column.squaredNorm() / static_cast<double>(column.size()) / 4;
   }
   EXPECT_LE(std::abs(energy - 1), kTolerance);
@@ -30,27 +30,27 @@ TEST(FrequencyBins, KeepTheEnergyOfWhiteNoiseInEveryBin) {
 TEST(FrequencyBins, LoseAlmostNoInformationAboutAPole) {
   // Fisher information of frequency, damping and residue, with and without bins.
   const Pole pole{800.3, 0.004};
-  const FrequencyBins blocks(kLines, {pole});
-  EXPECT_LE(blocks.count(), 400);
+  const FrequencyBins bins(kLines, {pole});
+  EXPECT_LE(bins.count(), 400);
   const PointForce none;
   const ModeColumn mode = mode_column(pole, none, kLines, 0, kLines.count);
   const Eigen::VectorXd even = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(kLines.count));
   constexpr double kLoss = 0.003;
   for (const Eigen::VectorXcd& z : {mode.by_freq, mode.by_damping, mode.value}) {
-    Eigen::VectorXd column(2 * blocks.count());
-    blocks.sum(z, even, column);
+    Eigen::VectorXd column(2 * bins.count());
+    bins.sum(z, even, column);
     EXPECT_LE(std::abs(column.squaredNorm() / z.squaredNorm() - 1), kLoss);
   }
 }
 
 TEST(FrequencyBins, CoverEveryLineOnce) {
-  const FrequencyBins blocks(kLines, {{60, 0.01}, {2040, 0.02}});
-  Eigen::VectorXd column(2 * blocks.count());
+  const FrequencyBins bins(kLines, {{60, 0.01}, {2040, 0.02}});
+  Eigen::VectorXd column(2 * bins.count());
   const Eigen::VectorXd even = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(kLines.count));
-  blocks.sum(even.cast<Complex>(), even, column);
+  bins.sum(even.cast<Complex>(), even, column);
   // A bin of n lines gives n/√n: the squares count the lines.
   EXPECT_LE(std::abs(column.squaredNorm() - static_cast<double>(kLines.count)), 1e-8);
-  EXPECT_EQ(blocks.middles().size(), static_cast<std::size_t>(blocks.count()));
+  EXPECT_EQ(bins.middles().size(), static_cast<std::size_t>(bins.count()));
 }
 
-}  // namespace percuss::identify::line_blocks_test
+}  // namespace percuss::identify::frequency_bins_test

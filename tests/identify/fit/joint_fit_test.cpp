@@ -71,7 +71,7 @@ Scatter scatter(Complex turn, double noise, int seeds) {
 }
 
 TEST(FitJointly, StatesTrueStandardDeviations) {
-  // χ² over 300 values (correlated within a pair) scatters by about 0.1; four times that.
+  // χ² over 300 values (correlated within a pair) scatters by about 0.1. The tolerance is four times that.
   constexpr double kTolerance = 0.4;
   for (const Complex turn : {Complex(1, 0), Complex(0.8, 0.6)}) {
     const Scatter all = scatter(turn, 0.5, 100);

@@ -97,7 +97,7 @@ TEST(FitLocally, StatesTheStandardDeviationsOf200Repetitions) {
   constexpr int kRuns = 200;
   constexpr double kTolerance = 0.2;  // four standard deviations of a standard deviation from 200 values (5 %)
   constexpr double kBias = 0.3;       // of a standard deviation: four standard deviations of a mean of 200 values
-  VectorXd square = VectorXd::Zero(4), sum = VectorXd::Zero(4), told = VectorXd::Zero(4);
+  VectorXd square = VectorXd::Zero(4), sum = VectorXd::Zero(4), stated = VectorXd::Zero(4);
   for (int run = 0; run < kRuns; ++run) {
     FrfDataset set = one_mode();
     test::add_frf_noise(set, 0.05, static_cast<std::uint64_t>(run) + 100);
@@ -107,16 +107,16 @@ TEST(FitLocally, StatesTheStandardDeviationsOf200Repetitions) {
                                 residue.imag());
     sum += error;
     square += error.cwiseAbs2();
-    told +=
+    stated +=
         Eigen::Vector4d(found.freq_std_Hz(0), found.damping_std(0), found.residue_std(0, 0), found.residue_std(0, 0));
   }
   const VectorXd scatter = (square / kRuns).cwiseSqrt();
   for (Eigen::Index i = 0; i < 2; ++i) {
-    EXPECT_LE(std::abs(scatter(i) * kRuns / told(i) - 1), kTolerance) << i;
-    EXPECT_LE(std::abs(sum(i) / told(i)), kBias) << i;
+    EXPECT_LE(std::abs(scatter(i) * kRuns / stated(i) - 1), kTolerance) << i;
+    EXPECT_LE(std::abs(sum(i) / stated(i)), kBias) << i;
   }
   // The residue's standard deviation is the mean of its two parts'.
-  EXPECT_LE(std::abs(std::hypot(scatter(2), scatter(3)) / std::sqrt(2) * kRuns / told(2) - 1), kTolerance);
+  EXPECT_LE(std::abs(std::hypot(scatter(2), scatter(3)) / std::sqrt(2) * kRuns / stated(2) - 1), kTolerance);
 }
 
 TEST(FitLocally, KeepsItsStartWithoutData) {

@@ -10,7 +10,7 @@ namespace percuss::identify::phase_test_test {
 const Pole kPole{300.3, 0.01};
 
 // Two channels of one mode with these phases, fitted with real residues.
-double evidence(double first_rad, double second_rad, std::uint64_t seed) {
+double statistic(double first_rad, double second_rad, std::uint64_t seed) {
   FrfDataset set = test::empty_set(4096, 32768, 250, 350, 2);
   test::add_mode(set, 0, kPole, std::polar(0.5, first_rad));
   test::add_mode(set, 1, kPole, std::polar(0.4, second_rad));
@@ -31,12 +31,12 @@ double evidence(double first_rad, double second_rad, std::uint64_t seed) {
 }
 
 TEST(PhaseTest, AcceptsRealResidues) {
-  for (std::uint64_t seed = 0; seed < 50; ++seed) EXPECT_LE(evidence(0, 0, seed), 1) << seed;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) EXPECT_LE(statistic(0, 0, seed), 1) << seed;
 }
 
 TEST(PhaseTest, RejectsACommonPhaseAndDifferentPhases) {
-  EXPECT_GE(evidence(0.2, 0.2, 1), 1);
-  EXPECT_GE(evidence(0.2, -0.2, 1), 1);
+  EXPECT_GE(statistic(0.2, 0.2, 1), 1);
+  EXPECT_GE(statistic(0.2, -0.2, 1), 1);
 }
 
 }  // namespace percuss::identify::phase_test_test

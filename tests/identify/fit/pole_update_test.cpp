@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace percuss::identify::pole_step_test {
+namespace percuss::identify::pole_update_test {
 
 TEST(PoleUpdate, AllowsDecayingPoles) {
   EXPECT_TRUE(poles_in_bounds({{100, 0.01}, {100.1, 0.49}}));
@@ -24,4 +24,4 @@ TEST(PoleUpdate, IsMeasuredInHalfBandwidths) {
   EXPECT_DOUBLE_EQ(normalised_step(step, poles), 0.5);  // 0.5 Hz over half of 2 Hz
 }
 
-}  // namespace percuss::identify::pole_step_test
+}  // namespace percuss::identify::pole_update_test

@@ -7,7 +7,7 @@
 #include "identify/fit/joint_fit.hpp"
 #include "support/modal_frfs.hpp"
 
-namespace percuss::identify::principal_test {
+namespace percuss::identify::principal_frfs_test {
 
 const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
 
@@ -52,4 +52,4 @@ TEST(PrincipalFrfs, KeepTheInformationAboutThePoles) {
   }
 }
 
-}  // namespace percuss::identify::principal_test
+}  // namespace percuss::identify::principal_frfs_test

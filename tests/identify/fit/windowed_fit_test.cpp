@@ -6,7 +6,7 @@
 
 #include "support/modal_frfs.hpp"
 
-namespace percuss::identify::grouped_fit_test {
+namespace percuss::identify::windowed_fit_test {
 
 TEST(WindowedFit, SplitsAChainOfPolesAtItsWidestGap) {
   const FrfDataset set = test::empty_set(8192, 8192, 60, 3000, 1);
@@ -31,4 +31,4 @@ TEST(WindowedFit, WidensTheWindowOfABroadResonance) {
   EXPECT_LE(std::abs(group.fit.poles[0].freq_Hz - 1000), 5 * group.fit.freq_std_Hz(0));
 }
 
-}  // namespace percuss::identify::grouped_fit_test
+}  // namespace percuss::identify::windowed_fit_test

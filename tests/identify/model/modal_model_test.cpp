@@ -15,7 +15,7 @@ Eigen::VectorXcd vector_of(const std::vector<Complex>& x) {
   return Eigen::Map<const Eigen::VectorXcd>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
 
-/// Rows of 0.35 s: 1 % at 120 Hz still has 40 % of its amplitude at the end.
+/// Rows of 0.35 s: the mode at 120 Hz still has more than a third of its amplitude at the end.
 synth::SynthSpec truncated() {
   return test::bat_spec({{.freq_Hz = 120, .damping_ratio = 0.004, .residue_per_kg = {1.1, -0.4}},
                          {.freq_Hz = 640, .damping_ratio = 0.006, .residue_per_kg = {0.5, 0.9}},
@@ -66,7 +66,7 @@ TEST(ModeColumn, HoldsUnderAnExponentialWindow) {
   EXPECT_LE(error_of_the_sum(6), kTolerance);
 }
 
-TEST(ModeColumn, DiffersFromATruncatedRecordWithoutItsSecondTerm) {
+TEST(ModeColumn, DiffersFromTheClosedFormWhereTheRecordIsTruncated) {
   // Without the second term the error is a few per cent, which shows that the test above can fail.
   const synth::SyntheticTest made = synth::synthesise(truncated());
   const FrfDataset set = test::frf_set_of(made.record, 40, 2000);

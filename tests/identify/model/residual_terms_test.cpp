@@ -4,7 +4,7 @@
 
 #include "core/math/linear_algebra.hpp"
 
-namespace percuss::identify::background_test {
+namespace percuss::identify::residual_terms_test {
 
 const acquire::LineRange kLines{.fs_Hz = 8192, .samples = 8192, .first = 60, .count = 3200};
 
@@ -35,4 +35,4 @@ TEST(OutOfBandTerms, AreFiniteFromZeroHertz) {
   EXPECT_TRUE(out_of_band_terms({.fs_Hz = 1000, .samples = 1000, .first = 0, .count = 400}).allFinite());
 }
 
-}  // namespace percuss::identify::background_test
+}  // namespace percuss::identify::residual_terms_test

@@ -13,7 +13,7 @@ namespace percuss::identify::force_noise_test {
 
 constexpr double kNoise_N = 0.02;
 
-// One hit: a pulse of 9 samples in a gate of 90 whose samples outside it are zero.
+// One hit: a pulse of 9 samples in a gate of 90. All other samples are zero.
 FrfDataset gated_hit() {
   FrfDataset set = test::empty_set(8192, 16384, 40, 2400, 1);
   frf::ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
@@ -69,7 +69,7 @@ TEST(GainErrors, AgreeWithTheStandardDeviationOfOneLine) {
   const FrfDataset set = gated_hit();
   const Eigen::MatrixXcd errors = gain_errors(set, 0, all_lines(set));
   const double whole = errors.row(4000).squaredNorm();
-  const double one = gain_deviation(set, 0, set.lines.freq_Hz(4000));
+  const double one = gain_std(set, 0, set.lines.freq_Hz(4000));
   EXPECT_LE(std::abs(whole / (2 * one * one) - 1), 1e-9);
 }
 
@@ -78,7 +78,7 @@ TEST(GainErrors, AreEmptyWithoutAForce) {
   set.points[0].noise_N = 0;
   EXPECT_EQ(gain_errors(set, 0, {1, 2}).size(), 0);
   set.points[0].blocks.clear();
-  EXPECT_EQ(gain_deviation(set, 0, 500), 0);
+  EXPECT_EQ(gain_std(set, 0, 500), 0);
 }
 
 }  // namespace percuss::identify::force_noise_test

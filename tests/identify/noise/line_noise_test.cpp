@@ -28,7 +28,7 @@ FrfDataset noisy_mode() {
   return set;
 }
 
-// The noise of an FRF where the force falls with frequency: 1/|F| above the first line.
+// The amplitude of a force that falls with frequency, relative to the first line.
 double amplitude(std::size_t line) { return 1 / (1 + 1e-3 * static_cast<double>(line)); }
 
 TEST(LineNoise, DoesNotDependOnResonances) {
@@ -98,7 +98,7 @@ TEST(BlockNoise, IsSeparateForEachBlock) {
                            noise.begin() + static_cast<std::ptrdiff_t>(to), 0.0) /
            static_cast<double>(to - from);
   };
-  // A median of 32 is high by 2 %; the mean of 50 of them is good to 4 %. Three of those.
+  // A median of 32 values is high by 2 %. The mean of 50 medians is accurate to 4 %. The tolerance is 2 % + 3 · 4 %.
   EXPECT_NEAR(mean(0, 49), 1, 0.14);
   EXPECT_NEAR(mean(51, 99), 4, 0.56);
   EXPECT_TRUE(block_noise(std::vector<Complex>(2), kWhiteRoughness).empty());

@@ -68,7 +68,8 @@ TEST(WindowNoise, IsWhiteWithoutAWindow) {
   EXPECT_EQ(noise.of_residue(pole), 1);
 }
 
-// With lines counted as independent, two of three records gave spurious modes, and standard deviations were halved.
+// Where lines count as independent, two of three records give spurious modes, and standard deviations are half of the
+// true ones.
 TEST(WindowNoise, LetsFitsFindTheModesAndTheirStandardDeviations) {
   constexpr std::size_t kRecords = 12;
   constexpr double

@@ -6,7 +6,7 @@
 
 #include "support/modal_frfs.hpp"
 
-namespace percuss::identify::moving_test {
+namespace percuss::identify::frequency_scatter_test {
 
 constexpr double kNoise = 0.02;  // of lines whose peaks are 1/(2·0.001) = 500 times the residue
 
@@ -28,7 +28,7 @@ FrfDataset set_of(const Points& points, std::uint64_t seed) {
 double shape(int point) { return std::cos(0.4 * point); }
 
 // A mode at 100 Hz (0.1 %: 0.2 Hz wide) whose frequency changes by 0.02 Hz from point to point.
-FrfDataset moving_set(std::uint64_t seed) {
+FrfDataset scattering_set(std::uint64_t seed) {
   Points points;
   for (int p = 0; p < 9; ++p) points.push_back({{Pole{100 + 0.02 * (p - 4), 1e-3}, shape(p)}});
   return set_of(points, seed);
@@ -53,12 +53,12 @@ WindowedFit fitted(const FrfDataset& set, const std::vector<Pole>& start) {
 
 TEST(ScatteredModes, AreTheMeanOverThePointsWithItsStandardDeviation) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const FrfDataset set = moving_set(seed);
+    const FrfDataset set = scattering_set(seed);
     const WindowedFit all = fitted(set, {{100, 1e-3}});
     const auto modes = scattered_modes(all, all.groups().front());
     ASSERT_EQ(modes.size(), 1U) << seed;
     EXPECT_NEAR(modes[0].pole.freq_Hz, 100, 3 * modes[0].freq_std_Hz);
-    EXPECT_NEAR(modes[0].pole.damping_ratio, 1e-3, 1e-5) << "not broadened by the moving, as a common pole is";
+    EXPECT_NEAR(modes[0].pole.damping_ratio, 1e-3, 1e-5) << "not broadened by the scatter, as a common pole is";
     // The spread of nine frequencies 0.02 Hz apart is 0.055 Hz; the method of moments with unequal weights is accurate
     // to a third.
     EXPECT_NEAR(modes[0].freq_scatter_Hz, 0.055, 0.02);
@@ -67,7 +67,7 @@ TEST(ScatteredModes, AreTheMeanOverThePointsWithItsStandardDeviation) {
 }
 
 TEST(ScatteredModes, KeepTheShape) {
-  const FrfDataset set = moving_set(1);
+  const FrfDataset set = scattering_set(1);
   const WindowedFit all = fitted(set, {{100, 1e-3}});
   const auto modes = scattered_modes(all, all.groups().front());
   ASSERT_EQ(modes.size(), 1U);
@@ -76,7 +76,7 @@ TEST(ScatteredModes, KeepTheShape) {
 }
 
 TEST(ScatteredModes, HaveAPoleForEachPointThatLeavesOnlyNoise) {
-  const FrfDataset set = moving_set(2);
+  const FrfDataset set = scattering_set(2);
   const WindowedFit all = fitted(set, {{100, 1e-3}});
   const FitGroup& group = all.groups().front();
   const auto modes = scattered_modes(all, group);
@@ -100,7 +100,7 @@ TEST(ScatteredModes, AreAbsentWhereOnlyNoiseDiffers) {
 }
 
 TEST(MergeIfScattered, MergesAPairThatDescribesFrequencyScatter) {
-  const FrfDataset set = moving_set(2);
+  const FrfDataset set = scattering_set(2);
   const WindowedFit all = fitted(set, {{99.95, 1e-3}, {100.05, 1e-3}});
   const auto one = merge_if_scattered(all, all.groups().front());
   ASSERT_TRUE(one);
@@ -121,4 +121,4 @@ TEST(MergeIfScattered, NeedsThreePoints) {
   EXPECT_FALSE(merge_if_scattered(all, all.groups().front()));
 }
 
-}  // namespace percuss::identify::moving_test
+}  // namespace percuss::identify::frequency_scatter_test

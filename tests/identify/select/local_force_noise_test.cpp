@@ -59,7 +59,7 @@ TEST(LocalForceNoise, EqualsTheScatterOfAModeWithNoiseFreeResponses) {
   EXPECT_GE(freq, 0.4);
   EXPECT_LE(damping, 1.6);
   EXPECT_GE(damping, 0.4);
-  EXPECT_LE(largest_before, 0.9) << "the residual alone does not tell it";
+  EXPECT_LE(largest_before, 0.9) << "the residual alone does not show the force's noise";
 }
 
 TEST(LocalForceNoise, ExcludesModesOfAJointFit) {

@@ -7,7 +7,7 @@
 #include "identify/select/sequential_fit.hpp"
 #include "support/modal_frfs.hpp"
 
-namespace percuss::identify::hidden_search_test {
+namespace percuss::identify::residual_mode_search_test {
 
 const Pole kNarrow{400, 0.01}, kBroad{1100, 0.29};
 
@@ -31,7 +31,7 @@ TEST(ResidualModeSearch, RetriesTheMostSignificantBroadModeAlone) {
   const auto spurious = search.next(all, ResidualSearch::all);
   EXPECT_FALSE(spurious.empty());
   EXPECT_TRUE(search.has_tried_any());
-  EXPECT_EQ(search.next(all, ResidualSearch::all).size(), 1U) << "what was given up, the clearest of it";
+  EXPECT_EQ(search.next(all, ResidualSearch::all).size(), 1U) << "the most significant of the rejected modes";
 }
 
 TEST(ResidualModeSearch, FindsNothingInAZeroResidual) {
@@ -51,4 +51,4 @@ TEST(FitSequentially, FindsAModeTooBroadForAPeak) {
   }
 }
 
-}  // namespace percuss::identify::hidden_search_test
+}  // namespace percuss::identify::residual_mode_search_test

@@ -8,7 +8,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::identify::cylinder_test {
+namespace percuss::identify::circumferential_orders_test {
 
 using std::numbers::pi;
 
@@ -80,7 +80,7 @@ TEST(TubeShape, NamesBendingAndHoopOnly) {
   }
 }
 
-TEST(TubeShape, HasOnlyTheCosineOfHalfTheNumberOfAngles) {
+TEST(TubeShape, ResolvesOnlyTheCosineAtHalfTheNumberOfAngles) {
   // Six angles: cos 3θ alternates, sin 3θ is zero everywhere; its plane is unknown.
   const TubeGeometry geometry = geometry_of({});
   const auto tube = tube_shape(pattern(geometry, 3, 10 * kDegree, flat), geometry);
@@ -153,7 +153,7 @@ TEST(TubeShape, HasNoSignChangesForOneRing) {
 }
 
 TEST(TubeShape, HasTrueStandardDeviations) {
-  constexpr double kNoise = 0.05, kDeviations = 4;
+  constexpr double kNoise = 0.05, kDeviations = 4;  // standard deviations of the plane
   const TubeGeometry geometry = geometry_of({.rings = 10});
   const auto tube = tube_shape(pattern(geometry, 2, 0.3, flat, kNoise), geometry);
   // 60 points share cos and sin: σ(nθ) = σ √(2/60).
@@ -187,4 +187,4 @@ TEST(TubeShape, AcceptsUnevenAngles) {
   EXPECT_NEAR(*tube->plane_rad, 0.3, kRounding);
 }
 
-}  // namespace percuss::identify::cylinder_test
+}  // namespace percuss::identify::circumferential_orders_test

@@ -6,7 +6,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::identify::shapes_test {
+namespace percuss::identify::mode_shapes_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -132,4 +132,4 @@ TEST(Shape, AcceptsAZeroMode) {
   EXPECT_TRUE(shape_of({}).places.empty());
 }
 
-}  // namespace percuss::identify::shapes_test
+}  // namespace percuss::identify::mode_shapes_test

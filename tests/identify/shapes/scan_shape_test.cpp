@@ -9,12 +9,12 @@ namespace percuss::identify::scan_shape_test {
 
 constexpr double kRounding = 1e-12;  // of a singular value decomposition
 
-// Residues φ_p · sees_c with equal standard deviations.
-Mode mode_of(const std::vector<double>& shape, const std::vector<Complex>& sees, double std) {
+// Residues φ_p · channel_gain_c with equal standard deviations.
+Mode mode_of(const std::vector<double>& shape, const std::vector<Complex>& channel_gain, double std) {
   Mode mode;
   for (std::size_t p = 0; p < shape.size(); ++p) {
-    for (std::size_t c = 0; c < sees.size(); ++c)
-      mode.residues.push_back({.point = p, .channel = c, .value = shape[p] * sees[c], .std = std});
+    for (std::size_t c = 0; c < channel_gain.size(); ++c)
+      mode.residues.push_back({.point = p, .channel = c, .value = shape[p] * channel_gain[c], .std = std});
   }
   return mode;
 }

@@ -16,7 +16,7 @@ TEST(DrivingPointCheck, FindsAResidueThatIsNotPositive) {
   ASSERT_EQ(checks.size(), 3U);
   EXPECT_FALSE(checks[0].wrong_sign);
   EXPECT_TRUE(checks[1].wrong_sign);
-  EXPECT_FALSE(checks[2].wrong_sign) << "two deviations are no proof";
+  EXPECT_FALSE(checks[2].wrong_sign) << "two standard deviations are no proof";
 }
 
 TEST(DrivingPointCheck, SkipsUnmeasuredPoints) {

@@ -78,10 +78,10 @@ TEST(ResidualModePoles, AreFoundInAResidual) {
   constexpr double kDeviation = 0.05;
   FrfDataset set = three_modes();
   test::add_frf_noise(set, kDeviation, 3);
-  FrfDataset left = test::empty_set(4096, 32768, 60, 1500, 2);
-  test::add_mode(left, 0, {800, 0.004}, 30 * 0.008 * kDeviation);  // a peak of 30 standard deviations
-  test::add_frf_noise(left, kDeviation, 4);
-  const auto poles = residual_mode_poles(set, lines_of(left));
+  FrfDataset residual = test::empty_set(4096, 32768, 60, 1500, 2);
+  test::add_mode(residual, 0, {800, 0.004}, 30 * 0.008 * kDeviation);  // a peak of 30 standard deviations
+  test::add_frf_noise(residual, kDeviation, 4);
+  const auto poles = residual_mode_poles(set, lines_of(residual));
   // Several widths may show the same mode; the later fit decides. One pole lies within half the bandwidth.
   const auto near = [](const Pole& pole) { return std::abs(pole.freq_Hz - 800) <= 0.5 * 6.4; };
   EXPECT_EQ(std::count_if(poles.begin(), poles.end(), near), 1);
@@ -89,15 +89,15 @@ TEST(ResidualModePoles, AreFoundInAResidual) {
 
 TEST(ResidualModePoles, AreNotFoundInNoise) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    FrfDataset left = test::empty_set(4096, 32768, 60, 1500, 2);
-    test::add_frf_noise(left, 0.3, seed);
-    EXPECT_TRUE(residual_mode_poles(three_modes(), lines_of(left)).empty()) << seed;
+    FrfDataset residual = test::empty_set(4096, 32768, 60, 1500, 2);
+    test::add_frf_noise(residual, 0.3, seed);
+    EXPECT_TRUE(residual_mode_poles(three_modes(), lines_of(residual)).empty()) << seed;
   }
 }
 
 TEST(ResidualModePoles, AreNotFoundInAZeroResidual) {
-  const FrfDataset left = test::empty_set(4096, 32768, 60, 1500, 2);
-  EXPECT_TRUE(residual_mode_poles(three_modes(), lines_of(left)).empty());
+  const FrfDataset residual = test::empty_set(4096, 32768, 60, 1500, 2);
+  EXPECT_TRUE(residual_mode_poles(three_modes(), lines_of(residual)).empty());
 }
 
 TEST(PolesNear, AreThePeaksNearTheGivenFrequencies) {

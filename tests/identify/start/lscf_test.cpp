@@ -62,7 +62,8 @@ TEST(LscfPoles, SeparateModesThatAreHalfABandwidthApart) {
 
 TEST(LscfPoles, AreExactOnTruncatedAndOnWindowedRecords) {
   // The truncation term has the same poles; the window's decay is subtracted.
-  constexpr double kForce = 1e-4;  // bandwidths: the force's spectrum, which truncation divides by, is no polynomial
+  // Bandwidths: the truncation term is divided by the force's spectrum, which is no polynomial.
+  constexpr double kForce = 1e-4;
   const Pole mode{200.3, 0.002};
   const auto made =
       synth::synthesise(test::bat_spec({{.freq_Hz = 200.3, .damping_ratio = 0.002, .residue_per_kg = {0.9, 0.5}},
@@ -112,7 +113,7 @@ TEST(LscfPoles, AreUnaffectedByADeadChannel) {
 
 TEST(LscfPoles, HaveAtMostOneOrderPerFourLines) {
   EXPECT_TRUE(lscf_poles(set_of(kThree, 166, 171)).empty());          // 7 lines
-  EXPECT_EQ(lscf_poles(set_of(kThree, 150, 190)).back().order, 13U);  // 52
+  EXPECT_EQ(lscf_poles(set_of(kThree, 150, 190)).back().order, 13U);  // 52 lines
   EXPECT_TRUE(lscf_poles(set_of(kThree, 60, 1500), {.first = 1u << 20U}).empty());
   const auto high = lscf_poles(set_of(kThree, 60, 1500), {.max_order = 1000});
   EXPECT_EQ(high.back().order, 100U);

@@ -5,10 +5,10 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::identify::ripples_test {
+namespace percuss::identify::truncation_ripples_test {
 
 // One mode that does not decay within its second, and a weaker one that does.
-FrfDataset cut_off() {
+FrfDataset truncated_set() {
   synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}},
                                           {.freq_Hz = 900, .damping_ratio = 0.005, .residue_per_kg = {1, 0.5}}},
                                          1);
@@ -17,7 +17,7 @@ FrfDataset cut_off() {
 }
 
 TEST(TruncationRipples, AreSuspectedBelowTheFlankOfATruncatedDecay) {
-  const FrfDataset set = cut_off();
+  const FrfDataset set = truncated_set();
   const std::vector<Pole> poles{{400.3, 1e-5}, {430, 1e-4}, {900, 0.005}};
   const auto doubtful = find_truncation_ripples(set, poles);
   EXPECT_FALSE(doubtful[0]) << "the mode itself";
@@ -26,13 +26,13 @@ TEST(TruncationRipples, AreSuspectedBelowTheFlankOfATruncatedDecay) {
 }
 
 TEST(TruncationRipples, AreAbsentWhereAllModesDecay) {
-  const auto doubtful = find_truncation_ripples(cut_off(), {{430, 0.01}, {900, 0.005}});
+  const auto doubtful = find_truncation_ripples(truncated_set(), {{430, 0.01}, {900, 0.005}});
   EXPECT_FALSE(doubtful[0]);
   EXPECT_FALSE(doubtful[1]);
 }
 
 TEST(TruncationRipples, RemainOnlyWithEnergyInTheResidual) {
-  const FrfDataset set = cut_off();
+  const FrfDataset set = truncated_set();
   const auto lines = static_cast<Eigen::Index>(set.lines.count);
   std::vector<Eigen::VectorXcd> residual;
   for (const FrfChannel& channel : set.channels)
@@ -42,4 +42,4 @@ TEST(TruncationRipples, RemainOnlyWithEnergyInTheResidual) {
   EXPECT_FALSE(remains_in_residual(set, {900, 0.005}, residual));
 }
 
-}  // namespace percuss::identify::ripples_test
+}  // namespace percuss::identify::truncation_ripples_test

@@ -7,7 +7,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::identify::unclaimed_peaks_test {
+namespace percuss::identify::unmodelled_peaks_test {
 
 constexpr double kRange_dB = 65;
 const std::vector<Pole> kPoles{{200, 0.01}, {600, 0.005}, {1200, 0.004}};
@@ -67,7 +67,7 @@ TEST(UnmodelledPeaks, AreNotNoiseOnAFlank) {
   }
 }
 
-// Of two truncated modes, the truncation of one makes a row of zeros in the flank of the other.
+// The truncated decay of a mode makes ripples in its FRF, which look like peaks.
 TEST(UnmodelledPeaks, AreNotTruncationRipples) {
   synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}}}, 1);
   spec.points = {{}};
@@ -77,4 +77,4 @@ TEST(UnmodelledPeaks, AreNotTruncationRipples) {
   EXPECT_FALSE(unmodelled_peaks(set, {}, kRange_dB).empty());
 }
 
-}  // namespace percuss::identify::unclaimed_peaks_test
+}  // namespace percuss::identify::unmodelled_peaks_test

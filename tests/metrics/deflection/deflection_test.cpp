@@ -12,7 +12,7 @@
 
 namespace percuss::metrics::deflection_test {
 
-/// A mode of a held beam struck for 3 ms: closed form of the response to a half sine, sampled far above its frequency.
+/// A mode of a held beam, struck for 3 ms: the closed-form response to a half sine.
 struct Impact {
   double fs_Hz = 20000;
   std::vector<double> force_N, accel_mps2, deflection_m;
@@ -23,7 +23,8 @@ constexpr double kFreq_Hz = 14.5, kDamping = 0.012, kResidue_per_kg = 2, kForce_
 
 identify::Pole pole() { return {.freq_Hz = kFreq_Hz, .damping_ratio = kDamping}; }
 
-// Undamped response of x'' + 2ζωx' + ω²x = A·F sin(πt/T) by superposition of two half-infinite sines.
+// The response x'' + 2ζωx' + ω²x = A·F sin(πt/T) to a sine that starts at t = 0. Two such sines, T apart, add up to a
+// half sine.
 struct State {
   double x = 0, v = 0, a = 0;
 };
@@ -66,23 +67,23 @@ double largest(const std::vector<double>& x) {
   return most;
 }
 
-// The force has corners, so its samples are not band-limited. What folds back changes its integral by (Δt/T)²·π²/12.
+// The force has corners, so its samples are not band-limited. Aliasing changes its integral by (Δt/T)²·π²/12.
 constexpr double kFine_Hz = 200000;
-constexpr double kFolded = 2.5e-6;
+constexpr double kAliasing = 2.5e-6;
 
 TEST(Deflection, IsExactForACleanRecord) {
   const Impact test = impact(kFine_Hz, 0.02, 0.3);
   const Deflection found = deflection_of(signal_of(test));
   EXPECT_EQ(found.method, DeflectionMethod::drift_free);
-  EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), kFolded * largest(test.deflection_m));
+  EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), kAliasing * largest(test.deflection_m));
   for (std::size_t i = 0; i < test.deflection_m.size(); i += 500)
-    EXPECT_NEAR(found.deflection_m[i], test.deflection_m[i], 30 * kFolded * largest(test.deflection_m)) << i;
+    EXPECT_NEAR(found.deflection_m[i], test.deflection_m[i], 30 * kAliasing * largest(test.deflection_m)) << i;
 }
 
-// Through an anti-alias filter: the deflection is that of the filtered motion, here from the filtered force, which
-// shares no sample with the acceleration.
-TEST(Deflection, IsBandLimitedAtEverySamplingRate) {
-  constexpr double kRounding = 1e-6;  // of the peak; what the window at the record's end and the late means leave
+// Behind an anti-alias filter, the deflection is the filtered one. The reference follows from the filtered force, not
+// from the samples of the acceleration.
+TEST(Deflection, IsExactForAFilteredRecordAtEverySamplingRate) {
+  constexpr double kRounding = 1e-6;  // of the peak: the window at the record's end, and the zero-mean correction
   const std::vector<synth::SynthPole> poles{{14.5, 0.012}, {90, 0.01}, {322, 0.008}};
   for (const double fs_Hz : {2000.0, 5000.0, 12800.0, 25600.0, 50000.0}) {
     const auto samples = static_cast<std::size_t>(1.2 * fs_Hz);
@@ -122,16 +123,17 @@ TEST(Deflection, RemovesBiasAndDriftWithinItsStandardDeviation) {
     EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 0.002 * largest(test.deflection_m));
     for (std::size_t i = 2100; i < test.deflection_m.size(); i += 1000, ++count) {
       const double z = (found.deflection_m[i] - test.deflection_m[i]) / found.std_m[i];
-      EXPECT_LE(std::abs(z), 4.5);  // twenty records, looked at in twenty places each
+      EXPECT_LE(std::abs(z), 4.5);  // 20 records, some 20 samples of each
       sum += z * z;
     }
   }
-  // Neither too small nor uselessly large: late deviations count the noise as if nothing held it back.
+  // The stated standard deviation is not too small. It is too large late in a record, because it neglects that the
+  // zero-mean correction removes part of the noise.
   EXPECT_LE(std::sqrt(sum / static_cast<double>(count)), 1.2);
   EXPECT_GE(std::sqrt(sum / static_cast<double>(count)), 0.2);
 }
 
-// A short rest tells little of the bias: its parabola leaves the swing far behind before the record ends.
+// A short rest hardly determines the bias. Before the record ends, the parabola of its error exceeds the oscillation.
 TEST(Deflection, DoesNotReportARandomWalkAsThePeak) {
   const Impact clean = impact(20000, 0.005);
   std::mt19937 random(7);
@@ -150,17 +152,17 @@ TEST(Deflection, DoesNotReportARandomWalkAsThePeak) {
 TEST(Deflection, HasNoPeakInNoise) {
   std::mt19937 random(8);
   std::normal_distribution<double> gauss;
-  int told = 0;
+  int with_peak = 0;
   for (int trial = 0; trial < 100; ++trial) {
     std::vector<double> noise(4000);
     for (double& a : noise) a = gauss(random);
     const ImpactSignal signal{.fs_Hz = 20000, .accel_mps2 = noise, .onset_s = 0.1, .force_N = {}, .modes = {}};
     const Deflection found = deflection_of(signal);
-    told += std::isnan(found.peak_m) ? 0 : 1;
+    with_peak += std::isnan(found.peak_m) ? 0 : 1;
     EXPECT_EQ(std::isnan(found.peak_m), std::isnan(found.peak_std_m));
   }
-  EXPECT_LE(told, 3);  // beyond three deviations a walk comes at some time in one of five records, beyond four in one
-                       // of two hundred
+  // A random walk exceeds three standard deviations in one of five records, four in one of two hundred.
+  EXPECT_LE(with_peak, 3);
 }
 
 TEST(Deflection, KeepsTheRigidBodyMotionOfAFreeBody) {
@@ -176,7 +178,7 @@ TEST(Deflection, KeepsTheRigidBodyMotionOfAFreeBody) {
   ImpactSignal signal = signal_of(test);
   const Deflection unknown = deflection_of(signal, {.free_body = true});
   EXPECT_NEAR(unknown.deflection_m.back(), test.deflection_m.back(), 1e-3 * std::abs(test.deflection_m.back()));
-  EXPECT_FALSE(deflection_of(signal).held);  // and it is seen that it does not come back
+  EXPECT_FALSE(deflection_of(signal).held);  // the motion does not return, which contradicts a held structure
   signal.force_N = test.force_N;
   signal.rigid_per_kg = 1 / mass_kg;
   const Deflection known = deflection_of(signal);
@@ -209,7 +211,7 @@ TEST(Deflection, ConvergesAtFirstOrderBySmallIntervals) {
 TEST(Deflection, IsRightInTheFrequencyDomainForARecordThatComesToRest) {
   const Impact test = impact(4000, 2, 10);
   const Deflection found = deflection_of(signal_of(test), {.method = DeflectionMethod::frequency, .lowest_Hz = 0.4});
-  // What is slower than the lowest line is lost: of a decay by ζω = 1.1/s, a few per cent.
+  // Motion slower than lowest_Hz is lost: a few per cent of a decay with ζω = 1.1/s.
   EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 0.03 * largest(test.deflection_m));
 }
 

@@ -50,12 +50,10 @@ TEST(IntegrateTwice, IsExactForABandLimitedMotion) {
 }
 
 TEST(IntegrateTwice, CompensatesTheHighPassOfAChargeAmplifier) {
-  // First order, corner 5 Hz: y' + ω_c y = a'. With the closed form's w'': y = a − ω_c·(w' − ω_c·(w − ω_c·∫…)), taken
-  // here by the exact step of the differential equation over samples so fine that its error does not count.
+  // A first-order high-pass with its corner at 5 Hz: y' + ω_c y = a', so y = a − z with z' = ω_c (a − z).
   const double corner_Hz = 5, corner = kTwoPi * corner_Hz;
   const Truth t = truth();
-  // y = a − z with z' = ω_c (a − z): z is ω_c times the velocity seen through a low-pass. By the same transform it
-  // would be no test; RK4 on the closed form of a(t) instead, 200 steps a sample.
+  // z is integrated by RK4 from the closed form of a(t), 20 steps per sample, independently of the Laplace transform.
   const auto accel_at = [](double time_s) {
     const double omega = kTwoPi * kFreq_Hz, width_s = 0.06, s0 = time_s - 0.6, x = s0 / width_s;
     const double g = std::exp(-x * x / 2), g1 = -x / width_s * g, g2 = (x * x - 1) / (width_s * width_s) * g;
@@ -76,15 +74,15 @@ TEST(IntegrateTwice, CompensatesTheHighPassOfAChargeAmplifier) {
     }
   }
   const Motion motion = integrate_twice(y, kFs_Hz, corner_Hz);
-  constexpr double kTolerance = 1e-7;  // Runge and Kutta's error, fourth order in ω·h = 0.006, integrated twice
+  constexpr double kTolerance = 1e-7;  // error of RK4, fourth order in ω·h = 0.006, integrated twice
   EXPECT_LE(furthest(motion.deflection_m, t.deflection), kTolerance);
   EXPECT_GE(furthest(integrate_twice(y, kFs_Hz).deflection_m, t.deflection),
-            0.05);  // left alone it costs some per cent
+            0.05);  // the error without compensation: some per cent
 }
 
 TEST(IntegrateTwice, TurnsAStepIntoAParabola) {
-  // Of a step the band limit takes the corners off: the sum of its samples is the integral but for half of the first
-  // one.
+  // The band limit rounds the corner of a step. So the integral differs from the sum of the samples by half of the
+  // first sample.
   const std::vector<double> ones(1000, 1.0);
   const Motion motion = integrate_twice(ones, 1000);
   EXPECT_NEAR(motion.velocity_mps[500], 0.5, 1e-3);
@@ -104,7 +102,7 @@ TEST(SmallIntervalSums, ConvergeAtFirstOrder) {
   EXPECT_NEAR(errors[1] / errors[2], 2, 0.05);
 }
 
-TEST(IntegrateByLines, IsExactForASignalPeriodicInTheRecord) {
+TEST(IntegrateInFrequencyDomain, IsExactForASignalPeriodicInTheRecord) {
   std::vector<double> accel, deflection;
   const double omega = kTwoPi * 8;
   for (std::size_t i = 0; i < 1000; ++i) {

@@ -25,7 +25,7 @@ AbiLog log_of(std::vector<AbiEntry> entries) {
 }
 AbiRun run_of(std::vector<AbiEntry> entries) { return evaluate_abi(log_of(std::move(entries))); }
 
-// The first cycle up to what the compression after it is.
+// The first cycle, up to the compression after its test.
 std::vector<AbiEntry> start(double after_lbf) { return {compression(600), performance(0.715), compression(after_lbf)}; }
 
 std::vector<AbiEntry> with(std::vector<AbiEntry> entries, const std::vector<AbiEntry>& more) {
@@ -73,7 +73,7 @@ TEST(Abi, ComparesTheCompressionAfterATestWithTheLastBeforeIt) {
   EXPECT_NEAR(*run.compressions.back().reduction, 60.0 / 560, 1e-12);
   EXPECT_EQ(run.next, AbiStep::roll);
   EXPECT_EQ(run.roll, 0);
-  EXPECT_EQ(next_depth_in(run), 0.1125);  // deeper than the time before, whatever the cycle
+  EXPECT_EQ(next_depth_in(run), 0.1125);  // deeper than the last rolling, also in a new cycle
   run = run_of(with(cycle, {compression(470)}));
   EXPECT_EQ(run.next, AbiStep::performance);  // 16 %
   run = run_of(with(cycle, {compression(470), performance(0.721)}));
@@ -91,7 +91,7 @@ TEST(Abi, FailsOnTheLimitInAnyTestAndOnDamageInTheFirst) {
   std::get<AbiPerformance>(damaged.what).damage = true;
   EXPECT_EQ(run_of({compression(600), damaged}).verdict, AbiVerdict::fail);
   EXPECT_EQ(run_of(with(start(500), {damaged})).verdict,
-            AbiVerdict::pass);  // 0.015 below the best; damage is no matter
+            AbiVerdict::pass);  // 0.015 below the best; damage counts only in the first test
 }
 
 TEST(Abi, PassesWhenThePerformanceFellEnough) {
@@ -102,7 +102,7 @@ TEST(Abi, PassesWhenThePerformanceFellEnough) {
   EXPECT_EQ(evaluate_abi(bbcor).verdict, AbiVerdict::in_progress);  // 0.017
   bbcor.entries.back() = performance(0.697);
   EXPECT_EQ(evaluate_abi(bbcor).verdict, AbiVerdict::pass);
-  // The best is of all tests before.
+  // The best value of all earlier tests counts.
   const auto risen = with(start(500), {performance(0.725), compression(400), performance(0.711)});
   EXPECT_EQ(run_of(risen).verdict, AbiVerdict::pass);
   EXPECT_EQ(run_of(risen).cycles.back().best, 0.725);
@@ -129,7 +129,7 @@ TEST(Abi, ContinuesAfterAFailureWithTheSameVerdict) {
   EXPECT_EQ(run.verdict, AbiVerdict::fail);
   EXPECT_EQ(run.next, AbiStep::done);
   log.entries.back() = performance(0.76);
-  EXPECT_THAT(evaluate_abi(log).why, HasSubstr("cycle 2"));  // the first reason is the one
+  EXPECT_THAT(evaluate_abi(log).why, HasSubstr("cycle 2"));  // the first reason stays
 }
 
 TEST(Abi, EndsAfterManyCycles) {
@@ -170,7 +170,7 @@ TEST(Abi, RemarksOnDepthsOvershootAndMaterial) {
 
 TEST(Abi, StatesTheNextStep) {
   EXPECT_EQ(next_step_text(run_of({})), "step 1: measure the barrel's compression");
-  EXPECT_THAT(next_step_text(run_of(start(600))), HasSubstr("roll the barrel, rollers about 0.1 in in"));
+  EXPECT_THAT(next_step_text(run_of(start(600))), HasSubstr("roll the barrel, rollers about 0.1 in deep"));
   EXPECT_THAT(next_step_text(run_of(start(509))), HasSubstr("test the performance"));
   EXPECT_EQ(next_step_text(run_of({compression(600), performance(0.8)})).substr(0, 6), "fail: ");
   AbiRun broken{.next = AbiStep::done, .verdict = AbiVerdict::undecided, .why = "broken"};
@@ -197,8 +197,8 @@ TEST(Abi, EndsForABarrelThatDoesNotSoften) {
   EXPECT_THAT(run.why, HasSubstr("rollers"));
 }
 
-// Bats that soften, gain and break down at random, tested as the procedure says: it always ends, never asks for a
-// depth beyond the rollers, never passes what exceeded the limit.
+// Bats whose compression and performance change at random. The procedure always ends, never asks for a depth beyond
+// the rollers, and never passes a bat that exceeded the limit.
 TEST(Abi, EndsOnEveryBatAndNeverPassesOneThatFails) {
   std::array<int, 4> verdicts{};
   for (std::uint64_t seed = 0; seed < 500; ++seed) {

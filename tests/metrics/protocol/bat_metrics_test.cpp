@@ -12,7 +12,7 @@ namespace percuss::metrics::bat_metrics_test {
 
 constexpr double kMph = kMilePerHour_mps;
 
-// A bat read with errors that are large enough to matter and small enough for first order.
+// The readings of one bat and one impact, without their errors.
 struct Numbers {
   double length_m = 34 * kInch_m, mass_kg = 31 * kOunce_kg, cg_m = 12.5 * kInch_m, period_s = 1.42;
   double ball_kg = 0.1454, z_m = 6 * kInch_m, in_mps = 136 * kMph, out_mps = 31 * kMph;
@@ -34,7 +34,7 @@ using Result = std::function<double(const BatMetrics&)>;
 
 TEST(BatMetrics, PropagatesTheErrorOfEveryReading) {
   constexpr double kRelative = 1e-5;
-  constexpr double kSecondOrder = 1e-3;  // of the deviation: kRelative times derivatives' own size
+  constexpr double kSecondOrder = 1e-3;  // of the standard deviation: bound of the second-order terms
   const std::array<std::pair<const char*, std::optional<UncertainValue> BatMetrics::*>, 9> results{
       {{"drop", &BatMetrics::drop},
        {"moi", &BatMetrics::moi_kgm2},

@@ -11,7 +11,7 @@ namespace percuss::metrics::pendulum_test {
 
 constexpr double kPeriod_s = 1.4321, kRounding = 1e-12;
 
-// Crossings of a gate that stands beside the pendulum's rest: there and back are unequally far apart.
+// Crossings of a gate beside the position of rest: the two intervals of a period differ.
 std::vector<double> crossings(std::size_t count, double aside) {
   std::vector<double> times;
   for (std::size_t n = 0; n < count; ++n) {
@@ -48,14 +48,14 @@ TEST(Pendulum, StatesTheScatterOfManySeries) {
     squares += std::pow(got.period_s - kPeriod_s, 2) / series;
     stated += got.std_s * got.std_s / series;
   }
-  // Two variances of 2000 series: each within 3.2 % of its own (√(2/2000)), the stated ones better.
+  // The measured variance of 2000 series has a standard deviation of 3.2 % (√(2/2000)), the stated one a smaller one.
   constexpr double kFiveDeviations = 0.16;
   EXPECT_NEAR(stated / squares, 1, kFiveDeviations);
 }
 
 TEST(Pendulum, StatesAtLeastTheErrorOfReading) {
   const PeriodEstimate coarse = period_of_crossings(crossings(3, 0), 2, 0.01);
-  // Two times of one direction: σ_T = √2 σ_t, σ_t = 0.01/√12; the third time tells nothing.
+  // Two times of one direction: σ_T = √2 σ_t, σ_t = 0.01/√12; the single time of the other direction adds nothing.
   EXPECT_NEAR(coarse.std_s, std::sqrt(2.0) * 0.01 / std::sqrt(12.0), kRounding);
 }
 
@@ -69,7 +69,7 @@ TEST(Pendulum, AveragesReadings) {
 TEST(Pendulum, StatesTheReasonForNoPeriod) {
   using testing::HasSubstr;
   EXPECT_THAT(mean_period({}).problem, HasSubstr("no period"));
-  EXPECT_THAT(period_of_crossings({1, 2}).problem, HasSubstr("fewer than the 3"));
+  EXPECT_THAT(period_of_crossings({1, 2}).problem, HasSubstr("needs at least 3"));
   EXPECT_THAT(period_of_crossings({1, 2, 2}).problem, HasSubstr("time 3 does not come after time 2"));
   EXPECT_THAT(period_of_crossings({1, 2, std::nan("")}).problem, HasSubstr("time 3"));
   auto lost = crossings(12, 0.05);

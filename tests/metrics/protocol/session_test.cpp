@@ -93,7 +93,8 @@ TEST(Session, NamesTheKeyThatIsWrong) {
   EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": 136.2, \"pairs_in_mph\": [136, 136, 136]")),
               HasSubstr("more than one speed"));
   EXPECT_THAT(refusal(replaced(ok, "[136.4, 136.1, 135.8]", "[136.4, -136.1, 135.8]")), HasSubstr("-136.1 mph"));
-  EXPECT_THAT(refusal(replaced(ok, "L12-001", std::string(81, 'x'))), HasSubstr("no number of the ball"));
+  EXPECT_THAT(refusal(replaced(ok, "L12-001", std::string(81, 'x'))),
+              HasSubstr("the ball's number is empty or longer"));
   EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": -136")), HasSubstr("shots[0].v_in_mph"));
   EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2, ", "")), HasSubstr("no speed"));
   EXPECT_THAT(refusal(replaced(ok, "0.0, 0.002506", "0.1, 0.002506")), HasSubstr("shots[2].gates_in_s"));
@@ -101,9 +102,9 @@ TEST(Session, NamesTheKeyThatIsWrong) {
   EXPECT_THAT(refusal(replaced(ok, "[136.4, 136.1, 135.8]", "[136.4, 136.1]")), HasSubstr("shots[1].pairs_in_mph"));
   EXPECT_THAT(refusal(replaced(ok, "[136.4, 136.1, 135.8]", "[136.4, 13610, 135.8]")), HasSubstr("13610 mph"));
   EXPECT_THAT(refusal(replaced(ok, "\"ball\": \"" + parse_session(ok, "s").shots[0].ball + "\"", "\"ball\": \"\"")),
-              HasSubstr("no number of the ball"));
+              HasSubstr("the ball's number is empty or longer"));
   EXPECT_THAT(refusal(replaced(ok, "\"ball_g\": 145.3", "\"ball_g\": \"heavy\"")), HasSubstr("shots[0].ball_g"));
-  EXPECT_THAT(refusal(replaced(ok, "percuss/session/1", "percuss/session/2")), HasSubstr("no session"));
+  EXPECT_THAT(refusal(replaced(ok, "percuss/session/1", "percuss/session/2")), HasSubstr("not a session"));
 }
 
 TEST(Session, NamesTheLineOfATable) {
@@ -160,7 +161,8 @@ TEST(AbiLog, NamesTheKeyThatIsWrong) {
   EXPECT_THAT(abi_refusal(replaced(ok, "[612, 604, 598, 606]", "[612, 604, -5, 606]")), HasSubstr("load frame"));
   EXPECT_TRUE(parse_abi_log(R"({"bat": {"id": "b"}, "metric": "bbcor", "entries": []})", "l.json").bbcor);
   EXPECT_THAT(abi_refusal("{}"), HasSubstr("bat"));
-  EXPECT_THAT(abi_refusal(replaced(ok, "percuss/abi-log/1", "percuss/session/1")), HasSubstr("no log of a break-in"));
+  EXPECT_THAT(abi_refusal(replaced(ok, "percuss/abi-log/1", "percuss/session/1")),
+              HasSubstr("not a log of a break-in"));
   EXPECT_THAT(abi_refusal(R"({"bat": {"id": "b"}, "metric": "speed", "entries": []})"), HasSubstr("no such metric"));
   std::string long_log = R"({"bat": {"id": "b"}, "entries": [)";
   for (int i = 0; i < 10001; ++i) long_log += std::string(i > 0 ? "," : "") + R"({"do": "roll", "depth_in": 0.1})";

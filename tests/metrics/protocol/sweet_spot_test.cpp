@@ -18,7 +18,7 @@ struct Search {
   std::vector<HalfInches> order;
 };
 
-// The search on a barrel that performs so, shot for shot.
+// Runs the search on a barrel, and checks that it asks only for permitted locations, each once.
 Search search_on(const Barrel& barrel, const SearchRules& rules = {}) {
   Search out;
   std::map<HalfInches, double> tested;
@@ -73,7 +73,7 @@ TEST(SweetSpot, NeedsTheMarginOnBothSides) {
 TEST(SweetSpot, TestsBothSidesOfAPlateau) {
   const auto flat = search_on([](HalfInches at) { return at >= 9 && at <= 12 ? 0.72 : 0.70; });
   EXPECT_EQ(flat.end.state, SearchState::plateau);
-  EXPECT_EQ(flat.end.at, 12);  // of equals the one nearest 6 in
+  EXPECT_EQ(flat.end.at, 12);  // among equals, the location nearest 6 in
   EXPECT_THAT(flat.end.plateau, ElementsAre(9, 10, 11, 12));
   EXPECT_THAT(flat.order, testing::Contains(8));
 }
@@ -85,8 +85,8 @@ TEST(SweetSpot, StatesThatTheBestLiesAtAnEdge) {
   EXPECT_EQ(search_on([](HalfInches) { return 0.7; }).end.state, SearchState::edge);
 }
 
-// Whatever the barrel does: it ends, asks only for what can be hit and once (search_on watches), and what it calls
-// found stands out on both sides and above all else.
+// On random barrels the search ends and asks only for permitted locations, each once (search_on checks this). A sweet
+// spot exceeds both neighbours by the margin, and no tested location is better.
 TEST(SweetSpot, EndsOnEveryBarrelWithoutFalseSweetSpots) {
   int found = 0;
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {

@@ -12,7 +12,7 @@ namespace percuss::metrics::association_test {
 
 constexpr double kRounding = 1e-12;
 
-// Pairs with correlation rho, unless `monotone` bends y.
+// Pairs of normal variables with correlation rho.
 ClassPoints normal_pairs(std::uint64_t seed, std::size_t n, double rho) {
   synth::RandomStream random{17, seed};
   std::vector<double> draws(2 * n, 0);
@@ -63,7 +63,7 @@ TEST(Association, IgnoresDifferencesBetweenClasses) {
   EXPECT_NEAR(a->pearson.value, -1, kRounding);
   EXPECT_NEAR(a->spearman.value, -1, kRounding);
   EXPECT_EQ(a->classes, 2U);
-  EXPECT_EQ(association_of({low, high, {{1}, {1}}})->points, 8U);  // one point alone tells nothing
+  EXPECT_EQ(association_of({low, high, {{1}, {1}}})->points, 8U);  // a class of one point adds nothing
 }
 
 TEST(Association, NeedsPointsThatVary) {
@@ -95,7 +95,7 @@ Coverage coverage_of(double rho, std::size_t n, std::size_t classes, int runs) {
 }
 
 TEST(Association, HasIntervalsOfTheStatedCoverage) {
-  // 2000 runs: 0.95 ± 0.0049; four deviations, and 0.01 for Fisher's z being an approximation.
+  // 2000 runs: 0.95 ± 0.0049. Four standard deviations, plus 0.01 because Fisher's z is an approximation.
   constexpr double kAllowed = 0.03;
   for (const double rho : {0.0, 0.5, -0.8}) {
     const Coverage c = coverage_of(rho, 30, 1, 2000);
@@ -134,14 +134,14 @@ TEST(TrendLine, NeedsThreeValuesOfX) {
 }
 
 TEST(TrendLine, HasAnIntervalOfTheStatedCoverage) {
-  int held = 0;
+  int covered = 0;
   const int runs = 1000;
   for (int run = 0; run < runs; ++run) {
     const auto line = trend_line_of(normal_pairs(static_cast<std::uint64_t>(run) + 90000, 20, 0.6));
-    held += line->slope_low <= 0.6 && 0.6 <= line->slope_high ? 1 : 0;
+    covered += line->slope_low <= 0.6 && 0.6 <= line->slope_high ? 1 : 0;
   }
   constexpr double kAllowed = 0.03;  // four deviations of 0.95 in 1000 runs
-  EXPECT_NEAR(held / static_cast<double>(runs), 0.95, kAllowed);
+  EXPECT_NEAR(covered / static_cast<double>(runs), 0.95, kAllowed);
 }
 
 TEST(Outliers, LieFarFromTheLine) {
@@ -151,7 +151,7 @@ TEST(Outliers, LieFarFromTheLine) {
   EXPECT_THAT(outliers_of({{1, 2, 3, 4, 5}, {1, 2, 3, 4, 50}}, {.slope = 1}), testing::IsEmpty());
 }
 
-TEST(AdjustedForAll, MatchesHolm) {
+TEST(HolmAdjusted, MatchesHolm) {
   EXPECT_THAT(holm_adjusted({0.01, 0.04, 0.03, 0.005}),
               testing::ElementsAre(testing::DoubleNear(0.03, kRounding), testing::DoubleNear(0.06, kRounding),
                                    testing::DoubleNear(0.06, kRounding), testing::DoubleNear(0.02, kRounding)));

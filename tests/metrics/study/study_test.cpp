@@ -22,7 +22,7 @@ const StudyStatement& statement_of(const Study& study, StudyFamily family, Study
 
 TEST(Study, FindsKnownRelations) {
   using enum StudyQuantity;
-  int found = 0, all = 0;
+  int false_relations = 0, all = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Study study = study_of(synth::synthetic_population({.seed = seed}));
     for (const StudyQuantity y : {besr, bbs, bbcor}) {
@@ -32,17 +32,17 @@ TEST(Study, FindsKnownRelations) {
     }
     EXPECT_EQ(statement_of(study, StudyFamily::wood, besr, moi).verdict, StatementVerdict::supported);
     const auto& rigid = statement_of(study, StudyFamily::wood, bbcor, moi);
-    found += rigid.association->spearman.low > 0 || rigid.association->spearman.high < 0 ? 1 : 0;
+    false_relations += rigid.association->spearman.low > 0 || rigid.association->spearman.high < 0 ? 1 : 0;
     ++all;
   }
-  EXPECT_LE(found, 4);  // 5 % of 20 by chance: more than 4 once in 400 times
+  EXPECT_LE(false_relations, 4);  // 5 % of 20 by chance: more than 4 once in 400 times
   EXPECT_EQ(all, 20);
 }
 
-// Wood's BBCOR is 0.48 plus noise; hollow bats' correlation with the hoop frequency follows from gain, range and noise:
-// r = −g σ_h/√(g² σ_h² + σ²), with σ_h the hoop frequencies' own deviation in this population.
+// The correlation of a hollow bat's BBCOR with its hoop frequency follows from gain g, range and noise σ:
+// r = −g σ_h/√(g² σ_h² + σ²), with σ_h the standard deviation of the uniformly distributed hoop frequencies.
 TEST(Study, HasIntervalsThatCoverTheCorrelation) {
-  int held = 0;
+  int covered = 0;
   const int populations = 200;
   for (int seed = 0; seed < populations; ++seed) {
     const synth::PopulationSpec spec{.seed = static_cast<std::uint64_t>(seed),
@@ -55,12 +55,12 @@ TEST(Study, HasIntervalsThatCoverTheCorrelation) {
     const Study study = study_of(synth::synthetic_population(spec));
     // Uniform from 1300 to 2800 Hz.
     const double hoop_std = 1500 / std::sqrt(12.0), part = spec.hoop_gain * hoop_std;
-    const double planted = -part / std::hypot(part, spec.noise);
+    const double true_r = -part / std::hypot(part, spec.noise);
     const auto& a = statement_of(study, StudyFamily::nonwood, StudyQuantity::bbcor, StudyQuantity::hoop1).association;
-    held += a->pearson.low <= planted && planted <= a->pearson.high ? 1 : 0;
+    covered += a->pearson.low <= true_r && true_r <= a->pearson.high ? 1 : 0;
   }
   // 95 % of 200: 190 ± 3.1; four deviations below. A uniform x makes the interval a little too wide, if anything.
-  EXPECT_GE(held, 178);
+  EXPECT_GE(covered, 178);
 }
 
 TEST(Study, FindsNoRelationInUnrelatedBats) {
@@ -183,7 +183,7 @@ TEST(StudyTable, RefusesInvalidValues) {
   EXPECT_THAT(refusal("id,length_in,material,condition\na,33,wood,old\n"), HasSubstr("condition"));
   EXPECT_THAT(refusal("{\"schema\": \"percuss/analysis/1\"}"), HasSubstr("does not name its bat"));
   EXPECT_THAT(refusal("{\"schema\": \"percuss/analysis/1\", \"runs\": []}"), HasSubstr("several tests"));
-  EXPECT_THAT(refusal("{\"schema\": \"percuss/info/1\"}"), HasSubstr("no table of bats"));
+  EXPECT_THAT(refusal("{\"schema\": \"percuss/info/1\"}"), HasSubstr("not a table of bats"));
   EXPECT_THAT(refusal("{\"bats\": " + std::string(100000, '[')), HasSubstr("nested deeper"));
   EXPECT_THAT(refusal(""), HasSubstr("t.csv"));
   EXPECT_THAT(refusal("id,length_in,material\n"), HasSubstr("no bats"));

@@ -8,13 +8,13 @@ namespace percuss::model::bat_collision_test {
 
 const BatProfile kStepped{.end_m = {0.02, 0.40, 0.50, 0.82}, .diameter_m = {0.050, 0.026, 0.040, 0.062}};
 
-// Six exact modes (as in bat_modes_test.cpp, shapes integrated over the bat by Gauss's rule) and the ball, together as
-// one system in scipy's DOP853 at relative 3e-13, its events for the deepest compression and the end.
+// Reference: six exact modes (as in bat_modes_test.cpp, shapes integrated over the bat by Gauss's rule) and the ball,
+// as one system solved by scipy's DOP853 at relative 3e-13. Its events find the deepest compression and the end.
 TEST(BatCollision, ReproducesIndependentFigures) {
   struct Known {
     double z_m, exit_mps, contact_s, largest_m, ball_share, first_share, second_share;
   };
-  constexpr double kAgreement = 2e-5;  // modes to 1e-6, and what they make of the ball's speed
+  constexpr double kAgreement = 2e-5;  // error of the modes, 1e-6, and its effect on the ball's speed
   const BatModes bat = bat_modes(kStepped, {});
   for (const Known& k : std::vector<Known>{
            {0.10, -41.202497, 0.00123084661, 0.008495706616, 0.384149183, 0.21174342, 0.1548829},
@@ -23,7 +23,7 @@ TEST(BatCollision, ReproducesIndependentFigures) {
            {0.78, 8.860618450, 0.00100822619, 0.018632353001, 0.610485205, 0.16201763, 0.06759268}}) {
     const BatRebound found = bat_rebound(bat, 6, {}, k.z_m);
     EXPECT_NEAR(found.exit_speed_mps, k.exit_mps, 67 * kAgreement) << k.z_m;
-    EXPECT_NEAR(found.contact_s, k.contact_s, 5e-6) << k.z_m;  // to the step
+    EXPECT_NEAR(found.contact_s, k.contact_s, 5e-6) << k.z_m;  // located to one step
     EXPECT_NEAR(found.largest_m, k.largest_m, 0.02 * kAgreement);
     EXPECT_NEAR(found.ball_share, k.ball_share, kAgreement);
     EXPECT_NEAR(found.mode_share[0], k.first_share, kAgreement);
@@ -35,7 +35,7 @@ TEST(BatCollision, ReproducesIndependentFigures) {
 // Without elastic modes e₀ of the ball is the coefficient of restitution, whatever its spring.
 TEST(BatCollision, MatchesTheRigidBatWithoutModes) {
   const BatModes bat = bat_modes(kStepped, {});
-  constexpr double kSteps = 1e-5;  // of the speed: what 200 steps leave
+  constexpr double kSteps = 1e-5;  // of the speed: the error of 200 steps
   for (const double e0 : {0.3, 0.5, 0.8, 1.0}) {
     const BatCollision collision{.ball = {.restitution = e0}, .bat_speed_mps = 5};
     for (const double z_m : {0.2, 0.5, 0.7, 0.82}) {
@@ -51,18 +51,18 @@ TEST(BatCollision, ConservesEnergyWithAnElasticBall) {
   for (const double z_m : {0.3, 0.6, 0.8}) EXPECT_NEAR(bat_rebound(bat, 40, elastic, z_m).ball_share, 0, 1e-6) << z_m;
 }
 
-// The ball keeps 1 − e₀² of what it took: k₁ u^(α + 1)/(α + 1) at the deepest.
-TEST(BatCollision, LosesTheEnergyThatTheSpringKeeps) {
+// The ball dissipates 1 − e₀² of the energy at its largest compression, k₁ u^(α + 1)/(α + 1).
+TEST(BatCollision, DissipatesItsShareOfTheStoredEnergy) {
   const BatModes bat = bat_modes(kStepped, {});
   const BatCollision c;
   const double z_m = 0.65;
   const BatRebound found = bat_rebound(bat, 40, c, z_m);
-  const double took_J = c.ball.stiffness * std::pow(found.largest_m, c.ball.exponent + 1) / (c.ball.exponent + 1);
+  const double stored_J = c.ball.stiffness * std::pow(found.largest_m, c.ball.exponent + 1) / (c.ball.exponent + 1);
   const RigidCollision rigid = rigid_collision(bat.inertia, c);
   const double mass_kg = effective_mass_kg(rigid, z_m - bat.inertia.cm_m), m = c.ball.mass_kg;
   const double closing_mps = c.ball_speed_mps + swing_speed_mps(rigid, z_m - bat.inertia.cm_m);
-  const double to_spend_J = m * mass_kg / (m + mass_kg) / 2 * closing_mps * closing_mps;
-  EXPECT_NEAR(found.ball_share, 0.75 * took_J / to_spend_J, 1e-5);
+  const double collision_J = m * mass_kg / (m + mass_kg) / 2 * closing_mps * closing_mps;
+  EXPECT_NEAR(found.ball_share, 0.75 * stored_J / collision_J, 1e-5);
 }
 
 TEST(BatCollision, ConvergesWithTheSteps) {
@@ -72,7 +72,7 @@ TEST(BatCollision, ConvergesWithTheSteps) {
   EXPECT_LE(std::abs(bat_rebound(bat, 20, {}, 0.7, {.steps = 50}).exit_speed_mps - exact), 1e-3);
 }
 
-// A point load's give is a sum over modes that falls like 1/N: twice as many halve what is missing.
+// The compliance at a point load is a sum over modes whose remainder falls like 1/N. Twice as many modes halve it.
 TEST(BatCollision, ConvergesSlowlyWithTheModes) {
   const BatModes bat = bat_modes(kStepped, {}, {.modes = 160, .max_element_fraction = 1.0 / 300});
   const auto exit = [&](std::size_t modes, double z_m) { return bat_rebound(bat, modes, {}, z_m).exit_speed_mps; };
@@ -83,7 +83,7 @@ TEST(BatCollision, ConvergesSlowlyWithTheModes) {
     EXPECT_GT(ratio, 1.5);
     EXPECT_LT(ratio, 2.5);
   }
-  EXPECT_GT(first, std::abs(exit(40, 0.6) - exit(20, 0.6)));  // and slowest at the end
+  EXPECT_GT(first, std::abs(exit(40, 0.6) - exit(20, 0.6)));  // convergence is slowest at the end of the bat
 }
 
 TEST(BatCollision, DoesNotTouchABallThatTheBatMovesAwayFrom) {
@@ -93,8 +93,8 @@ TEST(BatCollision, DoesNotTouchABallThatTheBatMovesAwayFrom) {
   EXPECT_EQ(found.exit_speed_mps, -10);
 }
 
-// A ball that hits a rod 10 cm from its end: the end's reflection comes back with the pulse's own sign where it is
-// free, with the other where it is held (here by half a ton), as against a rod without an end near by.
+// A ball hits a rod 10 cm from its end. A free end reflects the pulse with its own sign, a held end (here held by half
+// a ton) with the opposite sign. The reference is a rod without an end near the impact.
 TEST(BatWave, KeepsItsSignOnlyAtAFreeEnd) {
   constexpr double kRod_m = 2, kThick_m = 0.04, kFromEnd_m = 0.1;
   const BatProfile free{.end_m = {kRod_m}, .diameter_m = {kThick_m}};
@@ -108,10 +108,10 @@ TEST(BatWave, KeepsItsSignOnlyAtAFreeEnd) {
     const Eigen::MatrixXd wave = bat_wave(modes, count, hit, z_m, time_s);
     return Eigen::VectorXd(wave.row(static_cast<Eigen::Index>(element_at(modes.beam, z_m + 1e-9))).transpose());
   };
-  // As many modes as the rods are long: up to the same frequency.
+  // The number of modes grows with the length of the rod, so all rods include the same frequencies.
   const Eigen::VectorXd at_free = struck(free, 100), at_held = struck(held, 120), at_none = struck(long_rod, 200);
   EXPECT_EQ(at_free[0], 0);
-  constexpr double kEarly = 0.03;  // what the fastest part of the pulse has brought back after 0.1 ms
+  constexpr double kEarly = 0.03;  // reflection of the fastest part of the pulse within 0.1 ms
   EXPECT_NEAR(at_free[1], at_none[1], kEarly * at_none[1]);
   EXPECT_NEAR(at_held[1], at_none[1], kEarly * at_none[1]);
   for (const Eigen::Index i : {2, 3}) {
@@ -121,7 +121,7 @@ TEST(BatWave, KeepsItsSignOnlyAtAFreeEnd) {
   }
 }
 
-// The wave's far field is the rigid motion and modes that bat_rebound's energies stand for: momentum of the ball.
+// After the impact, the momentum of the bat's centre of mass is the impulse on the ball from bat_rebound.
 TEST(BatWave, GivesTheCentreOfMassTheImpulseOfTheBall) {
   const BatModes bat = bat_modes(kStepped, {});
   const BatCollision c;

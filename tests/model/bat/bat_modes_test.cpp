@@ -7,12 +7,12 @@
 
 namespace percuss::model::bat_modes_test {
 
-// A bat of four slices. Its figures: exact solutions of Timoshenko's equations slice by slice (scipy's expm of the
-// 4 x 4 system, multiplied along the bat; brentq on the determinant of the free ends), outside percuss.
+// A bat of four slices. Reference: exact solutions of Timoshenko's equations slice by slice (scipy's expm of the 4 x 4
+// system, multiplied along the bat; brentq on the determinant of the free ends), computed without percuss.
 const BatProfile kStepped{.end_m = {0.02, 0.40, 0.50, 0.82}, .diameter_m = {0.050, 0.026, 0.040, 0.062}};
 const std::vector<double> kStepped_Hz{161.04226133793202, 601.7006230909085,  1255.9322372200618,
                                       1874.1156656574703, 2604.3511337161294, 3329.3845613807975};
-// 84 elements or a few more: fourth order, and 2e-6 was seen at the sixth mode, 5e-6 at the seventh.
+// With 84 elements or a few more, the error is 2e-6 at the sixth mode and 5e-6 at the seventh (fourth order).
 constexpr double kElements = 1e-5;
 
 BatProfile rod(double length_m, double diameter_m) { return {.end_m = {length_m}, .diameter_m = {diameter_m}}; }
@@ -30,7 +30,7 @@ TEST(BatModes, ReproducesTheExactNodes) {
   const std::vector<std::vector<double>> exact_m{{0.174654627, 0.649983862},
                                                  {0.065089854, 0.372781817, 0.688014908},
                                                  {0.041686611, 0.225281218, 0.478520169, 0.717884136}};
-  constexpr double kPlace_m = 1e-6;  // the elements move the third mode's by a third of that
+  constexpr double kPlace_m = 1e-6;  // the elements' error of the third mode's nodes is a third of this
   for (std::size_t mode = 0; mode < exact_m.size(); ++mode) {
     const auto found_m = nodes_of(modes, mode);
     ASSERT_EQ(found_m.size(), exact_m[mode].size());
@@ -66,8 +66,8 @@ TEST(BatModes, MatchTimoshenkoForAUniformRod) {
     EXPECT_NEAR(modes.freq_Hz[i], exact_Hz[static_cast<std::size_t>(i)], kElements * modes.freq_Hz[i]) << i;
 }
 
-// A wire does not lock: Euler and Bernoulli's roots of cos λ cosh λ = 1, ω = λ²/L² √(EI/ρA). Rotary inertia and shear
-// take (λ d/4L)² (1 + E/κG)/2 and less.
+// Thin elements do not lock: the Euler–Bernoulli frequencies are ω = λ²/L² √(EI/ρA) with cos λ cosh λ = 1. Rotary
+// inertia and shear lower them by a relative (λ d/4L)² (1 + E/κG)/2 or less.
 TEST(BatModes, MatchEulerBernoulliForAThinRod) {
   const BatMaterial material;
   const double diameter_m = 1e-3;
@@ -93,7 +93,7 @@ TEST(BatModes, ConvergeWithTheFourthPowerOfTheElements) {
 
 constexpr double kOrthogonal = 1e-12;
 
-// The source's dispute: the modes are orthogonal, in the mass matrix with rotary inertia. Without it they are not.
+// The modes are orthogonal in the mass matrix with rotary inertia, and not without it. This settles a dispute in [10].
 TEST(BatModes, AreOrthogonalInTheFullMassMatrix) {
   const BatModes modes = bat_modes(kStepped, {}, {.modes = 200});
   const Eigen::MatrixXd product = modes.shape.transpose() * (modes.beam.mass * modes.shape);
@@ -124,7 +124,7 @@ TEST(BatModes, AreOrthogonalToTheRigidBodyModes) {
   EXPECT_LE((modes.beam.stiffness * rigid).cwiseAbs().maxCoeff(), 1e-6 * modes.beam.stiffness.coeffs().maxCoeff());
 }
 
-// The answer put back: K q − ω² M q.
+// The residual K q − ω² M q of each mode.
 TEST(BatModes, SolveTheEigenvalueProblem) {
   const BatModes modes = bat_modes(kStepped, {}, {.modes = 60});
   for (Eigen::Index i = 0; i < modes.freq_Hz.size(); ++i) {

@@ -11,8 +11,8 @@ const RigidCollision kPublished;
 
 TEST(RigidBat, ReproducesThePublishedSweetSpot) {
   const BestImpact best = best_impact(kPublished, 0, 0.42);
-  EXPECT_NEAR(best.z_m, 0.1335, 0.5e-4);           // an independent figure, to its digits
-  EXPECT_NEAR(best.exit_speed_mps, 26.7, 0.5e-1);  // …; the source says 27 m/s at 13 cm
+  EXPECT_NEAR(best.z_m, 0.1335, 0.5e-4);           // an independent value, to its last digit
+  EXPECT_NEAR(best.exit_speed_mps, 26.7, 0.5e-1);  // the same; the source states 27 m/s at 13 cm
 }
 
 TEST(RigidBat, HasABroadSweetSpot) {
@@ -31,7 +31,7 @@ TEST(RigidBat, HasLessEffectiveMassOutwards) {
 
 constexpr double kRounding = 1e-12;  // a dozen operations on numbers of some tens
 
-// Momentum, spin and the coefficient of restitution, written out for the three bodies' speeds.
+// Momentum, angular momentum and restitution, written out with the speeds of ball and bat.
 TEST(RigidBat, ConservesMomentumAndAngularMomentum) {
   const RigidCollision c{.bat_speed_mps = 4};
   for (const double z_m : {-0.3, 0.0, 0.1, 0.4}) {

@@ -20,7 +20,7 @@ std::vector<MeasuredFrequency> measured(const UniformBeam& beam, std::size_t fro
   return out;
 }
 
-constexpr double kFound = 1e-8;  // relative: frequencies rounded to 1e-15, seen through small sensitivities
+constexpr double kFound = 1e-8;  // relative: rounding of the frequencies, 1e-15, amplified by small sensitivities
 
 TEST(BeamFit, RecoversTheParametersOfItsFrequencies) {
   for (const auto& asked : std::vector<std::vector<BeamParameter>>{{stiffness},
@@ -68,19 +68,19 @@ TEST(BeamFit, FlagsASpringThatActsAsAClamp) {
   EXPECT_FALSE(fit_beam({}, {torsion}, {{.mode = 0, .freq_Hz = 0.5 * clamped_Hz}}).at_limit);
 }
 
-// Noise of known size: deviations of the fitted values must be those stated.
+// With noise of known size, the scatter of the fitted values matches the stated standard deviations.
 TEST(BeamFit, StatesTheStandardDeviationsOfItsScatter) {
   constexpr int kRuns = 400;
   constexpr double kRelative = 1e-3;
   const auto truth = measured(kTruth, 0, 4);
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
-  double known = 0, from_rest = 0, pull = 0;
+  double known = 0, from_residuals = 0, pull = 0;
   for (int run = 0; run < kRuns; ++run) {
     auto noisy = truth;
     for (auto& one : noisy) one.freq_Hz *= 1 + kRelative * normal(random);
     const BeamFit rest = fit_beam(kTruth, {stiffness, torsion}, noisy);
-    from_rest += std::pow(*rest.parameters[1].std / rest.parameters[1].value, 2) / kRuns;
+    from_residuals += std::pow(*rest.parameters[1].std / rest.parameters[1].value, 2) / kRuns;
     for (auto& one : noisy) one.std_Hz = kRelative * one.freq_Hz;
     const BeamFit fit = fit_beam(kTruth, {stiffness, torsion}, noisy);
     known = *fit.parameters[1].std;
@@ -88,7 +88,7 @@ TEST(BeamFit, StatesTheStandardDeviationsOfItsScatter) {
   }
   constexpr double kSpread = 0.25;  // 3.5 deviations of a mean of 400 squares
   EXPECT_NEAR(pull, 1, kSpread);
-  EXPECT_NEAR(std::sqrt(from_rest) / (known / kTruth.torsion_Nmprad), 1, kSpread);
+  EXPECT_NEAR(std::sqrt(from_residuals) / (known / kTruth.torsion_Nmprad), 1, kSpread);
 }
 
 TEST(StaticTorsion, IncludesTheBendingOfTheBeam) {

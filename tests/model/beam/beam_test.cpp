@@ -20,8 +20,8 @@ UniformBeam sprung(double relative) { return {.torsion_Nmprad = relative * 4000 
 
 TEST(Beam, ReproducesTheCompositeBatOfKnowles) {
   const auto modes = beam_modes({}, 3);
-  EXPECT_NEAR(modes[0].freq_Hz(), 14.536, 0.5e-3);   // independent figures,
-  EXPECT_NEAR(modes[1].freq_Hz(), 322.433, 0.5e-3);  // each to its digits
+  EXPECT_NEAR(modes[0].freq_Hz(), 14.536, 0.5e-3);   // independent values,
+  EXPECT_NEAR(modes[1].freq_Hz(), 322.433, 0.5e-3);  // each to its last digit
   EXPECT_NEAR(modes[2].freq_Hz(), 1037.79, 0.5e-2);
 }
 
@@ -42,7 +42,7 @@ TEST(Beam, SolvesItsCharacteristicEquation) {
   for (const double relative : {1e-6, 1e-3, 0.171, 1.0, 30.0, 1e6}) {
     for (const BeamMode& mode : beam_modes(sprung(relative), 6)) {
       const double x = mode.lambda, c = std::cos(x), s = std::sin(x), ch = std::cosh(x), sh = std::sinh(x);
-      const double terms = (relative + x) * ch;  // sin and cos as large as they get: λ itself is rounded
+      const double terms = (relative + x) * ch;  // bound of the terms, because λ itself is rounded
       EXPECT_NEAR(relative * (1 + c * ch) - x * (s * ch - c * sh), 0, kRounding * terms) << relative;
     }
   }
@@ -134,7 +134,7 @@ TEST(Beam, HasAsManyNodesAsItsNumber) {
 }
 
 TEST(Beam, HasTheTextbookNodesWhenFree) {
-  // A free beam's first elastic mode rests at 0.224157 of its length; cos x cosh x = 1 solved by scipy.
+  // The first elastic mode of a free beam has a node at 0.224157 of the length; cos x cosh x = 1 solved by scipy.
   const auto nodes = beam_nodes_m(beam_modes(held(BeamSupport::free), 3)[2]);
   EXPECT_NEAR(nodes[0] / 0.57, 0.2241575227, 1e-10);
   EXPECT_NEAR(nodes[0] + nodes[1], 0.57, kRounding);
@@ -146,8 +146,8 @@ TEST(Beam, ScalesWithItsDimensions) {
     EXPECT_NEAR(beam_modes(beam, 5)[i].omega_radps / beam_modes({}, 5)[i].omega_radps, 2, kRounding);
 }
 
-// Timoshenko beams by another way: Ritz with Legendre polynomials to degree 24 for w and φ, scipy.linalg.eigh; EI 4000,
-// ρA 2.24, L 0.57, T 1200, κGA 2e6 N, √(I/A) 0.05 m (stubby, so that it matters). Digits as far as two degrees agree.
+// Reference: Ritz's method with Legendre polynomials to degree 24 for w and φ (scipy.linalg.eigh); EI 4000, ρA 2.24,
+// L 0.57, T 1200, κGA 2e6 N, √(I/A) 0.05 m (a stubby beam, on which shear matters). Two degrees agree in all digits.
 TEST(TimoshenkoBeam, AgreesWithRitz) {
   const std::vector<std::vector<double>> ritz_Hz{
       {14.360601, 285.5616003, 784.9535749, 1392.045375, 2049.497136, 2726.438275},

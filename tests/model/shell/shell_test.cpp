@@ -11,13 +11,13 @@ namespace percuss::model::shell_test {
 
 const TubeShell kAluminium;  // 70 GPa, 2700 kg/m³, 0.33; 2.625 in by 0.100 in, 13 in long
 
-// physics.md's own figures: computed elsewhere.
+// Independently computed figures, to 1 Hz.
 TEST(Shell, ReproducesPublishedFigures) {
   EXPECT_NEAR(ring_Hz(kAluminium, 2), 1550, 0.5);
   EXPECT_NEAR(flugge_Hz(kAluminium, 2, 1), 1756, 0.5);
 }
 
-// The same formulas by numpy, every digit.
+// The same formulas computed by numpy, to rounding.
 TEST(Shell, ReproducesIndependentFigures) {
   constexpr double kRounding = 1e-9;
   EXPECT_NEAR(ring_Hz(kAluminium, 2), 1550.4808426018976, kRounding);
@@ -62,7 +62,7 @@ TEST(Shell, AgreesWithRayleighAndLoveWhenLong) {
   EXPECT_DOUBLE_EQ(ring_Hz(tube, 2), rayleigh_Hz(tube, 2));
 }
 
-// Donnell's shell is 30 % high for n = 2, as k n⁴ stands where k (n² − 1)² n²/(n² + 1) should: not this one.
+// Donnell's equations contain k n⁴ in place of k (n² − 1)², which makes the frequency for n = 2 a third too high.
 TEST(Shell, DiffersFromDonnell) {
   TubeShell tube = kAluminium;
   tube.length_m = 1000;

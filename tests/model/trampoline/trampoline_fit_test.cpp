@@ -12,7 +12,7 @@ namespace percuss::model::trampoline_fit_test {
 constexpr double kMph_mps = 0.44704;
 constexpr double kDeviation = 0.004;
 
-// What the model says at the source's five speeds, from the same independent solver as in trampoline_test.cpp.
+// The model's COR at the five speeds of the source, by the independent solver of trampoline_test.cpp.
 std::vector<MeasuredCor> exact() {
   return {{.speed_mps = 60 * kMph_mps, .cor = 0.5192180578841, .cor_std = kDeviation},
           {.speed_mps = 80 * kMph_mps, .cor = 0.5067505983381, .cor_std = kDeviation},
@@ -30,14 +30,15 @@ Trampoline away() {
 
 TEST(TrampolineFit, RecoversTheExponents) {
   const ExponentFit fit = fit_exponents(away(), exact());
-  constexpr double kSettled = 1e-7;  // figures to 1e-13, an ill-conditioned pair
+  constexpr double kSettled = 1e-7;  // the figures are exact to 1e-13, but the pair is ill-conditioned
   EXPECT_NEAR(fit.stiffness_exponent, 0.6495, kSettled);
   EXPECT_NEAR(fit.damping_exponent, 0.5202, kSettled);
   EXPECT_LT(fit.chi2, 1e-9);
   EXPECT_EQ(fit.beyond_std, 0U);
 }
 
-// Over these speeds a and b move the COR almost alike: half a percent of it leaves a unknown, but b for each a known.
+// At these speeds a and b change the COR almost alike. An error of 0.004 in COR leaves a undetermined, but determines
+// b for a given a.
 TEST(TrampolineFit, StatesTheCorrelationOfTheExponents) {
   const ExponentFit fit = fit_exponents(baseball_on_barrel(), exact());
   EXPECT_GT(fit.stiffness_exponent_std, 1);

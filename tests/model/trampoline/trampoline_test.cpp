@@ -82,7 +82,7 @@ TEST(Trampoline, HasThePublishedOptimumForASoftball) {
 TEST(Trampoline, TouchesAgainAtLowHoopFrequencies) {
   const Rebound slow = rebound(kBaseball, 150);
   EXPECT_EQ(slow.contacts, 2U);
-  EXPECT_LT(slow.first_cor, 0);  // the ball was still going in
+  EXPECT_LT(slow.first_cor, 0);  // the ball still moved inwards
   EXPECT_GT(slow.cor, 0);
   EXPECT_EQ(rebound(kBaseball, 180).contacts, 1U);
 }
@@ -105,7 +105,7 @@ TEST(Trampoline, ConservesEnergyWithoutDampers) {
   Trampoline elastic = kBaseball;
   elastic.damping = elastic.barrel_damping_Nspm = 0;
   EXPECT_NEAR(rigid_wall_rebound(elastic).cor, 1, kPromised);
-  // The barrel keeps what the ball lacks: a figure of the reference, and of two contacts.
+  // The barrel keeps the energy that the ball lost. The reference solver has two contacts as well.
   const Rebound found = rebound(elastic, 300);
   EXPECT_NEAR(found.cor, 0.8219291889190, kPromised);
   EXPECT_EQ(found.contacts, 2U);

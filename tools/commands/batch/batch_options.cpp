@@ -16,7 +16,7 @@ constexpr const char* kSetup = "--setup=";  // the manifest stores the text of t
 
 std::string head_place(const batch::Manifest& manifest) { return manifest.path() + ", line 1, options"; }
 
-// Accepts only analysis and reading options, which stand under a heading; --help does not.
+// Accepts only analysis and reading options. They stand under a heading; --help stands under none.
 void require_known(const CommandLine& line, const batch::Manifest& manifest) {
   const DeclaredCommand& command = *find_command(line.declaration(), "analyze");
   for (const std::string& word : manifest.head().options) {

@@ -23,7 +23,7 @@ struct ResultFlags {
   bool missing = false, json = false;
 };
 
-void add_places(Command& command, ResultFlags& flags) {
+void add_folder_and_manifest(Command& command, ResultFlags& flags) {
   command.argument("FOLDER", flags.folder, "Folder of the results: -o of percuss batch run").type("FOLDER").required();
   command.value("--manifest", flags.manifest, "Read the manifest of percuss batch plan").type("FILE").required();
 }
@@ -73,7 +73,7 @@ void add_batch_status(CommandLine& line) {
       "percuss batch plan bat.h5 --shards 3 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl --shard 0 "
       "-o results; percuss batch status --manifest manifest.jsonl results --missing",
       "Print 1,2, for sbatch --array");
-  add_places(command, *flags);
+  add_folder_and_manifest(command, *flags);
   command.flag("--missing", flags->missing, "Print only the numbers of the missing shards: 0,3,4");
   command.flag("--json", flags->json, "Print one JSON document on standard output");
 }
@@ -91,7 +91,7 @@ void add_batch_merge(CommandLine& line) {
       "percuss batch plan bat.h5 barrel.h5 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl -o results; "
       "percuss batch merge --manifest manifest.jsonl results -o bats.jsonl -o bats.csv",
       "Turn records into a table");
-  add_places(command, *flags);
+  add_folder_and_manifest(command, *flags);
   add_output_flags(command, flags->output, ".jsonl, .csv, .h5");
 }
 

@@ -82,7 +82,7 @@ std::vector<std::size_t> shards_to_run(const ShardSelection& selection, std::siz
   return all;
 }
 
-std::string remaining(std::size_t done, std::size_t total, double seconds) {
+std::string progress_text(std::size_t done, std::size_t total, double seconds) {
   const double rate = static_cast<double>(done) / seconds;
   std::string text = fmt::format("analysing … {} of {}", done, total);
   if (done == 0) return text;
@@ -125,14 +125,14 @@ std::string results_folder(const std::string& folder) {
   return fs::canonical(folder).string();
 }
 
-// All shards in a folder must have the same division, so that they can be merged.
-std::size_t division(const RunFlags& flags, const ShardSelection& selection, const batch::Manifest& manifest,
-                     const std::string& folder) {
+// All shards in a folder must have the same number of shards, so that they can be merged.
+std::size_t number_of_shards(const RunFlags& flags, const ShardSelection& selection, const batch::Manifest& manifest,
+                             const std::string& folder) {
   const auto found = batch::shard_count_in(folder);
   const std::size_t wanted = selection.shards.value_or(found.value_or(manifest.head().shards));
   if (!found || *found == wanted) return wanted;
-  throw InputError(fmt::format("holds shards of a division into {}, not into {}", *found, wanted), flags.folder,
-                   "use that number, or name another folder");
+  throw InputError(fmt::format("the number of shards in this folder is {}, not {}", *found, wanted), flags.folder,
+                   "run with the number of shards in the folder, or name another folder");
 }
 
 int run(const RunFlags& flags) {
@@ -141,7 +141,7 @@ int run(const RunFlags& flags) {
   const batch::Manifest manifest(flags.manifest);
   batch::RowOptions options = row_options(manifest, flags.trust_input);
   const std::string folder = results_folder(flags.folder);
-  const std::size_t shards = division(flags, selection, manifest, folder);
+  const std::size_t shards = number_of_shards(flags, selection, manifest, folder);
   const auto wanted = shards_to_run(selection, shards);
   // Paths of records, also in messages, are relative to the folder of the manifest.
   if (const fs::path parent = fs::path(flags.manifest).parent_path(); !parent.empty()) fs::current_path(parent);
@@ -150,7 +150,7 @@ int run(const RunFlags& flags) {
   std::atomic<std::size_t> done{0};
   std::size_t total = 0;
   for (const std::size_t i : wanted) total += manifest.shard(i, shards).size();
-  const Progress progress([&done, total](double seconds) { return remaining(done, total, seconds); }, flags.quiet);
+  const Progress progress([&done, total](double seconds) { return progress_text(done, total, seconds); }, flags.quiet);
   std::vector<batch::ShardOutcome> outcomes;
   std::size_t failed = 0;
   for (const std::size_t i : wanted) {
@@ -177,7 +177,7 @@ void add_batch_run(CommandLine& line) {
                                  [flags] { return run(*flags); });
   command.about(
       "Analyses the records of a manifest, each in one thread, and writes their rows to a folder. Without --shard, "
-      "Slurm (SLURM_ARRAY_TASK_ID), Kubernetes (JOB_COMPLETION_INDEX) or GNU parallel (PARALLEL_SEQ, less one) sets "
+      "Slurm (SLURM_ARRAY_TASK_ID), Kubernetes (JOB_COMPLETION_INDEX) or GNU parallel (PARALLEL_SEQ minus one) sets "
       "the shard; without a scheduler all shards run. Finished records are stored at once: a run that was killed "
       "continues where it stopped. A record that cannot be analysed becomes a row with the reason, and the exit code "
       "is 6.");
@@ -191,13 +191,16 @@ void add_batch_run(CommandLine& line) {
   command.value("-o,--folder", flags->folder, "Write the results to this folder; it is created if necessary")
       .type("FOLDER")
       .required();
-  command.value("--shard", flags->shard, "Run shard I of N, counted from 0; or shard I of the planned number; or all")
+  command
+      .value("--shard", flags->shard,
+             "Run shard I of N, counted from 0. I alone: of the planned number of shards; all: run every shard")
       .type("I/N");
   command.value("--threads", flags->threads, "Use this many threads (default: all; the result is the same)")
       .within(0, 1024);
   command.flag("--trust-input", flags->trust_input, "Read MAT and HDF5 files in this process, without a sandbox");
   command.flag("--json", flags->json, "Print one JSON document on standard output");
-  command.flag("--force", flags->force, "Analyse finished records again, whatever their plan");
+  command.flag("--force", flags->force,
+               "Discard existing results, even of another plan, and analyse all records again");
   command.flag("--quiet", flags->quiet, "Print no progress and no summary");
 }
 

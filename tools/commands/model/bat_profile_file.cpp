@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t kMaxSlices = 1000;
 constexpr double kMaxEnd_m = 10, kMaxDiameter_m = 1;
 constexpr double kMinDiameter_m = 1e-4;
-constexpr const char* kProfileForm = "write the far end of a slice from the knob and its diameter in each line";
+constexpr const char* kProfileForm =
+    "write the position of a slice's far end, from the knob, and its diameter in each line";
 
 double metres_of(const std::string& unit, const std::string& units) {
   const auto known = parse_unit(unit);

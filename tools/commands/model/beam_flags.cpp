@@ -74,8 +74,8 @@ void add_beam_flags(Command& command, BeamFlags& flags) {
   command.value("--length", flags.length_m, "Set the length of the beam").above_zero().type("M").show_default();
   command
       .repeatable("--layer", flags.layers,
-                  "Add a layer of the section, from the underside up, in Pa, m, m and kg/m³ (repeatable); replaces "
-                  "--ei, and with densities --rho-a")
+                  "Add a layer of the section, from the underside up, in Pa, m, m and kg/m³ (repeatable); layers "
+                  "replace --ei, and layers with a density also --rho-a")
       .type("YOUNG:WIDTH:HEIGHT[:DENSITY]");
 }
 

@@ -88,15 +88,15 @@ void add_model_bat(CommandLine& line) {
                                  [flags] { return model_bat(*flags); });
   command.about(
       "Models a bat as a free beam of slices with bending and shear. Reports modes, mass, balance point and moment of "
-      "inertia, and the exit speed of a ball over the impact position, beside the exit speed for a rigid bat. The "
-      "profile is a file of two columns: the far end of each slice from the knob, and its diameter.");
+      "inertia, and the exit speed of a ball at each impact position, beside the exit speed for a rigid bat. The "
+      "profile is a file of two columns: the position of each slice's far end, from the knob, and the diameter.");
   command.example("percuss model bat --profile profile.txt --profile-unit cm:mm",
                   "Read ends in cm and diameters in mm");
   command.example("percuss model bat --profile profile.txt --profile-unit cm:mm --wave 0.7 -o bat.svg",
                   "Add the wave along the bat after an impact 0.7 m from the knob");
   command
       .value("--profile", flags->profile,
-             "Read the profile from this file: far end of each slice from the knob, and its diameter")
+             "Read the profile from this file: the position of each slice's far end, from the knob, and the diameter")
       .required()
       .type("FILE");
   command.value("--profile-unit", flags->unit, "Set the units of the profile's two columns")
@@ -119,12 +119,14 @@ void add_model_bat(CommandLine& line) {
       .within(1, kMaxBatModes)
       .type("N")
       .show_default();
-  command.value("--at", flags->at, "Set the impact positions from the knob in m (default: 61 over the length)")
+  command
+      .value("--at", flags->at, "Set the impact positions from the knob in m (default: 61 positions over the length)")
       .type("LO:STEP:HI");
   command.value("--wave", flags->wave_m, "Add the deflection along the bat after an impact this far from the knob")
       .not_negative()
       .type("M");
-  command.value("--wave-times", flags->wave_times, "With --wave: show it at these times in s, from first contact")
+  command
+      .value("--wave-times", flags->wave_times, "Show the deflection of --wave at these times in s, from first contact")
       .type("LO:STEP:HI")
       .show_default();
   add_output_flags(command, flags->output, kReportKinds);

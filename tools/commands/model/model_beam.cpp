@@ -77,11 +77,11 @@ std::vector<model::MeasuredFrequency> measured_frequencies(const ModelBeamFlags&
   const std::size_t count = flags.measured_Hz.size();
   const auto& std_Hz = flags.measured_std_Hz;
   if (!flags.measured_modes.empty() && flags.measured_modes.size() != count) {
-    throw OptionError({"measured_modes"}, "has not one number per frequency", "give one for each frequency",
+    throw OptionError({"measured_modes"}, "does not have one number per frequency", "give one for each frequency",
                       {"measured"});
   }
   if (std_Hz.size() > 1 && std_Hz.size() != count) {
-    throw OptionError({"measured_std"}, "has not one value per frequency",
+    throw OptionError({"measured_std"}, "does not have one value per frequency",
                       "give one for each frequency, or one for all", {"measured"});
   }
   std::vector<model::MeasuredFrequency> measured;
@@ -168,7 +168,7 @@ void add_model_beam(CommandLine& line) {
   command.value("--shear-stiffness", flags->shear_stiffness_N, "Add shear (Timoshenko) with this shear stiffness κGA")
       .above_zero()
       .type("NEWTON");
-  const std::string before = command.heading("Fit to measurements");
+  const std::string previous = command.heading("Fit to measurements");
   command.list("--fit", flags->fit, "Fit these parameters to --measured")
       .type("NAME,...")
       .one_of({"ei", "torsion", "rho-a"});
@@ -189,7 +189,7 @@ void add_model_beam(CommandLine& line) {
                   "Compute the spring's stiffness from a transverse load in N, its distance from the spring in m, and "
                   "the deflection there in m (repeatable)")
       .type("LOAD:LEVER:DEFLECTION");
-  command.heading(before);
+  command.heading(previous);
   add_output_flags(command, flags->output, kReportKinds);
 }
 

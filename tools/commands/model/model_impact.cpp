@@ -76,8 +76,9 @@ model::ImpactOptions impact_options(const ModelImpactFlags& flags, const model::
   if (flags.step_s) {
     const double wall_s = model::hertz_contact_s(impact);
     if (!(*flags.step_s >= kMinStep * wall_s && *flags.step_s <= kMaxStep * wall_s)) {
-      throw OptionError({"step"}, "is not between a millionth and a tenth of the contact time",
-                        "compare the contact time of this ball with a wall: " + std::to_string(1e6 * wall_s) + " µs");
+      throw OptionError(
+          {"step"}, "is not between a millionth and a tenth of the contact time",
+          "give a step within these limits; this ball touches a wall for " + std::to_string(1e6 * wall_s) + " µs");
     }
     options.step_s = *flags.step_s;
   }
@@ -99,7 +100,7 @@ int model_impact(const ModelImpactFlags& flags) {
     sweeps.push_back(parse_sweep(text, impact));
     swept += sweeps.back().values.size();
   }
-  if (swept > kMaxSwept) throw OptionError({"sweep"}, "has more than 10000 values in all", "take fewer");
+  if (swept > kMaxSwept) throw OptionError({"sweep"}, "has more than 10000 values in all", "give fewer values");
   const model::ImpactOptions options = impact_options(flags, impact);
   const model::ImpactResult result = model::simulate_impact(impact, options);
   for (report::ImpactSweep& sweep : sweeps) run_sweep(impact, options, flags.threads, sweep);
@@ -119,7 +120,7 @@ void add_model_impact(CommandLine& line) {
       "speed.");
   command.example("percuss model impact --at 0.5 --speed 6", "Simulate one impact, 0.5 m from the spring at 6 m/s");
   command.example("percuss model impact --sweep ei=1000:1000:6000 --sweep rho-a=0.6:0.2:3 -o curves.svg",
-                  "Draw COR over stiffness and mass");
+                  "Draw the COR against stiffness and mass");
   add_beam_flags(command, flags->beam);
   model::Impact& impact = flags->impact;
   command.value("--at", impact.at_m, "Set the impact position, from x = 0").not_negative().type("M").show_default();
@@ -140,13 +141,15 @@ void add_model_impact(CommandLine& line) {
       .show_default();
   command
       .value("--method", flags->method,
-             "Choose the integration. modal: exact between force steps; small-increment: as in the source")
+             "Choose the integration. modal: exact between force steps; small-increment: first order, constant force "
+             "in each "
+             "step")
       .one_of({"modal", "small-increment"})
       .show_default();
   command
       .value("--step", flags->step_s,
-             "Set the time step (default: for modal adaptive, with restitution and energy accurate to 1e-9; for "
-             "small-increment 1e-5)")
+             "Set the time step (default: for modal, adaptive steps with restitution and energy accurate to 1e-9; for "
+             "small-increment, 1e-5)")
       .above_zero()
       .type("S");
   command

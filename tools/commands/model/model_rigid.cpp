@@ -20,7 +20,7 @@ struct RigidFlags {
 };
 
 std::vector<double> positions(const RigidFlags& flags) {
-  if (!flags.at.empty()) return parse_range("--at", flags.at).values();
+  if (!flags.at.empty()) return parse_range("at", flags.at).values();
   return Range{.low = 0, .step = flags.length_m / 2 / kSteps, .count = kSteps + 1}.values();
 }
 
@@ -36,7 +36,7 @@ int model_rigid(const RigidFlags& flags) {
 void add_model_rigid(CommandLine& line) {
   auto flags = line.values<RigidFlags>();
   Command command =
-      line.command("model rigid", "Predict the exit speed of a ball from a rigid bat over the impact position",
+      line.command("model rigid", "Predict the exit speed of a ball from a rigid bat at each impact position",
                    [flags] { return model_rigid(*flags); });
   command.about(
       "Computes the impact of a ball on a rigid bat from conservation of momentum. Positions are in m from the centre "
@@ -53,7 +53,7 @@ void add_model_rigid(CommandLine& line) {
       .show_default();
   command
       .value("--length", flags->length_m,
-             "Set the length of the bat; positions reach half of it from the centre of mass")
+             "Set the length of the bat; without --at, positions reach from the centre of mass to half this length")
       .above_zero()
       .type("M")
       .show_default();

@@ -21,7 +21,7 @@ struct TrampolineFlags {
   std::optional<double> ball_mass, stiffness, damping, stiffness_exponent, damping_exponent, barrel_mass,
       barrel_damping;
   double speed_mps = 60.80, extra_mass_kg = 0;
-  std::optional<double> loaded_from_Hz, loaded_to_Hz;
+  std::optional<double> free_hoop_Hz, loaded_hoop_Hz;
   std::vector<std::string> ccor;
   OutputFlags output;
 };
@@ -85,13 +85,13 @@ std::vector<model::MeasuredCor> measured_of(const std::vector<std::string>& word
 }
 
 std::optional<double> mass_from_shift(const TrampolineFlags& flags) {
-  if (!flags.loaded_from_Hz && !flags.loaded_to_Hz) return {};
+  if (!flags.free_hoop_Hz && !flags.loaded_hoop_Hz) return {};
   const char* remedy = "give both frequencies, the loaded one lower, and the extra mass";
-  if (!flags.loaded_from_Hz || !flags.loaded_to_Hz)
+  if (!flags.free_hoop_Hz || !flags.loaded_hoop_Hz)
     throw OptionError({"free_hoop", "loaded_hoop"}, "must be given together", remedy, {"extra_mass"});
-  if (!(*flags.loaded_from_Hz > *flags.loaded_to_Hz && flags.extra_mass_kg > 0))
+  if (!(*flags.free_hoop_Hz > *flags.loaded_hoop_Hz && flags.extra_mass_kg > 0))
     throw OptionError({"loaded_hoop"}, "is not lower because of an extra mass", remedy, {"extra_mass"});
-  return model::modal_mass_kg(flags.extra_mass_kg, *flags.loaded_from_Hz, *flags.loaded_to_Hz);
+  return model::modal_mass_kg(flags.extra_mass_kg, *flags.free_hoop_Hz, *flags.loaded_hoop_Hz);
 }
 
 int model_trampoline(const TrampolineFlags& flags) {
@@ -111,7 +111,7 @@ int model_trampoline(const TrampolineFlags& flags) {
 }
 
 void add_constants(Command& command, TrampolineFlags& flags) {
-  const std::string before = command.heading("Constants (default: from --ball)");
+  const std::string previous = command.heading("Constants (default: from --ball)");
   command.value("--m1", flags.ball_mass, "Set the mass of the ball").above_zero().type("KG");
   command.value("--k1", flags.stiffness, "Set the stiffness of the ball, N/m^(1+a)").above_zero().type("K1");
   command.value("--c1", flags.damping, "Set the damping of the ball, N s/m^(1+b)").not_negative().type("C1");
@@ -122,23 +122,23 @@ void add_constants(Command& command, TrampolineFlags& flags) {
   command.value("--m2", flags.barrel_mass, "Set the effective mass of the barrel").above_zero().type("KG");
   command
       .value("--c2", flags.barrel_damping,
-             "Set the damping of the barrel; for a baseball 90.5 as in the script of the source, 100 in its table")
+             "Set the damping of the barrel; for a baseball, the source has 90.5 in its script and 100 in its table")
       .not_negative()
       .type("N*S/M");
-  command.heading(before);
+  command.heading(previous);
 }
 
 }  // namespace
 
 void add_model_trampoline(CommandLine& line) {
   auto flags = line.values<TrampolineFlags>();
-  Command command =
-      line.command("model trampoline", "Predict the COR of a ball on a hollow barrel over its hoop frequency",
-                   [flags] { return model_trampoline(*flags); });
+  Command command = line.command("model trampoline",
+                                 "Predict the COR of a ball on a hollow barrel as a function of its hoop frequency",
+                                 [flags] { return model_trampoline(*flags); });
   command.about(
-      "Models the ball and the wall of a hollow barrel as two masses with springs and dampers. Reports the COR over "
-      "the hoop frequency of the barrel, and the frequency of the largest COR.");
-  command.example("percuss model trampoline --c2 100 -o cor.svg", "Draw the COR over the hoop frequency");
+      "Models the ball and the wall of a hollow barrel as two masses with springs and dampers. Reports the COR as a "
+      "function of the hoop frequency of the barrel, and the frequency of the largest COR.");
+  command.example("percuss model trampoline --c2 100 -o cor.svg", "Draw the COR against the hoop frequency");
   command.example("percuss model trampoline --ball softball --speed 49 --hoop 500:50:3000",
                   "Model a softball at 49 m/s");
   command.value("--ball", flags->ball, "Use the constants of this ball")
@@ -155,12 +155,12 @@ void add_model_trampoline(CommandLine& line) {
       .type("KG")
       .show_default();
   command
-      .value("--free-hoop", flags->loaded_from_Hz, "With --loaded-hoop: set the hoop frequency without the extra mass")
+      .value("--free-hoop", flags->free_hoop_Hz, "Set the hoop frequency without the extra mass; needs --loaded-hoop")
       .above_zero()
       .type("HZ");
   command
-      .value("--loaded-hoop", flags->loaded_to_Hz,
-             "With --free-hoop: set the hoop frequency with the extra mass; the modal mass follows from the shift")
+      .value("--loaded-hoop", flags->loaded_hoop_Hz,
+             "Set the hoop frequency with the extra mass; gives the modal mass from the shift of --free-hoop")
       .above_zero()
       .type("HZ");
   command

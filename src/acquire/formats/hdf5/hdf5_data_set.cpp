@@ -12,11 +12,11 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-// gzip rarely packs measured samples better than 4:1. A claim far beyond that is a small file that would fill the
-// memory.
-constexpr std::uint64_t kClaimPerFileByte = 64, kClaimSpare = std::uint64_t{64} << 20;
+// Limit of the uncompressed size that a file may claim: 64 times its own size plus 64 MiB. gzip rarely compresses
+// measured samples better than 4:1; a small file with a larger claim could fill the memory.
+constexpr std::uint64_t kMaxClaimPerFileByte = 64, kMaxClaimExtra_bytes = std::uint64_t{64} << 20;
 constexpr std::size_t kDefaultCacheBytes = std::size_t{1} << 20, kMaxCache_bytes = std::size_t{64} << 20;
-constexpr std::uint64_t kChunksCounted = 200'000;  // counting them walks an index
+constexpr std::uint64_t kMaxCountedChunks = 200'000;  // more are not counted: counting walks an index
 constexpr int kMaxDimensions = 3;
 const char* const kWriteAnew = "copy the file again or write it anew";
 
@@ -52,7 +52,7 @@ bool is_plain_number(hid_t type) {
   return std::any_of(known.begin(), known.end(), [type](hid_t one) { return H5Tequal(type, one) > 0; });
 }
 
-/// A copy of the library's text, which is freed.
+/// Copies the name of a member and frees the library's text.
 std::string member_name(hid_t type, unsigned member) {
   char* const name = H5Tget_member_name(type, member);
   std::string copy = name == nullptr ? "" : name;
@@ -87,8 +87,8 @@ void check_filters(hid_t creation, const std::string& where) {
     const H5Z_filter_t filter =
         H5Pget_filter2(creation, i, &flags, &values, nullptr, name.size() - 1, name.data(), &config);
     if (filter == H5Z_FILTER_DEFLATE || filter == H5Z_FILTER_SHUFFLE || filter == H5Z_FILTER_FLETCHER32) continue;
-    throw InputError("packed by filter " + std::to_string(filter) + " (" + name.data() + ")", where,
-                     "store it unpacked or with gzip");
+    throw InputError("compressed with filter " + std::to_string(filter) + " (" + name.data() + ")", where,
+                     "store it uncompressed or with gzip");
   }
 }
 
@@ -149,12 +149,12 @@ void InputDataSet::check_storage(const InputHdf5& file, const std::string& name)
     throw InputError("its samples are in other files", where_, "store them in this file");
   }
   const std::uint64_t claimed = times(elements_, element_bytes_);
-  const std::uint64_t claim_limit = times(file_bytes, kClaimPerFileByte) + kClaimSpare;
-  const bool packed = H5Pget_nfilters(creation.get()) > 0;
+  const std::uint64_t claim_limit = times(file_bytes, kMaxClaimPerFileByte) + kMaxClaimExtra_bytes;
+  const bool compressed = H5Pget_nfilters(creation.get()) > 0;
   const std::uint64_t stored = H5Dget_storage_size(set_.get());
-  if (packed ? claimed > claim_limit || (stored == 0 && claimed > 0) : claimed > stored || claimed > file_bytes) {
+  if (compressed ? claimed > claim_limit || (stored == 0 && claimed > 0) : claimed > stored || claimed > file_bytes) {
     throw InputError("claims " + std::to_string(claimed) + " bytes, the file holds " +
-                         std::to_string(packed ? file_bytes : std::min(stored, file_bytes)),
+                         std::to_string(compressed ? file_bytes : std::min(stored, file_bytes)),
                      where_, kWriteAnew);
   }
 
@@ -178,13 +178,13 @@ void InputDataSet::check_chunks(const InputHdf5& file, const std::string& name, 
   if (chunk_bytes > claim_limit) throw InputError("claims chunks larger than the file", where_, kWriteAnew);
   hsize_t present = 0;
   const Handle space(H5Dget_space(set_.get()));  // this version of the library refuses H5S_ALL here
-  if (expected <= kChunksCounted && H5Dget_num_chunks(set_.get(), space.get(), &present) < 0) damaged();
-  if (expected <= kChunksCounted && present < expected) {
+  if (expected <= kMaxCountedChunks && H5Dget_num_chunks(set_.get(), space.get(), &present) < 0) damaged();
+  if (expected <= kMaxCountedChunks && present < expected) {
     throw InputError("holds " + std::to_string(present) + " of its " + std::to_string(expected) + " chunks", where_,
                      "record it again: it was never completed");
   }
   if (chunk_bytes <= kDefaultCacheBytes || chunk_bytes > kMaxCache_bytes) return;
-  // A chunk larger than the cache would be unpacked again for each of its rows.
+  // A chunk larger than the cache would be decompressed again for each of its rows.
   set_.close();
   set_ = open_set(file.id(), name, chunk_bytes);
   if (!set_) damaged();

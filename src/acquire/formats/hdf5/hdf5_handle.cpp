@@ -17,7 +17,8 @@ std::mutex& library_mutex() {
   return mutex;
 }
 
-// Number of nested locks of this thread. A recursive mutex would know its owner by a number that changes with a fork.
+// Number of nested locks of this thread. A recursive mutex would not do: it stores the owner's thread id, which differs
+// in a forked child.
 thread_local int depth = 0;
 
 }  // namespace
@@ -32,8 +33,8 @@ ExclusiveAccess::~ExclusiveAccess() {
 }
 
 Lock::Lock() {
-  // Once, before the library starts. The library's clean-up at exit crashes after a disk was full; all objects are
-  // closed by then anyway.
+  // Called once, before the library starts. Disables its clean-up at exit, which crashes after a write to a full disk.
+  // All objects are closed by then anyway.
   static const bool ready = H5dont_atexit() >= 0 && H5PLset_loading_state(0) >= 0;
   static_cast<void>(ready);
   // The library keeps one error stack with its printing handler per thread.

@@ -6,8 +6,8 @@ namespace percuss::acquire::hdf5 {
 /// The library's hid_t (hdf5.h stays in .cpp files); negative for none.
 using Id = std::int64_t;
 
-/// During its lifetime no other thread uses the library. One thread may hold several. A process forked under it holds
-/// it as well.
+/// Excludes other threads from the library during its lifetime. One thread may hold several. A process forked
+/// meanwhile inherits the access.
 class ExclusiveAccess {
  public:
   ExclusiveAccess();
@@ -29,7 +29,7 @@ class Lock {
 /// Initialises the library (1 ms). Call it before forking, so that the children need not.
 void start_library();
 
-/// Owns an identifier of any kind (file, data set, type, property list …); false without one.
+/// Owns an identifier of any kind (file, data set, type, property list …). Converts to false when it owns none.
 class Handle {
  public:
   explicit Handle(Id id = -1) : id_(id) {}

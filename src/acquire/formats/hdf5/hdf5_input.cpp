@@ -17,7 +17,7 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-/// Size of the regular file. Asked of the system first, since the library does not say why it could not open one.
+/// Size of a regular file. Opens the file without the library first: the library does not say why opening failed.
 std::uint64_t size_of(const std::string& path) {
   // O_NONBLOCK: a pipe without writer must not hang us.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -77,8 +77,8 @@ bool is_hdf5(const std::string& path) {
   if (descriptor < 0) return false;
   bool found = false;
   std::array<char, kSignature.size()> bytes{};
-  // A user block of 512 bytes times a power of two may come first; a device that gives bytes without end has no last
-  // one.
+  // A user block of 512 bytes times a power of two may precede the signature. The limit ends the search in a device
+  // that never ends.
   constexpr off_t kMaxSignature_offset = off_t{1} << 40;
   for (off_t at = 0; !found && at <= kMaxSignature_offset; at = at == 0 ? 512 : 2 * at) {
     if (::pread(descriptor, bytes.data(), bytes.size(), at) != static_cast<ssize_t>(bytes.size())) break;

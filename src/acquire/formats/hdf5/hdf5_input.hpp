@@ -13,7 +13,7 @@ namespace percuss::acquire::hdf5 {
 
 // The caller holds a Lock.
 
-/// An untrusted file, open for reading. Each message names its path.
+/// An untrusted file, open for reading. Each error message names the path.
 /// errors  InputError: it cannot be opened, is not HDF5, is truncated or damaged.
 class InputHdf5 {
  public:

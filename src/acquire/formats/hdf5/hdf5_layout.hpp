@@ -8,14 +8,14 @@
 
 namespace percuss::acquire::hdf5 {
 
-/// The meaning of the shapes of /force and /accel together.
+/// The dimensions of a record, as the shapes of /force and /accel state them.
 struct Layout {
   std::size_t rows = 0, channels = 0, samples = 0;
   bool force_has_rows = false;  // false: [samples]
   bool accel_has_rows = false, accel_has_channels = false;
 };
 
-/// errors  InputError when the shapes are empty, of other rank or contradict each other.
+/// errors  InputError: a shape is empty or has too many dimensions, or the shapes contradict each other.
 Layout layout_of(const InputDataSet& force, const InputDataSet& accel, const InputHdf5& file);
 /// As above without a force: two dimensions are [channels, samples].
 Layout layout_of(const InputDataSet& accel, const InputHdf5& file);

@@ -13,8 +13,8 @@ namespace percuss::acquire::hdf5 {
 /// complex128 is a compound {r, i} of two float64, as h5py reads and writes complex numbers.
 enum class Stored { float64, int32, complex128 };
 
-/// An HDF5 file that appears whole under its name, or not at all. Equal calls give equal bytes: no clocks, little
-/// endian. Each member locks the library for its own duration.
+/// An HDF5 file that appears whole under its name, or not at all. Equal calls give equal bytes: no time stamps,
+/// little-endian numbers. Each member locks the library for its own duration.
 /// errors  InputError from every member: the file exists (without `force`) or cannot be written.
 class OutputHdf5 {
  public:

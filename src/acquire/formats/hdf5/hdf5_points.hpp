@@ -7,15 +7,16 @@
 
 namespace percuss::acquire::hdf5 {
 
-// The caller holds a Lock. errors  InputError: impossible shapes and values.
+// The caller holds a Lock.
+// errors  InputError: impossible shapes and values.
 
 /// One whole number per row; zeros when the set is absent.
 std::vector<int> numbers_per_row(const InputHdf5& file, const std::string& name, std::size_t rows);
 
-/// Coordinates of the points, [points][2 or 3], NaN for points without; nothing when absent.
+/// Coordinates [points][2 or 3]. NaN marks a point without coordinates. Empty when the set is absent.
 std::vector<std::vector<double>> read_geometry(const InputHdf5& file);
 
-/// Lines between `points` points; nothing when absent.
+/// Lines between points; `points` is the number of points. Empty when the set is absent.
 std::vector<TraceLine> read_trace_lines(const InputHdf5& file, std::size_t points);
 
 }  // namespace percuss::acquire::hdf5

@@ -81,11 +81,11 @@ std::vector<int> points_of(const InputHdf5& file, std::size_t count) {
   const auto numbers = set.read_all();
   for (std::size_t p = 0; p < count; ++p) {
     if (!(std::abs(numbers[p]) <= kMaxPointNumber) || numbers[p] != std::round(numbers[p]))
-      throw InputError("not a whole number", where, "number the points");
+      throw InputError("not a whole number", where, "store whole numbers");
     points[p] = static_cast<int>(numbers[p]);
   }
   if (std::set<int>(points.begin(), points.end()).size() != count)
-    throw InputError("a point occurs twice", where, "number the points");
+    throw InputError("a point occurs twice", where, "give each point its own number");
   return points;
 }
 

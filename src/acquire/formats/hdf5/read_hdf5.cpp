@@ -37,8 +37,8 @@ struct OpenRecord {
   InputDataSet accel;
   hdf5::Layout layout;
   double force_to_N = 1;
-  std::vector<std::size_t> channels;  // of /accel, as chosen
-  std::vector<double> to_mps2;        // likewise
+  std::vector<std::size_t> channels;  // the chosen channels of /accel
+  std::vector<double> to_mps2;        // of the chosen channels
 };
 
 std::string list(const std::vector<std::string>& names) {
@@ -140,7 +140,8 @@ void note_unused(const InputHdf5& file, Record& record) {
   if (!unused.empty()) record.notes.emplace_back("not used: " + list(unused));
 }
 
-/// Scales in place. errors  InputError: names the first sample that is not finite, with its index in h5py.
+/// Scales in place.
+/// errors  InputError: names the first sample that is too large or not finite, with its index as in h5py.
 void to_SI(std::span<double> samples, double factor, const std::string& where, std::span<const std::size_t> at,
            std::size_t first) {
   for (double& sample : samples) {
@@ -223,7 +224,7 @@ Record open_hdf5(const std::string& path, const ReadOptions& options) {
   record.trace_lines = hdf5::read_trace_lines(opened->file, record.geometry.size());
   note_unused(opened->file, record);
   record.contiguous = contiguous_signals(*opened);
-  // Closing uses the library as well.
+  // Closing the data sets uses the library, so the deleter needs a lock.
   const std::shared_ptr<const OpenRecord> open(opened.release(), [](const OpenRecord* last) {
     const hdf5::Lock closing;
     delete last;

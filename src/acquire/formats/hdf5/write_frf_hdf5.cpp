@@ -13,7 +13,7 @@ namespace {
 
 std::string within(const std::string& group, const char* name) { return group.empty() ? name : group + "/" + name; }
 
-// Writes the known places of the sensors.
+// Writes the angles and positions of the sensors, NaN where unknown; nothing when all are unknown.
 void write_sensors(hdf5::OutputHdf5& out, const std::string& set, const FrfRecord& record) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> angle_deg, position_m;
@@ -32,10 +32,10 @@ void write_attributes(hdf5::OutputHdf5& out, const std::string& group, const Frf
   if (record.decay_per_s > 0) out.set_numbers(group, "decay_per_s", std::array{record.decay_per_s}, false);
   out.set_text(group, "unit", unit_of(kind));
   out.set_text(group, "estimator", record.estimator);
-  const auto least = std::min_element(record.frfs.begin(), record.frfs.end(), [](const PointFrf& a, const PointFrf& b) {
-    return a.frf.averages < b.frf.averages;
-  });
-  out.set_numbers(group, "averages", std::array{static_cast<double>(least->frf.averages)}, false);
+  const auto fewest =
+      std::min_element(record.frfs.begin(), record.frfs.end(),
+                       [](const PointFrf& a, const PointFrf& b) { return a.frf.averages < b.frf.averages; });
+  out.set_numbers(group, "averages", std::array{static_cast<double>(fewest->frf.averages)}, false);
 }
 
 }  // namespace

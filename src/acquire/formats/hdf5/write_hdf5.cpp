@@ -25,7 +25,7 @@ void check_writable(const std::string& path, const Record& record) {
   }
 }
 
-/// read(first, out) → write(first, values), block by block.
+/// Copies samples block by block: read(first, out), then write(first, values).
 template <class Read, class Write>
 void copy_samples(std::size_t samples, Read&& read, Write&& write) {
   std::vector<double> block(std::min(samples, kBlockSamples));
@@ -59,13 +59,14 @@ void write_samples(hdf5::OutputHdf5& out, const Record& record, bool one_row) {
   }
 }
 
-void write_places(hdf5::OutputHdf5& out, const Record& record, const std::string& name,
-                  std::optional<double> SignalInfo::*place, double scale) {
-  const auto known = [place](const SignalInfo& signal) { return (signal.*place).has_value(); };
+/// Writes an attribute of /accel with one number per channel, NaN where unknown; nothing when all are unknown.
+void write_sensor_numbers(hdf5::OutputHdf5& out, const Record& record, const std::string& name,
+                          std::optional<double> SignalInfo::*value, double scale) {
+  const auto known = [value](const SignalInfo& signal) { return (signal.*value).has_value(); };
   if (std::none_of(record.accel.begin(), record.accel.end(), known)) return;
   std::vector<double> values;
   for (const SignalInfo& signal : record.accel) {
-    values.push_back((signal.*place).value_or(std::numeric_limits<double>::quiet_NaN()) * scale);
+    values.push_back((signal.*value).value_or(std::numeric_limits<double>::quiet_NaN()) * scale);
   }
   out.set_numbers("accel", name, values, true);
 }
@@ -105,8 +106,8 @@ void write_hdf5(const std::string& path, const Record& record, bool force) {
   if (record.continuous && !one_row) out.set_numbers("", "continuous", std::array{1.0}, false);
   out.set_text("force", "unit_str", "N");
   out.set_text("accel", "unit_str", "m/s^2");
-  write_places(out, record, "position_m", &SignalInfo::position_m, 1);
-  write_places(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);
+  write_sensor_numbers(out, record, "position_m", &SignalInfo::position_m, 1);
+  write_sensor_numbers(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);
   write_row_numbers(out, record, "point", &RowInfo::point);
   write_row_numbers(out, record, "run", &RowInfo::run);
   write_geometry(out, record);

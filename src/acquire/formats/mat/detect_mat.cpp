@@ -8,8 +8,9 @@
 namespace percuss::acquire {
 namespace {
 
-// A file of level 4 starts with numbers, in either byte order: type (M, O, P, T as decimal digits, of which only these
-// occur), rows, columns, 0 or 1 for complex, length of the first variable's name.
+// A file of level 4 starts with five numbers in either byte order: type, rows, columns, 0 or 1 for complex, length of
+// the first variable's name. The decimal digits of the type are M (byte order, 0 or 1), O (0), P (precision, 0 to 5)
+// and T (kind of matrix, 0 to 2).
 bool is_mat4(std::string_view head) {
   std::array<std::uint32_t, 5> words{};
   if (head.size() < sizeof words) return false;

@@ -15,52 +15,55 @@ namespace {
 
 constexpr std::uint64_t kHeader5_bytes = 128, kVersion5_at = 124;
 constexpr std::uint32_t kMatrix5 = 14, kCompressed5 = 15;
-constexpr std::uint32_t kOtherOrder = 0x494DU;  // the letters IM, read the other way round
+constexpr std::uint32_t kOtherOrder = 0x494DU;  // the letters IM in the other byte order
 constexpr std::size_t kTag5 = 2, kTag4 = 5;
 constexpr std::size_t kMaxVariables4 = 100'000;  // the reader refuses more
-// By the tens of a level 4 type: double, single, int32, int16, uint16, uint8.
+// Bytes of a number, by the tens digit of a level 4 type: double, single, int32, int16, uint16, uint8.
 constexpr std::array<std::uint64_t, 6> kBytes4{8, 4, 4, 2, 2, 1};
 
-class Walk {
+// Steps from variable to variable by the sizes that the file states.
+class VariableWalk {
  public:
-  explicit Walk(const std::string& path)
+  explicit VariableWalk(const std::string& path)
       : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), size_(std::filesystem::file_size(path)) {}
-  ~Walk() {
+  ~VariableWalk() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
-  Walk(const Walk&) = delete;
-  Walk& operator=(const Walk&) = delete;
+  VariableWalk(const VariableWalk&) = delete;
+  VariableWalk& operator=(const VariableWalk&) = delete;
 
-  // A tag of two numbers before every variable: its type and its bytes.
-  void level5() const {
+  // Two numbers precede each variable: its type and its size in bytes.
+  void check_level5() const {
     const bool swapped = words<1>(kVersion5_at, false)[0] >> 16U == kOtherOrder;
     for (std::uint64_t at = kHeader5_bytes; holds_tag(at, kTag5);) {
       const auto [type, bytes] = words<kTag5>(at, swapped);
-      if (type != kMatrix5 && type != kCompressed5) return;  // left to the library
+      if (type != kMatrix5 && type != kCompressed5) return;  // the library handles other types
       at = next(at, sizeof(std::uint32_t) * kTag5 + std::uint64_t{bytes});
     }
   }
 
-  // Five numbers before every variable: type, rows, columns, whether complex, bytes of its name.
-  void level4() const {
+  // Five numbers precede each variable: type, rows, columns, 1 for complex, length of the name in bytes.
+  void check_level4() const {
     std::size_t variables = 0;
     for (std::uint64_t at = 0; holds_tag(at, kTag4) && variables < kMaxVariables4; ++variables) {
       std::array<std::uint32_t, kTag4> tag = words<kTag4>(at, false);
       if (tag[0] >= 0x1000000U || tag[4] >= 0x1000000U) tag = words<kTag4>(at, true);
       const std::uint64_t kind = tag[0] % 100 / 10, parts = tag[3] == 1 ? 2 : 1;
       const std::uint64_t count = std::uint64_t{tag[1]} * tag[2];
-      if (kind >= kBytes4.size()) return;  // left to the library
-      if (count > size_) cut();
+      if (kind >= kBytes4.size()) return;  // the library handles other types
+      if (count > size_) refuse_truncated();
       at = next(at, sizeof(std::uint32_t) * kTag4 + tag[4] + count * parts * kBytes4.at(kind));
     }
   }
 
  private:
-  [[noreturn]] void cut() const { throw InputError("the file ends within a variable", path_, "copy or save it again"); }
-  // A few bytes behind the last variable are not another one.
+  [[noreturn]] void refuse_truncated() const {
+    throw InputError("the file ends within a variable", path_, "copy or save it again");
+  }
+  // Fewer bytes than a tag after the last variable are padding.
   bool holds_tag(std::uint64_t at, std::size_t words) const { return at + words * sizeof(std::uint32_t) <= size_; }
   std::uint64_t next(std::uint64_t at, std::uint64_t bytes) const {
-    if (bytes > size_ - at) cut();
+    if (bytes > size_ - at) refuse_truncated();
     return at + bytes;
   }
   template <std::size_t kCount>
@@ -82,9 +85,9 @@ class Walk {
 }  // namespace
 
 void require_complete_mat(const std::string& path, MatLevel level) {
-  const Walk walk(path);
-  if (level == MatLevel::v5) walk.level5();
-  if (level == MatLevel::v4) walk.level4();
+  const VariableWalk walk(path);
+  if (level == MatLevel::v5) walk.check_level5();
+  if (level == MatLevel::v4) walk.check_level4();
 }
 
 }  // namespace percuss::acquire

@@ -16,7 +16,8 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::uint64_t kUnpackedTimes = 64, kUnpackedMore_bytes = std::uint64_t{64} << 20U;
+// Limit of the uncompressed size that a file may claim: 64 times its own size plus 64 MiB.
+constexpr std::uint64_t kMaxClaimPerMatByte = 64, kMaxMatClaimExtra_bytes = std::uint64_t{64} << 20U;
 constexpr std::size_t kMaxVariables = 10'000, kMaxDepth = 8, kMaxElements = 4096;
 constexpr std::size_t kMaxMatDimensions = 8, kNameShown = 63;
 
@@ -65,12 +66,13 @@ bool to_doubles(matio_types type, const void* data, std::size_t count, std::vect
 
 bool is_number_class(matio_classes kind) { return kind >= MAT_C_DOUBLE && kind <= MAT_C_UINT64; }
 
+// Turns the fields and cells of variables into variables of their own.
 class Flattener {
  public:
   Flattener(MatFile& out, std::uint64_t limit_bytes) : out_(out), left_bytes_(limit_bytes) {}
 
-  // Checks the headers' claims before any number is read.
-  void claim(const matvar_t* variable, std::size_t depth = 0) {
+  // Checks the sizes that the headers claim, before any number is read.
+  void check_claim(const matvar_t* variable, std::size_t depth = 0) {
     if (variable == nullptr || variable->dims == nullptr) return;
     if (depth > kMaxDepth) refuse("structures within structures more than 8 deep");
     const std::uint64_t count = elements(variable);
@@ -79,7 +81,7 @@ class Flattener {
           variable->class_type == MAT_C_CELL ? 1 : Mat_VarGetNumberOfFields(to_mutable(variable));
       const auto* const children = static_cast<matvar_t* const*>(variable->data);
       spend(count * fields, sizeof(matvar_t*));
-      for (std::uint64_t i = 0; children != nullptr && i < count * fields; ++i) claim(children[i], depth + 1);
+      for (std::uint64_t i = 0; children != nullptr && i < count * fields; ++i) check_claim(children[i], depth + 1);
       return;
     }
     spend(count, static_cast<std::uint64_t>(std::max(variable->data_size, 1)) * (variable->isComplex != 0 ? 2 : 1));
@@ -119,7 +121,7 @@ class Flattener {
   }
 
   void spend(std::uint64_t count, std::uint64_t each_bytes) {
-    if (count > left_bytes_ / each_bytes) refuse("it claims more numbers than it can hold");
+    if (count > left_bytes_ / each_bytes) refuse("the file claims more numbers than it can hold");
     left_bytes_ -= count * each_bytes;
   }
 
@@ -161,7 +163,7 @@ class Flattener {
     const std::size_t each = wide ? 2 : 1;
     if (variable->data != nullptr && variable->nbytes >= count * each) {
       const auto* const bytes = static_cast<const char*>(variable->data);
-      for (std::uint64_t i = 0; i < count; ++i) out.text += bytes[i * each];  // units need ASCII only
+      for (std::uint64_t i = 0; i < count; ++i) out.text += bytes[i * each];  // the low byte: units are ASCII
     }
     out_.variables.push_back(std::move(out));
   }
@@ -179,7 +181,7 @@ class Flattener {
     }
   }
 
-  // The same field of several elements: one matrix where they are vectors of equal length.
+  // Adds one field of several elements: as one matrix if the fields are vectors of equal length, else one by one.
   void add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open, char close) {
     if (elements_of.size() == 1) return add(name, elements_of.front());
     if (elements_of.size() > kMaxElements) refuse("more than 4096 elements in " + one_line(name, kNameShown));
@@ -219,18 +221,18 @@ MatFile read_mat_file(const std::string& path) {
   MatFile out{.path = path};
   struct stat status {};
   if (::stat(path.c_str(), &status) == 0) out.bytes = static_cast<std::uint64_t>(status.st_size);
-  const hdf5::Lock lock;  // also for matio's own state: level 7.3 is HDF5
+  const hdf5::Lock lock;  // level 7.3 is HDF5; the lock also guards matio's global state
   Mat_LogInitFunc("percuss", ignore_log);
   const std::unique_ptr<mat_t, CloseMat> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!file) throw InputError("the MAT file cannot be read", path, "is it damaged? Save it again");
   if (Mat_GetVersion(file.get()) == MAT_FT_MAT5) require_complete_mat(path, MatLevel::v5);
   if (Mat_GetVersion(file.get()) == MAT_FT_MAT4) require_complete_mat(path, MatLevel::v4);
-  Flattener flatten(out, kUnpackedTimes * out.bytes + kUnpackedMore_bytes);
+  Flattener flatten(out, kMaxClaimPerMatByte * out.bytes + kMaxMatClaimExtra_bytes);
   while (true) {
     const std::unique_ptr<matvar_t, FreeMat> variable(Mat_VarReadNextInfo(file.get()));
     if (!variable) break;
     const std::string name = variable->name == nullptr ? "" : variable->name;
-    flatten.claim(variable.get());
+    flatten.check_claim(variable.get());
     const bool readable = is_number_class(variable->class_type) || variable->class_type == MAT_C_CHAR ||
                           variable->class_type == MAT_C_STRUCT || variable->class_type == MAT_C_CELL;
     if (readable && Mat_VarReadDataAll(file.get(), variable.get()) != 0)

@@ -13,9 +13,9 @@ namespace percuss::acquire {
 struct MatVariable {
   std::string name;
   std::vector<std::size_t> shape;  // MATLAB's order: the first index runs fastest
-  std::vector<double> real;        // of numbers
-  std::vector<double> imaginary;   // of complex numbers; else empty
-  std::string text;                // of a char array
+  std::vector<double> real;        // numbers, or real parts
+  std::vector<double> imaginary;   // imaginary parts; empty for real numbers
+  std::string text;                // content of a char array
   bool is_text = false;
 
   bool is_complex() const { return !imaginary.empty(); }
@@ -29,7 +29,7 @@ struct MatFile {
   std::vector<Message> notes;  // parts that could not be read
 };
 
-/// Whether these first bytes are the start of a MAT file of version 4, 5 or 7.3.
+/// Whether these first bytes are the start of a MAT file of level 4, 5 or 7.3.
 bool is_mat(std::string_view head);
 
 /// Reads all variables of numbers and texts; fields of structures and cells become variables. In a structure array or

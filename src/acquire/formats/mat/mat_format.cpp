@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 1> kMatExtensions{".mat"};
 
-// The options without those that read_frf_mat has applied: names of variables, and the rate that spaces the lines.
+// Removes the options that read_frf_mat has applied: the names of variables, and the sampling rate.
 FrfReadOptions without_applied_options(FrfReadOptions options) {
   options.read.fs_Hz.reset();
   options.read.fs_variable.clear();

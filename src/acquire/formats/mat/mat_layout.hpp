@@ -6,7 +6,7 @@
 
 namespace percuss::acquire {
 
-/// The place of a signal's samples in a variable's numbers: number offset + row · row_stride + i · sample_stride.
+/// The place of a signal in a variable: sample i of a row is number offset + row · row_stride + i · sample_stride.
 struct MatSignal {
   std::size_t offset = 0, row_stride = 0, sample_stride = 1;
 };

@@ -12,7 +12,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
-// Types of elements and classes of arrays, by the numbers of the format.
+// Codes of the format for types of elements and classes of arrays.
 constexpr std::uint32_t kInt8 = 1, kUint16 = 4, kInt32 = 5, kUint32 = 6, kDouble = 9, kMatrix = 14;
 constexpr unsigned kCharClass = 4, kDoubleClass = 6, kComplexFlag = 0x800;
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 31U;
@@ -42,8 +42,8 @@ MatOutput::MatOutput(const std::string& path, bool force) : path_(path), file_(p
   file_.write(head);
 }
 
-void MatOutput::header(std::string_view name, std::span<const std::size_t> shape, unsigned kind, bool complex,
-                       std::size_t data_bytes) {
+void MatOutput::write_header(std::string_view name, std::span<const std::size_t> shape, unsigned kind, bool complex,
+                             std::size_t data_bytes) {
   std::string body;
   put_tag(body, kUint32, 8);
   put32(body, kind | (complex ? kComplexFlag : 0U));
@@ -68,7 +68,7 @@ void MatOutput::begin(std::string_view name, std::span<const std::size_t> shape,
   assert(left_ == 0 && !imaginary_to_come_ && shape.size() > 1);
   part_ = 1;
   for (const std::size_t size : shape) part_ *= size;
-  header(name, shape, kDoubleClass, complex, part_ * sizeof(double));
+  write_header(name, shape, kDoubleClass, complex, part_ * sizeof(double));
   imaginary_to_come_ = complex;
   left_ = part_;
   std::string tag;
@@ -96,7 +96,7 @@ void MatOutput::numbers(std::string_view name, std::span<const double> values) {
 }
 
 void MatOutput::text(std::string_view name, std::string_view ascii) {
-  header(name, std::array<std::size_t, 2>{1, ascii.size()}, kCharClass, false, 2 * ascii.size());
+  write_header(name, std::array<std::size_t, 2>{1, ascii.size()}, kCharClass, false, 2 * ascii.size());
   std::string data;
   put_tag(data, kUint16, 2 * ascii.size());
   for (const char c : ascii) data += {c, '\0'};

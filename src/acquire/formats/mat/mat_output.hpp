@@ -28,12 +28,12 @@ class MatOutput {
   void commit() { file_.commit(); }
 
  private:
-  void header(std::string_view name, std::span<const std::size_t> shape, unsigned kind, bool complex,
-              std::size_t data_bytes);
+  void write_header(std::string_view name, std::span<const std::size_t> shape, unsigned kind, bool complex,
+                    std::size_t data_bytes);
 
   std::string path_;
   AtomicFile file_;
-  std::size_t part_ = 0, left_ = 0;  // numbers of a part, and still missing in the current part
+  std::size_t part_ = 0, left_ = 0;  // numbers in a part (real or imaginary), and still missing in it
   bool imaginary_to_come_ = false;
 };
 

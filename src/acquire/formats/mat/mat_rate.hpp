@@ -13,14 +13,14 @@ std::string_view field_name(std::string_view name);
 /// Whether the variable is a vector: all but one dimension are 1, and it holds two numbers or more.
 bool is_mat_vector(const MatVariable& variable);
 
-/// The sampling rate: by the options, else a number named fs, sample_rate, dt and the like, else a time vector. Nothing
-/// when there is none.
+/// The sampling rate: from the options, else from a number named fs, sample_rate, dt and the like, else from a time
+/// vector. Nothing when there is none.
 /// errors  InputError: the variable that options.fs_variable names is not a number, rates disagree, a time vector is
 /// uneven.
 std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& options);
 
-/// The number in a variable of one number whose name is among `names` (letter case and underscores aside, also as the
-/// end of a longer name); nothing when there is none.
+/// The value of the scalar variable that matches the earliest of `names`; nothing when none matches. Letter case and
+/// underscores are ignored. A name of five letters or more also matches the end of a longer name.
 std::optional<double> mat_number(const MatFile& file, std::initializer_list<std::string_view> names);
 
 /// The text of a char variable of this name; empty when there is none.

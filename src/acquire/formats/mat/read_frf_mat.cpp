@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxMatFrfs = 1'000'000;
 
-// The layout of an array of FRFs: [points, channels, lines], each with its stride.
+// The sizes and strides of an array of FRFs.
 struct MatFrfLayout {
   std::size_t points = 1, channels = 1, lines = 0;
   std::size_t point_stride = 0, channel_stride = 0, line_stride = 1;
@@ -166,8 +166,8 @@ void describe_mat_channels(const MatFile& file, std::size_t channels, StoredFrfs
   }
 }
 
-// Whether other arrays could be a record of time, so that the file is ambiguous.
-bool holds_time(const MatFile& file, std::size_t lines) {
+// Whether a real array longer than the FRFs could be a time record, so that the file is ambiguous.
+bool may_hold_record(const MatFile& file, std::size_t lines) {
   return std::any_of(file.variables.begin(), file.variables.end(), [&](const MatVariable& v) {
     const bool longer = std::any_of(v.shape.begin(), v.shape.end(), [&](std::size_t n) { return n > lines; });
     return !v.is_text && !v.is_complex() && longer;
@@ -185,9 +185,9 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   const auto candidates = named != nullptr ? std::vector{named} : frf_candidates(file);
   if (candidates.empty() || (force_named && !options.kind)) return std::nullopt;
   const std::vector<double> freq_Hz = frequencies_in(file);
-  const bool own = field_name(candidates.front()->name) == "frf";
+  const bool is_named_frf = field_name(candidates.front()->name) == "frf";
   const std::size_t lines = frf_layout(*candidates.front(), freq_Hz.size()).lines;
-  if (named == nullptr && !own && !options.kind && holds_time(file, lines)) return std::nullopt;
+  if (named == nullptr && !is_named_frf && !options.kind && may_hold_record(file, lines)) return std::nullopt;
   const MatVariable& frf = chosen_frf(file, candidates);
   const MatFrfLayout layout = frf_layout(frf, freq_Hz.size());
   if (layout.lines < 2 || layout.points * layout.channels > kMaxMatFrfs)
@@ -199,7 +199,7 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   out.record.lines = lines_in(file, options, layout.lines, freq_Hz);
   out.record.decay_per_s = std::max(0.0, mat_number(file, {"decaypers"}).value_or(0));
   describe_mat_channels(file, layout.channels, out);
-  if (layout.points > 1 && !own) {
+  if (layout.points > 1 && !is_named_frf) {
     out.record.notes.emplace_back(fmt::format(
         "the {} FRFs of {} are taken as points of {}", layout.points * layout.channels, one_line(frf.name, 40),
         layout.channels == 1 ? "one channel" : fmt::format("{} channels", layout.channels)));

@@ -7,9 +7,9 @@
 namespace percuss::acquire {
 
 /// The FRFs of a MAT file (docs/reference/formats.md, "MAT"): a complex array [points, channels, lines], [lines, FRFs]
-/// or [FRFs, lines] (the longest dimension is frequency), with a vector of frequencies, a spacing (df), or
-/// options.df_Hz. Nothing when the file holds no such array, or also longer arrays that could be a record of time
-/// (options.kind selects the FRFs).
+/// or [FRFs, lines]. The dimension as long as the vector of frequencies is frequency, else the longest one. Without the
+/// vector, the spacing is df or options.df_Hz. Nothing when the file holds no such array. Nothing either when it holds
+/// longer arrays that could be a time record, unless the FRFs are named or options.kind is set.
 /// errors  AmbiguousColumns: several arrays could be the FRFs (options.read.accel_channels names one), or there are no
 /// frequencies.
 std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions& options);

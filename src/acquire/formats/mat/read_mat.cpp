@@ -37,7 +37,7 @@ std::string unit_in(const MatFile& file, const std::string& name) {
   return {};
 }
 
-// Each variable as a signal to choose from; channels come later.
+// Lists each variable as one signal, to find the roles. lay_out divides variables into channels.
 SignalTable variables_of(const MatFile& file, std::vector<std::size_t>& index) {
   SignalTable table;
   table.files.push_back({.path = file.path, .bytes = file.bytes});
@@ -52,7 +52,7 @@ SignalTable variables_of(const MatFile& file, std::vector<std::size_t>& index) {
   return table;
 }
 
-// Columns of matrices can be named as MATLAB does: "data(:,2)".
+// Adds each matrix column that the options name as MATLAB does, "data(:,2)", as a variable.
 void add_named_columns(MatFile& file, const ReadOptions& options) {
   std::vector<std::string> names = options.accel_channels;
   names.push_back(options.force_channel);
@@ -71,10 +71,10 @@ void add_named_columns(MatFile& file, const ReadOptions& options) {
   }
 }
 
-// Keeps the options' names of variables; other names are channels within them.
-ReadOptions naming_variables(const MatFile& file, const ReadOptions& options) {
+// The options with the names of variables only. Other names are channels of a variable; chosen_roles applies them.
+ReadOptions variable_options(const MatFile& file, const ReadOptions& options) {
   ReadOptions out = options;
-  out.force_optional = false;  // the force's array defines the dimensions of the others
+  out.force_optional = false;  // the dimensions of the other arrays follow from the force's
   std::erase_if(out.accel_channels, [&](const auto& name) { return find_variable(file, name) == nullptr; });
   return out;
 }
@@ -126,7 +126,7 @@ std::vector<TraceLine> trace_lines_in(const MatFile& file, std::size_t points) {
   return trace_lines_of(numbers, points, file.path + ": trace_lines");
 }
 
-// An unreadable drawing must not refuse a measurement: the name may mean something else in another program's file.
+// Unreadable trace lines do not make the file an error: another program may use the name for something else.
 void take_trace_lines(const MatFile& file, SignalTable& table) {
   try {
     table.trace_lines = trace_lines_in(file, table.geometry.size());
@@ -188,9 +188,9 @@ SignalRoles chosen_roles(const SignalTable& table, const MatFile& file, const Re
       if (lower_case(table.signals[i].name) == lower_case(name) || name == std::to_string(i)) found = i;
     }
     if (found == 0 || std::find(roles.accel.begin(), roles.accel.end(), found) != roles.accel.end()) {
-      throw InputError(
-          fmt::format("no channel \"{}\", or requested twice, among {}", one_line(name, 40), table.signals.size() - 1),
-          file.path, "give 1 for the first, or the name that percuss info shows");
+      throw InputError(fmt::format("channel \"{}\" does not exist or is requested twice, among {} channels",
+                                   one_line(name, 40), table.signals.size() - 1),
+                       file.path, "give 1 for the first channel, or a channel's name");
     }
     roles.accel.push_back(found);
   }
@@ -211,7 +211,7 @@ Record open_mat(MatFile file, const ReadOptions& options) {
   table.fs_Hz = rate_Hz.value_or(0);
   if (table.signals.empty())
     throw InputError("no arrays of numbers", open->file.path, "save force and accelerations as arrays");
-  const SignalRoles variables = find_roles(table, naming_variables(open->file, options));
+  const SignalRoles variables = find_roles(table, variable_options(open->file, options));
   if (!rate_Hz) {
     throw InputError("no sampling rate among the variables", open->file.path, "state it in Hz, or name its variable",
                      {"fs"});

@@ -11,7 +11,7 @@
 namespace percuss::acquire {
 namespace {
 
-// One number of every FRF, line by line, in MATLAB's order: points fastest, then channels, then lines.
+// Appends get(frf, line) of every FRF, line by line, in MATLAB's order: points fastest, then channels, then lines.
 template <class Get>
 void append_lines(MatOutput& out, const std::vector<Frf>& frfs, std::size_t points, std::size_t channels,
                   std::size_t lines, Get&& get) {

@@ -21,28 +21,29 @@ void check_rows(const std::string& path, const Record& record) {
   }
 }
 
-// Appends the columns of a matrix [lanes, samples]; read(l, first, out) reads samples of lane l.
+// Appends a matrix [series, samples] column by column; read(s, first, out) reads samples of series s.
 template <class Read>
 void write_interleaved(MatOutput& out, std::size_t series_count, std::size_t samples, Read&& read) {
   const std::size_t at_once = std::max<std::size_t>(1, std::min(samples, kNumbersAtOnce / series_count));
-  std::vector<double> series(at_once), turned(at_once * series_count);
+  std::vector<double> series(at_once), columns(at_once * series_count);
   for (std::size_t first = 0; first < samples; first += at_once) {
     const std::size_t count = std::min(at_once, samples - first);
-    for (std::size_t l = 0; l < series_count; ++l) {
-      read(l, first, std::span(series).first(count));
-      for (std::size_t i = 0; i < count; ++i) turned[i * series_count + l] = series[i];
+    for (std::size_t s = 0; s < series_count; ++s) {
+      read(s, first, std::span(series).first(count));
+      for (std::size_t i = 0; i < count; ++i) columns[i * series_count + s] = series[i];
     }
-    out.append(std::span<const double>(turned).first(count * series_count));
+    out.append(std::span<const double>(columns).first(count * series_count));
   }
 }
 
-void write_place(MatOutput& out, const Record& record, const char* name, std::optional<double> SignalInfo::*place,
-                 double factor) {
+// Writes one number per channel, NaN where unknown; nothing when all are unknown.
+void write_mat_sensor_numbers(MatOutput& out, const Record& record, const char* name,
+                              std::optional<double> SignalInfo::*value, double factor) {
   std::vector<double> values;
   for (const SignalInfo& signal : record.accel)
-    values.push_back((signal.*place) ? *(signal.*place) * factor : std::numeric_limits<double>::quiet_NaN());
+    values.push_back((signal.*value) ? *(signal.*value) * factor : std::numeric_limits<double>::quiet_NaN());
   const bool any =
-      std::any_of(record.accel.begin(), record.accel.end(), [&](auto& s) { return (s.*place).has_value(); });
+      std::any_of(record.accel.begin(), record.accel.end(), [&](auto& s) { return (s.*value).has_value(); });
   if (any) out.numbers(name, values);
 }
 
@@ -87,8 +88,8 @@ void write_mat(const std::string& path, const Record& record, bool force) {
     record.read_accel_mps2(series % rows, series / rows, first, part);
   });
   out.text("accel_unit", "m/s^2");
-  write_place(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);
-  write_place(out, record, "position_m", &SignalInfo::position_m, 1);
+  write_mat_sensor_numbers(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);
+  write_mat_sensor_numbers(out, record, "position_m", &SignalInfo::position_m, 1);
   write_row_number(out, record, "point", &RowInfo::point);
   write_row_number(out, record, "run", &RowInfo::run);
   if (record.continuous != (rows == 1)) out.number("continuous", record.continuous ? 1 : 0);

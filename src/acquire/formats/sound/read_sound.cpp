@@ -14,7 +14,8 @@
 namespace percuss::acquire {
 namespace {
 
-bool apply_full_scale(const ReadOptions& options) {
+// Whether the user states units or scales.
+bool has_scale_options(const ReadOptions& options) {
   return !options.force_scale.empty() || !options.accel_scale.empty() || options.force_sensitivity_V_per_N ||
          !options.accel_sensitivity_V_per_mps2.empty() || !options.force_unit.empty() || !options.accel_unit.empty() ||
          !options.setup.empty();
@@ -29,13 +30,13 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
     // When the user names the force, the other channels are accelerations.
     if (!options.force_channel.empty()) table.signals.back().measures = Quantity::acceleration;
   }
-  if (!apply_full_scale(options)) {
-    table.notes.emplace_back("stored numbers are parts of full scale: give N and m/s^2 at full scale",
+  if (!has_scale_options(options)) {
+    table.notes.emplace_back("stored numbers are fractions of full scale: give N and m/s^2 at full scale",
                              std::vector<OptionId>{"force_scale", "accel_scale"});
   }
 }
 
-// Rows end to end; a truncated file keeps the samples that it has.
+// Divides the frames into the rows of the calibration. In a truncated file the last rows are shorter or missing.
 void take_rows(const SoundCalibration& calibration, std::size_t frames, SignalTable& table) {
   std::size_t left = frames;
   for (RowInfo row : calibration.rows) {
@@ -46,8 +47,9 @@ void take_rows(const SoundCalibration& calibration, std::size_t frames, SignalTa
   const bool cut = !calibration.rows.empty() && (table.rows.size() < calibration.rows.size() ||
                                                  table.rows.back().samples < calibration.rows.back().samples);
   if (cut) {
-    table.notes.emplace_back(fmt::format("the file ends early: {} of {} rows are there, the last perhaps in part",
-                                         table.rows.size(), calibration.rows.size()));
+    table.notes.emplace_back(
+        fmt::format("the file ends early: {} of {} rows are present, the last one may be incomplete", table.rows.size(),
+                    calibration.rows.size()));
   }
   if (calibration.rows.empty()) table.rows.push_back({.samples = frames});
 }
@@ -55,7 +57,7 @@ void take_rows(const SoundCalibration& calibration, std::size_t frames, SignalTa
 void describe_calibrated(const SoundInput& sound, const SoundCalibration& calibration, const std::string& where,
                          SignalTable& table) {
   if (calibration.signals.size() != sound.channels()) {
-    throw InputError(fmt::format("{} signals described, {} channels", calibration.signals.size(), sound.channels()),
+    throw InputError(fmt::format("{} signals described for {} channels", calibration.signals.size(), sound.channels()),
                      where, "export the file again");
   }
   table.fs_Hz = calibration.fs_Hz > 0 ? calibration.fs_Hz : sound.rate_Hz();

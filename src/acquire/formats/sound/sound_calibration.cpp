@@ -30,7 +30,7 @@ void read_calibrated(StrictObject& o, SoundCalibration::Signal& signal) {
   o.read("position_m", signal.position_m);
 }
 
-// Counts may be negative in other formats.
+// Points and runs may be negative, as in other formats.
 void read_whole(StrictObject& o, const char* key, int& to) {
   double value = to;
   o.read_within(key, std::numeric_limits<int>::min(), std::numeric_limits<int>::max(), value);
@@ -38,8 +38,9 @@ void read_whole(StrictObject& o, const char* key, int& to) {
   to = static_cast<int>(value);
 }
 
-// Points without a place are rows as well: the limit keeps memory in proportion to the file.
-std::size_t most_rows(std::size_t known) { return 4 * known + 1000; }
+// Largest number of points for `known` points with coordinates. A point without coordinates takes memory as well, but
+// no bytes in the file.
+std::size_t max_points(std::size_t known) { return 4 * known + 1000; }
 
 void read_geometry(StrictObject& o, SoundCalibration& out) {
   std::vector<double> values, numbers, lines;
@@ -55,20 +56,20 @@ void read_geometry(StrictObject& o, SoundCalibration& out) {
     for (std::size_t i = 0; i < points; ++i) numbers.push_back(static_cast<double>(i));
   }
   if (numbers.size() != points) o.fail("not one number for every point", "geometry_points", "write one each");
-  std::size_t rows = points;
-  o.read("points", rows);
-  if (rows > most_rows(points)) o.fail("points numbered too far apart", "points", "number them from 0");
+  std::size_t all_points = points;
+  o.read("points", all_points);
+  if (all_points > max_points(points)) o.fail("points numbered too far apart", "points", "number them from 0");
   const std::vector<double> none(coordinates, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < points; ++i) {
     const double number = numbers[i];
-    if (!(number >= static_cast<double>(out.geometry.size()) && number < static_cast<double>(rows)) ||
+    if (!(number >= static_cast<double>(out.geometry.size()) && number < static_cast<double>(all_points)) ||
         number != std::floor(number))
       o.fail("point numbers that do not rise, or are not below \"points\"", "geometry_points", "number points from 0");
     out.geometry.resize(static_cast<std::size_t>(number), none);
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(i * coordinates);
     out.geometry.emplace_back(at, at + static_cast<std::ptrdiff_t>(coordinates));
   }
-  out.geometry.resize(rows, none);
+  out.geometry.resize(all_points, none);
   out.trace_lines = trace_lines_of(lines, out.geometry.size(), o.place() + ", trace_lines");
 }
 
@@ -80,7 +81,7 @@ bool is_known(const std::vector<double>& point) {
 
 bool calibration_holds_geometry(const std::vector<std::vector<double>>& geometry) {
   return geometry.size() <=
-         most_rows(static_cast<std::size_t>(std::count_if(geometry.begin(), geometry.end(), is_known)));
+         max_points(static_cast<std::size_t>(std::count_if(geometry.begin(), geometry.end(), is_known)));
 }
 
 namespace {

@@ -11,7 +11,7 @@ namespace percuss::acquire {
 
 inline constexpr std::string_view kCalibrationChunk = "CAL1";
 
-/// The content of a sound file's chunk CAL1, for which the format has no place (docs/reference/formats.md).
+/// The content of the chunk CAL1: data that sound formats have no field for (docs/reference/formats.md).
 struct SoundCalibration {
   struct Signal {
     std::string name;
@@ -23,14 +23,14 @@ struct SoundCalibration {
   std::vector<Signal> signals;  // [channels]
   std::vector<RowInfo> rows;    // end to end
   bool continuous = false;
-  std::vector<std::vector<double>> geometry;  // rows of NaN where not known
+  std::vector<std::vector<double>> geometry;  // [points][2 or 3]; NaN for points without coordinates
   std::vector<TraceLine> trace_lines;
 };
 
-/// Whether the points are numbered densely enough. Otherwise geometry and lines are not written.
+/// Whether the points are numbered densely enough for the chunk. Otherwise geometry and trace lines are not written.
 bool calibration_holds_geometry(const std::vector<std::vector<double>>& geometry);
 
-/// JSON text. Equal calibrations give equal texts, every number is kept exactly.
+/// The content as JSON text. Equal calibrations give equal texts, and every number is exact.
 std::string calibration_text(const SoundCalibration& calibration);
 /// errors  InputError at `where`: invalid text.
 SoundCalibration parse_calibration(std::string_view text, const std::string& where);

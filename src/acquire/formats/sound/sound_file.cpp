@@ -65,14 +65,14 @@ struct SoundInput::Impl {
 SoundInput::SoundInput(const std::string& path) : impl_(std::make_unique<Impl>()) {
   Impl& i = *impl_;
   i.path = path;
-  // The library guesses formats from little evidence: it only sees files of these formats.
+  // The library accepts other formats on weak evidence, so the signature is checked first.
   if (!is_sound(first_bytes(path, 64))) i.fail("not a WAV, RF64 or W64 file");
   i.file = sf_open(path.c_str(), SFM_READ, &i.info);
   if (i.file == nullptr) i.fail(std::string("damaged: ") + sf_strerror(nullptr));
   const std::size_t bytes = sample_bytes(i.info.format);
   std::string problem;
   if (bytes == 0) {
-    problem = "compressed sound, which is no measurement any more";
+    problem = "compressed samples, neither PCM nor floating point";
   } else if (i.info.channels < 1 || i.info.frames < 0 || i.info.samplerate < 1 ||
              static_cast<std::uintmax_t>(i.info.frames) >
                  std::filesystem::file_size(path) / bytes / static_cast<std::uintmax_t>(i.info.channels)) {
@@ -100,7 +100,7 @@ std::optional<std::string> SoundInput::chunk(std::string_view id) const {
   SF_CHUNK_ITERATOR* const at = sf_get_chunk_iterator(impl_->file, &info);
   if (at == nullptr || sf_get_chunk_size(at, &info) != SF_ERR_NO_ERROR) return std::nullopt;
   if (info.datalen > kMaxChunk_bytes || info.datalen > std::filesystem::file_size(impl_->path))
-    impl_->fail("a description that is too long");
+    impl_->fail("a custom chunk that is too long");
   std::string text(info.datalen, '\0');
   info.data = text.data();
   if (sf_get_chunk_data(at, &info) != SF_ERR_NO_ERROR) return std::nullopt;
@@ -111,11 +111,11 @@ void SoundInput::read(std::size_t channel, std::size_t first, std::span<double> 
   const std::size_t channels = this->channels();
   std::vector<double> frames(std::min(out.size(), kFramesAtOnce) * channels);
   const std::scoped_lock lock(impl_->mutex);
-  if (sf_seek(impl_->file, static_cast<sf_count_t>(first), SEEK_SET) < 0) impl_->fail("cut off");
+  if (sf_seek(impl_->file, static_cast<sf_count_t>(first), SEEK_SET) < 0) impl_->fail("truncated");
   for (std::size_t done = 0; done < out.size();) {
     const std::size_t count = std::min(out.size() - done, kFramesAtOnce);
     if (sf_readf_double(impl_->file, frames.data(), static_cast<sf_count_t>(count)) != static_cast<sf_count_t>(count))
-      impl_->fail("cut off");
+      impl_->fail("truncated");
     for (std::size_t n = 0; n < count; ++n) out[done + n] = frames[n * channels + channel];
     done += count;
   }
@@ -126,7 +126,7 @@ struct SoundOutput::Impl {
   std::string path;
   AtomicFile target;
   SNDFILE* file = nullptr;
-  std::string chunk;  // read by the library when it closes the file
+  std::string chunk;  // must live until the file is closed: the library reads it then
   std::size_t channels = 1;
 
   [[noreturn]] void fail() const {
@@ -145,7 +145,7 @@ SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, st
   info.channels = static_cast<int>(channels);
   info.format = type | SF_FORMAT_DOUBLE;
   if (sf_format_check(&info) == 0) {
-    throw InputError(std::to_string(channels) + " channels, or their sampling rate, are more than such a file can hold",
+    throw InputError(std::to_string(channels) + " channels, or the sampling rate, exceed the limits of the format",
                      path, "write it as HDF5");
   }
   i.file = sf_open(i.target.temporary_path().c_str(), SFM_WRITE, &info);
@@ -186,9 +186,9 @@ namespace {
 
 // The library writes the time of day into the chunk PEAK and cannot omit this chunk in RF64.
 void clear_time_stamp(const std::string& path) {
-  constexpr std::size_t kFirstChunk = 12, kChunkHead = 8, kTime = 4, kLooked = std::size_t{1} << 16U;
+  constexpr std::size_t kFirstChunk = 12, kChunkHead = 8, kTime = 4, kSearched_bytes = std::size_t{1} << 16U;
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-  std::string head(kLooked, '\0');
+  std::string head(kSearched_bytes, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(file.gcount()));
   file.clear();

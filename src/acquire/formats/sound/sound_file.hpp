@@ -16,8 +16,8 @@ namespace percuss::acquire {
 /// Whether these first bytes are the start of a WAV, RF64 or W64 file.
 bool is_sound(std::string_view head);
 
-/// The samples of a WAV, RF64 or W64 file: uncompressed numbers, channels interleaved. Integers are parts of full
-/// scale, −1 … 1; floating-point numbers are as stored.
+/// The samples of a WAV, RF64 or W64 file: uncompressed numbers, channels interleaved. Integers are fractions of
+/// full scale, −1 … 1; floating-point numbers are as stored.
 /// errors  InputError, also from read: damaged, compressed, more samples than the file's bytes allow.
 class SoundInput {
  public:
@@ -30,7 +30,7 @@ class SoundInput {
   std::size_t frames() const;
   int rate_Hz() const;
   std::string format() const;  // for people: "WAV", "RF64", "W64"
-  /// A custom chunk, by its four letters.
+  /// The bytes of the custom chunk with this id of four letters; nothing when it is absent.
   std::optional<std::string> chunk(std::string_view id) const;
   /// Samples first … first + out.size() − 1 of a channel. Several threads may call at the same time.
   void read(std::size_t channel, std::size_t first, std::span<double> out) const;

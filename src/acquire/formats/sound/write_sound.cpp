@@ -12,31 +12,31 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kPieceFrames = 16384;
+constexpr std::size_t kBlockFrames = 16384;
 constexpr double kMaxWav_bytes = 4e9;
 
-// Force first, if there is one.
-std::size_t signals_of(const Record& record) { return record.accel.size() + (record.has_force ? 1 : 0); }
+// The force is signal 0 if the record has one. The accelerations follow.
+std::size_t signal_count(const Record& record) { return record.accel.size() + (record.has_force ? 1 : 0); }
 
 void read_signal(const Record& record, std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
   if (record.has_force && signal == 0) return record.read_force_N(row, first, out);
   record.read_accel_mps2(row, signal - (record.has_force ? 1 : 0), first, out);
 }
 
-// Calls work(row, first, count) block by block.
+// Calls work(row, first, count) for each block of samples.
 template <class Work>
-void in_pieces(const Record& record, Work&& work) {
+void for_each_block(const Record& record, Work&& work) {
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     const std::size_t samples = record.rows[row].samples;
-    for (std::size_t first = 0; first < samples; first += kPieceFrames)
-      work(row, first, std::min(kPieceFrames, samples - first));
+    for (std::size_t first = 0; first < samples; first += kBlockFrames)
+      work(row, first, std::min(kBlockFrames, samples - first));
   }
 }
 
 // The smallest power of two that no sample exceeds: division by it does not round.
 std::vector<double> full_scales(const Record& record) {
-  std::vector<double> largest(signals_of(record)), part(kPieceFrames);
-  in_pieces(record, [&](std::size_t row, std::size_t first, std::size_t count) {
+  std::vector<double> largest(signal_count(record)), part(kBlockFrames);
+  for_each_block(record, [&](std::size_t row, std::size_t first, std::size_t count) {
     for (std::size_t s = 0; s < largest.size(); ++s) {
       const auto values = std::span(part).first(count);
       read_signal(record, row, s, first, values);
@@ -74,7 +74,7 @@ SoundKind sound_kind(const std::string& path) {
 }  // namespace
 
 void write_sound(const std::string& path, const Record& record, bool force) {
-  const std::size_t signals = signals_of(record);
+  const std::size_t signals = signal_count(record);
   if (record.rows.empty() || signals == 0) throw InputError("nothing to write", path, "keep a hit and a channel");
   const SoundKind kind = sound_kind(path);
   std::vector<std::uint32_t> cues;
@@ -92,8 +92,8 @@ void write_sound(const std::string& path, const Record& record, bool force) {
   SoundOutput out(path, force, kind, signals, static_cast<int>(rate_Hz),
                   cues.size() > 1 ? cues : std::vector<std::uint32_t>{},
                   SoundOutput::Chunk{std::string(kCalibrationChunk), calibration_text(calibration_of(record, scales))});
-  std::vector<double> part(kPieceFrames), values(kPieceFrames * signals);
-  in_pieces(record, [&](std::size_t row, std::size_t first, std::size_t count) {
+  std::vector<double> part(kBlockFrames), values(kBlockFrames * signals);
+  for_each_block(record, [&](std::size_t row, std::size_t first, std::size_t count) {
     for (std::size_t s = 0; s < signals; ++s) {
       read_signal(record, row, s, first, std::span(part).first(count));
       for (std::size_t n = 0; n < count; ++n) values[n * signals + s] = part[n] / scales[s];

@@ -15,7 +15,8 @@ struct CsvLayout {
   CsvHeader header;
 };
 
-/// errors  InputError: no text, no lines of numbers, too many columns; for a time record also the columns of an FRF.
+/// errors  InputError: no text, no lines of numbers, too many columns. With CsvContent::time_record also: the columns
+/// are those of an FRF or a spectrum.
 CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content);
 
 }  // namespace percuss::acquire

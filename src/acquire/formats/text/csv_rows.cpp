@@ -57,13 +57,13 @@ void end_row(std::vector<CsvRow>& rows, std::size_t line) {
 [[noreturn]] void refuse_stamps(const CsvTable& table, std::size_t index, const std::vector<CsvRow>& rows,
                                 const StampProblem& problem) {
   const std::size_t line = rows[problem.row].first_line + problem.at;
-  throw InputError(problem.text, table.place(line, index),
-                   "state the sampling rate, then only the number of samples counts", {"fs"});
+  throw InputError(problem.text, table.place(line, index), "state the sampling rate: the time column is then not used",
+                   {"fs"});
 }
 
 std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& time, const std::vector<CsvRow>& rows,
                                         StampProblem& problem, bool& steps_of_one) {
-  // Trailing zeros may have been dropped: the longest of the last stamps shows the rounding.
+  // Stamps may lack trailing zeros. Of the last 64, the one with the most decimals shows the rounding.
   constexpr std::size_t kLast = 64;
   const double to_s = parse_unit(time.unit) ? parse_unit(time.unit)->to_SI : 1;
   std::vector<double> time_s(table.lines());
@@ -91,7 +91,7 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& 
   return rate;
 }
 
-// The rate by header and time column. The header's rate is exact where rounded stamps allow it.
+// The rate from header and time column. Prefers the exact rate of the header if the rounded stamps allow it.
 double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const CsvColumn& time,
                       const std::string& file, std::vector<Message>& notes) {
   constexpr double kSame = 1e-3;  // allowed between a header's nominal rate and a measured clock
@@ -102,7 +102,7 @@ double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const
                      file + ": header", "state the right one", {"fs"});
   }
   if (header.fs_Hz) {
-    notes.emplace_back(fmt::format("sampling rate {:.10g} Hz by the time column; the header says {:.10g} Hz",
+    notes.emplace_back(fmt::format("sampling rate {:.10g} Hz from the time column; the header says {:.10g} Hz",
                                    stamped.fs_Hz, *header.fs_Hz));
   } else if (!stamped.note.empty()) {
     notes.emplace_back(stamped.note, std::vector<OptionId>{"fs"});
@@ -130,7 +130,7 @@ std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& colum
       if (!changes[k].empty()) labels[k] = changes[k][at[k]].value;
     }
     if (!seen.insert(labels).second) {
-      throw InputError(fmt::format("hit {} returns after another", labels[0]), table.place(line),
+      throw InputError(fmt::format("hit {} occurs again after another hit", labels[0]), table.place(line),
                        "sort the lines by hit, in order of time");
     }
     end_row(rows, line);

@@ -16,11 +16,12 @@ struct CsvRow {
   std::size_t first_line = 0;
 };
 
-/// Rows by the columns hit, point and run, where there are any: a row ends where one of them changes.
-/// errors  InputError: a cell is not a whole number, a combination returns after another one, more than a million rows.
+/// Divides the lines into rows by the columns hit, point and run that exist: a row ends where one of them changes.
+/// errors  InputError: a cell is not a whole number, a combination occurs again after another, more than a million
+/// rows.
 std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns);
 
-/// The sampling rate: the user's, else by the time column and the header, which must agree. Adds assumptions to
+/// The sampling rate: the user's, else from the time column and the header, which must agree. Adds assumptions to
 /// `notes`.
 /// errors  InputError: no rate is stated, two rates disagree, time stamps are uneven or coarse, the rate is
 /// implausible.

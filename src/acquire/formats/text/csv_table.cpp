@@ -71,7 +71,8 @@ CsvTable::CsvTable(FileBytes bytes, CsvDialect dialect, CsvHeader header,
                    const std::vector<std::size_t>& number_columns)
     : bytes_(std::move(bytes)), dialect_(dialect), header_(std::move(header)) {
   assert(!number_columns.empty());
-  // At most as many cells as the header, or as the first line of data where text stands beside the numbers.
+  // A line may have as many cells as the header or the first line of data, whichever has more: text may follow the
+  // numbers.
   std::string_view rest = data();
   const std::size_t first = count_used_cells(take_line(rest, dialect_.line_end), dialect_);
   const std::size_t most = std::max({number_columns.back() + 1, header_.width, first});
@@ -144,11 +145,11 @@ void CsvTable::read(std::size_t index, std::size_t first, std::span<double> out)
 }
 
 void CsvTable::for_each_cell(std::size_t index,
-                             const std::function<void(std::size_t line, std::string_view cell)>& see) const {
+                             const std::function<void(std::size_t line, std::string_view cell)>& visit) const {
   std::string_view rest = data();
   for (std::size_t n = 0; !rest.empty();) {
     const std::string_view line = take_line(rest, dialect_.line_end);
-    if (is_data(line, dialect_)) see(n++, cell_at(line, index, dialect_));
+    if (is_data(line, dialect_)) visit(n++, cell_at(line, index, dialect_));
   }
 }
 

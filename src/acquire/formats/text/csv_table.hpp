@@ -38,8 +38,9 @@ class CsvTable {
   /// errors  InputError: a cell is not a finite number; names line and column.
   void read(std::size_t index, std::size_t first, std::span<double> out) const;
 
-  /// Calls see(n, cell) for every data line n, with the column's cell as written, including quotes and blanks.
-  void for_each_cell(std::size_t index, const std::function<void(std::size_t line, std::string_view cell)>& see) const;
+  /// Calls visit(n, cell) for every data line n, with the column's cell as written, including quotes and blanks.
+  void for_each_cell(std::size_t index,
+                     const std::function<void(std::size_t line, std::string_view cell)>& visit) const;
 
   /// "x.csv: line 12, column 3 (force_N)".
   std::string place(std::size_t line, std::optional<std::size_t> index = {}) const;
@@ -60,7 +61,7 @@ class CsvTable {
   CsvDialect dialect_;
   CsvHeader header_;
   std::size_t lines_ = 0;
-  std::vector<std::size_t> block_start_;  // byte of each block's first line, counted from the data's start
+  std::vector<std::size_t> block_start_;  // offset of each block's first line from the start of the data, in bytes
   mutable std::mutex columns_mutex_;
   mutable std::map<std::size_t, std::unique_ptr<Column>> columns_;
 };

@@ -66,19 +66,19 @@ std::optional<Number> numbered(const std::vector<std::string>& words, char lette
   return std::nullopt;
 }
 
-[[noreturn]] void refuse_pairs(const std::string& file, const std::string& column) {
+[[noreturn]] void refuse_unpaired(const std::string& file, const std::string& column) {
   throw InputError("column " + column + " has no partner", file,
                    "save frequency, real and imaginary part (or magnitude and phase) of each FRF, in this order");
 }
 
-void start(std::vector<Columns>& out, const CsvColumn& column, const std::vector<std::string>& words, bool polar) {
+void begin_frf(std::vector<Columns>& out, const CsvColumn& column, const std::vector<std::string>& words, bool polar) {
   out.push_back({.first = column.index, .polar = polar});
   out.back().in_dB = polar && lower_case(column.unit) == "db";
   out.back().point = numbered<int>(words, 'p');
   out.back().channel = numbered<std::size_t>(words, 'c');
 }
 
-// Nothing when no column is a part of an FRF.
+// Pairs the columns by their names; empty when no name is a part of an FRF.
 std::vector<Columns> find_columns(const CsvHeader& header, const std::string& file) {
   std::vector<Columns> out;
   for (const CsvColumn& column : header.columns) {
@@ -87,10 +87,10 @@ std::vector<Columns> find_columns(const CsvHeader& header, const std::string& fi
     const Part part = part_of(words);
     const bool open = !out.empty() && !out.back().paired;
     if (part == Part::real || part == Part::magnitude) {
-      if (open) refuse_pairs(file, column.name);
-      start(out, column, words, part == Part::magnitude);
+      if (open) refuse_unpaired(file, column.name);
+      begin_frf(out, column, words, part == Part::magnitude);
     } else if (part == Part::imaginary || part == Part::phase) {
-      if (!open || out.back().polar != (part == Part::phase)) refuse_pairs(file, column.name);
+      if (!open || out.back().polar != (part == Part::phase)) refuse_unpaired(file, column.name);
       out.back().second = column.index;
       out.back().paired = true;
       const auto unit = parse_unit(column.unit);
@@ -101,7 +101,7 @@ std::vector<Columns> find_columns(const CsvHeader& header, const std::string& fi
       out.back().coherence = column.index;
     }
   }
-  if (!out.empty() && !out.back().paired) refuse_pairs(file, header.columns.back().name);
+  if (!out.empty() && !out.back().paired) refuse_unpaired(file, header.columns.back().name);
   return out;
 }
 
@@ -143,7 +143,7 @@ std::vector<double> read_column(const CsvTable& table, std::size_t index) {
   return numbers;
 }
 
-// A column that may be wholly empty: then the result is empty.
+// A column of numbers; empty when the column is absent or has only empty cells.
 std::vector<double> read_optional(const CsvTable& table, std::optional<std::size_t> index) {
   if (!index) return {};
   bool any = false;
@@ -170,7 +170,7 @@ std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, s
   return value;
 }
 
-// Numbers points and channels; without names each FRF is a point.
+// Numbers points and channels. Unless all names state both numbers, each FRF is a point.
 void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, const std::string& file) {
   const bool named = std::all_of(columns.begin(), columns.end(), [](const Columns& c) { return c.point && c.channel; });
   if (!named && columns.size() > 1)
@@ -182,7 +182,7 @@ void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, 
   std::size_t channels = 0, points = 0;
   std::vector<std::pair<int, std::size_t>> seen;
   for (const Columns& c : columns) {
-    channels = std::max(channels, std::min(*c.channel, columns.size()) + 1);  // at most the number of columns
+    channels = std::max(channels, std::min(*c.channel, columns.size()) + 1);  // a name may state any number
     seen.emplace_back(*c.point, *c.channel);
   }
   std::sort(seen.begin(), seen.end());

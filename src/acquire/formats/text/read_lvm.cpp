@@ -139,6 +139,7 @@ class LvmParser {
       }
       const LvmCells row = cells(line);
       if (row.front().starts_with("Channels")) {
+        // The next segment begins here: puts the line back.
         rest_ = std::string_view(line.data(), static_cast<std::size_t>(rest_.data() + rest_.size() - line.data()));
         --line_;
         break;

@@ -27,7 +27,7 @@ constexpr std::array kNotReadable = {
 void require_text(std::string_view head, const std::string& name) {
   for (const Magic& magic : kNotReadable) {
     if (head.starts_with(magic.start))
-      throw InputError(std::string(magic.kind) + " is not readable yet", name, "save it as CSV or HDF5");
+      throw InputError(std::string(magic.kind) + " cannot be read", name, "save it as CSV or HDF5");
   }
   if (head.empty()) throw InputError("the file is empty", name, "record or export it again");
   const auto starts = [&](std::string_view bytes) { return head.substr(0, bytes.size()) == bytes; };

@@ -5,7 +5,7 @@
 namespace percuss::acquire {
 
 /// Requires that these first bytes of the file `name` can be the start of a text in ASCII, UTF-8 or Latin-1.
-/// errors  InputError: empty, UTF-16, binary; a kind of file that percuss does not read, by its name.
+/// errors  InputError: empty, UTF-16, binary. The message names known kinds of files that percuss does not read.
 void require_text(std::string_view head, const std::string& name);
 
 }  // namespace percuss::acquire

@@ -9,7 +9,7 @@
 namespace percuss::acquire {
 namespace {
 
-// What a reader needs beside the numbers: ", angle_deg 0 90, decay_per_s 4.6".
+// The sensors' angles and the decay of the window, for the first line: ", angle_deg 0 90, decay_per_s 4.6".
 std::string statements(const FrfRecord& record) {
   std::string out;
   const auto& accel = record.accel;

@@ -17,29 +17,29 @@ namespace {
 
 using Functions = std::vector<const UffFunction*>;
 
-// A place of a response or of the hammer.
-using PlaceKey = std::tuple<std::string, int, int>;
-PlaceKey key_of(const UffDof& place) { return {place.name, place.node, place.direction}; }
+// A degree of freedom of a response or of the hammer: name, node, direction.
+using DofKey = std::tuple<std::string, int, int>;
+DofKey key_of(const UffDof& dof) { return {dof.name, dof.node, dof.direction}; }
 
-// The assignment of the functions' two places to points and channels.
+// Assigns the degrees of freedom of the FRFs to points and channels.
 struct Grid {
   bool sensor_roves = false;
-  std::map<PlaceKey, std::size_t> channels;  // with a roving sensor: by name and direction only
-  PlaceKey channel_key(const UffFunction& f) const {
-    return sensor_roves ? PlaceKey{f.response.name, 0, f.response.direction} : key_of(f.response);
+  std::map<DofKey, std::size_t> channels;  // with a roving sensor: by name and direction only
+  DofKey channel_key(const UffFunction& f) const {
+    return sensor_roves ? DofKey{f.response.name, 0, f.response.direction} : key_of(f.response);
   }
 };
 
 Grid grid_of(const Functions& frfs) {
   Grid grid;
   std::set<int> struck, sensed;
-  std::set<std::pair<int, int>> struck_ways;
+  std::set<std::pair<int, int>> struck_directions;
   for (const UffFunction* f : frfs) {
     struck.insert(f->reference.node);
-    struck_ways.emplace(f->reference.node, f->reference.direction);
+    struck_directions.emplace(f->reference.node, f->reference.direction);
     sensed.insert(f->response.node);
   }
-  grid.sensor_roves = struck.size() == 1 && struck_ways.size() == 1 && sensed.size() > 1;
+  grid.sensor_roves = struck.size() == 1 && struck_directions.size() == 1 && sensed.size() > 1;
   for (const UffFunction* f : frfs) grid.channels.emplace(grid.channel_key(*f), 0);
   std::size_t next = 0;
   for (const UffFunction* f : frfs) {  // numbered in the file's order
@@ -49,14 +49,15 @@ Grid grid_of(const Functions& frfs) {
   return grid;
 }
 
-double length_to_SI(const UffAxis& axis, const UffContents& contents, FrfKind& kind, bool& known) {
+// The factor of the response to SI. Sets `kind`; sets `known` if the axis states the kind.
+double response_factor(const UffAxis& axis, const UffContents& contents, FrfKind& kind, bool& known) {
   std::string unit = axis.unit;
   if (axis.quantity == Uff58::acceleration) kind = FrfKind::accelerance;
   if (axis.quantity == Uff58::velocity) kind = FrfKind::mobility;
   if (axis.quantity == Uff58::displacement) kind = FrfKind::receptance;
   known = known || axis.quantity == Uff58::acceleration || axis.quantity == Uff58::velocity ||
           axis.quantity == Uff58::displacement;
-  // The label may name the motion only ("m/s^2") or the quotient.
+  // The text of the unit may name the response only ("m/s^2") or the quotient ("m/s^2/N").
   for (const std::string& text : {unit, unit + "/N"}) {
     const auto parsed = parse_frf_unit(text);
     if (!parsed || unit.empty()) continue;
@@ -69,10 +70,10 @@ double length_to_SI(const UffAxis& axis, const UffContents& contents, FrfKind& k
 
 FrfUnit unit_of_function(const UffFunction& f, const UffContents& contents, bool& known) {
   FrfUnit out;
-  out.response_to_SI = length_to_SI(f.ordinate, contents, out.kind, known);
-  const auto below = parse_unit(f.denominator.unit);
-  if (below && below->quantity == Quantity::force) {
-    out.force_to_SI = below->to_SI;
+  out.response_to_SI = response_factor(f.ordinate, contents, out.kind, known);
+  const auto denominator = parse_unit(f.denominator.unit);
+  if (denominator && denominator->quantity == Quantity::force) {
+    out.force_to_SI = denominator->to_SI;
   } else if (const auto quotient = parse_frf_unit(f.ordinate.unit)) {
     out.force_to_SI = quotient->force_to_SI;
   } else if (contents.units) {
@@ -89,7 +90,7 @@ LineRange lines_of_function(const UffFunction& f, const std::string& where, std:
   }
   const double df_Hz = uff_step(f, true, note);
   const double first = std::round(f.x0 / df_Hz);
-  constexpr double kMaxLineOffset = 0.05;  // of the spacing, as for texts
+  constexpr double kMaxLineOffset = 0.05;  // of the spacing, as in lines_from_frequencies
   const bool fits = df_Hz > 0 && first >= 0 && std::abs(f.x0 / df_Hz - first) <= kMaxLineOffset;
   if (!fits || f.count < 2) {
     throw InputError(fmt::format("{} lines from {} Hz in steps of {} Hz", f.count, f.x0, f.dx), where,
@@ -120,7 +121,7 @@ StoredFrf stored_frf(const UffFunction& f, int point, std::size_t channel) {
   return out;
 }
 
-// Adds coherence and, where the number of averages is known, the standard deviation of H1 that follows.
+// Adds the coherence. If the number of averages is known, also adds the standard deviation of H1 computed from both.
 void add_coherence(const UffFunction& coherence, StoredFrf& frf) {
   if (coherence.count != frf.value.size() || coherence.complex) return;
   frf.coherence.resize(coherence.count);
@@ -133,11 +134,11 @@ void add_coherence(const UffFunction& coherence, StoredFrf& frf) {
   }
 }
 
-using FrfPlaces = std::tuple<PlaceKey, PlaceKey>;
-std::map<FrfPlaces, const UffFunction*> coherences_of(const UffContents& contents) {
-  std::map<FrfPlaces, const UffFunction*> out;
+using FrfDofs = std::tuple<DofKey, DofKey>;  // reference, response
+std::map<FrfDofs, const UffFunction*> coherences_of(const UffContents& contents) {
+  std::map<FrfDofs, const UffFunction*> out;
   for (const UffFunction& f : contents.functions) {
-    if (f.type == Uff58::coherence) out.emplace(FrfPlaces{key_of(f.reference), key_of(f.response)}, &f);
+    if (f.type == Uff58::coherence) out.emplace(FrfDofs{key_of(f.reference), key_of(f.response)}, &f);
   }
   return out;
 }
@@ -153,8 +154,8 @@ void require_grid(const StoredFrfs& out, const std::string& file) {
     }
   }
   if (points.size() * out.record.accel.size() != out.frfs.size()) {
-    throw InputError(fmt::format("{} FRFs, not one of each of {} channels for each of {} points", out.frfs.size(),
-                                 out.record.accel.size(), points.size()),
+    throw InputError(fmt::format("{} FRFs, but {} channels at {} points need {}", out.frfs.size(),
+                                 out.record.accel.size(), points.size(), points.size() * out.record.accel.size()),
                      file, "export the same channels for every point");
   }
 }

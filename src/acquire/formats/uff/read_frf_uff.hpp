@@ -8,9 +8,9 @@
 namespace percuss::acquire {
 
 /// The FRFs of a universal file: its functions 58 of type 4 (docs/reference/formats.md, "UFF"), with the coherences
-/// (type 6) of the same places. Struck points are points, and responses are channels. With one struck point and many
-/// responses (a roving sensor) the responses are the points. Nothing without FRFs, or beside records of time, unless
-/// `forced`.
+/// (type 6) of the same degrees of freedom. The struck nodes are the points, and the responses are the channels. With
+/// one struck node and many responses (a roving sensor) the responses are the points. Nothing when the file has no
+/// FRFs, or when it has time records as well and `forced` is not set.
 /// errors  InputError: functions differ in length or spacing, or an FRF of a channel is missing at a point.
 std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents& contents, bool forced);
 

@@ -29,7 +29,7 @@ struct OpenUff {
 std::optional<Quantity> quantity_of_axis(const UffAxis& axis) {
   const auto unit = parse_unit(axis.unit);
   if (unit && (unit->quantity == Quantity::force || unit->quantity == Quantity::acceleration)) return unit->quantity;
-  if (axis.quantity == Uff58::excitation_force || axis.quantity == 9) return Quantity::force;
+  if (axis.quantity == Uff58::excitation_force || axis.quantity == Uff58::reaction_force) return Quantity::force;
   if (axis.quantity == Uff58::acceleration) return Quantity::acceleration;
   return std::nullopt;
 }
@@ -68,7 +68,7 @@ TableSignal signal_of(const UffFunction& function, const std::string& name, cons
   return out;
 }
 
-// The point that was hit: the reference, else the force's node, else the node of a roving sensor.
+// The struck point: the reference node, else the force's node, else the node of a roving sensor.
 int point_of_row(const UffRow& row, bool sensor_roves) {
   const int offset = uff_annotation(*row.front()).node_offset;
   const UffFunction& last = *row.back();
@@ -101,7 +101,7 @@ double rate_of_function_Hz(const UffFunction& function, const std::string& where
     largest = std::max(largest, std::abs(times[i]));
   }
   StampProblem problem;
-  // Five digits in a text, single precision in binary.
+  // Times have five digits in a text and single precision in binary.
   const double resolution_s =
       largest * (function.bytes.empty() ? 1e-5 : 2 * static_cast<double>(std::numeric_limits<float>::epsilon()));
   const std::vector<TimeStamps> rows{{.time_s = times, .resolution_s = resolution_s}};
@@ -135,13 +135,13 @@ bool is_uff_frf(const UffFunction& function) {
 
 std::string uff_set_list(const UffContents& contents) { return list_of_sets(contents); }
 
-std::string uff_dof_name(const UffDof& place) {
-  if (!place.name.empty()) return place.name;
-  const int direction = std::abs(place.direction);
-  const std::string sign = place.direction < 0 ? "-" : "+";
-  if (direction < 1 || direction > 6) return fmt::format("node {}", place.node);
+std::string uff_dof_name(const UffDof& dof) {
+  if (!dof.name.empty()) return dof.name;
+  const int direction = std::abs(dof.direction);
+  const std::string sign = dof.direction < 0 ? "-" : "+";
+  if (direction < 1 || direction > 6) return fmt::format("node {}", dof.node);
   constexpr std::array axes{"X", "Y", "Z", "RX", "RY", "RZ"};
-  return fmt::format("{}{}{}", place.node, sign, axes.at(static_cast<std::size_t>(direction - 1)));
+  return fmt::format("{}{}{}", dof.node, sign, axes.at(static_cast<std::size_t>(direction - 1)));
 }
 
 Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& options) {
@@ -159,11 +159,12 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   if (functions.empty()) {
     const auto& all = open->contents.functions;
     if (std::any_of(all.begin(), all.end(), [](const UffFunction& function) { return is_uff_frf(function); })) {
-      throw InputError("the file holds FRFs, not a record of time", name, "give the record that they were made from");
+      throw InputError("the file holds FRFs, not a time record", name,
+                       "give the time record that the FRFs were estimated from");
     }
     const bool shapes = open->contents.shapes > 0;
-    throw InputError("no records of time and no FRFs among " + list_of_sets(open->contents), name,
-                     shapes ? "it holds mode shapes, to be looked at in other programs; give the record they came from"
+    throw InputError("no time records and no FRFs among " + list_of_sets(open->contents), name,
+                     shapes ? "the file holds mode shapes; give the time record that they were identified from"
                             : "export functions as data set 58");
   }
   open->rows = uff_rows(functions, is_force, name);

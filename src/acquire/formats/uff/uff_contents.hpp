@@ -20,7 +20,7 @@ struct UffContents {
   std::vector<UffFunction> functions;  // data sets 58
   std::optional<UffUnits> units;
   std::map<int, std::array<double, 3>> nodes_m;  // data sets 15 and 2411, in global coordinates
-  UffTraceLines connections;                     // data sets 82 and 2412, by node
+  UffTraceLines connections;                     // data sets 82 and 2412
   std::map<int, std::size_t> sets;               // count of data sets by number
   std::size_t shapes = 0;                        // of sets 55 and 2414
 };
@@ -28,16 +28,18 @@ struct UffContents {
 /// errors  InputError with file and line: a set with one of these numbers does not follow its layout.
 UffContents read_uff_contents(const FileBytes& file);
 
-/// The unused content of the file, for people: "data sets not used: 2467 (1), 773 (2)", mode shapes.
+/// Messages about the content that is not used, such as "data sets not used: 2467 (1), 773 (2)" or "mode shapes: 3, not
+/// used".
 std::vector<Message> uff_notes(const UffContents& contents);
 
-/// Coordinates by point: row i is point i = node − `offset`, three NaN without such a point. Empty, with a note, when
-/// the numbers are too far apart.
+/// Coordinates [points][3]. Row i holds node i + `offset`, or three NaN if the file has no such node. Empty, with a
+/// note, when the nodes are numbered too far apart.
 std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset, std::vector<Message>& notes);
-/// The lines between points that the file has nodes of.
+/// The lines whose two nodes are in the file, by point = node − `offset`.
 std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset);
 
-/// The statements of percuss in the fifth line of a function: "percuss; node = point + 1; dx = 3.90625e-05".
+/// The statements of percuss in a function's fifth line ("percuss; node = point + 1; dx = 3.90625e-05") and fourth line
+/// ("averages = 5; angle_deg = 90; ").
 struct UffAnnotation {
   bool by_percuss = false;
   bool continuous = false;
@@ -47,9 +49,10 @@ struct UffAnnotation {
 };
 UffAnnotation uff_annotation(const UffFunction& function);
 
-/// The step of an even abscissa without the rounding of its 13 columns: percuss's own statement, else the step with the
-/// same text whose inverse (for a frequency: which itself) is the roundest number. Sets `note` where that changes the
-/// step.
+/// The step of an even abscissa, before it was rounded to 13 columns. This is the step that percuss states in the fifth
+/// line. Otherwise it is the step with the roundest inverse (the sampling rate) of all steps that round to the same
+/// text. A spacing of frequencies may also be the roundest number itself. Sets `note` when the step differs from the
+/// text.
 double uff_step(const UffFunction& function, bool frequency, std::string& note);
 
 }  // namespace percuss::acquire

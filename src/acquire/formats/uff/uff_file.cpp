@@ -10,10 +10,11 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kPadding_bytes = 64;  // after binary data: zeros to an even number of values, line ends
+constexpr std::size_t kMaxPadding_bytes = 64;  // after binary data: zeros to an even number of values, line ends
 constexpr std::size_t kBinaryHeaderLines = 11, kRecord7 = 6;
-constexpr std::size_t kManyBytes = std::size_t{1} << 16U, kLook_bytes = 4096;
-constexpr std::size_t kSpacingColumn = 20;  // of record 7
+constexpr std::size_t kMinUnread_bytes = std::size_t{1} << 16U;  // shorter data are loaded at once
+constexpr std::size_t kLookahead_bytes = 4096;                   // loaded after binary data, to find the delimiter
+constexpr std::size_t kSpacingColumn = 20;                       // of record 7
 constexpr std::size_t kMaxSets = 4'000'000;
 
 bool is_delimiter(std::string_view line) {
@@ -31,23 +32,23 @@ class LazyLoader {
  public:
   explicit LazyLoader(const FileBytes& file) : file_(file), end_(file.lazy ? 0 : file.size) {}
 
-  bool needed() const { return end_ < file_.size; }
+  bool is_needed() const { return end_ < file_.size; }
   void load_to(std::size_t end) {
     if (end <= end_) return;
     file_.lazy->load(end_, end);
     end_ = std::min(end, file_.size);
   }
-  // Loads at least the line that begins at `first`; looks at each byte once.
+  // Loads at least the line that begins at `first`. Searches each byte once.
   void load_line(std::size_t first) {
     constexpr std::size_t kStep_bytes = std::size_t{1} << 16U;
     std::size_t looked = first;
-    while (needed() &&
+    while (is_needed() &&
            file_.view().substr(looked, end_ - std::min(end_, looked)).find('\n') == std::string_view::npos) {
       looked = std::max(looked, end_);
       load_to(end_ + kStep_bytes);
     }
   }
-  // Keeps the bytes before `first`.
+  // Leaves the bytes before `first` as they are: those not loaded yet are never loaded.
   void skip_to(std::size_t first) { end_ = std::max(end_, first); }
 
  private:
@@ -77,7 +78,7 @@ class Splitter {
   std::size_t offset() const { return static_cast<std::size_t>(rest_.data() - file_.view().data()); }
 
   std::string_view take_line() {
-    if (loader_.needed()) loader_.load_line(offset());
+    if (loader_.is_needed()) loader_.load_line(offset());
     return take_uff_line(rest_);
   }
 
@@ -134,10 +135,10 @@ class Splitter {
     }
     set.text = body.substr(0, body.size() - rest_.size());
     const std::optional<std::uint64_t> claimed = set.number == 58 ? uff_data_bytes(record7) : std::nullopt;
-    set.unread = claimed && loader_.needed() && stays_in_file(*claimed, record7);
-    if (!set.unread && loader_.needed()) {
+    set.unread = claimed && loader_.is_needed() && stays_in_file(*claimed, record7);
+    if (!set.unread && loader_.is_needed()) {
       loader_.load_to(offset() + std::max<std::uint64_t>(claimed.value_or(0), static_cast<std::uint64_t>(*stated)) +
-                      kLook_bytes);
+                      kLookahead_bytes);
     }
     const std::size_t bytes = set.unread ? *claimed : length_of(claimed, static_cast<std::uint64_t>(*stated), start);
     set.data = rest_.substr(0, bytes);
@@ -149,22 +150,22 @@ class Splitter {
   // Whether the data are long, evenly spaced and followed by a delimiter; does not read them.
   bool stays_in_file(std::uint64_t bytes, std::string_view record7) {
     const auto even = UffFields(record7.substr(std::min<std::size_t>(kSpacingColumn, record7.size()))).integer(10);
-    if (bytes < kManyBytes || bytes > rest_.size() || even != 1) return false;
+    if (bytes < kMinUnread_bytes || bytes > rest_.size() || even != 1) return false;
     const std::size_t end = offset() + bytes;
-    file_.lazy->load(end, end + kLook_bytes);
-    if (!delimiter_follows(rest_.substr(bytes).substr(0, kLook_bytes))) return false;
+    file_.lazy->load(end, end + kLookahead_bytes);
+    if (!delimiter_follows(rest_.substr(bytes).substr(0, kLookahead_bytes))) return false;
     loader_.skip_to(end);
     return true;
   }
 
-  // The length up to a delimiter: by record 7, with padding, or by the first line.
+  // The length up to a delimiter: as record 7 states, as the first line states, or as record 7 states plus padding.
   std::size_t length_of(std::optional<std::uint64_t> claimed, std::uint64_t stated, std::string_view start) const {
     const auto ends = [&](std::uint64_t bytes) {
       return bytes <= rest_.size() && delimiter_follows(rest_.substr(bytes));
     };
     if (claimed && ends(*claimed)) return *claimed;
     if (ends(stated)) return stated;
-    for (std::uint64_t more = 1; claimed && more <= kPadding_bytes; ++more) {
+    for (std::uint64_t more = 1; claimed && more <= kMaxPadding_bytes; ++more) {
       if (ends(*claimed + more)) return *claimed + more;
     }
     fail(fmt::format("no delimiter after the {} bytes of a binary data set", claimed.value_or(stated)), start);

@@ -13,8 +13,8 @@ namespace percuss::acquire {
 struct UffSet {
   int number = 0;
   std::string_view text;  // the lines after the set's number; in a binary set up to the bytes
-  std::string_view data;  // the bytes of a binary set …
-  bool unread = false;    // … which are still in the file (FileBytes::sparse)
+  std::string_view data;  // the bytes of a binary set
+  bool unread = false;    // `data` is not loaded yet (FileBytes::lazy)
   bool binary = false;
   bool big_endian = false;
 };
@@ -23,16 +23,16 @@ struct UffSet {
 /// and blanks.
 bool is_universal_file(std::string_view head);
 
-/// The data sets of a universal file, in order. A delimiter is a whole line, never a part of one. Record 7 states the
-/// length of a binary set 58, provided that a delimiter follows there; otherwise its first line does. A lazy file is
-/// loaded except for the bytes of long, evenly spaced sets 58.
+/// The data sets of a universal file, in order. A delimiter is a whole line. Record 7 states the length of a binary set
+/// 58. If no delimiter follows there, the first line of the set states it. A lazy file is loaded except for the bytes
+/// of long, evenly spaced sets 58.
 /// errors  InputError with file and line: a set is not closed, or its number or length cannot be read.
 std::vector<UffSet> split_uff(const FileBytes& file);
 
-/// "file: line 12", for a position within `file`.
+/// "file: line 12", the line of `at` in `file`. `at` points into the bytes of `file`.
 std::string uff_location(const FileBytes& file, std::string_view at);
 
-/// Takes cells of fixed width off the front of a line; beyond its end they are blank.
+/// Takes cells of fixed width off the front of a line. Cells beyond the end of the line are blank.
 class UffFields {
  public:
   explicit UffFields(std::string_view line) : rest_(line) {}

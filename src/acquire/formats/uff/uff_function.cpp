@@ -174,11 +174,11 @@ void UffFunction::read(std::size_t part, std::size_t first, std::span<double> ou
   if (!file) return decode(bytes.data() + offset + before + part * width, stride, out);
   constexpr std::size_t kBlock_bytes = std::size_t{1} << 15U;
   std::array<char, kBlock_bytes> block;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled at once
-  const std::size_t most = kBlock_bytes / stride;
-  for (std::size_t done = 0; done < out.size(); done += most) {
-    const std::span<double> now = out.subspan(done, std::min(most, out.size() - done));
-    file->copy(file_offset + offset + done * stride, now.size() * stride, block.data());
-    decode(block.data() + before + part * width, stride, now);
+  const std::size_t block_values = kBlock_bytes / stride;
+  for (std::size_t done = 0; done < out.size(); done += block_values) {
+    const std::span<double> chunk = out.subspan(done, std::min(block_values, out.size() - done));
+    file->copy(file_offset + offset + done * stride, chunk.size() * stride, block.data());
+    decode(block.data() + before + part * width, stride, chunk);
   }
 }
 

@@ -17,6 +17,7 @@ struct Uff58 {
   enum Function { time_response = 1, auto_spectrum = 2, cross_spectrum = 3, frequency_response = 4, coherence = 6 };
   enum Quantity {
     displacement = 8,
+    reaction_force = 9,
     velocity = 11,
     acceleration = 12,
     excitation_force = 13,
@@ -52,13 +53,13 @@ struct UffFunction {
 
   std::string_view at;         // the set's place in the file
   std::vector<double> values;  // of a text: abscissa (if uneven), real, imaginary part (if complex), value by value
-  std::string_view bytes;      // of a binary set, in the same order …
-  std::shared_ptr<const LazyFile> file{};  // … and their place in the file while they are not loaded
+  std::string_view bytes;      // of a binary set, in the same order
+  std::shared_ptr<const LazyFile> file{};  // set while `bytes` are not loaded: read() copies them from `file_offset` on
   std::size_t file_offset = 0;
   bool big_endian = false;
 
   /// Real parts (part 0) or imaginary parts (part 1) of values first … first + out.size() − 1.
-  /// errors  InputError: the file has changed meanwhile.
+  /// errors  InputError: the file has become shorter since it was opened, or cannot be read.
   void read(std::size_t part, std::size_t first, std::span<double> out) const;
   /// Value i's abscissa.
   double x(std::size_t i) const;

@@ -14,7 +14,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 constexpr const char* kDelimiter = "    -1\n";
 constexpr std::size_t kHeaderLines = 11;
 
-// The text for columns that other programs cut by byte: ASCII, at most `width` characters.
+// Text for a field of fixed width: ASCII only, at most `width` characters. Other programs divide lines by bytes.
 std::string ascii(std::string_view text, std::size_t width) {
   std::string out;
   for (const char c : text) {
@@ -24,8 +24,8 @@ std::string ascii(std::string_view text, std::size_t width) {
   return out.empty() ? "NONE" : out;
 }
 
-std::string place_text(const UffDof& place) {
-  return fmt::format(" {:<10}{:10}{:4}", ascii(place.name, 10), place.node, place.direction);
+std::string dof_text(const UffDof& dof) {
+  return fmt::format(" {:<10}{:10}{:4}", ascii(dof.name, 10), dof.node, dof.direction);
 }
 
 std::string axis_text(const UffAxis& axis) {
@@ -36,8 +36,8 @@ std::string axis_text(const UffAxis& axis) {
 std::string header_text(const UffFunction& f) {
   std::string out;
   for (const std::string& line : f.id) out += ascii(line, 80) + '\n';
-  out += fmt::format("{:5}{:10}{:5}{:10}{}{}\n", f.type, 0, f.version, f.load_case, place_text(f.response),
-                     place_text(f.reference));
+  out += fmt::format("{:5}{:10}{:5}{:10}{}{}\n", f.type, 0, f.version, f.load_case, dof_text(f.response),
+                     dof_text(f.reference));
   out +=
       fmt::format("{:10}{:10}{:10}{}{}{}\n", f.complex ? 6 : 4, f.count, 1, uff_e13(f.x0), uff_e13(f.dx), uff_e13(0));
   return out + axis_text(f.abscissa) + axis_text(f.ordinate) + axis_text(f.denominator) + axis_text({});
@@ -46,7 +46,7 @@ std::string header_text(const UffFunction& f) {
 }  // namespace
 
 std::string uff_e13(double value) { return fmt::format("{:13.5E}", value); }
-// Numbers below 1e-99 need one more digit in the exponent and have one fewer in the mantissa.
+// Twelve decimals leave room for a sign and for an exponent of three digits.
 std::string uff_e20(double value) { return fmt::format("{:20.12E}", value); }
 std::string uff_d25(double value) {
   std::string out = fmt::format("{:25.16E}", value);

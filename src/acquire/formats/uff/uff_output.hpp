@@ -12,7 +12,7 @@ namespace percuss::acquire {
 
 enum class UffData { binary, text };
 
-/// A number in the Fortran formats E13.5, E20.12 and D25.16.
+/// `value` in the Fortran format E13.5, E20.12 or D25.16.
 std::string uff_e13(double value);
 std::string uff_e20(double value);
 std::string uff_d25(double value);
@@ -23,13 +23,14 @@ class UffOutput {
  public:
   UffOutput(const std::string& path, bool force, UffData data = UffData::binary);
 
-  /// Sets 151 (program) and 164 (SI).
+  /// Writes the sets 151 (program) and 164 (SI units).
   void header();
-  /// A data set of complete lines with their line ends.
+  /// Writes a data set of complete lines, each with its line end.
   void set(int number, std::string_view lines);
-  /// Data set 58 in double precision: `description` without its numbers; `values` real, or real and imaginary in turn.
+  /// Writes a data set 58 in double precision. The numbers of `description` are ignored. Complex values are real and
+  /// imaginary part in turn.
   void function(const UffFunction& description, std::span<const double> values);
-  /// As above, for values that come in parts: `count` numbers by next(first, out).
+  /// As above, in blocks: calls next(first, out) for numbers first … first + out.size() − 1 of `count`.
   template <class Next>
   void function_of(const UffFunction& description, std::size_t count, Next&& next) {
     begin(description);
@@ -44,7 +45,7 @@ class UffOutput {
   void commit() { file_.commit(); }
 
  private:
-  static constexpr std::size_t kNumbersAtOnce = std::size_t{1} << 16U;  // whole lines of four
+  static constexpr std::size_t kNumbersAtOnce = std::size_t{1} << 16U;  // a multiple of the four numbers per line
 
   void begin(const UffFunction& description);
   void append(std::span<const double> values, bool last);

@@ -16,7 +16,7 @@ constexpr double kSameStep = 1e-4;  // relative: the columns round
 
 using Functions = std::vector<const UffFunction*>;
 
-// Rows that begin with a force (with `forward` unset: end with one); nothing when their channels differ.
+// Rows that begin with a force, or end with a force if `forward` is not set. Empty when their lengths differ.
 std::vector<UffRow> rows_in_order(Functions functions, std::vector<bool> is_force, bool forward) {
   if (!forward) {
     std::reverse(functions.begin(), functions.end());
@@ -36,7 +36,8 @@ std::vector<UffRow> rows_in_order(Functions functions, std::vector<bool> is_forc
   return rows;
 }
 
-std::vector<UffRow> rows_by_place(const Functions& functions, const std::vector<bool>& is_force) {
+// Gives the k-th response of each degree of freedom and quantity to the k-th force; empty when that does not work out.
+std::vector<UffRow> rows_by_dof(const Functions& functions, const std::vector<bool>& is_force) {
   std::vector<UffRow> rows;
   for (std::size_t i = 0; i < functions.size(); ++i) {
     if (is_force[i]) rows.push_back({functions[i]});
@@ -77,7 +78,7 @@ std::vector<UffRow> uff_rows(const std::vector<const UffFunction*>& functions, c
   if (std::find(is_force.begin(), is_force.end(), true) == is_force.end()) rows.push_back(functions);
   if (rows.empty()) rows = rows_in_order(functions, is_force, true);
   if (rows.empty()) rows = rows_in_order(functions, is_force, false);
-  if (rows.empty()) rows = rows_by_place(functions, is_force);
+  if (rows.empty()) rows = rows_by_dof(functions, is_force);
   if (rows.empty()) {
     const auto forces = std::count(is_force.begin(), is_force.end(), true);
     throw InputError(fmt::format("{} forces and {} responses do not make rows of one force and its responses", forces,

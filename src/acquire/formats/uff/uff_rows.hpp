@@ -9,8 +9,11 @@ namespace percuss::acquire {
 /// Functions of one row; the first is the force where one is known.
 using UffRow = std::vector<const UffFunction*>;
 
-/// Groups records of time that were sampled together. `is_force[i]` belongs to functions[i].
-///   Each force begins a row, or ends one; or the k-th force belongs to the k-th response of each name and place.
+/// Groups time records that were sampled together. `is_force[i]` belongs to functions[i]. Uses the first order that
+/// fits:
+///   each force begins a row;
+///   each force ends a row;
+///   the k-th force belongs to the k-th response of each degree of freedom and quantity.
 /// Without forces all functions are one row.
 /// errors  InputError: the responses do not divide evenly among the forces, or differ in length or step within a row.
 std::vector<UffRow> uff_rows(const std::vector<const UffFunction*>& functions, const std::vector<bool>& is_force,

@@ -32,14 +32,15 @@ UffAnnotation uff_annotation(const UffFunction& function) {
   UffAnnotation out;
   out.by_percuss = function.id[4].starts_with("percuss");
   if (!out.by_percuss) return out;
-  const std::string &first = function.id[4], &second = function.id[3];
-  out.node_offset = first.find("node = point + 1") != std::string::npos ? 1 : 0;
-  out.continuous = first.find("; continuous") != std::string::npos;
-  out.dx = number_after(first, "dx =");
-  out.averages = static_cast<std::size_t>(std::min(std::max(number_after(second, "averages =").value_or(0), 0.0), 1e9));
-  out.angle_deg = number_after(second, "angle_deg =");
-  out.position_m = number_after(second, "position_m =");
-  out.decay_per_s = number_after(second, "decay_per_s =");
+  const std::string &fifth_line = function.id[4], &fourth_line = function.id[3];
+  out.node_offset = fifth_line.find("node = point + 1") != std::string::npos ? 1 : 0;
+  out.continuous = fifth_line.find("; continuous") != std::string::npos;
+  out.dx = number_after(fifth_line, "dx =");
+  out.averages =
+      static_cast<std::size_t>(std::min(std::max(number_after(fourth_line, "averages =").value_or(0), 0.0), 1e9));
+  out.angle_deg = number_after(fourth_line, "angle_deg =");
+  out.position_m = number_after(fourth_line, "position_m =");
+  out.decay_per_s = number_after(fourth_line, "decay_per_s =");
   return out;
 }
 
@@ -55,11 +56,11 @@ double uff_step(const UffFunction& function, bool frequency, std::string& note) 
   const bool take_itself = frequency && significant_digits(itself) <= significant_digits(inverse);
   const double step = take_itself ? itself : 1 / inverse;
   if (std::abs(step / dx - 1) > kUnchanged) {
-    note = frequency
-               ? fmt::format("spacing {:.10g} Hz: the roundest (or of the roundest duration) that is written as {}",
-                             step, trimmed(function.dx_text))
-               : fmt::format("sampling rate {:.10g} Hz: the roundest whose step is written as {} s", inverse,
-                             trimmed(function.dx_text));
+    note = frequency ? fmt::format(
+                           "spacing {:.10g} Hz: the roundest spacing (or with the roundest duration) that rounds to {}",
+                           step, trimmed(function.dx_text))
+                     : fmt::format("sampling rate {:.10g} Hz: the roundest rate whose time step rounds to {} s",
+                                   inverse, trimmed(function.dx_text));
   }
   return step;
 }

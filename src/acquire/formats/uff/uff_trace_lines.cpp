@@ -40,8 +40,8 @@ class LineReader {
 
   // Lines: number, count of nodes and colour; a name; nodes, eight per line.
   void trace_lines(const UffSet& set) {
-    each_part(set, [this](UffFields& fields, std::string_view head, std::string_view& rest) {
-      const std::size_t count = how_many(fields, head);
+    for_each_entry(set, [this](UffFields& fields, std::string_view head, std::string_view& rest) {
+      const std::size_t count = node_count(fields, head);
       take_uff_line(rest);
       int last = 0;
       for (const int node : nodes(rest, count)) {
@@ -53,24 +53,25 @@ class LineReader {
 
   // Lines: number, kind, three unused fields and the count of nodes; for beams their orientation; nodes.
   void elements(const UffSet& set) {
-    each_part(set, [this](UffFields& fields, std::string_view head, std::string_view& rest) {
+    for_each_entry(set, [this](UffFields& fields, std::string_view head, std::string_view& rest) {
       const int kind = whole_number(fields, head);
       fields.take(3 * kNodeWidth);
-      const std::size_t count = how_many(fields, head);
+      const std::size_t count = node_count(fields, head);
       if (is_beam(kind)) take_uff_line(rest);
       element(kind, nodes(rest, count));
     });
   }
 
-  void give_up(const char* where) {
-    if (out_.unreadable.empty()) out_.unreadable = where;
+  void note_unreadable(const char* problem) {
+    if (out_.unreadable.empty()) out_.unreadable = problem;
   }
   UffTraceLines result() { return std::move(out_); }
 
  private:
-  // take(fields after the number, head line, what comes after it), part by part.
+  // Calls take(fields, head, rest) for each entry of a set. `head` is the entry's first line, `fields` what follows its
+  // number there, `rest` the lines below.
   template <class Take>
-  void each_part(const UffSet& set, Take&& take) {
+  void for_each_entry(const UffSet& set, Take&& take) {
     std::string_view rest = set.text;
     while (!rest.empty()) {
       const std::string_view head = take_uff_line(rest);
@@ -81,7 +82,7 @@ class LineReader {
     }
   }
 
-  std::size_t how_many(UffFields& fields, std::string_view line) const {
+  std::size_t node_count(UffFields& fields, std::string_view line) const {
     return static_cast<std::size_t>(std::max(0, whole_number(fields, line)));
   }
 
@@ -136,7 +137,7 @@ UffTraceLines read_uff_trace_lines(const std::vector<UffSet>& sets, const FileBy
       if (set.number == 82) reader.trace_lines(set);
       if (set.number == 2412) reader.elements(set);
     } catch (const InputError& problem) {
-      reader.give_up(problem.what());
+      reader.note_unreadable(problem.what());
     }
   }
   return reader.result();

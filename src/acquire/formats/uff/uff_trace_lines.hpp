@@ -12,12 +12,12 @@ namespace percuss::acquire {
 struct UffTraceLines {
   std::vector<TraceLine> lines;    // by node, in the file's order, without duplicates
   std::size_t other_elements = 0;  // of kinds whose edges are not known
-  std::string unreadable;          // the place where a set could not be read to its end; empty: none
+  std::string unreadable;          // the first error message of an unreadable set; empty: none
 };
 
-/// The lines of the sets 82 (through nodes one after the other, 0 lifts the pen) and the edges of the elements of the
-/// sets 2412: rods and beams, triangles and quadrilaterals, tetrahedra, wedges and bricks.
-/// A set is read as far as possible: an unreadable drawing must not refuse a measurement.
+/// The lines of the sets 82 and the edges of the elements of the sets 2412: rods and beams, triangles and
+/// quadrilaterals, tetrahedra, wedges and bricks. A set 82 connects its nodes in order; a 0 interrupts the line. A set
+/// is read as far as possible, without an error: a measurement is usable without its trace lines.
 UffTraceLines read_uff_trace_lines(const std::vector<UffSet>& sets, const FileBytes& file);
 
 /// The bodies of sets 82 that draw these lines (by point; node = point + offset). A set continues while each line

@@ -197,7 +197,7 @@ TEST_F(MatRecord, IsAmbiguousWithSeveralComplexArrays) {
   MatBuilder(path_, MatLevel::v5).complex("H1", {2, 1}, lines).complex("H2", {2, 1}, lines).numbers("df", {1, 1}, {2});
   EXPECT_THAT(input_error_of([&] { frfs(); }), HasSubstr("2 complex arrays could be the FRFs"));
   EXPECT_EQ(frfs({.read = {.accel_channels = {"H2"}}}).frfs.size(), 1U);
-  // A record of time beside FRFs: what is meant must be said.
+  // A time record beside FRFs: the options must choose one.
   MatBuilder(path_, MatLevel::v5)
       .complex("H1", {2, 1}, lines)
       .numbers("df", {1, 1}, {2})
@@ -247,7 +247,7 @@ TEST_F(MatWritten, DistinguishesASingleHitFromAContinuousRow) {
   }
 }
 
-TEST_F(MatWritten, SurvivesTruncationAndMutations) {
+TEST_F(MatWritten, IsRefusedWhenTruncated) {
   write_mat(path_, example(), false);
   const std::string good = test::bytes_of(path_);
   const auto try_bytes = [&](const std::string& bytes) {

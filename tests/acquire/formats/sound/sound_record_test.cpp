@@ -159,7 +159,7 @@ TEST_F(SoundRecord, RefusesFilesThatAreNoMeasurement) {
   EXPECT_THAT(error(wav({.rate_Hz = 0}, integers({1, 2, 3, 4}, 2))), HasSubstr(path_));
   EXPECT_THAT(error(wav({.before = calibration_chunk("[")}, integers({1, 2, 3, 4}, 2))), HasSubstr("CAL1"));
   EXPECT_THAT(error(wav({.before = calibration_chunk(R"({"signals": []})")}, integers({1, 2, 3, 4}, 2))),
-              HasSubstr("0 signals described, 2 channels"));
+              HasSubstr("0 signals described for 2 channels"));
   std::string samples;
   for (const float value : {0.0F, NAN, 1.0F, 2.0F}) samples.append(reinterpret_cast<const char*>(&value), 4);
   EXPECT_THAT(input_error_of([&] {

@@ -44,7 +44,7 @@ TEST(CsvRows, CarryPointAndRun) {
 TEST(CsvRows, RefuseAHitThatReturnsAfterAnother) {
   EXPECT_THAT(input_error_of(
                   [] { csv_record("hit,t_s,force_N,acc_g\n0,0,1,2\n0,1,1,2\n1,0,1,2\n1,1,1,2\n0,0,1,2\n0,1,1,2\n"); }),
-              HasSubstr("hit 0 returns after another (x.csv: line 6)"));
+              HasSubstr("hit 0 occurs again after another hit (x.csv: line 6)"));
 }
 
 TEST(CsvRows, RefuseNumbersOfHitsThatAreNotWhole) {

@@ -92,7 +92,8 @@ TEST(UffFrf, RefusesGapsAndOtherLines) {
   const auto at = [](int point, int channel) {
     return frf_text({.response = "s" + std::to_string(channel), .reference_node = point}, 1);
   };
-  EXPECT_THAT(input_error_of([&] { read(at(1, 1) + at(1, 2) + at(2, 1)); }), HasSubstr("3 FRFs, not one of each"));
+  EXPECT_THAT(input_error_of([&] { read(at(1, 1) + at(1, 2) + at(2, 1)); }),
+              HasSubstr("3 FRFs, but 2 channels at 2 points need 4"));
   EXPECT_THAT(input_error_of([&] { read(at(1, 1) + at(1, 1)); }), HasSubstr("two FRFs of channel 1"));
   std::string other = at(2, 1);
   other.replace(other.find("  2.00000E+00"), 13, "  1.00000E+00");
