@@ -76,7 +76,7 @@ void add_overload(Hit& hit) {
       {.code = FindingCode::overload,
        .severity = Severity::reject,
        .value = static_cast<double>(samples_at_peak(hit)),
-       .message = fmt::format("force clipped at {:.3g} N, the clipping level of other hits; raise the input range",
+       .message = fmt::format("force clipped at {:.4g} N, the clipping level of other hits; raise the input range",
                               hit.peak_N)});
 }
 
