@@ -107,7 +107,7 @@ ReportText text_of_metrics(const std::vector<Line>& lines, const metrics::BatMet
   if (m.drop_class) out += fmt::format("class {}\n", *m.drop_class);
   if (absent > 0 && absent < lines.size())
     out += fmt::format("{} more metrics need readings that are missing\n", absent);
-  for (const metrics::MetricsWarning& warning : warnings) out.say("note: " + warning.message);
+  for (const metrics::MetricsWarning& warning : warnings) out.say({"note: " + warning.message, warning.options});
   return out;
 }
 
