@@ -51,7 +51,7 @@ int parse_and_run(int argc, char** argv) {
   std::abort();
 }
 
-// During an analysis every file stays open, and a connection to its sandbox.
+// An analysis of many files keeps files and the connections to their sandboxes open.
 static void allow_many_files() {
   rlimit files{};
   if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;

@@ -6,10 +6,10 @@
 namespace percuss::accuracy {
 
 /// Measures the largest deflection of a held beam (14.5, 90 and 322 Hz) by every method of deflection_of. The test has
-/// three hits of 2.5 ms, 1.2 s each at 10 kHz, 0.1 s of rest before each, noise of 0.1 % of the RMS acceleration, a
-/// bias of 0.3 m/s² and a drift of 0.1 m/s³. Times are from an HDF5 file to deflections on one thread, with the modes
-/// where the method needs them. Errors and coverage include only hits with a significant deflection; the column
-/// "detected" is the share of these hits.
+/// three rows of 1.2 s at 10 kHz, each with a pulse of 2.5 ms after 0.1 s of rest, noise of 0.1 % of the RMS
+/// acceleration, a bias of 0.3 m/s² and a drift of 0.1 m/s³. Times are from an HDF5 file to the deflections on one
+/// thread. For the method modal they include the identification of the modes. Errors and coverage include only hits
+/// with a significant deflection; the column "detected" is the share of these hits.
 Family study_deflection(Extent extent, const TimingOptions& turns);
 
 }  // namespace percuss::accuracy

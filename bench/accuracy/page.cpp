@@ -96,8 +96,9 @@ multiple of the unavoidable work: reading the bytes of the file, and one bare FF
   [theory.md](../theory/theory.md), (4.16).
 - **Time.** The processor time on one thread from an HDF5 file in the page cache to the result, so other work on the
   machine matters little. All methods and the baseline alternate in one run, in a changing order, and the best time of
-  each counts. The baseline is a hard limit: its transforms are planned by measurement and stay in the cache.
-  ([decisions.md](decisions.md), 30, compares with transforms of records in memory, a softer limit.)
+  each counts. The baseline is a hard limit: its transforms are planned by measurement, and use one buffer that stays in
+  the processor's cache. ([decisions.md](decisions.md), 30, compares with transforms of the records in memory, which
+  take longer.)
 - **Pareto-optimal.** No other method in the same case is at least as accurate and as fast, and better in one of the
   two. Times within a tenth and errors within a hundredth count as equal. In the charts a line joins the Pareto-optimal
   methods.
@@ -168,10 +169,10 @@ std::string deflection_part(const Family& family) {
   return fmt::format(R"(
 ## Largest deflection
 
-The structure is a held beam (14.5, 90 and 322 Hz). It has three hits of 2.5 ms, 1.2 s each at 10 kHz, with 0.1 s of
-rest before each. The noise is 0.1 % of the RMS acceleration; a bias of 0.3 m/s² and a drift of 0.1 m/s³ are added.
-Truth is the convolution of the pulse with the closed form of each mode. The time is from the file to deflections, with
-the modes where `modal` needs them.
+The structure is a held beam (14.5, 90 and 322 Hz). It is hit three times: each row has 1.2 s at 10 kHz, with a pulse of
+2.5 ms after 0.1 s of rest. The noise is 0.1 % of the RMS acceleration; a bias of 0.3 m/s² and a drift of 0.1 m/s³ are
+added. Truth is the convolution of the pulse with the closed form of each mode. The time is from the file to the
+deflections. For `modal` it includes the identification of the modes.
 
 {}
 {}

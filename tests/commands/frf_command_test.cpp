@@ -64,7 +64,7 @@ TEST_F(FrfCommand, PrintsTheFrfsAsText) {
   EXPECT_THAT(lines.at(0), AllOf(HasSubstr("accelerance"), HasSubstr("H1")));
   EXPECT_THAT(lines.at(1), testing::StartsWith("frequency_hz,"));
   EXPECT_EQ(lines.size(), 2U + 941U) << "1 Hz from 60 to 1000 Hz, both included";
-  // At resonance the accelerance is A / 2ζ, 90 degrees after the force.
+  // At resonance the accelerance is A / 2ζ, 90 degrees ahead of the force.
   const auto peak = line_at(outcome.out, 200);
   EXPECT_NEAR(magnitude(peak), 0.9 / 0.02, 0.5);
   EXPECT_GT(peak[2], 0) << "−ω²A/(2jζω²) = +jA/2ζ";

@@ -68,8 +68,8 @@ void add_convert(CommandLine& line) {
   Command command =
       line.command("convert", "Convert records or FRFs between formats", [flags] { return convert(*flags); });
   command.about(
-      "Writes the last FILE, as cp does, or the file that -o names; its extension sets the format. Lists information "
-      "that the format cannot store on standard error.");
+      "Writes the last FILE, as cp does, or the file that -o names; its extension sets the format. Lists on standard "
+      "error the information that the format cannot store.");
   command.example("percuss convert bat.mat bat.uff", "Convert a record from MATLAB to a universal file");
   command.example("percuss convert frfs.h5 -o frfs.csv", "Write FRFs as a table");
   command.example("percuss convert hits.csv hits.h5 --force-channel CH8 --force-unit lbf --quiet",

@@ -116,7 +116,7 @@ void filter_calls(int descriptor) {
   allow_writing_to(program, descriptor);
   return_action(program, SECCOMP_RET_ERRNO | EPERM);
   const sock_fprog whole{static_cast<unsigned short>(program.size()), program.data()};
-  prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &whole);  // NOLINT: C. On failure, the limits above still apply.
+  prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &whole);  // NOLINT: C. On failure, the resource limits still apply.
 }
 
 #else

@@ -44,7 +44,7 @@ MatrixXd orthonormal_polynomials(Index points, Index terms) {
   const VectorXd x = VectorXd::LinSpaced(points, -1, 1);
   MatrixXd q(points, terms);
   for (Index term = 0; term < terms; ++term) {
-    // x times the previous polynomial is nearly orthogonal to all of them, so nothing cancels.
+    // x·q_(k−1) = b_k q_k + b_(k−1) q_(k−2). Both factors are near ½ for terms ≪ points, so little cancels.
     const VectorXd next = term == 0 ? VectorXd::Ones(points) : VectorXd(x.cwiseProduct(q.col(term - 1)));
     const auto before = q.leftCols(term);
     q.col(term) = (next - before * (before.transpose() * next)).normalized();

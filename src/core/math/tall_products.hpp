@@ -31,7 +31,8 @@ struct ColumnFit {
   Eigen::MatrixXcd residual;   // [n, outputs]
 };
 
-/// Least-squares fit of `columns` to the columns `outputs` of `data`, one at a time while it is in the cache.
+/// Least-squares fit of `columns` to the columns `outputs` of `data`. Each column of `data` is finished while it is in
+/// the cache.
 /// shapes: columns [n, a], inverse_gram (columnsᴴ·columns)⁻¹, data [n, …].
 ColumnFit fit_columns(const Eigen::MatrixXcd& columns, const Eigen::MatrixXcd& inverse_gram,
                       const Eigen::MatrixXcd& data, const std::vector<std::size_t>& outputs);

@@ -104,7 +104,7 @@ void BallOnBeam::kick(BallOnBeamState& state, double dt_s) const {
     const double fall = mobility_ * hysteresis_ * elastic * dt_s;  // of ln(1 + χα̇)
     const double gone = -std::expm1(-fall);
     impulse = scale * gone / (mobility_ * hysteresis_);
-    // ∫ k₂ α^(3/2) χ α̇ (1 + χα̇) dt − ∫ k₂ α^(3/2) α̇ dt: the work that (2) dissipates.
+    // The work that (2) dissipates: ∫ k₂ α^(3/2) α̇ (1 + χα̇) dt − ∫ k₂ α^(3/2) α̇ dt.
     state.lost_J += (-scale * scale * std::expm1(-2 * fall) / 2 - 2 * scale * gone + fall) /
                     (mobility_ * hysteresis_ * hysteresis_);
   }

@@ -28,7 +28,7 @@ struct BendingPlot {
 };
 
 /// The data of src/report/html/page/bending.js, as JSON in ASCII: {"bending": {outline, modes: [{name, hz, z_m, y,
-/// nodes}], ends}}.
+/// nodes}], ends, from_right}}.
 std::string bending_plot_json(const BendingPlot& plot);
 
 /// `value_m ± std_m` in inches and in millimetres; without the ± where std_m is 0.

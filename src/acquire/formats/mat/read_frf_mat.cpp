@@ -67,7 +67,8 @@ const MatVariable& chosen_frf(const MatFile& file, const std::vector<const MatVa
                   "accel_channel");
 }
 
-// Three dimensions are points, channels, lines in this order, or lines first; two are FRFs and lines.
+// The dimension of the lines is as long as the vector of frequencies; among several such ones it is the last of three,
+// otherwise the first. Without such a dimension it is the longest. The others are points, then channels.
 MatFrfLayout frf_layout(const MatVariable& variable, std::size_t frequencies) {
   std::vector<std::pair<std::size_t, std::size_t>> axes;  // size, stride
   std::size_t stride = 1;
@@ -117,7 +118,8 @@ LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size
   return out;
 }
 
-// A real array of the FRFs' shape (standard deviations, coherence); empty when there is none.
+// The values of one point and channel in a real array of the FRFs' shape (standard deviations, coherence). Empty if the
+// file has no such array.
 std::vector<double> companion(const MatFile& file, const MatVariable& frf, const char* name, const MatFrfLayout& layout,
                               std::size_t point, std::size_t channel) {
   const MatVariable* const found = find_variable(file, name);
@@ -190,8 +192,10 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   if (named == nullptr && !is_named_frf && !options.kind && may_hold_record(file, lines)) return std::nullopt;
   const MatVariable& frf = chosen_frf(file, candidates);
   const MatFrfLayout layout = frf_layout(frf, freq_Hz.size());
-  if (layout.lines < 2 || layout.points * layout.channels > kMaxMatFrfs)
-    throw InputError("too few lines or too many FRFs: " + shape_name(frf.shape), file.path, "split the file");
+  if (layout.lines < 2 || layout.points * layout.channels > kMaxMatFrfs) {
+    throw InputError("too few lines or too many FRFs: " + shape_name(frf.shape), file.path,
+                     fmt::format("store at least 2 lines, and at most {} FRFs in a file", kMaxMatFrfs));
+  }
   StoredFrfs out;
   out.record.files.push_back({.path = file.path, .bytes = file.bytes});
   out.record.format = "FRF MAT";

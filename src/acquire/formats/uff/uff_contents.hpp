@@ -49,10 +49,11 @@ struct UffAnnotation {
 };
 UffAnnotation uff_annotation(const UffFunction& function);
 
-/// The step of an even abscissa, before it was rounded to 13 columns. This is the step that percuss states in the fifth
-/// line. Otherwise it is the step with the roundest inverse (the sampling rate) of all steps that round to the same
-/// text. A spacing of frequencies may also be the roundest number itself. Sets `note` when the step differs from the
-/// text.
+/// The step of an even abscissa, before it was rounded to 13 columns. If the fifth line states a step of percuss that
+/// agrees with the text, it is this step. Otherwise it is the step with the roundest inverse (the sampling rate, or the
+/// duration for a spacing of frequencies) of all steps that round to the same text. For a spacing of frequencies, the
+/// roundest step is preferred if it has no more digits than that inverse. Sets `note` when the step found in this way
+/// differs from the text.
 double uff_step(const UffFunction& function, bool frequency, std::string& note);
 
 }  // namespace percuss::acquire

@@ -65,7 +65,7 @@ TEST(ReadLvm, ReadsFilesWithoutTimesAndWithTimesPerChannel) {
   EXPECT_EQ(record.accel[0].name, "Tip");
 }
 
-TEST(ReadLvm, RefusesDamageWithItsLine) {
+TEST(ReadLvm, RefusesDamagedFiles) {
   EXPECT_THAT(input_error_of([] { opened(kHead); }), HasSubstr("no segment"));
   EXPECT_THAT(input_error_of([] { opened("LabVIEW Measurement\n"); }), HasSubstr("without its end"));
   EXPECT_THAT(input_error_of([] { opened(kHead + replaced(kSegment, "-2", "two")); }),
