@@ -47,7 +47,7 @@ def test_invalid_files_raise_the_error_of_the_command_line(tool, content):
     assert str(raised.value) == str(pytest.raises(percuss.InputError, percuss.read, "file").value)
 
 
-def test_missing_files_are_named(tool):
+def test_files_and_arguments_raise_the_error_of_the_command_line(tool):
     for call, words in [
         (lambda: percuss.analyze("none.h5"), ["analyze", "none.h5"]),
         (lambda: percuss.analyze("a b.h5", "a b.h5"), ["analyze", "a b.h5", "a b.h5"]),

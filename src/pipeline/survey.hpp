@@ -44,7 +44,7 @@ class Survey {
   const std::vector<std::vector<identify::Mac>>& macs() const;  // [modes][modes]
   /// Spectral lines of the analysis's band, without its margin.
   acquire::LineRange band() const;
-  /// [outputs], point as an index into the analysis's frf_points().
+  /// [channels of Analysis::fitted_frfs()]; `point` is an index into Analysis::frf_points().
   const std::vector<identify::SynthesisedFrf>& synthesis() const;
   const Eigen::MatrixXd& indicator() const;  // CMIF [lines of band(), values]
   std::vector<identify::DrivingPointCheck> driving_checks() const;

@@ -24,7 +24,7 @@ namespace percuss::published_defects_test {
 constexpr double kWindowEnd = 0.01;  // the exponential window ends at 1 %
 
 // One second at 12.8 kHz: lines 1 Hz apart.
-synth::SynthSpec second_of(std::vector<synth::SynthMode> modes, double noise = 0) {
+synth::SynthSpec test_of_one_second(std::vector<synth::SynthMode> modes, double noise = 0) {
   synth::SynthSpec spec;
   spec.fs_Hz = 12800;
   spec.samples = 12800;
@@ -40,7 +40,7 @@ pipeline::Analysis analysis_of(const synth::SynthSpec& spec, pipeline::AnalysisO
   return {synth::synthesise(spec).record, std::move(options)};
 }
 
-// The exact FRF at s = jω + decay, the line of a windowed FRF.
+// The exact FRF at s. A windowed FRF at ω equals it at s = jω + decay.
 Complex exact_at(const synth::Truth& truth, Complex s, std::size_t channel) {
   Complex h = truth.rigid_per_kg[0][channel];
   for (std::size_t m = 0; m < truth.spec.modes.size(); ++m) {
@@ -55,7 +55,7 @@ TEST(PublishedDefects, AnExponentialWindowDoesNotScaleTheFrf) {
   // A factor N/Σw would make the FRF 4.65 times too large. The mode has decayed after a second, so the windowed FRF is
   // the exact FRF at jω + decay, except for the force outside the gate.
   constexpr double kGate = 1e-4;
-  const synth::SynthSpec spec = second_of({{.freq_Hz = 200, .damping_ratio = 0.02}});
+  const synth::SynthSpec spec = test_of_one_second({{.freq_Hz = 200, .damping_ratio = 0.02}});
   const synth::Truth truth = synth::synthesise(spec).truth;
   const pipeline::Analysis analysis = analysis_of(spec, {.exponential_end = kWindowEnd});
   for (const acquire::PointFrf& frf : analysis.frfs()) {
@@ -69,7 +69,7 @@ TEST(PublishedDefects, AnExponentialWindowDoesNotScaleTheFrf) {
 TEST(PublishedDefects, DampingIsCorrectedForTheExponentialWindowExactly) {
   constexpr double kRounding = 1e-8;  // of fits to noise-free lines
   const pipeline::Analysis analysis =
-      analysis_of(second_of({{.freq_Hz = 200, .damping_ratio = 0.01}}), {.exponential_end = kWindowEnd});
+      analysis_of(test_of_one_second({{.freq_Hz = 200, .damping_ratio = 0.01}}), {.exponential_end = kWindowEnd});
   ASSERT_EQ(analysis.modes().size(), 1U);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.damping_ratio / 0.01 - 1), kRounding);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.freq_Hz / 200 - 1), kRounding);
@@ -109,9 +109,9 @@ TEST(PublishedDefects, TheBasisIsMappedToTheBandSoThatTwoModesTwoHertzApartAt170
 }
 
 TEST(PublishedDefects, TheFrfIsNotConjugated) {
-  // A response lags: with exp(+jωt) the accelerance of a positive residue has its peak at +90°.
+  // With exp(+jωt), the receptance of a positive residue lags by 90° at resonance. Its accelerance is then at +90°.
   constexpr double kGate = 1e-4;
-  const synth::SynthSpec spec = second_of({{.freq_Hz = 200, .damping_ratio = 0.02}});
+  const synth::SynthSpec spec = test_of_one_second({{.freq_Hz = 200, .damping_ratio = 0.02}});
   const synth::Truth truth = synth::synthesise(spec).truth;
   for (const frf::Estimator estimator : {frf::Estimator::h1, frf::Estimator::h2, frf::Estimator::hv}) {
     const pipeline::Analysis analysis = analysis_of(spec, {.estimator = estimator});
@@ -125,7 +125,7 @@ TEST(PublishedDefects, TheFrfIsNotConjugated) {
 }
 
 TEST(PublishedDefects, StoredDataAreNotChangedByAConversion) {
-  const pipeline::Analysis analysis = analysis_of(second_of({{.freq_Hz = 200, .damping_ratio = 0.02}}, 1e-3));
+  const pipeline::Analysis analysis = analysis_of(test_of_one_second({{.freq_Hz = 200, .damping_ratio = 0.02}}, 1e-3));
   const std::vector<acquire::PointFrf> before(analysis.frfs().begin(), analysis.frfs().end());
   for (const acquire::FrfKind kind :
        {acquire::FrfKind::receptance, acquire::FrfKind::mobility, acquire::FrfKind::receptance})
@@ -136,7 +136,7 @@ TEST(PublishedDefects, StoredDataAreNotChangedByAConversion) {
   }
 }
 
-TEST(PublishedDefects, NeitherTheMeanIsRemovedNorAHannWindowLaidOverAnImpact) {
+TEST(PublishedDefects, AnImpactKeepsItsMeanAndGetsNoHannWindow) {
   // Line 0 of a pulse is its impulse, and a pulse at the record's beginning, where a Hann window is 0, keeps its size.
   acquire::Hit hit{.first = 0, .samples = 64, .peak = 1, .gate_first = 0};
   hit.gated_N = {1, 4, 2};
@@ -149,10 +149,11 @@ TEST(PublishedDefects, NeitherTheMeanIsRemovedNorAHannWindowLaidOverAnImpact) {
 
 TEST(PublishedDefects, AFrequencyIsNotQuantisedToABinAndHasItsDeviation) {
   for (const double part : {0.11, 0.37, 0.5, 0.82}) {  // of the 1 Hz between two lines
-    const pipeline::Analysis analysis = analysis_of(second_of({{.freq_Hz = 300 + part, .damping_ratio = 0.01}}, 1e-4));
+    const pipeline::Analysis analysis =
+        analysis_of(test_of_one_second({{.freq_Hz = 300 + part, .damping_ratio = 0.01}}, 1e-4));
     ASSERT_EQ(analysis.modes().size(), 1U) << part;
     const identify::Mode& mode = analysis.modes()[0];
-    EXPECT_LE(std::abs(mode.pole.freq_Hz - (300 + part)), 0.01) << part;  // of a line
+    EXPECT_LE(std::abs(mode.pole.freq_Hz - (300 + part)), 0.01) << part;  // 1 % of the line spacing
     EXPECT_GT(mode.freq_std_Hz, 0);
     EXPECT_LE(mode.freq_std_Hz, 0.01);
     EXPECT_GT(mode.damping_std, 0);
@@ -183,7 +184,7 @@ TEST(PublishedDefects, ACoherenceAbove1IsNotClipped) {
 
 TEST(PublishedDefects, OnePoleSetServesAllPointsAndChannels) {
   synth::SynthSpec spec =
-      second_of({{.freq_Hz = 200, .damping_ratio = 0.01}, {.freq_Hz = 640, .damping_ratio = 0.006}}, 1e-3);
+      test_of_one_second({{.freq_Hz = 200, .damping_ratio = 0.01}, {.freq_Hz = 640, .damping_ratio = 0.006}}, 1e-3);
   for (synth::SynthMode& mode : spec.modes) mode.residue_per_kg = {0.9, 0.5, 0.4, -0.2, 0.7, 0.6};
   spec.points = {{.position_m = 0.1}, {.position_m = 0.2}, {.position_m = 0.3}};
   spec.hits = 2;
@@ -192,10 +193,10 @@ TEST(PublishedDefects, OnePoleSetServesAllPointsAndChannels) {
   for (const identify::Mode& mode : analysis.modes()) EXPECT_EQ(mode.residues.size(), 6U);
 }
 
-TEST(PublishedDefects, EstimatesDoNotChangeAfterThePick) {
-  constexpr double kSettled = 0.01;  // deviations
+TEST(PublishedDefects, EstimatesDoNotDependOnTheExactPick) {
+  constexpr double kSettled = 0.01;  // standard deviations
   const synth::SynthSpec spec =
-      second_of({{.freq_Hz = 200, .damping_ratio = 0.01}, {.freq_Hz = 640, .damping_ratio = 0.006}}, 1e-3);
+      test_of_one_second({{.freq_Hz = 200, .damping_ratio = 0.01}, {.freq_Hz = 640, .damping_ratio = 0.006}}, 1e-3);
   const pipeline::Analysis first = analysis_of(spec);
   ASSERT_EQ(first.modes().size(), 2U);
   for (const double aside_Hz : {-0.6, 0.0, 0.7}) {

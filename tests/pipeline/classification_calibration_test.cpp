@@ -55,8 +55,8 @@ std::vector<std::vector<Judged>> judged_bats() {
 struct Pool {
   double classifications = 0, right = 0, confidence = 0;
   double expected_variance = 0;  // of the number of right classifications, if the confidences are true and independent
-  double variance_by_bats = 0;   // of right minus confidence, from the sums of each bat
-  double wrong_squared_by_bats = 0;  // the same for wrong classifications
+  double variance_by_bats = 0;   // Σ over the bats of (number right − Σ confidence)²
+  double wrong_squared_by_bats = 0;  // Σ over the bats of (number of wrong classifications)²
 };
 
 Pool pool_of(const std::vector<std::vector<Judged>>& bats, double low, double high) {

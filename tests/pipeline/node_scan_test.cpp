@@ -13,11 +13,9 @@
 
 namespace percuss::pipeline::node_scan_test {
 
-// Accuracy demanded of a scan by hand, whose positions are accurate to a few hundredths of an inch …
-constexpr double kNode_in = 0.02;
+constexpr double kNode_in = 0.02;  // positions by hand are accurate to a few hundredths of an inch
 constexpr double kDeviations = 3;
-// … and of the source's rule, equal to its step.
-constexpr double kRule_in = 0.125;
+constexpr double kMinimum_in = 0.125;  // resolution of the peak's minimum, the source's rule for a node
 
 constexpr ScanPositions kScan{.start_m = 3 * kInch_m, .step_m = 0.25 * kInch_m, .count = 25};
 
@@ -34,7 +32,7 @@ synth::SynthSpec scan_spec(const char* preset, std::uint64_t seed) {
 
 NodeScan scan_of(const synth::SynthSpec& spec) {
   const Analysis analysis(synth::synthesise(spec).record, {.band_Hz = std::pair{60.0, 3200.0}});
-  return scan_nodes(analysis, kScan, 0.125 * kInch_m);
+  return scan_nodes(analysis, kScan, kMinimum_in * kInch_m);
 }
 
 // Zeros of the mode's shape within the scan, by bisection of its sign changes.
@@ -67,7 +65,7 @@ void expect_nodes(const char* preset, std::uint64_t seed) {
     EXPECT_LE(off_in, kNode_in) << "± " << along.nodes[0].std_m / kInch_m;
     EXPECT_LE(off_in, kDeviations * along.nodes[0].std_m / kInch_m);
     ASSERT_TRUE(along.minimum_m);
-    EXPECT_LE(std::abs(*along.minimum_m - exact[0]) / kInch_m, kRule_in);
+    EXPECT_LE(std::abs(*along.minimum_m - exact[0]) / kInch_m, kMinimum_in);
   }
   EXPECT_EQ(bending, scan.modes.size());
 }
@@ -85,7 +83,7 @@ TEST(NodeScan, IsExactWithoutNoise) {
   spec.noise = {};
   const NodeScan scan = scan_of(spec);
   ASSERT_EQ(scan.modes.size(), 3U);
-  constexpr double kModel_in = 1e-4;  // residual of a polynomial of degree five over ±2 in of a beam's shape
+  constexpr double kModel_in = 1e-4;  // error of a polynomial of degree five that fits the beam's shape over ±2 in
   for (std::size_t m = 0; m < 3; ++m) {
     const double off_m = scan.modes[m].nodes.at(0).position_m - exact_nodes_m(spec, spec.modes[m]).at(0);
     EXPECT_LE(std::abs(off_m) / kInch_m, kModel_in) << m;

@@ -16,8 +16,8 @@ const char* name_of(ModeType type);
 /// The type of a mode from two accelerometers around the barrel.
 struct ModeClassification {
   ModeType family = ModeType::unknown;
-  int order = 0;                        // from 1 within the type; 0 for unknown
-  double confidence = 0;                // posterior probability of `family`
+  int order = 0;          // from 1 within the type; 0 for unknown
+  double confidence = 0;  // posterior probability of `family`; from classify() for unknown: 1 − the largest one
   std::optional<ModeType> alternative;  // second type: confidence below 90 %, or the second type above 3 %
   std::optional<double> overlay_dB;     // level of the second FRF over the first at the peak
   bool overlaid = false;                // |overlay_dB| within the threshold: a hoop mode by the rule of [8]
@@ -38,7 +38,8 @@ struct SensorPair {
   std::size_t first = 0, second = 0;  // channels
   double first_rad = 0, second_rad = 0;
 };
-/// The two channels whose angles differ by nearly 90° (modulo 180°); nothing for fewer than two channels with an angle.
+/// The two channels whose angles differ most nearly by 90° (modulo 180°), however far from it. Nothing for fewer than
+/// two channels with an angle.
 std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double>>& angle_rad);
 
 /// Classifies every mode from the ratio of its residues at two sensors, at the angles θ₁ and θ₂:

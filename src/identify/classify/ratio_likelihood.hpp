@@ -22,9 +22,9 @@ struct SetUpError {
 };
 
 /// The likelihood of an observed χ for each type of shape, per radian, for sensors at two angles. A pattern
-/// cos n(θ − θ₀) at a uniformly distributed angle θ₀ gives the residues Re(α e^jφ + β e^−jφ) with φ uniform. So e^2jχ
-/// is a Möbius transform of a uniform phase: its k-th moment is the k-th power of the transform's value μ at the
-/// circle's centre (at infinity where |α| < |β|). With a Gaussian of standard deviation s for noise and gains:
+/// cos n(θ − θ₀) at a uniformly distributed angle θ₀ gives A₁ + jA₂ = α e^jφ + β e^−jφ with φ uniform. So e^2jχ is a
+/// Möbius transform of a uniform phase: its k-th moment is the k-th power of the transform's value μ at the circle's
+/// centre (at infinity where |α| < |β|). With a Gaussian of standard deviation s for noise and gains:
 ///   p(χ) = (1 + 2 Re Σ_k z^k exp(−2 k² s²))/π,  z = e^2jχ conj(μ),  μ = β/conj(α) or α/conj(β), |μ| ≤ 1           (1)
 /// Sensors at 90° give |μ| = 0 for bending (any χ) and 1 for n = 2 (χ = −45°). Misplaced
 /// sensors blur the peak at −45°.

@@ -16,12 +16,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kAboveNoise = 20;  // lowest energy of a line that is used, over the noise of all FRFs
+constexpr double kAboveNoise = 20;  // smallest energy of a used line over all FRFs, relative to the noise
 constexpr Index kColumnsPerTask = 16;
 constexpr std::size_t kFlopsPerCopiedLine = 10;
 constexpr std::size_t kMaxUsedLines = 1500;  // the strongest lines are used
 
-// The FRFs over their noise at the lines above the noise, real parts above imaginary parts: [2 lines, channels].
+// Each FRF divided by its noise, at the lines above the noise. Shape [2 lines, channels]: real parts, then imaginary.
 MatrixXd lines_above_noise(const FrfDataset& set, const VectorXd& noise) {
   const std::size_t lines = set.lines.count;
   std::vector<std::pair<double, std::size_t>> level(lines);

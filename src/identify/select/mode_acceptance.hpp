@@ -8,24 +8,26 @@ namespace percuss::identify {
 
 /// The state of the search, for the acceptance of a fitted pole as a mode of the structure.
 struct AcceptanceContext {
-  std::vector<Pole> peak_poles;  // first poles of the peaks
+  std::vector<Pole> peak_poles;  // poles at which the search started: picked, given or one per peak
   bool search_finished = false;  // no more modes will be added: the residual is misfit
 };
 
 /// The mode's peak over the rms residual of the window's fit, the largest ratio over the FRFs.
 double peak_to_residual(const WindowedFit& all, const FitGroup& group, std::size_t mode);
 
-/// True for a mode of the structure. Its pole lies within its window; its standard deviations are below its bandwidth
-/// and its damping (a third of the damping where it hardly decays within the record); a residue is significant; and its
-/// peak stands out of the residual. The required ratio rises for a mode without a peak of its own whose window misfits,
-/// and above the force's bandwidth.
+/// True for a mode of the structure. Its pole lies within its window, and its damping is plausible. The standard
+/// deviation of its frequency is below its bandwidth, the standard deviation of its damping below the damping (a third
+/// of it where the mode hardly decays within the record). A residue is significant. Its peak stands out of the
+/// residual, the force's noise and the fit's model error. The required ratio rises for a mode without a peak of its own
+/// whose window misfits, and above the force's bandwidth.
 bool accept_mode(const WindowedFit& all, const FitGroup& group, std::size_t mode, const AcceptanceContext& context);
 
 /// True for two poles that a fit has merged, so that their residues cannot be distinguished. Where the force is
 /// unknown, truncation and window are unknown as well: poles within one line then count as one resonance.
 bool poles_coincide(const WindowedFit& all, const Pole& a, const Pole& b);
 
-/// True where every mode of the group is accepted, and any two are at least half a bandwidth apart.
+/// True where every mode of the group is accepted, and any two are at least half a bandwidth apart (a twentieth where
+/// the residual is only noise).
 bool accept_all_modes(const WindowedFit& all, const FitGroup& group, const AcceptanceContext& context);
 
 }  // namespace percuss::identify

@@ -28,7 +28,7 @@ struct ImpactSignal {
 struct DeflectionOptions {
   DeflectionMethod method = DeflectionMethod::automatic;
   double highpass_corner_Hz = 0;    // first-order corner of the charge amplifier; 0: none
-  std::optional<double> lowest_Hz;  // for `frequency`; default: half the frequency of the largest spectral line
+  std::optional<double> lowest_Hz;  // for `frequency`; default: half the frequency of the deflection's largest line
   bool free_body = false;           // the structure may move away and need not return to its position of rest
 };
 

@@ -17,7 +17,7 @@ struct TextOptions {
   OptionWriter write_option = nullptr;  // appends the options of warnings; nullptr leaves them out
 };
 
-/// The result of a test without FRFs and modes.
+/// The sentence that stands in place of the FRFs and modes where no hit can be used.
 Message no_usable_hit();
 
 /// The analysis as text: one line with the test's conditions, the hits, the modes with ±, then the warnings.

@@ -24,7 +24,7 @@ TEST(Significant, NeverRoundsToZero) {
   for (double value = 1e-300; value < 1; value *= 7) EXPECT_NE(std::stod(significant(value, 1)), 0) << value;
 }
 
-TEST(Significant, ShowsNonFiniteNumbers) {
+TEST(Significant, ShowsZeroAndNonFiniteNumbers) {
   EXPECT_EQ(significant(0, 3), "0");
   EXPECT_EQ(significant(std::numeric_limits<double>::infinity(), 3), "inf");
 }

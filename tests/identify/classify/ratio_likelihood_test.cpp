@@ -34,7 +34,7 @@ TEST(WrappedDensity, IsNeverZeroAndUniformForALargeDeviation) {
 }
 
 TEST(RatioLikelihood, ConsistsOfDensities) {
-  constexpr double kTolerance = 0.02;  // wrapped tails cut
+  constexpr double kTolerance = 0.02;  // wrapped_density omits the tails beyond 90°
   for (const double second : {pi / 2, pi / 3, -pi / 2}) {
     const RatioLikelihood likelihood(0, second, kPlaced);
     EXPECT_NEAR(integral([&](const RatioAngle& r) { return likelihood.bending(r); }), 1, kTolerance);

@@ -70,7 +70,7 @@ TEST(ReadFrfHdf5, IgnoresRecordsOfTime) {
   EXPECT_FALSE(read_frf_hdf5(path));
 }
 
-TEST(ReadFrfHdf5, RefusesContradictionsWithFileAndDataSet) {
+TEST(ReadFrfHdf5, RefusesContradictionsAndNamesTheDataSet) {
   const test::ScratchFolder folder;
   const auto refusal = [&](const FrfFile& made) {
     const std::string path = written(folder, made);
