@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMaxField_bytes = 600;
 
 // The last position up to `limit` that is not inside a UTF-8 character. A text without the start of a character in the
-// four bytes before `limit` is not UTF-8: it is cut at `limit`.
+// four bytes that end at index `limit` is not UTF-8: it is cut at `limit`.
 std::size_t cut_at(std::string_view text, std::size_t limit) {
   const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U; };
   if (text.size() <= limit) return text.size();

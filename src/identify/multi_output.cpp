@@ -81,7 +81,8 @@ class CompletedDecays {
     return std::all_of(cut_.points.begin(), cut_.points.end(), [](const PointForce& p) { return !p.blocks.empty(); });
   }
 
-  // The relative error of the residues, and so of the added decays, is the truncation of the set they were fitted to.
+  // The residues, and so the added decays, have a relative error as large as the truncation of the FRFs to which they
+  // were fitted.
   void add_missing_decays(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
     parallel_for_cost(cut_.channels.size(), kFlopsPerProduct * cut_.lines.count,
                       [&](std::size_t o) { whole_.channels[o].frf = cut_.channels[o].frf; });

@@ -17,12 +17,12 @@ struct Bench {
   double scale = 0.0102;  // N per unit of the force channel
   double offset = 0;      // of the force channel, in its unit
   double accel_offset = 0;
-  double noise = 0;  // of both, beside the peak
+  double noise = 0;  // standard deviation on both channels, over a force of 300 N
   double accel_sign = 1;
   std::vector<double> peaks_N = {300, 180, 420};
 };
 
-/// Hits on a free mass, one per row: force/scale + offset beside force/mass.
+/// Hits on a free mass, one per row. The force channel is force/scale + offset, the acceleration ±force/mass + offset.
 Record free_mass(const Bench& bench) {
   std::vector<std::vector<double>> force;
   std::vector<std::vector<std::vector<double>>> accel;
@@ -117,7 +117,7 @@ TEST(Calibrate, TakesAPulseAtTheVeryStartOrEnd) {
   }
 }
 
-TEST(Calibrate, RefusesRecordsWithoutOneAccelerationOrAnyHit) {
+TEST(Calibrate, NeedsExactlyOneAccelerationAndAHit) {
   using testing::HasSubstr;
   const std::vector<double> x(1000);
   const Record none = record_in_memory(kFs_Hz, {x}, {{}});

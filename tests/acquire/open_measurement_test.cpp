@@ -34,7 +34,7 @@ class OpenRecord : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-/// Standard input from a file for as long as it lives.
+/// Connects standard input to a file. The destructor restores it.
 class StandardInput {
  public:
   explicit StandardInput(const std::string& path) : kept_(dup(STDIN_FILENO)) {

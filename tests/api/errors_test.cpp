@@ -53,7 +53,8 @@ TEST(OptionFields, AreTheIdentifierAndItsUnit) {
   for (const auto& [id, field] : expected) EXPECT_EQ(option_field(id), field);
 }
 
-// Options without a field: for the terminal, for its files, and for documents that json() does not contain.
+// Options without a C++ field. They concern the terminal, the command's output files, or documents that json() does not
+// contain.
 const std::set<std::string> kOfTheCommandLine{"bat",  "bat_id", "compare", "example", "explain", "help",
                                               "hits", "json",   "only",    "output",  "quiet",   "trace"};
 
@@ -101,7 +102,7 @@ TEST(PublicErrors, RefuseFrfsThatDoNotFitTogether) {
   for (const FrfArrays& arrays : bad) input_error_of([&] { frfs_from_arrays(arrays); });
 }
 
-TEST(PublicErrors, RefusePlacesThatAreNotThere) {
+TEST(PublicErrors, RefuseRowsChannelsAndSamplesOutsideTheRecord) {
   const Record record = synthesise_preset("wood-bat").record;
   input_error_of([&] { record.force_N(5); });
   input_error_of([&] { record.accel_mps2(0, 2); });

@@ -126,7 +126,8 @@ TEST(IdentifyModes, EveryEffortSeparatesAClosePair) {
 }
 
 TEST(IdentifyModes, BestEffortReducesTheStandardDeviationOfTheFrequency) {
-  // A known force and real residues: a free phase costs the frequency the factor √2 to 2.
+  // The force is known and the residues are real. A free phase would raise the frequency's standard deviation by a
+  // factor of √2 to 2.
   synth::SynthSpec spec = structure({{180, 0.01}, {600, 0.006}}, 3, 1e-2);
   spec.noise.force = 0;
   const auto standard = modes_by(Effort::standard, spec);

@@ -36,7 +36,7 @@ struct UffText {
   std::string text(const std::string& numbers) const {
     return "    -1" + end + "    58" + end + header() + numbers + "    -1" + end;
   }
-  /// The numbers as bytes of the file. `stated` is their number in the header line.
+  /// The numbers as bytes of the file. `stated` is the number of bytes that the first line states.
   std::string binary(const std::string& bytes, int byte_order, std::size_t stated) const {
     return "    -1" + end +
            fmt::format("    58b{:6}     2          11{:12}     0     0           0           0", byte_order, stated) +

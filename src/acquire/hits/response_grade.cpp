@@ -14,7 +14,7 @@ namespace percuss::acquire {
 namespace {
 
 constexpr double kDecayed_dB = -52;         // six time constants: truncation changes an FRF by less than 0.5 %, [12]
-constexpr double kAboveNoise = 2;           // times the rms of the pre-trigger: the end rings
+constexpr double kAboveNoise = 2;           // times the rms of the pre-trigger; the end rings if it is louder
 constexpr std::size_t kMinQuiet = 12;       // samples of the pre-trigger that give a noise level
 constexpr std::size_t kQuietSamples = 256;  // give a standard deviation to 7 %, enough for thresholds
 constexpr double kOnsetNoise = 6;           // standard deviations
@@ -27,12 +27,12 @@ constexpr double kMaxOppositeVelocity = 0.05;
 constexpr double kRingingBefore = 4;    // times the level at the end
 constexpr double kNegligible = 0.0025;  // of the response: the same −52 dB
 constexpr std::size_t kEnvelopeWindows = 64;
-constexpr double kSteady = 1.5;            // ratio of the levels of successive quarters; backgrounds vary
-constexpr double kBackgroundFactor = 2;    // times the final level
-constexpr double kStillFalling = 0.9;      // of the rms one window earlier
-constexpr double kCoarseStep = 1e-5;       // of the largest response; from 5e-5 (16 bits) on, steps make modes
-constexpr std::size_t kStepSamples = 512;  // samples, of which some differ by one step
-constexpr std::size_t kUnblurredEnd = 64;  // samples without change; noise of a third of a step would change them
+constexpr double kSteady = 1.5;          // ratio of the levels of successive quarters; backgrounds vary
+constexpr double kBackgroundFactor = 2;  // times the final level
+constexpr double kStillFalling = 0.9;    // of the rms one window earlier
+constexpr double kCoarseStep = 1e-5;  // of the largest response; steps of 5e-5 (16 bits) or more cause spurious modes
+constexpr std::size_t kStepSamples = 512;    // samples, of which some differ by one step
+constexpr std::size_t kMinConstantEnd = 64;  // samples without change; noise of a third of a step would change them
 // The last two quarters do not distinguish a background from a decay by less than this ratio over the record.
 constexpr double kMinDecay = kSteady * kSteady * kSteady * kSteady;
 
@@ -121,7 +121,7 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
 double coarse_step(std::span<const double> accel, double largest) {
   std::size_t changes = accel.size();
   while (changes > 1 && accel[changes - 1] == accel[changes - 2]) --changes;
-  if (accel.size() - changes < kUnblurredEnd) return 0;
+  if (accel.size() - changes < kMinConstantEnd) return 0;
   const std::size_t first = changes > kStepSamples ? changes - kStepSamples : 0;
   const double step = resolution_of(accel.subspan(first, changes - first));
   return step > kCoarseStep * largest ? step / largest : 0;

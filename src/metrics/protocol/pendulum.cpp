@@ -11,7 +11,8 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr double kMaxUneven = 0.2;  // of a period: damping and noise change less, a lost crossing half a period or more
+// Largest change of an interval, over the period. Damping and noise change it by less, a lost crossing by half or more.
+constexpr double kMaxUneven = 0.2;
 
 std::string uneven_crossing(const std::vector<double>& times_s, std::size_t p) {
   std::vector<double> spans;

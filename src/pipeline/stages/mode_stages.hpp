@@ -24,7 +24,7 @@ struct HitMode {
 std::vector<identify::Mode> modes_in_band(const identify::FrfDataset& set, const std::vector<int>& points,
                                           std::pair<double, double> band_Hz, const identify::IdentifyOptions& options);
 
-/// Names modes by the two sensors whose angles suit best, and by the overlay of their FRFs at each mode's peak.
+/// Classifies modes by the two sensors whose angles suit best, and by the overlay of their FRFs at each mode's peak.
 std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,
                                                          const identify::FrfDataset& set,
                                                          const std::vector<acquire::SignalInfo>& accel,

@@ -23,7 +23,7 @@ constexpr double kLabelRoom = 20;                                     // right o
 constexpr std::size_t kMaxDrawn = 1000, kLongestName = 48;
 constexpr std::size_t kTicks = 6;
 
-// The colours of Okabe and Ito without yellow, which is too pale for a line; each with a dash pattern.
+// Five colours of Okabe and Ito that are dark enough for a line, and two others; each with a dash pattern.
 constexpr std::array<const char*, 7> kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                               "#000000", "#5B3A8C", "#7A5C00"};
 // Darker variants for text.
@@ -144,7 +144,7 @@ class Drawing {
   }
 
   // SVG path through x and y, interrupted at gaps.
-  std::string way(const std::vector<double>& x, const std::vector<double>& y, bool backwards = false) const {
+  std::string path_through(const std::vector<double>& x, const std::vector<double>& y, bool backwards = false) const {
     std::string path;
     bool pen = backwards;
     std::vector<std::size_t> drawn = extreme_samples(y);
@@ -163,13 +163,13 @@ class Drawing {
 
   void line(const ChartCurve& curve, std::size_t style) {
     add("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\"/>\n",
-        way(curve.x, curve.y), curve.thin ? ink() : colour(style), curve.thin ? 0.8 : 1.8,
+        path_through(curve.x, curve.y), curve.thin ? ink() : colour(style), curve.thin ? 0.8 : 1.8,
         curve.thin ? "none" : kDashes.at(style));
   }
 
   void band(const ChartBand& one) {
-    add("<path d=\"{}{}Z\" fill=\"{}\" fill-opacity=\"0.2\"/>\n", way(one.x, one.high), way(one.x, one.low, true),
-        colour(one.style % kColours.size()));
+    add("<path d=\"{}{}Z\" fill=\"{}\" fill-opacity=\"0.2\"/>\n", path_through(one.x, one.high),
+        path_through(one.x, one.low, true), colour(one.style % kColours.size()));
   }
 
   void points(const ChartCurve& curve, std::size_t style) {

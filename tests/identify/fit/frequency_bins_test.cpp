@@ -34,11 +34,11 @@ TEST(FrequencyBins, LoseAlmostNoInformationAboutAPole) {
   EXPECT_LE(bins.count(), 400);
   const PointForce none;
   const ModeColumn mode = mode_column(pole, none, kLines, 0, kLines.count);
-  const Eigen::VectorXd even = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(kLines.count));
+  const Eigen::VectorXd equal_weights = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(kLines.count));
   constexpr double kLoss = 0.003;
   for (const Eigen::VectorXcd& z : {mode.by_freq, mode.by_damping, mode.value}) {
     Eigen::VectorXd column(2 * bins.count());
-    bins.sum(z, even, column);
+    bins.sum(z, equal_weights, column);
     EXPECT_LE(std::abs(column.squaredNorm() / z.squaredNorm() - 1), kLoss);
   }
 }
@@ -46,8 +46,8 @@ TEST(FrequencyBins, LoseAlmostNoInformationAboutAPole) {
 TEST(FrequencyBins, CoverEveryLineOnce) {
   const FrequencyBins bins(kLines, {{60, 0.01}, {2040, 0.02}});
   Eigen::VectorXd column(2 * bins.count());
-  const Eigen::VectorXd even = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(kLines.count));
-  bins.sum(even.cast<Complex>(), even, column);
+  const Eigen::VectorXd equal_weights = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(kLines.count));
+  bins.sum(equal_weights.cast<Complex>(), equal_weights, column);
   // A bin of n lines gives n/√n: the squares count the lines.
   EXPECT_LE(std::abs(column.squaredNorm() - static_cast<double>(kLines.count)), 1e-8);
   EXPECT_EQ(bins.middles().size(), static_cast<std::size_t>(bins.count()));

@@ -54,7 +54,7 @@ TEST(LocalForceNoise, EqualsTheScatterOfAModeWithNoiseFreeResponses) {
     freq += std::pow((mode.pole.freq_Hz - kPole.freq_Hz) / mode.freq_std_Hz, 2) / kTrials;
     damping += std::pow((mode.pole.damping_ratio - kPole.damping_ratio) / mode.damping_std, 2) / kTrials;
   }
-  // A mean square of 30 is known to 26 %; the model error in the residual is counted as well.
+  // A mean square over 30 trials is known to 26 %; the model error in the residual is counted as well.
   EXPECT_LE(freq, 1.6);
   EXPECT_GE(freq, 0.4);
   EXPECT_LE(damping, 1.6);

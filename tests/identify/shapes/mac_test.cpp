@@ -63,7 +63,7 @@ TEST(Mac, IsZeroForAZeroShape) {
 class MacDeviation : public testing::TestWithParam<double> {};
 
 TEST_P(MacDeviation, IsTheRmsErrorFromNoise) {
-  constexpr double kLow = 0.85, kHigh = 1.35;  // of 1500 trials; both orders are added
+  constexpr double kLow = 0.85, kHigh = 1.35;  // of 1500 trials; the first- and second-order errors are added
   constexpr double kNoise = 0.02;
   constexpr std::size_t kTrials = 1500;
   ShapeValues a = harmonic(1, kNoise), b = harmonic(1, kNoise);

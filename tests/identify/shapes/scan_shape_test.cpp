@@ -38,7 +38,7 @@ TEST(ShapeAlong, AddsTheForcesErrorToEachPoint) {
   Mode mode = mode_of({1, 2, 0, -4}, {1.0}, 0.003);
   for (Residue& r : mode.residues) r.relative_std = 0.004;
   const auto shape = shape_along(mode, kPoints, kPositions);
-  EXPECT_LE(std::abs(shape.std[0] - 0.005), kRounding) << "3, 4, 5";
+  EXPECT_LE(std::abs(shape.std[0] - 0.005), kRounding) << "√(0.003² + 0.004²)";
   EXPECT_LE(std::abs(shape.std[2] - 0.003), kRounding);
 }
 

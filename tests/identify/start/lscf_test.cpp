@@ -87,11 +87,11 @@ TEST(LscfPoles, AreLimitedToTheGivenLines) {
 }
 
 TEST(LscfPoles, DoNotDependOnUnitsOrTheOrderOfFrfs) {
-  constexpr double kRounding = 1e-5;  // bandwidths; of modes: poles of the noise are less well determined
+  constexpr double kRounding = 1e-5;  // bandwidths, for the modes; poles of the noise are less well determined
   FrfDataset set = set_of(kThree, 60, 1500);
   test::add_frf_noise(set, 0.05, 3);
   const auto a = lscf_poles(set).back();
-  for (Complex& line : set.channels[0].frf) line *= -9.80665e-3;  // of one channel alone: each is weighed by its noise
+  for (Complex& line : set.channels[0].frf) line *= -9.80665e-3;  // only this channel: each is weighted by its noise
   std::swap(set.channels[0], set.channels[1]);
   const auto b = lscf_poles(set).back();
   for (const Pole& mode : kThree) {

@@ -13,8 +13,8 @@ constexpr double kFs_Hz = 2000;
 constexpr std::size_t kSamples = 3000;
 constexpr double kFreq_Hz = 37, kDecay_per_s = 9;
 
-/// A motion whose derivatives are known and that is band-limited but for 1e-12: w = g(t) sin(ωt), g a Gaussian pulse of
-/// 60 ms far from both ends.
+/// A motion with known derivatives, band-limited to within 1e-12: w = g(t) sin(ωt). g is a Gaussian pulse of 60 ms, far
+/// from both ends.
 struct Truth {
   std::vector<double> accel, velocity, deflection;
 };

@@ -51,7 +51,7 @@ TEST(Association, MatchesAHandComputation) {
 }
 
 TEST(Association, UsesMidranksForTies) {
-  // Ranks of y: 1.5 1.5 3 4; Σxy about means: 4.5 of Σx² = 5 and Σy² = 4.5.
+  // Ranks of y: 1.5 1.5 3 4. About the means, Σxy = 4.5, Σx² = 5 and Σy² = 4.5.
   const auto a = association_of({{{1, 2, 3, 4}, {7, 7, 8, 9}}});
   EXPECT_NEAR(a->spearman.value, 4.5 / std::sqrt(5 * 4.5), kRounding);
 }

@@ -79,8 +79,8 @@ TEST(BeamFit, StatesTheStandardDeviationsOfItsScatter) {
   for (int run = 0; run < kRuns; ++run) {
     auto noisy = truth;
     for (auto& one : noisy) one.freq_Hz *= 1 + kRelative * normal(random);
-    const BeamFit rest = fit_beam(kTruth, {stiffness, torsion}, noisy);
-    from_residuals += std::pow(*rest.parameters[1].std / rest.parameters[1].value, 2) / kRuns;
+    const BeamFit unweighted = fit_beam(kTruth, {stiffness, torsion}, noisy);
+    from_residuals += std::pow(*unweighted.parameters[1].std / unweighted.parameters[1].value, 2) / kRuns;
     for (auto& one : noisy) one.std_Hz = kRelative * one.freq_Hz;
     const BeamFit fit = fit_beam(kTruth, {stiffness, torsion}, noisy);
     known = *fit.parameters[1].std;

@@ -147,7 +147,8 @@ TEST(Beam, ScalesWithItsDimensions) {
 }
 
 // Reference: Ritz's method with Legendre polynomials to degree 24 for w and φ (scipy.linalg.eigh); EI 4000, ρA 2.24,
-// L 0.57, T 1200, κGA 2e6 N, √(I/A) 0.05 m (a stubby beam, on which shear matters). Two degrees agree in all digits.
+// L 0.57, T 1200, κGA 2e6 N, √(I/A) 0.05 m (a stubby beam, on which shear matters). The results of two
+// polynomial degrees agree in all digits.
 TEST(TimoshenkoBeam, AgreesWithRitz) {
   const std::vector<std::vector<double>> ritz_Hz{
       {14.360601, 285.5616003, 784.9535749, 1392.045375, 2049.497136, 2726.438275},

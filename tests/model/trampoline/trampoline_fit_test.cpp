@@ -21,7 +21,7 @@ std::vector<MeasuredCor> exact() {
           {.speed_mps = 115 * kMph_mps, .cor = 0.4909280961852, .cor_std = kDeviation}};
 }
 
-Trampoline away() {
+Trampoline distant_start() {
   Trampoline start = baseball_on_barrel();
   start.stiffness_exponent = 0.60;
   start.damping_exponent = 0.55;
@@ -29,7 +29,7 @@ Trampoline away() {
 }
 
 TEST(TrampolineFit, RecoversTheExponents) {
-  const ExponentFit fit = fit_exponents(away(), exact());
+  const ExponentFit fit = fit_exponents(distant_start(), exact());
   constexpr double kSettled = 1e-7;  // the figures are exact to 1e-13, but the pair is ill-conditioned
   EXPECT_NEAR(fit.stiffness_exponent, 0.6495, kSettled);
   EXPECT_NEAR(fit.damping_exponent, 0.5202, kSettled);
@@ -71,7 +71,8 @@ TEST(TrampolineFit, StatesTheStandardDeviationsOfItsScatter) {
 TEST(TrampolineFit, RefusesSpeedsThatDoNotSeparateTheExponents) {
   auto same = exact();
   for (auto& m : same) m.speed_mps = 40;
-  EXPECT_THAT(test::input_error_of([&] { fit_exponents(away(), same); }), testing::HasSubstr("two different speeds"));
+  EXPECT_THAT(test::input_error_of([&] { fit_exponents(distant_start(), same); }),
+              testing::HasSubstr("two different speeds"));
   auto alike = exact();
   alike.resize(2);
   alike[1].speed_mps = alike[0].speed_mps * 1.001;

@@ -10,9 +10,9 @@
 
 namespace percuss::model::trampoline_test {
 
-// Reference figures: the same equations solved outside percuss with scipy 1.10's DOP853 at relative 3e-14, steps of at
-// most 2 ms^(1/4) in t^(1/4), barrel integrated as well; contacts ended and found again by scipy's own event search.
-// rebound promises 1e-10 of the ball's speed.
+// Reference figures: the same equations, solved outside percuss by scipy 1.10 (DOP853 at relative 3e-14). The variable
+// is t^(1/4), in steps of at most 2 ms^(1/4). The barrel is integrated as well. scipy's event search finds where
+// contacts end and begin again. `rebound` promises 1e-10 of the ball's speed.
 constexpr double kPromised = 1e-10;
 
 const Trampoline kBaseball = baseball_on_barrel();
@@ -56,7 +56,8 @@ TEST(Trampoline, ReproducesIndependentFigures) {
 
 TEST(Trampoline, ReproducesTheSourcesReference) { EXPECT_NEAR(rebound(kBaseball, 10e3).cor, 0.4892, 0.5e-4); }
 
-// The source: 1100 to 1300 Hz. Its script's damping of the barrel, 90.5, gives 1255.2 Hz; its table's, 100, 1275.6 Hz.
+// The source states 1100 to 1300 Hz. The barrel's damping in its script, 90.5, gives 1255.2 Hz. The damping in its
+// table, 100, gives 1275.6 Hz.
 TEST(Trampoline, HasThePublishedOptimumForABaseball) {
   const HoopPeak peak = peak_of(kBaseball);
   EXPECT_GE(peak.hoop_Hz, 1100);
@@ -137,7 +138,7 @@ TEST(Trampoline, DoesNotDependOnTheNumberOfThreads) {
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].cor, many[i].cor);
 }
 
-// The source's finite elements: 2300 Hz fall to 1600 Hz with the whole ball on the barrel.
+// In the source's finite-element model, the whole ball on the barrel lowers the hoop frequency from 2300 to 1600 Hz.
 TEST(Trampoline, LowersTheHoopFrequencyWithTheBallOnTheBarrel) {
   Trampoline loaded = kBaseball;
   loaded.extra_mass_kg = loaded.ball_mass_kg;

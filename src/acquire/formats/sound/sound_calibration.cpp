@@ -34,7 +34,7 @@ void read_calibrated(StrictObject& o, SoundCalibration::Signal& signal) {
 void read_whole(StrictObject& o, const char* key, int& to) {
   double value = to;
   o.read_within(key, std::numeric_limits<int>::min(), std::numeric_limits<int>::max(), value);
-  if (value != std::round(value)) o.fail("not a whole number", key, "number points and runs");
+  if (value != std::round(value)) o.fail("not a whole number", key, "write a whole number");
   to = static_cast<int>(value);
 }
 

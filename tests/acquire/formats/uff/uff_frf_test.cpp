@@ -100,7 +100,7 @@ TEST(UffFrf, RefusesGapsAndOtherLines) {
   EXPECT_THAT(input_error_of([&] { read(at(1, 1) + other); }), HasSubstr("other lines"));
 }
 
-TEST(UffFrf, YieldsToRecordsOfTimeUnlessForced) {
+TEST(UffFrf, YieldsToTimeRecordsUnlessForced) {
   const UffText time{.values = 2};
   const FileBytes bytes = csv_bytes(frf_text({}, 1) + time.text("  1.00000E+00  2.00000E+00\n"));
   EXPECT_FALSE(acquire::read_frf_uff(bytes, read_uff_contents(bytes), false).has_value());

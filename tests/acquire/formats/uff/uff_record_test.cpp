@@ -159,7 +159,7 @@ TEST_F(UffWritten, GivesEqualBytesWhenWrittenAgain) {
   }
 }
 
-// As the layout's description has it, column by column.
+// The expected text follows the description of the layout column by column.
 TEST_F(UffWritten, FollowsTheLayout) {
   Record record = record_in_memory(1000, {{1, 2}}, {{{3, -4}}});
   record.rows[0].point = 7;

@@ -137,7 +137,7 @@ TEST_F(TraceLineFiles, AreReportedWhenTheyAreLost) {
   EXPECT_THAT(losses_of("r.uff", record_), testing::Contains("the lines between points"));
 }
 
-TEST_F(TraceLineFiles, ConnectExistingPoints) {
+TEST_F(TraceLineFiles, AreRefusedUnlessTheyConnectExistingPoints) {
   for (const std::vector<double>& numbers : {std::vector<double>{0, 4}, {0, -1}, {0, 0.5}, {0, kNan}}) {
     test::Hdf5Builder(folder_.file("bad.h5"))
         .numbers("", "fs", {1000})
