@@ -52,7 +52,7 @@ def load(driver, path):
     return console, [url for url in requests if url != path.as_uri()]
 
 
-# Whether a canvas shows curves: enough pixels that are neither background nor grey.
+# The number of coloured pixels of each canvas. Curves are coloured; axes and background are grey or transparent.
 DRAWN = """return [...document.querySelectorAll("canvas")].map((canvas) => {
   const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
   let coloured = 0;

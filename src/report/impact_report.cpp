@@ -105,19 +105,19 @@ std::vector<NumericColumn> series_columns(const std::vector<model::ImpactMoment>
   return columns;
 }
 
-std::vector<double> times(const std::vector<double>& values, double factor) {
+std::vector<double> scaled(const std::vector<double>& values, double factor) {
   std::vector<double> out = values;
   for (double& value : out) value *= factor;
   return out;
 }
 
 LineChart series_chart(const std::vector<NumericColumn>& columns) {
-  const std::vector<double> time_ms = times(columns[0].values, 1000);
+  const std::vector<double> time_ms = scaled(columns[0].values, 1000);
   return {.title = "Ball on beam",
           .x = {.label = "time after first touch, ms"},
           .y = {.label = "deflection in cm, force in kN, speed in m/s"},
-          .curves = {{"beam, cm", time_ms, times(columns[1].values, 100)},
-                     {"force, kN", time_ms, times(columns[2].values, 1e-3)},
+          .curves = {{"beam, cm", time_ms, scaled(columns[1].values, 100)},
+                     {"force, kN", time_ms, scaled(columns[2].values, 1e-3)},
                      {"ball, m/s", time_ms, columns[3].values}}};
 }
 
@@ -149,7 +149,7 @@ LineChart sweep_chart(const model::Impact& impact, const std::vector<ImpactSweep
   model::Impact base = impact;
   for (const ImpactSweep& sweep : sweeps) {
     ChartCurve curve{.name = sweep.parameter, .x = sweep.values, .marks = true};
-    if (sweeps.size() > 1) curve.x = times(sweep.values, 1 / *swept_value(base, sweep.parameter));
+    if (sweeps.size() > 1) curve.x = scaled(sweep.values, 1 / *swept_value(base, sweep.parameter));
     curve.y.reserve(sweep.results.size());
     for (const model::ImpactResult& result : sweep.results) curve.y.push_back(result.cor);
     chart.curves.push_back(std::move(curve));

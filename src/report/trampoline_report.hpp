@@ -21,8 +21,8 @@ struct TrampolineExtras {
   std::optional<double> modal_mass_kg;  // from a measured shift of the hoop frequency
 };
 
-/// JSON: percuss/model-trampoline/1. COR over the hoop frequency, its maximum, the rigid wall's, and the one at 10 kHz,
-/// by which the source divides. errors  as rebound.
+/// JSON: percuss/model-trampoline/1. COR over the hoop frequency, its maximum, the COR at a rigid wall, and the COR at
+/// 10 kHz. The source calls that barrel rigid and divides by its COR. errors  as rebound.
 CommandReport trampoline_report(const model::Trampoline& model, const std::vector<double>& hoop_Hz,
                                 const TrampolineExtras& extras = {});
 

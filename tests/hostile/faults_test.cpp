@@ -36,7 +36,8 @@ class Faults : public testing::Test {
   void clear() const {
     for (const std::string& name : files()) fs::remove(folder_.file(name));
   }
-  /// Runs the command with every `step`-th allocation failing, until the failures come after its last allocation.
+  /// Runs the command again and again; the n-th allocation fails, with n = kFirst, kFirst + step, … Ends after ten
+  /// successful runs in succession: n then exceeds the number of allocations.
   void expect_all_or_nothing(std::vector<std::string> arguments, const std::string& output, long step) const {
     const std::string path = folder_.file(output);
     if (!output.empty()) arguments.push_back(path);
@@ -78,7 +79,7 @@ TEST_F(Faults, OfMemoryGiveOneLineAndNoFile) {
   expect_all_or_nothing({"convert", kCorpus + "uff/record.uff"}, "out.mat", kStep);
 }
 
-// Large pages reserve half a GiB of addresses. Where a limit denies them, the heap grows as before.
+// The heap reserves half a GiB of addresses for large pages. Where a limit denies them, it grows in small steps.
 TEST_F(Faults, OfAddressSpaceDoNotChangeASmallTest) {
   const test::ScratchFolder inputs;
   test::write_small_test(inputs.file("record.h5"));

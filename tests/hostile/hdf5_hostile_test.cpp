@@ -23,7 +23,7 @@ using Shape = std::vector<hsize_t>;
 
 class Hdf5Hostile : public testing::Test {
  protected:
-  /// A valid file, changed by `spoil`. "force", "accel" and "fs" can be left out.
+  /// The message that rejects a valid file after `spoil` changed it. `without` omits "force", "accel" or "fs".
   std::string rejection_of(const std::function<void(Hdf5Builder&)>& spoil, const std::string& without = "",
                            const acquire::ReadOptions& options = {}) const {
     {

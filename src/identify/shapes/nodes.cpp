@@ -123,7 +123,8 @@ Node node_between(const ScanShape& shape, std::size_t below, std::size_t above, 
   const double model_m = higher || lower
                              ? std::abs(*fits[higher ? best + 1 : best - 1].root_u - *fit.root_u) * w.scale_m
                              : width_m / std::sqrt(12.0);
-  // The next degree's term may be present without being significant, so that its standard deviation is stated.
+  // The shape may contain a term of the next degree that is not significant. The root's standard deviation is therefore
+  // the standard deviation of the next degree's fit.
   const PolynomialFit& wider = higher ? fits[best + 1] : fit;
   const double fit_m = wider.root_std(std::max(scale2, wider.scale2())) * w.scale_m;
   return {.position_m = w.middle_m + *fit.root_u * w.scale_m,

@@ -15,7 +15,7 @@ struct ScanShape {
 
 /// The shape from the residues of all channels at the points of a scan: the first singular vector of [points ×
 /// channels], rotated to be as real as possible. Each channel is divided by its standard deviation. point[i] lies at
-/// position_m[i]. Points without residues are omitted, and so are residues of other points.
+/// position_m[i]. Points without a residue for every channel are omitted, and so are residues of other points.
 ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<const double> position_m);
 
 }  // namespace percuss::identify

@@ -14,7 +14,7 @@ namespace percuss::model {
 namespace {
 
 constexpr std::size_t kContactStates = 4;
-constexpr double kScale_s = 1e-3;                      // τ of (1): about the duration of a contact
+constexpr double kScale_s = 1e-3;                      // τ of t = t₀ + τ s⁴: about the duration of a contact
 constexpr double kContactTolerance = 1e-10;            // error of a step, relative to the ball's speed
 constexpr double kFirstStep = 0.05, kShortest = 1e-9;  // of s
 constexpr double kRootMargin = 1e-12;                  // of s: above the rounding of the separation

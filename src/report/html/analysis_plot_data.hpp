@@ -12,8 +12,9 @@ struct PlotSelection {
 
 /// The data of the plots in src/report/html/page, as JSON in ASCII: {"frf": {first_hz, df_hz, of, curves: [{name, db,
 /// phase_deg, coherence, sigma_db, fit_db}]}, "modes": [{hz, zeta, name, family, sensors}], "hits": [{name, accepted,
-/// bandwidth_hz, force_n, response_mps2, spectrum_db, decay_db, noise_db}], "band_hz", "stabilisation"}. Curves
-/// are quantised (quantised_curve). As many modes as `classifications`.
+/// bandwidth_hz, force_n, response_mps2, spectrum_db, decay_db, noise_db}], "of_hits", "band_hz", "stabilisation"}.
+/// "of" is the number of all FRFs, "of_hits" the number of all hits. "modes" has an element for each of
+/// `classifications`. Curves are quantised (quantised_curve).
 std::string analysis_plot_data(const pipeline::Analysis& analysis,
                                const std::vector<identify::ModeClassification>& classifications,
                                const PlotSelection& wanted = {});

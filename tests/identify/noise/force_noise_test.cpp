@@ -55,7 +55,9 @@ TEST(GainErrors, HaveTheCovarianceOfTheNoiseInTheGate) {
   for (Eigen::Index i = 0; i < 4; ++i) picked.row(i) = errors.row(lines[static_cast<std::size_t>(i)]);
   const Eigen::Matrix4cd expected = picked * picked.adjoint();
   const Eigen::Matrix4cd expected_turned = picked * picked.transpose();
-  constexpr double kTolerance = 0.12;  // of a covariance from 2000 trials: 2.2 % each, and delays are 4 samples apart
+  // Of a covariance. 2000 trials scatter it by 2.2 %. The ringing that the gate cuts off is not in the trials, and adds
+  // up to 4.4 % to the expected values.
+  constexpr double kTolerance = 0.12;
   for (Eigen::Index i = 0; i < 4; ++i) {
     for (Eigen::Index j = 0; j < 4; ++j) {
       const double size = std::sqrt(std::abs(expected(i, i) * expected(j, j)));

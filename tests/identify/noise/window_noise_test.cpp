@@ -23,7 +23,8 @@ FrfDataset windowed(double decay_per_s) {
   return set;
 }
 
-/// Σ w^power exp(−2σt) t^growth exp(−2πjmt) over the samples.
+/// Σ w^power exp(−2σt) t^growth exp(−2πjmt) over the samples, with the window w = exp(−decay_per_s t),
+/// σ = mode_decay_per_s and m = apart.
 std::complex<double> sum(double decay_per_s, int power, double mode_decay_per_s, int growth, int apart) {
   std::complex<double> total;
   for (std::size_t n = 0; n < kSamples; ++n) {
@@ -68,8 +69,8 @@ TEST(WindowNoise, IsWhiteWithoutAWindow) {
   EXPECT_EQ(noise.of_residue(pole), 1);
 }
 
-// Where lines count as independent, two of three records give spurious modes, and standard deviations are half of the
-// true ones.
+// If the fit took the lines as independent, two of three records would give spurious modes, and the standard deviations
+// would be half of the true ones.
 TEST(WindowNoise, LetsFitsFindTheModesAndTheirStandardDeviations) {
   constexpr std::size_t kRecords = 12;
   constexpr double

@@ -185,7 +185,7 @@ TEST(Certify, CountsOnlyShotsWithinEveryLimit) {
   }
 }
 
-TEST(Certify, RefusesLocationsThatCannotBeHit) {
+TEST(Certify, RefusesLocationsOutsideTheRange) {
   Session s = fresh_session();
   s.shots = {shot_with(s, 2.5, 0.7), shot_with(s, 9.5, 0.7)};
   const Certification c = certify(s);
@@ -212,7 +212,7 @@ TEST(Certify, CountsTheImpactsOfEachBall) {
   EXPECT_THAT(codes_of(c.shots[11].reasons), ElementsAre("ear_impacts"));
   EXPECT_EQ(c.next.ball, "ball 1");
   s.shots.push_back(shot_with(s, 6, 0.7, 16));
-  EXPECT_EQ(certify(s).next.ball, "ball 2");  // used less
+  EXPECT_EQ(certify(s).next.ball, "ball 2");  // it has fewer impacts than ball 1
 }
 
 TEST(Certify, CountsOnlyTheFirstSixShots) {

@@ -62,7 +62,7 @@ TEST(SweetSpot, MovesInwardThenOutwardFromFiveOrSeven) {
 
 TEST(SweetSpot, NeedsTheMarginOnBothSides) {
   std::map<HalfInches, double> tested{{12, 0.731}, {10, 0.71}, {14, 0.71}, {11, 0.728}, {13, 0.728}};
-  EXPECT_EQ(next_location(tested).state, SearchState::found);  // 0.003 exactly, in decimals
+  EXPECT_EQ(next_location(tested).state, SearchState::found);  // 0.731 − 0.728 counts as 0.003 despite rounding
   tested[11] = 0.7281;
   const auto end = next_location(tested);
   EXPECT_EQ(end.state, SearchState::plateau);

@@ -16,7 +16,7 @@ TEST(RigidBat, ReproducesThePublishedSweetSpot) {
 }
 
 TEST(RigidBat, HasABroadSweetSpot) {
-  // The source prints 11 m/s, which its own formula contradicts.
+  // For this loss the source prints 11 m/s, which its own formula contradicts.
   const BestImpact best = best_impact(kPublished, 0, 0.42);
   const double loss = best.exit_speed_mps - std::min(exit_speed_mps(kPublished, best.z_m - 0.05),
                                                      exit_speed_mps(kPublished, best.z_m + 0.05));
@@ -44,7 +44,7 @@ TEST(RigidBat, ConservesMomentumAndAngularMomentum) {
   }
 }
 
-TEST(RigidBat, HasItsFastestImpactAtTheBest) {
+TEST(RigidBat, HasItsFastestExitAtTheBestImpact) {
   for (const double bat_speed : {-5.0, 0.0, 10.0}) {
     for (const double rate : {0.0, 20.0, 60.0}) {
       const RigidCollision c{.swing_rate_radps = rate, .bat_speed_mps = bat_speed};

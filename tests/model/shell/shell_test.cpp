@@ -12,7 +12,7 @@ namespace percuss::model::shell_test {
 const TubeShell kAluminium;  // 70 GPa, 2700 kg/m³, 0.33; 2.625 in by 0.100 in, 13 in long
 
 // Independently computed figures, to 1 Hz.
-TEST(Shell, ReproducesPublishedFigures) {
+TEST(Shell, ReproducesFiguresRoundedToOneHertz) {
   EXPECT_NEAR(ring_Hz(kAluminium, 2), 1550, 0.5);
   EXPECT_NEAR(flugge_Hz(kAluminium, 2, 1), 1756, 0.5);
 }

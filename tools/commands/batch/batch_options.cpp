@@ -50,6 +50,7 @@ void add_batch_options(Command& command, BatchOptions& options) {
 }
 
 void store_batch_options(const Command& command, const BatchOptions& options, batch::BatchHeader& head) {
+  // The results are not used: these calls reject invalid options.
   analysis_options(options.analysis);
   resolved_read_options(options.read);
   per_file_read_options(options.read);

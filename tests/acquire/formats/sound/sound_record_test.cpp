@@ -40,7 +40,7 @@ struct Wav {
   std::optional<std::uint64_t> claimed = {};  // length of the samples
 };
 
-/// A WAV file as its description lays it out.
+/// The bytes of a WAV file with the header `w` and these samples.
 std::string wav(const Wav& w, const std::string& samples) {
   const auto n = [&](std::uint64_t value, std::size_t bytes) { return number(value, bytes, w.big); };
   const std::uint64_t frame = w.channels * w.bits / 8;
@@ -177,7 +177,7 @@ TEST_F(SoundRecord, SurvivesTruncationAndMutations) {
     try {
       const Record record = opened(bytes);
       for (std::size_t row = 0; row < record.rows.size(); ++row) accel_mps2(record, 0, row);
-    } catch (const std::runtime_error&) {  // refused: as good
+    } catch (const std::runtime_error&) {  // a refusal is correct as well
     }
   };
   for (std::size_t length = 0; length < whole.size(); ++length) read_all(whole.substr(0, length));
@@ -224,7 +224,7 @@ TEST_F(SoundRecord, WrittenKeepsEveryDigitInWavAndRf64) {
     const SoundInput sound(path);
     std::vector<double> stored(sound.frames());
     sound.read(0, 0, stored);
-    for (const double value : stored) EXPECT_LE(std::abs(value), 1) << "players cut what is beyond";
+    for (const double value : stored) EXPECT_LE(std::abs(value), 1) << "players clip samples beyond ±1";
   }
 }
 
