@@ -88,7 +88,9 @@ int plan(PlanFlags& flags) {
   std::uint64_t bytes = 0;
   for (const batch::BatchRecord& record : records) bytes += record.bytes;
   if (files.left_out > 0 && !flags.output.quiet)
-    std::cerr << fmt::format("percuss: {} files of other kinds were skipped\n", files.left_out);
+    std::cerr << fmt::format("percuss: {} of other kinds {} skipped\n",
+                             files.left_out == 1 ? "1 file" : fmt::format("{} files", files.left_out),
+                             files.left_out == 1 ? "was" : "were");
   if (flags.output.json) {
     std::cout << summary_json(head, records.size(), bytes, files.left_out);
   } else if (!flags.output.quiet) {
