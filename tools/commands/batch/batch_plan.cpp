@@ -87,10 +87,10 @@ int plan(PlanFlags& flags) {
   progress.stop();
   std::uint64_t bytes = 0;
   for (const batch::BatchRecord& record : records) bytes += record.bytes;
-  if (files.left_out > 0 && !flags.output.quiet)
-    std::cerr << fmt::format("percuss: {} of other kinds {} skipped\n",
-                             files.left_out == 1 ? "1 file" : fmt::format("{} files", files.left_out),
-                             files.left_out == 1 ? "was" : "were");
+  if (files.left_out > 0 && !flags.output.quiet) {
+    const std::string skipped = files.left_out == 1 ? "1 file" : fmt::format("{} files", files.left_out);
+    std::cerr << "percuss: skipped " << skipped << " of other kinds\n";
+  }
   if (flags.output.json) {
     std::cout << summary_json(head, records.size(), bytes, files.left_out);
   } else if (!flags.output.quiet) {
