@@ -43,7 +43,7 @@ TEST(Messages, NameNoFlagOfTheCommandLine) {
 TEST(Messages, AreSearchedForFlags) {
   EXPECT_EQ(flags_in(R"(throw InputError("x", "y", "state it with --fs");)").size(), 1U);
   EXPECT_EQ(flags_in(R"(out << "--fs")").size(), 1U);
-  EXPECT_TRUE(flags_in(R"(ink = "var(--ink)";  // as "--fs")").empty());
+  EXPECT_TRUE(flags_in(R"code(ink = "var(--ink)";  // as "--fs")code").empty());
 }
 
 }  // namespace percuss::messages_test
