@@ -93,10 +93,12 @@ TEST(Calibrate, LeavesWeakHitsOut) {
 TEST(Calibrate, LiesWithinItsStandardDeviation) {
   const std::vector<double> peaks(20, 300);
   const Calibration found = calibrate(free_mass({.noise = 0.01, .peaks_N = peaks}), kMass_kg);
-  // 15 samples a hit above half of the peak, of mean square 0.6; two channels and two offsets of 8 samples.
+  // Both channels have the same noise. 15 samples of each hit exceed half of the peak; their mean square is at least
+  // 0.6 of the peak's square. Each offset is a mean of 8 samples. Its weight 1/0.75 is about the square of the mean of
+  // the 15 samples over the square of their mean square.
   const double expected = 0.01 * std::sqrt(2 * (1 / (15 * 0.6) + 1 / (8 * 0.75))) / std::sqrt(20.0);
   EXPECT_LE(std::abs(found.scale / 0.0102 - 1), 5 * expected);
-  constexpr double kFactor = 1.8;  // a deviation from 20 hits is known to 16 %; five of those
+  constexpr double kFactor = 1.8;  // 1 + 5 · 0.16: the standard deviation of 20 hits is known to 16 %
   EXPECT_LE(found.scale_std / 0.0102, kFactor * expected);
   EXPECT_GE(found.scale_std / 0.0102, expected / kFactor);
 }

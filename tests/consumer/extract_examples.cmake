@@ -1,5 +1,5 @@
-# extract_examples(FILE OUT PREFIX NAMES): writes the complete programs that a header (between @code and @endcode) or a
-# page (```cpp blocks) shows as OUT/PREFIX_1.cpp, …, and sets NAMES to PREFIX_1, … Programs have a main().
+# extract_examples(FILE OUT PREFIX NAMES): writes the examples of a header (between @code and @endcode) or of a page
+# (```cpp blocks) as OUT/PREFIX_1.cpp, …, and sets NAMES to PREFIX_1, … Each example must be a program with a main().
 function(extract_examples file out prefix names)
   file(READ ${file} text)
   # CMake splits lists at ; and takes brackets together: both are replaced while the text is a list.

@@ -12,7 +12,7 @@ file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 
-# The public headers are installed, and nothing else: they include the standard library and each other.
+# The installed headers are exactly the public headers. They include only the standard library and each other.
 file(GLOB_RECURSE installed RELATIVE ${WORK}/prefix/include ${WORK}/prefix/include/*)
 file(GLOB public RELATIVE ${source}/include ${source}/include/percuss/*.hpp)
 if(NOT installed STREQUAL public)

@@ -64,7 +64,7 @@ TEST(EstimateFrf, FollowsItsEquationsOnTwoHits) {
   const Hits hits{{{1.0}, {1.0}}, {{2.0}, {4.0}}};  // G_ff = 2, G_aa = 20, G_fa = 6
   EXPECT_DOUBLE_EQ(hits.frf(Estimator::h1).value[0].real(), 3);
   EXPECT_DOUBLE_EQ(hits.frf(Estimator::h2).value[0].real(), 20.0 / 6);
-  // Hv scales both channels to equal power, so that its line is at 45°.
+  // Hv scales both channels to equal power, so that the regression line is at 45°.
   EXPECT_DOUBLE_EQ(hits.frf(Estimator::hv).value[0].real(), std::sqrt(10.0));
   EXPECT_DOUBLE_EQ(hits.frf(Estimator::h1).coherence[0], 0.9);
   EXPECT_DOUBLE_EQ(hits.frf(Estimator::h1).std[0], 1);
@@ -101,7 +101,7 @@ TEST(EstimateFrf, OrdersTheEstimatorsByMagnitudeAtOnePhase) {
     constexpr double kRounding = 1e-13;  // rad
     ASSERT_LE(std::abs(std::arg(hv.value[k] / h1.value[k])), kRounding);
     ASSERT_LE(std::abs(std::arg(h2.value[k] / h1.value[k])), kRounding);
-    ASSERT_LE(std::abs(h1.value[k] / h2.value[k] - h1.coherence[k]), kRounding);  // (1)/(2) = (4)
+    ASSERT_LE(std::abs(h1.value[k] / h2.value[k] - h1.coherence[k]), kRounding);  // H1/H2 = γ²
   }
 }
 
@@ -116,7 +116,7 @@ TEST(EstimateFrf, IsUnbiasedByTheNoiseItAllowsFor) {
   const double kFiveDeviations = 5 * std::sqrt(0.2 / 2 / (kHits * 20.0));  // of the real part of the mean gain
   EXPECT_LE(std::abs(mean_gain(on_accel.frf(Estimator::h1)) - 1), kFiveDeviations);
   EXPECT_LE(std::abs(mean_gain(on_force.frf(Estimator::h2)) - 1), kFiveDeviations);
-  EXPECT_GE(mean_gain(on_accel.frf(Estimator::h2)) - 1, 0.15);   // 0.2: by its noise
+  EXPECT_GE(mean_gain(on_accel.frf(Estimator::h2)) - 1, 0.15);   // 0.2, the noise power
   EXPECT_LE(mean_gain(on_force.frf(Estimator::h1)) - 1, -0.10);  // 1/1.2 − 1
 }
 
@@ -191,7 +191,7 @@ TEST(FrfStd, IsTheDeviationFromTheTruth) {
   const Complex truth(-2, 1);
   for (std::size_t h = 0; h < 5; ++h) {
     for (std::size_t k = 0; k < 20000; ++k) {
-      hits.force[h][k] = std::polar(1 + static_cast<double>(h), static_cast<double>(k));  // unlike, but known
+      hits.force[h][k] = std::polar(1 + static_cast<double>(h), static_cast<double>(k));  // no noise
       hits.accel[h][k] = truth * hits.force[h][k] + noise(0.7);
     }
   }

@@ -126,7 +126,7 @@ TEST_F(HitAgreement, AcceptsResponsesOfZero) {
   }
 }
 
-std::vector<AnalysedHit> moving(const std::vector<int>& polarities) {
+std::vector<AnalysedHit> hits_with_polarities(const std::vector<int>& polarities) {
   std::vector<AnalysedHit> hits;
   for (const int polarity : polarities) {
     AnalysedHit hit{.hit = {.peak_N = 100}, .accepted = true};
@@ -137,7 +137,7 @@ std::vector<AnalysedHit> moving(const std::vector<int>& polarities) {
   return hits;
 }
 
-std::vector<int> settled(std::vector<AnalysedHit> hits) {
+std::vector<int> polarities_after_vote(std::vector<AnalysedHit> hits) {
   vote_first_motion(hits);
   std::vector<int> out;
   for (const AnalysedHit& hit : hits) {
@@ -150,30 +150,30 @@ std::vector<int> settled(std::vector<AnalysedHit> hits) {
 using Polarities = std::vector<int>;
 
 TEST(VoteFirstMotion, KeepsADirectionThatAllHitsShow) {
-  EXPECT_EQ(settled(moving({1, 1, 0, 1})), (Polarities{1, 1, 0, 1}));
-  EXPECT_EQ(settled(moving({-1})), (Polarities{-1}));
+  EXPECT_EQ(polarities_after_vote(hits_with_polarities({1, 1, 0, 1})), (Polarities{1, 1, 0, 1}));
+  EXPECT_EQ(polarities_after_vote(hits_with_polarities({-1})), (Polarities{-1}));
 }
 
 TEST(VoteFirstMotion, OverrulesOneAmongMany) {
-  EXPECT_EQ(settled(moving({1, 1, -1, 1, 1})), (Polarities{1, 1, 0, 1, 1}));
+  EXPECT_EQ(polarities_after_vote(hits_with_polarities({1, 1, -1, 1, 1})), (Polarities{1, 1, 0, 1, 1}));
 }
 
 TEST(VoteFirstMotion, IsUndecidedWhenHitsDisagree) {
-  EXPECT_EQ(settled(moving({1, -1})), (Polarities{0, 0}));
-  EXPECT_EQ(settled(moving({1, -1, -1, -1})), (Polarities{0, 0, 0, 0}));
+  EXPECT_EQ(polarities_after_vote(hits_with_polarities({1, -1})), (Polarities{0, 0}));
+  EXPECT_EQ(polarities_after_vote(hits_with_polarities({1, -1, -1, -1})), (Polarities{0, 0, 0, 0}));
 }
 
 TEST(VoteFirstMotion, IsRelativeToTheSignOfTheForce) {
-  auto hits = moving({1, -1, 1});
+  auto hits = hits_with_polarities({1, -1, 1});
   hits[1].hit.peak_N = -100;
-  EXPECT_EQ(settled(hits), (Polarities{1, -1, 1}));
+  EXPECT_EQ(polarities_after_vote(hits), (Polarities{1, -1, 1}));
 }
 
 TEST(VoteFirstMotion, CountsTheAcceptedHitsOfOnePoint) {
-  auto hits = moving({1, 1, -1, -1});
+  auto hits = hits_with_polarities({1, 1, -1, -1});
   hits[2].accepted = false;
   hits[3].point = 1;
-  EXPECT_EQ(settled(hits), (Polarities{1, 1, -1, -1}));
+  EXPECT_EQ(polarities_after_vote(hits), (Polarities{1, 1, -1, -1}));
 }
 
 }  // namespace percuss::pipeline::hit_agreement_test

@@ -8,7 +8,7 @@
 namespace percuss::tools {
 namespace {
 
-// Single-quoted, with a backslash before each character of `special`.
+// Text for use between single quotes, with a backslash before each character of `special`.
 std::string zsh_quoted(std::string_view text, std::string_view special) {
   std::string out;
   for (const char c : text) {

@@ -6,7 +6,7 @@ namespace percuss::identify {
 /// pair, over the time of the bare transforms of the same records in memory. The second figure is the error of the
 /// frequencies over the Cramér–Rao bound.
 enum class Effort {
-  quick,     // each peak fitted over its own spectral lines, pairs where one mode misfits: 2.1 times, 2.0
+  quick,     // each peak fitted over its own spectral lines, by two modes if one does not fit: 2.1 times, 2.0
   standard,  // … over more lines, and modes without a peak: 3.0 times, 1.7
   best,      // … and a fit of all modes together: 15 times, 1.0
 };

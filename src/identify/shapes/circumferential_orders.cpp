@@ -10,7 +10,7 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kMixing = 0.1;          // of the energy: mixing of orders in real shapes
+constexpr double kMixing = 0.1;  // standard deviation of an order's energy, over the total: real shapes mix orders
 constexpr double kMinAxialValue = 0.05;  // of the largest: smaller axial values have no significant sign
 constexpr double kAliasFour = 0.99;      // probability that a pattern is not its alias of n ≥ 4, or of n = 3
 constexpr double kAliasThree = 0.95;

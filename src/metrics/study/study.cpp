@@ -53,7 +53,7 @@ std::vector<bool> repeats_of(const std::vector<StudyBat>& bats) {
   return out;
 }
 
-std::optional<Association> history_curve(const Study& study, const StudyHistory& trail, StudyQuantity y) {
+std::optional<Association> history_association(const Study& study, const StudyHistory& trail, StudyQuantity y) {
   std::vector<std::size_t> known;
   for (const std::size_t b : trail.states) {
     if (study.bats[b].value(y)) known.push_back(b);
@@ -121,9 +121,9 @@ Study study_of(std::vector<StudyBat> bats) {
   for (StudyFigure& figure : study.figures) fit_figure(study, figure);
   study.trails = histories_of(study.bats);
   for (StudyHistory& trail : study.trails) {
-    trail.besr = history_curve(study, trail, StudyQuantity::besr);
-    trail.bbs = history_curve(study, trail, StudyQuantity::bbs);
-    trail.bbcor = history_curve(study, trail, StudyQuantity::bbcor);
+    trail.besr = history_association(study, trail, StudyQuantity::besr);
+    trail.bbs = history_association(study, trail, StudyQuantity::bbs);
+    trail.bbcor = history_association(study, trail, StudyQuantity::bbcor);
   }
   study.statements = published_statements();
   judge_statements(study);

@@ -68,7 +68,8 @@ TEST(PlaneFromSensors, HasTrueStandardDeviations) {
 }
 
 TEST(PlaneFromSensors, IncludesTheSensorsPlacementError) {
-  // Both sensors turned by ε turn the plane by ε; independently, at 90° and a plane between them, by ε/√2 each way.
+  // An error ε of both angles turns the plane by ε. Independent errors of standard deviation ε turn it by ε/√2, for
+  // sensors 90° apart and a plane midway between them.
   const SensorPair sensors = sensors_at(0, 90);
   EXPECT_NEAR(plane_from_sensors(mode_with_plane(1, 45, sensors, 1, 0), sensors, 1, 0.035)->std_rad,
               0.035 / std::sqrt(2.0), kRounding);

@@ -1,4 +1,4 @@
-// The rules of a bat test beside the ratio: overlay, split modes, order numbers.
+// The rules of the classification apart from the ratio of the residues: overlay, split modes, order numbers.
 #include <gtest/gtest.h>
 
 #include <cmath>

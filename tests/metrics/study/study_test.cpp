@@ -31,8 +31,8 @@ TEST(Study, FindsKnownRelations) {
       EXPECT_LT(hoop.association->spearman.high, 0);
     }
     EXPECT_EQ(statement_of(study, StudyFamily::wood, besr, moi).verdict, StatementVerdict::supported);
-    const auto& rigid = statement_of(study, StudyFamily::wood, bbcor, moi);
-    false_relations += rigid.association->spearman.low > 0 || rigid.association->spearman.high < 0 ? 1 : 0;
+    const auto& unrelated = statement_of(study, StudyFamily::wood, bbcor, moi);
+    false_relations += unrelated.association->spearman.low > 0 || unrelated.association->spearman.high < 0 ? 1 : 0;
     ++all;
   }
   EXPECT_LE(false_relations, 4);  // 5 % of 20 by chance: more than 4 once in 400 times
@@ -70,7 +70,7 @@ TEST(Study, FindsNoRelationInUnrelatedBats) {
     false_studies += std::any_of(study.statements.begin(), study.statements.end(),
                                  [](const StudyStatement& s) { return s.verdict != StatementVerdict::not_supported; });
   }
-  // At most 5 % of 200 studies with any false statement: 10 ± 3.1, and three deviations.
+  // At most 5 % of 200 studies have a false statement: 10, with a standard deviation of 3.1. Three of these are added.
   EXPECT_LE(false_studies, 19);
 }
 

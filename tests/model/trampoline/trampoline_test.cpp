@@ -10,9 +10,9 @@
 
 namespace percuss::model::trampoline_test {
 
-// Reference figures: the same equations, solved outside percuss by scipy 1.10 (DOP853 at relative 3e-14). The variable
-// is t^(1/4), in steps of at most 2 ms^(1/4). The barrel is integrated as well. scipy's event search finds where
-// contacts end and begin again. `rebound` promises 1e-10 of the ball's speed.
+// Reference figures: the same equations, solved outside percuss by scipy 1.10 (DOP853 at relative 3e-14). The
+// integration variable is t^(1/4), in steps of at most 2 ms^(1/4). The motions of ball and barrel are both integrated.
+// scipy's event search finds where contacts end and begin again. `rebound` promises 1e-10 of the ball's speed.
 constexpr double kPromised = 1e-10;
 
 const Trampoline kBaseball = baseball_on_barrel();
@@ -88,7 +88,8 @@ TEST(Trampoline, TouchesAgainAtLowHoopFrequencies) {
   EXPECT_EQ(rebound(kBaseball, 180).contacts, 1U);
 }
 
-// The second contact disappears between 177.5 and 180 Hz; a further one would be rounding at a separation.
+// The second contact disappears between 177.5 and 180 Hz. Any further contact would come from rounding errors at the
+// moment when ball and barrel separate.
 TEST(Trampoline, HasNoContactFromRounding) {
   for (double hoop_Hz = 150; hoop_Hz <= 200; hoop_Hz += 0.25) {
     const std::size_t contacts = rebound(kBaseball, hoop_Hz).contacts;

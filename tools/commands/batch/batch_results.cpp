@@ -72,7 +72,7 @@ void add_batch_status(CommandLine& line) {
   command.example(
       "percuss batch plan bat.h5 --shards 3 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl --shard 0 "
       "-o results; percuss batch status --manifest manifest.jsonl results --missing",
-      "Print 1,2, for sbatch --array");
+      "Print the missing shards as 1,2 for sbatch --array");
   add_folder_and_manifest(command, *flags);
   command.flag("--missing", flags->missing, "Print only the numbers of the missing shards: 0,3,4");
   command.flag("--json", flags->json, "Print one JSON document on standard output");

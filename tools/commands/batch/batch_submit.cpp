@@ -55,7 +55,7 @@ int submit_to_slurm(const batch::SlurmJob& job) {
   const bool taken = pipe && std::fwrite(script.data(), 1, script.size(), pipe.get()) == script.size();
   const int status = pipe ? ::pclose(pipe.release()) : -1;
   if (taken && status == 0) return kOk;
-  throw InputError("sbatch did not accept the job", "Slurm", "see its message; or print the script and omit --go");
+  throw InputError("sbatch did not accept the job", "Slurm", "see its message, or omit --go to print the script");
 }
 
 int submit(const SubmitFlags& flags) {

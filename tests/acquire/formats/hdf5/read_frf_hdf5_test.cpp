@@ -63,7 +63,7 @@ TEST(ReadFrfHdf5, ReadsTheDocumentedLayout) {
   EXPECT_NEAR(*frfs->record.accel.at(1).angle_rad, std::numbers::pi / 2, 1e-15);
 }
 
-TEST(ReadFrfHdf5, IgnoresRecordsOfTime) {
+TEST(ReadFrfHdf5, IgnoresTimeRecords) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("record.h5");
   test::Hdf5Builder(path).numbers("", "fs", {1000}).ramp("force", {2, 8}).ramp("accel", {2, 1, 8});

@@ -139,7 +139,7 @@ TEST_F(Hdf5Read, FindsTheRateOnTheDataSets) {
   EXPECT_EQ(open_hdf5(path_, {.fs_Hz = 512}).fs_Hz, 512);
 }
 
-TEST_F(Hdf5Read, ConvertsUnitsOfEveryKindOfText) {
+TEST_F(Hdf5Read, ConvertsUnitsInTextsOfFixedAndVariableLength) {
   for (const bool fixed : {false, true}) {
     Hdf5Builder(path_)
         .numbers("", "fs", {1000})

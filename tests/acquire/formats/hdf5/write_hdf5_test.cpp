@@ -178,7 +178,8 @@ TEST_F(Hdf5Write, LeavesTheOldFileWhenKilledAndTheNextWriterCleansUp) {
   EXPECT_THAT(files(), testing::ElementsAre("r.h5"));
 }
 
-/// Runs in a process of its own: a limit on the size of any file acts as a full disk does.
+/// Runs in a separate process, because it limits the size of every file that the process writes. The limit stands in
+/// for a full disk.
 [[noreturn]] void fill_the_disk(const std::string& path, const Record& large, const Record& small) {
   const rlimit limit{.rlim_cur = 16'384, .rlim_max = 16'384};
   ::setrlimit(RLIMIT_FSIZE, &limit);

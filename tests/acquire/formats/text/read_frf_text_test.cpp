@@ -69,7 +69,7 @@ TEST(ReadFrfText, TakesColumnsWithoutNamesWhenForced) {
   EXPECT_EQ(read("0 1 2\n1 3 4\n2 5 6\n", true).frfs.at(0).value[2], Complex(5, 6));
 }
 
-TEST(ReadFrfText, IgnoresRecordsOfTime) {
+TEST(ReadFrfText, IgnoresTimeRecords) {
   EXPECT_FALSE(read_frf_text(test::csv_bytes("t_s,force_N,acc_m_s2\n0,1,2\n1,3,4\n2,5,6\n"), false));
   EXPECT_FALSE(read_frf_text(test::csv_bytes("Frequency,Power\n0,1\n1,3\n2,5\n"), false));
 }
