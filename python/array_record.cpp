@@ -90,7 +90,7 @@ acquire::SignalTable table_of(const std::shared_ptr<const ArrayTest>& test) {
   return table;
 }
 
-// For each signal of each row, whether array_row samples have been checked.
+// For each signal of each row, whether its samples have been checked.
 struct CheckedSignals {
   std::vector<std::atomic<bool>> flags;
   explicit CheckedSignals(std::size_t count) : flags(count) {}

@@ -12,7 +12,7 @@ namespace {
 
 using Names = std::pair<std::string_view, std::string_view>;
 
-// Options of the command line that are not keywords in Python.
+// Options of the command line that have another form in Python.
 constexpr std::array kCalls{Names{"force", "force=True"}, Names{"json", "to_dict()"}, Names{"output", "save()"},
                             Names{"synth.list", "percuss.presets()"}};
 

@@ -55,7 +55,7 @@ def test_several_threads_may_share_a_result(bat):
     assert all(one == many[0] for one in many)
 
 
-def test_the_lock_is_released(bat):
+def test_the_interpreter_lock_is_released(bat):
     """Another thread keeps counting during a computation."""
     counted, done = [0], threading.Event()
 
@@ -99,7 +99,7 @@ def test_an_interrupt_raises_keyboard_interrupt(tool, bat, delay_s):
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a shell without job control starts background jobs with SIGINT ignored
         "print('begun', flush=True)\n"
         "try:\n"
-        "    found = None\n"  # Python 3.11 may raise an interrupt of the loop at the line before it, which must lie in the try block
+        "    found = None\n"  # Python 3.11 may raise the interrupt of the loop here, so this line lies in the try block
         "    while True: found = percuss.analyze('bat.h5', band=(60, 3200))\n"
         "except KeyboardInterrupt: pass\n"
         "print(len(percuss.analyze('bat.h5', band=(60, 3200)).frequency_hz))\n"

@@ -9,7 +9,7 @@ namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kBefore = 8;  // samples before the pulse that give the offsets
-constexpr double kCompared = 0.5;   // of the peak
+constexpr double kCompared = 0.5;   // of the peak: smaller forces are not compared
 constexpr double kMinForce = 0.2;   // of the largest hit
 
 double mean(const std::vector<double>& x, std::size_t first, std::size_t last) {

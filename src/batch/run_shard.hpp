@@ -25,9 +25,9 @@ struct ShardOutcome {
 };
 
 /// Analyses the unfinished records of a shard, then writes part-i.jsonl and part-i.ok. Does nothing
-/// for a shard with a valid part-i.ok. The rows depend neither on the number of threads nor on interruptions. errors
-/// InputError: the folder cannot be written or holds results of another plan; another process analyses this shard. A
-/// faulty record is a row, not an error.
+/// for a shard with a valid part-i.ok. The rows depend neither on the number of threads nor on interruptions.
+/// errors  InputError: the folder cannot be written or holds results of another plan; another process analyses this
+/// shard. A faulty record is a row, not an error.
 ShardOutcome run_shard(const ShardJob& job);
 
 }  // namespace percuss::batch

@@ -140,7 +140,8 @@ TEST(IdentifyModes, BestEffortReducesTheStandardDeviationOfTheFrequency) {
 }
 
 TEST(IdentifyModes, BestEffortKeepsTheLocalFitWhereTheModelFails) {
-  // The model excludes a mode whose frequency falls during the decay: the joint fit must be rejected there.
+  // Forty components from 500 to 503.9 Hz stand for a mode whose frequency changes during the decay. The model cannot
+  // describe this mode: its joint fit must be rejected.
   FrfDataset set = test::empty_set(4096, 32768, 250, 650, 1);
   for (int part = 0; part < 40; ++part)
     test::add_mode(set, 0, {500 + 0.1 * part, 0.01}, Complex(0.02, part % 3 == 0 ? 0.01 : 0));

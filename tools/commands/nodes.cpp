@@ -20,7 +20,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr double kResolution_m = 0.125 * kInch_m;  // rule of thumb: the smallest peak, read to an eighth of an inch
+constexpr double kResolution_m = 0.125 * kInch_m;  // rule of thumb: the smallest peak, located to 1/8 in
 
 struct NodesFlags {
   ReadFlags read;

@@ -21,7 +21,7 @@ PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak);
 
 /// The gate [first, end) holds the pulse and the ringing of the recorder's anti-alias filter. It extends to the last
 /// sample within 72 of the crossings that exceeds 4 standard deviations of the noise and 1e-9 of the peak. Eight
-/// samples in a row below that end it. theory (1.4)
+/// successive samples at or below this level end the gate. theory (1.4)
 struct Gate {
   std::size_t first = 0, end = 0;
 };

@@ -9,8 +9,8 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kPairSpacing = 0.04;        // relative: the two planes of one bending mode are closer
-constexpr double kSplitSpacing = 0.15;       // relative: limits the 25 Hz rule of bats, whose modes are above 100 Hz
+constexpr double kPairSpacing = 0.04;        // relative: one bending mode's frequencies in its two planes are closer
+constexpr double kSplitSpacing = 0.15;       // relative: below 167 Hz narrower than the 25 Hz for bats (above 100 Hz)
 constexpr double kMinLoneProbability = 0.9;  // below it the second type is stated
 constexpr double kMinRivalProbability = 0.03;
 constexpr double kMaxOutOfPhase = 0.4;  // RatioAngle::out_of_phase above which the shape is not real

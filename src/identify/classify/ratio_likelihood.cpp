@@ -55,7 +55,8 @@ double RatioLikelihood::chi_std_rad(const RatioAngle& ratio) const {
 double RatioLikelihood::density(const RatioAngle& ratio, Complex mean) const {  // (1)
   const double s = chi_std_rad(ratio);
   const Complex z = std::polar(1.0, 2 * ratio.chi_rad) * std::conj(mean);
-  const double shrink = std::exp(-4 * s * s);  // ratio of successive factors
+  // factor = e^(−2 k² s²): `step` is the ratio of successive factors, `shrink` the ratio of successive steps.
+  const double shrink = std::exp(-4 * s * s);
   double factor = std::exp(-2 * s * s), step = factor * shrink, sum = 1;
   Complex power = z;
   while (factor * std::abs(power) > kMinDensity) {
@@ -95,7 +96,8 @@ double RatioLikelihood::other(const RatioAngle& ratio) const {
   return kOtherTypePrior * (0.5 * equal + 0.5 / pi);
 }
 
-// The pattern's angle follows from the ratio: |(a, b)|² = sin² nΔ/(1 − sin 2χ cos nΔ), Δ the angle between the sensors.
+// The ratio gives the pattern's angle, and so the amplitudes a and b at the two sensors:
+// a² + b² = sin² nΔ/(1 − sin 2χ cos nΔ), Δ the angle between the sensors.
 double RatioLikelihood::observed_amplitude(const RatioAngle& ratio, int n) const {
   const double apart = n * (second_rad_ - first_rad_), blur = n * apart_std_rad_;
   const double sine_2 = std::min(std::pow(std::sin(apart), 2) + blur * blur, 1.0);

@@ -16,7 +16,7 @@ constexpr double kMedianOfNoise = 0.693147;  // median of an exponential distrib
 constexpr double kRounding =
     1e-12;  // of the largest line: rounding noise of a noise-free FRF, so that no weight is infinite
 constexpr double kMinPower = 1e-300;
-constexpr std::size_t kStride = 8;  // lines between two that are tested for the largest
+constexpr std::size_t kStride = 8;  // every eighth line is tested for the largest
 constexpr std::size_t kFlopsPerNoiseLine = 20;
 
 // The middle line of a block, when the lines make `blocks` blocks.

@@ -25,7 +25,7 @@ class LineNoise {
  private:
   const FrfDataset& set_;
   std::vector<std::vector<double>> blocks_;  // [channels] block_noise
-  Eigen::VectorXd response_;                 // [channels]: m/s² summed over the samples, or (m/s²)/N without a force
+  Eigen::VectorXd response_;                 // [channels]: m/s² (unscaled spectrum), or (m/s²)/N without a force
 };
 
 /// Noise power of each block of kNoiseBlock spectral lines; the last block holds the rest as well. Empty for fewer than

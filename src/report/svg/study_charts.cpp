@@ -13,7 +13,8 @@
 namespace percuss::report {
 namespace {
 
-// The source's marks for hollow bats: plus signs, open diamonds, and solid diamonds for bats that are broken in.
+// The first three marks for hollow bats are the marks of source [8]: plus signs, open diamonds, and solid diamonds for
+// bats that are broken in.
 struct BatKind {
   const char* name;
   ChartMark mark;
@@ -75,7 +76,7 @@ std::vector<ChartCurve> curves_by_kind(const metrics::Study& study, const metric
   return out;
 }
 
-// From the smallest x of the class to its largest.
+// Adds the trend of each length class, from the smallest x of the class to its largest.
 void add_trends(const metrics::Study& study, const metrics::StudyFigure& figure, bool by_length,
                 std::vector<ChartCurve>& curves) {
   std::size_t place = 0;
@@ -165,7 +166,7 @@ std::string file_word(const std::string& text) {
   return out;
 }
 
-// A figure or a trail: its chart and its bats.
+// The chart of a figure, or of the history (trail) of one bat, with the bats that it shows.
 struct StudyPlot {
   std::string name;
   metrics::StudyQuantity x, y;

@@ -35,7 +35,7 @@ TEST(ShapeOfPulse, MeasuresAHaversine) {
   std::vector<double> x(400);
   test::add_haversine(x, 50.3, 200, 7);
   const double foot = 200 / pi * std::asin(std::sqrt(0.05));
-  constexpr double kChord = 0.01;  // samples: curvature over 8 slopes at 5 % of a haversine of 200 samples is 0.007
+  constexpr double kChord = 0.01;  // samples: curvature/(8·slope) at 5 % of a haversine of 200 samples is 0.008
   EXPECT_LE(std::abs(shape_of(x).rise - (50.3 + foot)), kChord);
   EXPECT_LE(std::abs(shape_of(x).fall - (250.3 - foot)), kChord);
 }
@@ -89,7 +89,7 @@ TEST(GateAround, LeavesTheNoiseOutside) {
   EXPECT_EQ(gate_around(x, clean, 0.01).end, gate.end);
 }
 
-// Otherwise the gate would contain the noise in between.
+// A gate that reached to such a sample would contain all noise before it.
 TEST(GateAround, EndsBeforeASampleFarBehindTheRinging) {
   std::vector<double> x(4000);
   test::add_haversine(x, 2000, 40, 100);
@@ -127,7 +127,7 @@ TEST(Bandwidth, OfAHaversineIsTheMainLobesTwentyDecibels) {
     std::vector<double> x(120);
     test::add_haversine(x, 10.25, 100, 250 * scale);
     const double exact = low / (100 / 25600.0);
-    EXPECT_NEAR(bandwidth_Hz(x, 25600), exact, 1e-3 * exact);  // aliases of a pulse of 100 samples, and straight lines
+    EXPECT_NEAR(bandwidth_Hz(x, 25600), exact, 1e-3 * exact);  // aliases of 100 samples, and linear interpolation
   }
 }
 

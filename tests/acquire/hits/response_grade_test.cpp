@@ -46,7 +46,7 @@ TEST(GradeResponse, MeasuresTheLevelAtTheEnd) {
     const std::size_t after = hit().gate_first + hit().gated_N.size();
     const double window = std::floor(static_cast<double>(kSamples - after) / 20);  // first and last of the decay
     const double exact = -20 * std::log10(std::exp(1.0)) * (static_cast<double>(kSamples - after) - window) / tau;
-    constexpr double kPhase_dB = 0.1;  // 18 periods a window, not whole ones
+    constexpr double kPhase_dB = 0.1;  // a window holds 18.3 periods, not a whole number
     EXPECT_LE(std::abs(grade(ringing(tau)).end_level_dB - exact), kPhase_dB) << tau;
   }
 }
@@ -120,7 +120,8 @@ TEST(GradeResponse, MeasuresDelayAndDirectionOfTheFirstMotion) {
       const ResponseGrade found = grade(ringing(1000, sign * 50, kOnset + late));
       EXPECT_EQ(found.polarity, sign > 0 ? 1 : -1);
       ASSERT_TRUE(found.delay_s);
-      constexpr double kSample = 1.001;  // the first sample above 2 % of the largest; sin(0.2) is the first of all
+      constexpr double kSample = 1.001;  // samples
+      // The delay ends at the first sample above 2 % of the largest: sin(0.2), one sample after the start.
       const double exact = static_cast<double>(kOnset + late + 1) - onset;
       EXPECT_LE(std::abs(*found.delay_s * kFs_Hz - exact), kSample) << late;
     }

@@ -206,7 +206,8 @@ TEST(Abi, EndsOnEveryBatAndNeverPassesOneThatFails) {
     AbiLog log = log_of({});
     log.limit = 0.735;
     double stiff_lbf = random.uniform(300, 900), value = random.uniform(0.70, 0.73), highest = 0;
-    const double softening = random.uniform(0, 0.06), gain = random.uniform(0, 0.004), ripe = random.uniform(0.2, 0.9);
+    const double softening = random.uniform(0, 0.06), gain = random.uniform(0, 0.004),
+                 falls_below = random.uniform(0.2, 0.9);
     const double fresh_lbf = stiff_lbf;
     AbiRun run = evaluate_abi(log);
     for (int done = 0; run.next != AbiStep::done; ++done) {
@@ -216,7 +217,7 @@ TEST(Abi, EndsOnEveryBatAndNeverPassesOneThatFails) {
         log.entries.push_back(roll(next_depth_in(run)));
         stiff_lbf *= 1 - softening;
       } else if (run.next == AbiStep::first_performance || run.next == AbiStep::performance) {
-        value += stiff_lbf > ripe * fresh_lbf ? gain * random.uniform() : -0.006;
+        value += stiff_lbf > falls_below * fresh_lbf ? gain * random.uniform() : -0.006;
         highest = std::max(highest, value);
         log.entries.push_back(performance(value));
         stiff_lbf *= 1 - 0.2 * random.uniform() * random.uniform();

@@ -25,8 +25,8 @@ TEST(Beam, ReproducesTheCompositeBatOfKnowles) {
   EXPECT_NEAR(modes[2].freq_Hz(), 1037.79, 0.5e-2);
 }
 
-// Roots of the limits' equations by scipy.optimize.brentq on cos x + 1/cosh x, cos x − 1/cosh x and tan x − tanh x.
-TEST(Beam, HasThePublishedRootsInItsLimits) {
+// Roots by scipy.optimize.brentq: cos x + 1/cosh x (clamped), cos x − 1/cosh x (free) and tan x − tanh x (pinned).
+TEST(Beam, HasTheRootsOfClampedFreeAndPinnedBeams) {
   const auto lambda = [](BeamSupport support, std::size_t mode) {
     return beam_modes(held(support), mode + 1)[mode].lambda;
   };

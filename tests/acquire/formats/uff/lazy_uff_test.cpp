@@ -16,7 +16,7 @@
 #include "support/uff_text.hpp"
 
 // Universal files so long that their numbers stay on the disk until they are read.
-namespace percuss::acquire::sparse_uff_test {
+namespace percuss::acquire::lazy_uff_test {
 
 namespace fs = std::filesystem;
 using test::accel_mps2;
@@ -94,7 +94,7 @@ TEST_F(LazyUff, IsTruncatedLikeAFileInMemory) {
   }
 }
 
-TEST_F(LazyUff, ReadsEverythingWhereAClaimedLengthIsWrong) {
+TEST_F(LazyUff, RefusesALengthInRecord7ThatIsTooLarge) {
   std::string bytes = test::bytes_of(path_);
   const std::string claimed = "     20000         1";
   for (std::size_t at = bytes.find(claimed); at != std::string::npos; at = bytes.find(claimed, at + 1))
@@ -135,4 +135,4 @@ TEST(LazyFile, ReadsTheRangeRequested) {
   EXPECT_THAT(input_error_of([&] { LazyFile(folder.path(), 9); }), HasSubstr("folder"));
 }
 
-}  // namespace percuss::acquire::sparse_uff_test
+}  // namespace percuss::acquire::lazy_uff_test
