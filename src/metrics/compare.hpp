@@ -69,9 +69,10 @@ struct DeflectionPair {
   double ratio = 0, ratio_std = 0;  // model/test where one document is a model, otherwise b/a
 };
 
-/// Pairs deflections at the same place: at the same position where both documents have positions (interpolated in a
-/// model's sweep), otherwise at the same point. Compared with a model, the deflection in the direction of the first
-/// motion counts where it is stated.
+/// Pairs deflections at the same place. The test leads where the other document is a model, otherwise `a` leads. Each
+/// deflection of the leading document is paired at its position (interpolated in a model's sweep), or at its point
+/// where it has no position. Compared with a model, the deflection in the direction of the first motion counts where it
+/// is stated.
 std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const ComparedDocument& b);
 
 }  // namespace percuss::metrics

@@ -28,7 +28,7 @@ struct Expectation {
   std::vector<std::string> says;  // codes that findings and warnings must contain
   std::string warns;              // a code that excuses errors beyond the stated standard deviations
   int exit_code = 0;
-  std::string reason;                   // for another exit code: a finding's code or a part of the message
+  std::string reason;                   // for an exit code above 0: a finding's code or a part of the message
   std::vector<std::string> or_refused;  // one of these reasons (exit code 3 or 4) is as acceptable as modes
   std::optional<double> freq_relative, damping_absolute;  // required accuracy of every mode, with or without a warning
 };

@@ -79,7 +79,7 @@ void add_point(const FrfDataset& set, std::size_t point, const WindowModes& mode
   sum.force += force_score * force_score.transpose();
 }
 
-void add_to_window(const FrfDataset& set, const WindowModes& modes) {
+void add_force_noise_to_window(const FrfDataset& set, const WindowModes& modes) {
   const auto n = static_cast<Index>(2 * modes.size());
   PoleInformation sum{.fisher = MatrixXd::Zero(n, n), .force = MatrixXd::Zero(n, n)};
   const bool decayed = std::all_of(modes.begin(), modes.end(), [&](const FittedMode* mode) {
@@ -113,7 +113,7 @@ void add_force_noise(const FrfDataset& set, std::vector<FittedMode>& modes) {
       together.push_back(&modes[i]);
       done[i] = 1;
     }
-    add_to_window(set, together);
+    add_force_noise_to_window(set, together);
   }
 }
 

@@ -20,12 +20,13 @@ constexpr double kOutOfBandFactor =
     12;  // above the force's bandwidth: small peaks in the side lobes of its spectrum are not modes
 constexpr double kMaxModeWidth = 0.25;  // of the band: a wider resonance cannot be distinguished from the background
 constexpr double kForceNoise = 8;       // standard deviations of the gain error from the force's noise
-constexpr double kUnknownGain = 1e-3;   // gain error where the force is unknown: a good hammer's near its bandwidth
-constexpr double kDynamicRange = 1e-5;  // of the largest line: smaller peaks are within the polynomial's error
-constexpr double kMinSplit = 0.5;       // bandwidths between two modes after a split …
+constexpr double kUnknownGain =
+    1e-3;  // gain error assumed for an unknown force: typical of a good hammer near its bandwidth
+constexpr double kDynamicRange = 1e-5;      // of the largest line: smaller peaks are within the polynomial's error
+constexpr double kMinSplit = 0.5;           // bandwidths between two modes after a split …
 constexpr double kMinResolvedSplit = 0.05;  // … where their residual is only noise
 constexpr double kNoiseAlone =
-    1.5;  // residual over the noise: below it the residual is only noise, without frequency scatter
+    1.5;  // ratio of residual to noise: below it, the residual is only noise, without misfit or frequency scatter
 constexpr double kCoincide = 0.05;             // bandwidths between two poles that a fit has merged
 constexpr double kUndecayedAmplitude = 0.5;    // amplitude left at the record's end: mains hum keeps all of it
 constexpr double kMinDampingSignificance = 3;  // standard deviations of the damping of such a mode; hum has none
@@ -85,7 +86,7 @@ bool above_force_noise(const WindowedFit& all, const FitGroup& group, std::size_
     const double peak = std::abs(group.fit.residues(o, static_cast<Index>(mode))) / (2 * pole.damping_ratio);
     const bool known = !set.points[channel.point].ff.empty();
     const double gain = known ? gain_std(set, channel.point, pole.freq_Hz) : kUnknownGain;
-    // A varying gain can make a broad peak of the flank of a strong mode.
+    // A varying gain can turn the flank of a strong mode into a broad peak.
     const double reach = pole.half_power_Hz() / set.lines.df_Hz();
     if (peak > kForceNoise * gain * largest_within(channel.frf, set.lines, pole.freq_Hz, reach)) return true;
   }
@@ -94,7 +95,7 @@ bool above_force_noise(const WindowedFit& all, const FitGroup& group, std::size_
 
 bool is_broad(const Pole& pole) { return pole.damping_ratio > kBroadDamping; }
 
-// True where a peak belongs to this mode: within its width, and for a broad mode closer to no other mode.
+// True where a peak lies within the width of this mode. For a broad mode, no other mode may be closer to that peak.
 bool began_as_peak(const WindowedFit& all, const Pole& pole, const AcceptanceContext& context) {
   const std::vector<Pole> poles = is_broad(pole) ? all.poles() : std::vector<Pole>{};
   return std::any_of(context.peak_poles.begin(), context.peak_poles.end(), [&](const Pole& peak) {
@@ -125,7 +126,8 @@ bool decays_significantly(const WindowedFit& all, const FitGroup& group, std::si
          pole.damping_ratio;
 }
 
-// The damping ratio is below the limit, or exceeds it by less than its uncertainty.
+// True where the damping ratio is below its limit. A precise one may exceed the limit by kDampingMargin standard
+// deviations.
 bool has_plausible_damping(const FitGroup& group, std::size_t mode) {
   const double damping_ratio = group.fit.poles[mode].damping_ratio;
   const double std = group.fit.damping_std(static_cast<Index>(mode));

@@ -129,8 +129,8 @@ Deflection by_modes(const ImpactSignal& signal) {
 }
 
 // The sample with the largest excess of direction × deflection over four standard deviations. Late in a record that
-// drifts, large values mean nothing: one random walk in six ends beyond one standard deviation. Direction 0: either
-// sign. None: no deflection is significant.
+// drifts, large values mean nothing: one random walk in six ends more than one standard deviation above zero.
+// Direction 0: either sign. None: no deflection is significant.
 std::optional<std::size_t> most_significant_peak(const Deflection& d, double direction) {
   std::optional<std::size_t> best;
   double largest_excess_m = 0;

@@ -23,8 +23,8 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 struct Waves {
   double omega_radps = 0;
   double b = 0, a = 0;  // λ and δ; a² below zero gives a = NaN
-  double bend = 0;      // b² − g: φ' of sin and cos is −bend times the same
-  double lean = 0;      // a² + g: φ' of an exponential is lean times the same
+  double bend = 0;      // b² − g (g of the header): φ' = −bend·w for w = sin and cos
+  double lean = 0;      // a² + g: φ' = lean·w for exponentials w
 };
 
 Waves waves_of(const UniformBeam& beam, double lambda) {
@@ -34,7 +34,7 @@ Waves waves_of(const UniformBeam& beam, double lambda) {
       beam.shear_stiffness_N > 0 ? beam.stiffness_Nm2 / (beam.shear_stiffness_N * length2) : 0;  // EI/(κGA L²)
   const double b2 = lambda * lambda;
   const double p = 1 + b2 * (shear + inertia);
-  const double w2 = 2 * b2 * b2 / (p + std::sqrt(p * p - 4 * shear * inertia * b2 * b2));  // (2), of ρA L⁴ ω²/EI
+  const double w2 = 2 * b2 * b2 / (p + std::sqrt(p * p - 4 * shear * inertia * b2 * b2));  // ρA L⁴ ω²/EI by (2)
   Waves waves{.b = lambda};
   waves.omega_radps = std::sqrt(w2) * std::sqrt(beam.stiffness_Nm2 / beam.mass_per_length_kgpm) / length2;
   waves.a = std::sqrt(w2 * (1 - w2 * shear * inertia) / b2);  // (3)

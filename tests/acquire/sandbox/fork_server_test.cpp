@@ -74,7 +74,7 @@ TEST(ForkServer, ReportsUnknownReaders) {
   EXPECT_FALSE(fork_server.lost());
 }
 
-TEST(ForkServer, OpensFilesAsTheyAreOpenedWithoutIt) {
+TEST(ForkServer, OpensTheSameRecordsAsWithoutAServer) {
   const test::ScratchFolder folder;
   FrfReadOptions options;
   options.read.sandboxed = true;

@@ -70,7 +70,7 @@ TEST(FitLocally, CountsItsDegreesOfFreedom) {
 }
 
 TEST(FitLocally, FindsTheNoiseOfEachFrf) {
-  constexpr double kTolerance = 0.1;  // three standard deviations of an rms over 480 lines
+  constexpr double kTolerance = 0.1;  // four standard deviations of an rms over 480 complex lines (2.3 %)
   FrfDataset set = one_mode();
   test::add_frf_noise(set, 0.03, 5);
   const LocalFit found = fit(set, {{300, 0.01}});
@@ -115,7 +115,7 @@ TEST(FitLocally, StatesTheStandardDeviationsOf200Repetitions) {
     EXPECT_LE(std::abs(scatter(i) * kRuns / stated(i) - 1), kTolerance) << i;
     EXPECT_LE(std::abs(sum(i) / stated(i)), kBias) << i;
   }
-  // The residue's standard deviation is the mean of its two parts'.
+  // A residue's standard deviation is the root mean square of its real and its imaginary part's.
   EXPECT_LE(std::abs(std::hypot(scatter(2), scatter(3)) / std::sqrt(2) * kRuns / stated(2) - 1), kTolerance);
 }
 
@@ -128,8 +128,7 @@ TEST(FitLocally, KeepsItsStartWithoutData) {
 }
 
 TEST(PoleOfWindow, IsNearlyExactOnASingleMode) {
-  constexpr double kTolerance =
-      2e-3;  // (jω)²/(s² + …) is a/(jω − s) + b(jω) to a bandwidth over the frequency, squared
+  constexpr double kTolerance = 2e-3;  // a/(jω − s) + b(jω) approximates (jω)²/(s² + …) to about (bandwidth/frequency)²
   FrfDataset set = test::empty_set(4096, 32768, 290, 310, 2);
   for (std::size_t o = 0; o < 2; ++o) test::add_mode(set, o, {300.37, 0.01}, kResidues[o]);
   const Pole found = pole_of_window(set, lines_of(set), 0);

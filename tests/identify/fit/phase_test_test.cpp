@@ -16,8 +16,8 @@ double statistic(double first_rad, double second_rad, std::uint64_t seed) {
   test::add_mode(set, 1, kPole, std::polar(0.4, second_rad));
   test::add_frf_noise(set, 0.1, seed);
   JointProjection projection(set, {kPole});
-  const JointState flat = projection.evaluate({.poles = {kPole}, .real = {0}});
-  projection.weight_by_residual(flat, projection.unweighted_residual(flat));
+  const JointState complex_state = projection.evaluate({.poles = {kPole}, .real = {0}});
+  projection.weight_by_residual(complex_state, projection.unweighted_residual(complex_state));
   JointState state = projection.evaluate({.poles = {kPole}, .real = {1}});
   Eigen::MatrixXd covariance;
   for (int step = 0; step < 4; ++step) {

@@ -38,7 +38,7 @@ TEST(PrincipalFrfs, HoldThreeModesInThreeComponents) {
 }
 
 TEST(PrincipalFrfs, KeepTheInformationAboutThePoles) {
-  constexpr double kTolerance = 0.05;  // the noise's own estimate from 4000 values
+  constexpr double kTolerance = 0.05;  // scatter of a noise estimate from 4000 values
   FrfDataset set = survey();
   test::add_frf_noise(set, 0.5, 11);
   const JointFit all = fit_jointly(set, kTruth);

@@ -38,7 +38,8 @@ TEST(GainErrors, HaveTheCovarianceOfTheNoiseInTheGate) {
   constexpr int kTrials = 2000;
   const std::vector<Eigen::Index> lines{10, 400, 1500, 4000};
   Eigen::Matrix4cd measured = Eigen::Matrix4cd::Zero();
-  Eigen::Matrix4cd turned = Eigen::Matrix4cd::Zero();  // E εεᵀ: real noise is not circular at low frequencies
+  // The pseudo-covariance E εεᵀ: real noise is not circular at low frequencies.
+  Eigen::Matrix4cd pseudo = Eigen::Matrix4cd::Zero();
   for (int trial = 0; trial < kTrials; ++trial) {
     frf::ForceBlock noise{.offset = block.offset, .force_N = std::vector<double>(90), .ungated_N = {}};
     synth::RandomStream({7, static_cast<std::uint64_t>(trial)}).add_normal(kNoise_N, noise.force_N);
@@ -49,20 +50,20 @@ TEST(GainErrors, HaveTheCovarianceOfTheNoiseInTheGate) {
       error(i) = spectrum[k] / force[k];
     }
     measured += error * error.adjoint() / kTrials;
-    turned += error * error.transpose() / kTrials;
+    pseudo += error * error.transpose() / kTrials;
   }
   Eigen::MatrixXcd picked(4, errors.cols());
   for (Eigen::Index i = 0; i < 4; ++i) picked.row(i) = errors.row(lines[static_cast<std::size_t>(i)]);
   const Eigen::Matrix4cd expected = picked * picked.adjoint();
-  const Eigen::Matrix4cd expected_turned = picked * picked.transpose();
-  // Of a covariance. 2000 trials scatter it by 2.2 %. The ringing that the gate cuts off is not in the trials, and adds
-  // up to 4.4 % to the expected values.
+  const Eigen::Matrix4cd expected_pseudo = picked * picked.transpose();
+  // The tolerance of a covariance: 2000 trials scatter it by 2.2 %. The ringing that the gate cuts off is not in the
+  // trials, and adds up to 4.4 % to the expected values.
   constexpr double kTolerance = 0.12;
   for (Eigen::Index i = 0; i < 4; ++i) {
     for (Eigen::Index j = 0; j < 4; ++j) {
       const double size = std::sqrt(std::abs(expected(i, i) * expected(j, j)));
       EXPECT_LE(std::abs(measured(i, j) - expected(i, j)), kTolerance * size) << i << ' ' << j;
-      EXPECT_LE(std::abs(turned(i, j) - expected_turned(i, j)), kTolerance * size) << i << ' ' << j;
+      EXPECT_LE(std::abs(pseudo(i, j) - expected_pseudo(i, j)), kTolerance * size) << i << ' ' << j;
     }
   }
 }

@@ -156,7 +156,7 @@ TEST(TubeShape, HasTrueStandardDeviations) {
   constexpr double kNoise = 0.05, kDeviations = 4;  // standard deviations of the plane
   const TubeGeometry geometry = geometry_of({.rings = 10});
   const auto tube = tube_shape(pattern(geometry, 2, 0.3, flat, kNoise), geometry);
-  // 60 points share cos and sin: σ(nθ) = σ √(2/60).
+  // 60 points determine the amplitudes of cos and sin: σ(nθ) = σ √(2/60).
   EXPECT_NEAR(tube->plane_std_rad, kNoise * std::sqrt(2.0 / 60) / 2, 0.1 * tube->plane_std_rad);
   EXPECT_LE(std::abs(*tube->plane_rad - 0.3), kDeviations * tube->plane_std_rad);
   EXPECT_NEAR(tube->axial[0].std, kNoise * std::sqrt(2.0 / 6), 1e-3 * kNoise);

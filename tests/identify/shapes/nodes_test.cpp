@@ -50,7 +50,7 @@ TEST(FindNodes, FindsEveryNodeOfAShape) {
       0, 0.01, 85, [](double x) { return synth::free_beam_shape(3, x / 0.84); }, 1e-4));
   ASSERT_EQ(nodes.size(), 4U);
   for (const Node& node : nodes) {
-    EXPECT_LE(std::abs(synth::free_beam_shape(3, node.position_m / 0.84)), 1e-3) << "of a tip's 1";
+    EXPECT_LE(std::abs(synth::free_beam_shape(3, node.position_m / 0.84)), 1e-3) << "of the amplitude 1 at a tip";
   }
   EXPECT_NEAR(nodes[0].position_m + nodes[3].position_m, 0.84, 1e-4) << "a free beam is symmetric";
 }
@@ -75,7 +75,8 @@ TEST(FindNodes, FindsOneNodeInNoiseAroundZero) {
 }
 
 TEST(FindNodes, StatesTrueStandardDeviations) {
-  // The fraction within one, two and three standard deviations; the distance to the next degree only adds to them.
+  // The fractions within one and three standard deviations. The stated standard deviation includes the distance to the
+  // root of the next degree, so these fractions may be larger than expected.
   constexpr int kScans = 2000;
   const auto shape = [](double x) { return synth::free_beam_shape(1, x / 0.84); };
   int one = 0, three = 0;
@@ -90,7 +91,7 @@ TEST(FindNodes, StatesTrueStandardDeviations) {
     one += off <= 1 ? 1 : 0;
     three += off <= 3 ? 1 : 0;
   }
-  EXPECT_GE(one, 0.68 * kScans - 4 * std::sqrt(0.22 * kScans)) << "binomial, four deviations";
+  EXPECT_GE(one, 0.68 * kScans - 4 * std::sqrt(0.22 * kScans)) << "four standard deviations of a binomial count";
   EXPECT_GE(three, 0.99 * kScans);
   EXPECT_GE(std::sqrt(squares / kScans), 0.4) << "not exaggerated either";
 }
@@ -115,7 +116,7 @@ TEST(FindNodes, DoesNotDependOnSignOrUnits) {
   for (double& s : scan.std) s *= 7;
   const Node other = find_nodes(scan).at(0);
   EXPECT_LE(std::abs(other.position_m - node.position_m), kRounding);
-  EXPECT_LE(std::abs(other.std_m / node.std_m - 1), 1e-6) << "rounding of a deviation";
+  EXPECT_LE(std::abs(other.std_m / node.std_m - 1), 1e-6) << "rounding of a standard deviation";
 }
 
 TEST(MinimumOfPeak, IsTheBottomOfTheV) {

@@ -10,8 +10,8 @@
 
 namespace percuss::identify::peaks_test {
 
-/// The definition in quadratic time: from a maximum to either side up to a higher value or the end, the lowest value is
-/// a saddle; the higher of the two saddles counts.
+/// The definition, in quadratic time. A saddle is the lowest value between a maximum and the next higher value, or the
+/// end, on one side. The prominence is the height of the maximum above the higher of its two saddles.
 std::vector<Peak> by_definition(const std::vector<double>& x) {
   std::vector<Peak> peaks;
   const auto n = static_cast<std::ptrdiff_t>(x.size());

@@ -30,7 +30,7 @@ TEST(BatModes, ReproducesTheExactNodes) {
   const std::vector<std::vector<double>> exact_m{{0.174654627, 0.649983862},
                                                  {0.065089854, 0.372781817, 0.688014908},
                                                  {0.041686611, 0.225281218, 0.478520169, 0.717884136}};
-  constexpr double kPlace_m = 1e-6;  // the elements' error of the third mode's nodes is a third of this
+  constexpr double kPlace_m = 1e-6;  // three times the error of the elements at the nodes of the third mode
   for (std::size_t mode = 0; mode < exact_m.size(); ++mode) {
     const auto found_m = nodes_of(modes, mode);
     ASSERT_EQ(found_m.size(), exact_m[mode].size());
@@ -101,7 +101,7 @@ TEST(BatModes, AreOrthogonalInTheFullMassMatrix) {
   BatProfile same = kStepped;
   TimoshenkoBeam light = timoshenko_beam(same, {}, modes.length_m / 84);
   Eigen::MatrixXd plain = Eigen::MatrixXd::Zero(6, 6);
-  constexpr int kPoints = 2000;  // a plain sum over the bat of ρA w w
+  constexpr int kPoints = 2000;  // ρA w wᵀ, summed over the bat: no rotary inertia
   for (int i = 0; i < kPoints; ++i) {
     const double z_m = (i + 0.5) * modes.length_m / kPoints;
     const Eigen::VectorXd w = modes.deflection(z_m).head(6);

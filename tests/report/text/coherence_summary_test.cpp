@@ -24,7 +24,7 @@ TEST(CoherenceSummary, CountsOnlyTheLinesOfTheBand) {
     const bool in_band = freq_Hz >= 100 && freq_Hz <= 400;
     frf.frf.coherence[k] = !in_band ? 0 : ++inside % 4 == 0 ? 0.5 : 1;
   }
-  ASSERT_GT(analysis.lines().count, inside);  // the margins
+  ASSERT_GT(analysis.lines().count, inside);  // the lines extend beyond the band
   const auto summary = summary_of_coherence(analysis, frf);
   ASSERT_TRUE(summary);
   const std::size_t quarter = inside / 4;

@@ -85,7 +85,8 @@ TEST_F(MatRecord, ReadsLevel4LaidOutByHand) {
 }
 
 TEST_F(MatRecord, ReadsHitsInEitherOrientation) {
-  // Two hits of three samples, four channels: sample i of hit h is 10 h + i, of channel c 100 (c + 1) more.
+  // Two hits of three samples, four channels. Sample i of hit h is 10 h + i in the force, and 100 (c + 1) more in
+  // channel c.
   const auto value = [](std::size_t h, std::size_t i) { return static_cast<double>(10 * h + i); };
   std::vector<double> force_first, force_last, accel_first, accel_last;
   for (std::size_t h = 0; h < 2; ++h) {
