@@ -62,7 +62,7 @@ pybind11::list responses_of(const std::vector<acquire::PointFrf>& frfs, std::siz
 /// Text that need not be UTF-8, such as the name of a file.
 pybind11::str decoded(std::string_view text);
 
-/// Notes as [(text, [option identifiers])], which note_in_python of _errors.py writes.
+/// Notes as [(text, [option identifiers])], which note_in_python of _errors.py converts to text.
 template <class Notes>
 pybind11::list notes_of(const Notes& notes) {
   pybind11::list out;

@@ -179,7 +179,7 @@ class Command:
         self._shell = {one.keyword for one in options}
 
     def run(self, function: str, data: Any, inputs: list[Any], options: dict[str, Any]) -> _percuss.CommandResult:
-        """Runs the command on files (`data`) or on data in memory (`inputs`)."""
+        """Runs the command on paths and documents (`data`), or on records and FRFs in memory (`inputs`)."""
         files = MemoryFiles()
         try:
             words = self.name.split()

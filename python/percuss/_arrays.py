@@ -11,7 +11,7 @@ import numpy as np
 from ._errors import InputError
 
 _MAX_ROWS = 1_000_000
-_MAX_ROWS_PER_SAMPLE = 8  # an array with more rows per sample is transposed
+_MAX_ROWS_PER_SAMPLE = 8  # an array with more rows per sample counts as transposed and is rejected
 
 
 def frozen(array: np.ndarray) -> np.ndarray:
@@ -58,13 +58,13 @@ def _signals(values: Any, name: str) -> np.ndarray:
     return np.asarray(values)
 
 
-def _is_ragged(values: Any) -> bool:
+def _is_list_of_arrays(values: Any) -> bool:
     return isinstance(values, (list, tuple)) and bool(values) and all(np.ndim(one) > 0 for one in values)
 
 
 def rows_of(force: Any, accel: Any) -> list[tuple[Any, list[np.ndarray]]]:
     """Views of the arrays, a pair (force or None, [accelerations]) per hit."""
-    several = several_lists = _is_ragged(force)
+    several = is_list = _is_list_of_arrays(force)
     forces = [_signals(one, "force") for one in force] if several else None if force is None else _signals(force, "force")
     if forces is None:
         each = _signals(accel, "accel")
@@ -72,9 +72,9 @@ def rows_of(force: Any, accel: Any) -> list[tuple[Any, list[np.ndarray]]]:
     several = several or forces.ndim == 2
     if not several:
         return _checked([(forces, _channels(_signals(accel, "accel")))])
-    if not several_lists and _is_transposed(forces.shape):
+    if not is_list and _is_transposed(forces.shape):
         raise InputError(f"{forces.shape[0]} hits of {forces.shape[1]} samples", "force", "is it (hits, samples)? Give force.T")
-    hits = list(accel) if _is_ragged(accel) else _signals(accel, "accel")
+    hits = list(accel) if _is_list_of_arrays(accel) else _signals(accel, "accel")
     if len(forces) > _MAX_ROWS:
         raise InputError(f"{len(forces)} hits", "force", "give at most a million at a time")
     if len(hits) != len(forces):

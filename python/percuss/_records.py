@@ -20,7 +20,7 @@ class Record:
     force       N. (samples,): one hit, or a long record that is searched for hits; (hits, samples): one hit per row; a
                 list of hits of different lengths; None if only accelerations were recorded.
     accel       m/s². (samples,) or (channels, samples) for one force; (hits, samples) or (hits, channels, samples) for
-                several; a list for a list. For other units, pass unit= and force_unit= to analyze().
+                several; a list if the force is a list. For other units, pass unit= and force_unit= to analyze().
     fs          Hz; also an array of one number.
     points      (hits,): index of the struck point, from 0; 0 for all hits unless given.
     names       names of the force and of each acceleration; "force", "accel 1" ... unless given.

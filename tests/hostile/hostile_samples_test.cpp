@@ -62,7 +62,7 @@ class HostileSamples : public testing::Test {
   std::vector<double> force_ = column(force_at), accel_ = column(accel_at);
 };
 
-TEST_F(HostileSamples, AreAcceptedUnchanged) {
+TEST_F(HostileSamples, AreAcceptedWithoutADefect) {
   write_hdf5({2048});
   write_csv(header_);
   for (const auto& path : {hdf5_, csv_}) {

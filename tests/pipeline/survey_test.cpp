@@ -20,9 +20,9 @@ using testing::Field;
 using testing::HasSubstr;
 
 constexpr double kDegree = pi / 180;
-constexpr double kDeviations = 5;  // for dozens of comparisons
+constexpr double kDeviations = 5;  // allowed standard deviations; 5, because dozens of values are compared
 
-// An aluminium bat whose first hoop mode is split, 5 rings of 8 points on the barrel.
+// An aluminium bat whose first hoop mode is split.
 synth::SynthSpec barrel() {
   synth::SynthSpec spec;
   spec.fs_Hz = 8192;
@@ -48,6 +48,7 @@ synth::SynthSpec barrel() {
   return spec;
 }
 
+// Adds a sensor, and rings of 8 impact points on the barrel.
 synth::SynthSpec roving(synth::SynthSpec spec, int rings = 5) {
   spec.sensors = {{.position_m = 0.05, .angle_rad = 0}};
   spec.points.clear();
@@ -98,7 +99,7 @@ TEST_F(BarrelSurvey, FindsTheShapes) {
   }
 }
 
-TEST_F(BarrelSurvey, ScalesThemToUnitModalMassByTheDrivingPoint) {
+TEST_F(BarrelSurvey, ScalesShapesToUnitModalMassByTheDrivingPoint) {
   ASSERT_EQ(survey_->driving_points().size(), 1U);
   EXPECT_EQ(survey_->driving_points()[0].point, 0U);
   for (std::size_t m = 0; m < 5; ++m) {
@@ -169,15 +170,15 @@ TEST_F(BarrelSurvey, AgreesWithTheTwoAccelerometerTest) {
   }
 }
 
-TEST_F(BarrelSurvey, LeavesNamesAloneWithoutAGeometry) {
+TEST_F(BarrelSurvey, LeavesModeTypesUnknownWithoutAGeometry) {
   acquire::Record record = made_->record;
   record.geometry.clear();
   const Analysis analysis(record, in_band());
   const Survey survey(analysis, {});
   EXPECT_FALSE(survey.geometry());
   for (const auto& tube : survey.tubes()) EXPECT_FALSE(tube);
-  for (const identify::ModeClassification& verdict : survey.classifications())
-    EXPECT_EQ(verdict.family, identify::ModeType::unknown);
+  for (const identify::ModeClassification& classification : survey.classifications())
+    EXPECT_EQ(classification.family, identify::ModeType::unknown);
   EXPECT_THAT(survey.warnings(), Contains(Field(&Warning::code, "no_geometry")));
 }
 
@@ -194,7 +195,8 @@ TEST_F(BarrelSurvey, RefusesPointsThatTheGeometryLacks) {
 }
 
 TEST(Survey, WarnsOfASensorOnANode) {
-  // The sensor lies in the bending plane: it sits on a node of the partner.
+  // The sensor lies almost in the plane of the bending mode. A partner that bends at right angles
+  // would have a node there.
   synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(1);
   spec.modes[0].angle_rad = 1 * kDegree;

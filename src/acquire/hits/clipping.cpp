@@ -21,7 +21,7 @@ struct PeakCount {
   std::size_t samples = 0, peaks = 0, longest_run = 0;
 };
 
-// Reads only blocks with the same extreme.
+// Reads only the blocks whose extreme is `value`.
 PeakCount count_peaks(std::span<const double> x, std::span<const Extremes> blocks, double value) {
   PeakCount out;
   std::size_t run = 0, last = 0;  // length and last sample of the current run

@@ -42,7 +42,8 @@ bool is_same_hit(const Hit& a, const Hit& b) {
                     [&](double x, double y) { return std::abs(x - y) <= kRounding * std::abs(a.peak_N); });
 }
 
-// Whether enough different hits share one peak value, or two of them have two samples at it, to exclude chance.
+// Whether the equal peaks of these hits exclude chance: at least kMinCoincidingPeaks hits are different, or two
+// different hits have two samples or more at the peak.
 bool peaks_coincide(const std::vector<const Hit*>& hits) {
   std::vector<const Hit*> different;
   for (const Hit* hit : hits) {

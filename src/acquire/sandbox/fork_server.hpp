@@ -28,7 +28,8 @@ class ForkServer {
   /// Requests a reader and does not wait for it. The reader gets copies of the descriptors: its end of a socket, and
   /// the shared memory. Returns the reader's number; −1 when the server has ended.
   int start(const std::string& path, int descriptor, int memory);
-  /// The reader's number when it has ended, with its status as from waitpid; 0 while it runs; −1 for an unknown reader.
+  /// The reader's number when it has ended, with its status as from waitpid; 0 while it runs; −1 for an unknown reader,
+  /// and when the server has ended.
   int ended(int reader, int& status);
   /// Kills a reader and waits for its status.
   void kill_and_wait(int reader, int& status);

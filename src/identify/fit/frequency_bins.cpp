@@ -6,7 +6,7 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kCore = 2;      // half-power bandwidths on either side of a pole with single lines
+constexpr double kCore = 2;      // half-power bandwidths on either side of a pole; bins there are single lines
 constexpr double kGrowth = 0.1;  // lines of a bin per line of distance from there
 constexpr double kMaxLinesPerBin = 64;
 constexpr double kMinCore = 4;  // lines
@@ -25,7 +25,7 @@ FrequencyBins::FrequencyBins(const acquire::LineRange& lines, const std::vector<
   while (begin_.back() < lines.count) {
     const std::size_t from = begin_.back();
     std::size_t to = from + 1;
-    // The narrowest width that any of its lines demands.
+    // The narrowest width that a line of the bin demands.
     double allowed = widest[from];
     while (to < lines.count && static_cast<double>(to + 1 - from) <= std::min(allowed, widest[to])) {
       allowed = std::min(allowed, widest[to]);

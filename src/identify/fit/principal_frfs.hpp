@@ -6,8 +6,8 @@
 
 namespace percuss::identify {
 
-/// Principal components of the FRFs over their noise: at most `max_components` real orthogonal combinations that stand
-/// out of the noise. m modes span m components, so that almost no information about the poles is lost.
+/// Principal components of the FRFs divided by their noise: at most `max_components` real orthogonal combinations that
+/// stand out of the noise. m modes span m components, so that almost no information about the poles is lost.
 /// shape  [channels, components]
 Eigen::MatrixXd principal_components(const FrfDataset& set, std::size_t max_components);
 

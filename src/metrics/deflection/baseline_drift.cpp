@@ -13,15 +13,16 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-constexpr std::size_t kMinRest = 8;    // samples needed for a straight line and its scatter
-constexpr double kUnknownBias = 0.1;   // std of an unknown bias, of the signal's RMS; with more the sensor is broken
-constexpr double kMinCycles = 3;       // of the slowest oscillation within a window, for a mean near zero
+constexpr std::size_t kMinRest = 8;  // samples needed for a straight line and its scatter
+// The standard deviation of an unknown bias, over the signal's RMS. A larger bias means a broken sensor.
+constexpr double kUnknownBias = 0.1;
+constexpr double kMinCycles = 3;       // of the oscillation within a window, for a mean near zero
 constexpr double kContradiction = 30;  // χ² of two means, exceeded by chance once in three million
 constexpr double kLeakageMargin = 2;   // the oscillation's amplitude and phase are only estimated
 
-// ∫K·w for one window, and the contributions of noise and bias to it.
+// ∫K·w with the Hann window K of one place, and the contributions of noise and bias to this mean.
 struct WindowMean {
-  double mean_m = 0, leaks_m = 0;
+  double mean_m = 0;
   Vector2d by_bias;
   std::vector<double> by_noise;  // weight of each acceleration sample in the mean, s²
 };
@@ -42,8 +43,8 @@ WindowMean window_mean(std::span<const double> w, double fs_Hz, double corner_Hz
     out.mean_m += kernel[i] * w[i];
     out.by_bias += kernel[i] * drifted_deflection_m(static_cast<double>(i) * dt_s, corner_Hz);
   }
-  // A sample at τ moves w(t) by (t − τ)Δt (and by ω_c (t − τ)²/2 with the high-pass undone).
-  // The sums therefore run from the end.
+  // An acceleration sample of 1 at τ adds (t − τ)Δt to each later w(t), and ω_c (t − τ)² Δt/2 with the high-pass
+  // undone. The sample's weight is a sum over the later kernel values, so the sums run from the end.
   double once = 0, twice = 0, thrice = 0;
   for (std::size_t i = n; i-- > 0;) {
     out.by_noise[i] = (twice + kTwoPi * corner_Hz * thrice) * dt_s;

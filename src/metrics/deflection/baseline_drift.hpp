@@ -7,7 +7,7 @@
 namespace percuss::metrics {
 
 /// The bias and the noise of the measuring chain, from the samples before an impact, where the structure rests. The
-/// acceleration's error is bias + drift·t; t counts from the first sample after them.
+/// acceleration's error is bias + drift·t; t counts from the first sample after those samples.
 struct BaselineEstimate {
   Eigen::Vector2d bias;        // m/s², m/s³
   Eigen::Matrix2d covariance;  // of both
@@ -18,9 +18,9 @@ struct BaselineEstimate {
 /// standard deviation of a tenth of `unknown_mps2`.
 BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double fs_Hz, double unknown_mps2);
 
-/// The deflection due to a bias b = 1 m/s² and a drift d = 1 m/s³ after integration, with the high-pass compensated:
+/// The deflection due to a bias b and a drift d after integration, with the high-pass compensated:
 ///   w = b (t²/2 + ω_c t³/6) + d (t³/6 + ω_c t⁴/24)                                  (1)
-/// The velocity is the derivative of (1).
+/// Returns the two terms of (1) for b = 1 m/s² and d = 1 m/s³. The velocity terms are their derivatives.
 /// theory (7.3)
 Eigen::Vector2d drifted_deflection_m(double t_s, double highpass_corner_Hz);
 Eigen::Vector2d drifted_velocity_mps(double t_s, double highpass_corner_Hz);
@@ -33,7 +33,8 @@ struct ZeroMeanCorrection {
   Eigen::Matrix2d covariance;  // of the remaining bias
   bool held = false;           // false: the deflection contradicts zero means or is too short; nothing is subtracted
 };
-/// deflection_m: the samples after the rest, minus the bias in `rest`, integrated by integrate_twice.
+/// deflection_m: integrate_twice of the acceleration from the end of the samples at rest, after subtraction of the bias
+/// and drift in `rest`; for a free body without its rigid-body deflection.
 /// theory (7.5)
 ZeroMeanCorrection zero_mean_correction(std::span<const double> deflection_m, double fs_Hz, double highpass_corner_Hz,
                                         const BaselineEstimate& rest);

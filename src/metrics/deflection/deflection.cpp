@@ -39,13 +39,14 @@ Deflection drift_free(const ImpactSignal& signal, const DeflectionOptions& optio
     accel[i] -= rest.bias(0) + rest.bias(1) * static_cast<double>(i) / signal.fs_Hz;
   Motion motion = integrate_twice(accel, signal.fs_Hz, options.highpass_corner_Hz);
   std::vector<double> swing = motion.deflection_m;
-  const bool known = signal.rigid_per_kg > 0 && !signal.force_N.empty();
-  if (known) {
+  const bool rigid_known = signal.rigid_per_kg > 0 && !signal.force_N.empty();
+  if (rigid_known) {
     const auto rigid = modal_deflection(signal.force_N.subspan(first), signal.fs_Hz, {}, signal.rigid_per_kg);
     for (std::size_t i = 0; i < swing.size(); ++i) swing[i] -= rigid.deflection_m[i];
   }
   ZeroMeanCorrection late{.bias = Eigen::Vector2d::Zero(), .covariance = rest.covariance};
-  if (known || !options.free_body) late = zero_mean_correction(swing, signal.fs_Hz, options.highpass_corner_Hz, rest);
+  if (rigid_known || !options.free_body)
+    late = zero_mean_correction(swing, signal.fs_Hz, options.highpass_corner_Hz, rest);
   Deflection out{.method = DeflectionMethod::drift_free, .bias_mps2 = rest.bias(0) + late.bias(0), .held = late.held};
   out.std_m.resize(accel.size());
   const double largest = largest_magnitude(motion.deflection_m);

@@ -4,14 +4,14 @@ namespace percuss::model {
 
 LaminateSection laminate_section(const std::vector<LaminateLayer>& layers) {
   LaminateSection section;
-  double below_m = 0, tension_N = 0, moment_Nm = 0;
+  double below_m = 0, axial_stiffness_N = 0, first_moment_Nm = 0;
   for (const LaminateLayer& layer : layers) {
-    const double tension = layer.young_Pa * layer.width_m * layer.height_m;
-    tension_N += tension;
-    moment_Nm += tension * (below_m + layer.height_m / 2);
+    const double axial_N = layer.young_Pa * layer.width_m * layer.height_m;
+    axial_stiffness_N += axial_N;
+    first_moment_Nm += axial_N * (below_m + layer.height_m / 2);
     below_m += layer.height_m;
   }
-  section.neutral_axis_m = moment_Nm / tension_N;
+  section.neutral_axis_m = first_moment_Nm / axial_stiffness_N;
   below_m = 0;
   for (const LaminateLayer& layer : layers) {
     const double h = layer.height_m, arm_m = below_m + h / 2 - section.neutral_axis_m;

@@ -17,7 +17,7 @@
 namespace percuss::report {
 namespace {
 
-// The SHA-256 of an input; empty for standard input, and for a file whose length has changed since.
+// The SHA-256 of an input. A dash for standard input, and for a file that cannot be read or whose length has changed.
 std::string digest_of(const acquire::InputFile& file) {
   std::error_code error;
   const bool same = file.path != "-" && std::filesystem::file_size(file.path, error) == file.bytes && !error;

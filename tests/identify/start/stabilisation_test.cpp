@@ -21,9 +21,9 @@ identify::FrfDataset set_of(double noise) {
   return set;
 }
 
-TEST(Stabilise, MarksAPoleNewAtItsFirstOrderAndStableAfterwards) {
+TEST(Stabilise, MarksAPoleStableOnlyAfterItsFirstOrder) {
   const identify::Stabilisation diagram = identify::stabilise(set_of(0));
-  EXPECT_NEAR(diagram.low_Hz, 60, 0.5);  // a line
+  EXPECT_NEAR(diagram.low_Hz, 60, 0.5);  // within one spectral line
   EXPECT_NEAR(diagram.high_Hz, 1500, 0.5);
   for (const identify::Pole& mode : kModes) {
     bool seen = false;

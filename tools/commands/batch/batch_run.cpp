@@ -125,7 +125,7 @@ std::string results_folder(const std::string& folder) {
   return fs::canonical(folder).string();
 }
 
-// All shards in a folder must have the same number of shards, so that they can be merged.
+// All results in a folder must come from the same number of shards, so that they can be merged.
 std::size_t number_of_shards(const RunFlags& flags, const ShardSelection& selection, const batch::Manifest& manifest,
                              const std::string& folder) {
   const auto found = batch::shard_count_in(folder);

@@ -101,7 +101,7 @@ const frequencyPlots = () => {
   };
   for (const figure of figuresOf("magnitude")) {
     legend(figure, frf.curves.map((c) => c.name));
-    // The curves alone set the scale: a ± as large as its value reaches down to −∞ dB.
+    // The curves set the scale without their ± bands, whose lower edges lie up to 40 dB below the curves.
     const all = levels.flat().filter((v) => v !== null);
     const span = [all.reduce((a, b) => Math.min(a, b), Infinity) - 5, all.reduce((a, b) => Math.max(a, b), -Infinity) + 5];
     const { series, bands } = magnitudeSeries(frf, levels);
