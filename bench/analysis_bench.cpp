@@ -10,8 +10,8 @@
 #include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
 
-// The time of each stage of an analysis, on the bundled bat with its samples in memory and on one thread. The counter
-// x_fftw is the time as a multiple of one bare FFTW transform per channel and hit.
+// The time of an analysis up to each stage, on the bundled bat with its samples in memory and on one thread. The
+// counter x_fftw is the time as a multiple of one bare FFTW transform per channel and hit.
 namespace percuss {
 namespace {
 

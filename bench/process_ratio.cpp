@@ -1,7 +1,9 @@
 // percuss_process_ratio TOOL LO:HI FILE
 // Prints wall-clock times of whole processes of the tool on a record in the page cache: start, hits, FRFs and modes,
-// with one thread and with all. They are multiples of bare FFTW transforms of the record in memory (one thread,
-// FFTW_MEASURE) and of reading the same bytes. All alternate in one run, and the best time of each counts.
+// with one thread and with all. Each is printed also as a multiple of the time of bare FFTW transforms and of the time
+// of reading the force's bytes. The transforms are in memory, on one thread, one for each row and signal, planned with
+// FFTW_MEASURE (rows of 2^22 samples and more: FFTW_ESTIMATE). All alternate in one run, and the best time of each
+// counts.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>

@@ -66,7 +66,7 @@ void require_samples(const std::vector<double>& samples, std::size_t count) {
     throw InputError("signals of one row differ in length", kArrays, "give equally many samples");
   for (const double sample : samples) {
     if (!(std::abs(sample) <= acquire::kMaxSample))
-      throw InputError("a sample is not a finite number", kArrays, "leave the row out");
+      throw InputError("a sample is too large or not a finite number", kArrays, "leave the row out");
   }
 }
 

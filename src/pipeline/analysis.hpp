@@ -26,7 +26,7 @@ class Analysis {
   /// errors  InputError: no acceleration channel.
   Analysis(acquire::Record record, AnalysisOptions options);
   /// A test of which only the FRFs are known: no hits, no force.
-  /// errors  InputError: options that need a record in time.
+  /// errors  InputError: options that need a time record.
   Analysis(acquire::FrfRecord frfs, AnalysisOptions options);
 
   /// The record. For FRFs that were given: their files, channels and geometry, without rows.

@@ -114,7 +114,7 @@ TEST_F(InfoCommand, PrintsASetUpThatItReads) {
   EXPECT_EQ(test::parse_json(outcome.out)["files"][0]["channels"][1]["position_m"], 0.15);
 }
 
-TEST_F(InfoCommand, NamesTheInvalidValue) {
+TEST_F(InfoCommand, RejectsInvalidValues) {
   EXPECT_EQ(run({}).code, 2);
   EXPECT_EQ(run({"--files", "many", file("a.csv")}).code, 2);
   EXPECT_EQ(run({"--unit", "furlong", file("a.csv")}).code, 3);

@@ -70,7 +70,7 @@ class ReportFiles : public testing::TestWithParam<ReportCase> {
   test::ScratchFolder folder_;
 };
 
-TEST_P(ReportFiles, ContainAPageInOneFile) {
+TEST_P(ReportFiles, AreSelfContainedPages) {
   run({"-o", "page.html"});
   const std::string page = test::bytes_of(folder_.file("page.html"));
   EXPECT_THAT(page, AllOf(HasSubstr("<!DOCTYPE html>"), HasSubstr("default-src 'none'"), HasSubstr("class=\"verdict\""),
@@ -183,7 +183,7 @@ TEST(SurveyDrawing, ShowsPointsWithoutLines) {
   const std::string svg = test::bytes_of(folder.file("plate.svg"));
   EXPECT_THAT(svg, HasSubstr("Mode shapes"));
   EXPECT_EQ(count_of(svg, "M"), 2 * 2 * 3U + 2)
-      << "two strokes for each point of the shape at rest and moved; the title twice";
+      << "one M for each of the two strokes of a point, at rest and moved; one M in each of two titles";
 }
 
 TEST(SessionPage, EscapesMarkupInNames) {

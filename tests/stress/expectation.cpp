@@ -78,7 +78,7 @@ class Judge {
     return !reason.empty() && (outcome_.said.contains(reason) || outcome_.message.find(reason) != std::string::npos);
   }
 
-  // True when the judgement is complete.
+  // True for an accepted refusal: the judgement is then complete.
   bool refused() {
     if (outcome_.exit_code == 0) return false;
     const bool other = std::any_of(expected_.or_refused.begin(), expected_.or_refused.end(),

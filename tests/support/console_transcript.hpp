@@ -18,8 +18,9 @@ struct TranscriptCommand {
 std::vector<TranscriptCommand> transcript_commands(const std::string& page);
 
 /// Whether the printed output agrees with the output on the page. Words, blanks, units, counts (numbers without a
-/// decimal point) and the number of decimals must be equal. The last digit of other numbers may differ by one, next to
-/// a ± by two: compilers, sanitizers and C libraries round differently, and an iterative fit ends within its tolerance.
+/// decimal point or an exponent) and the number of decimals must be equal. The last digit of other numbers may differ
+/// by one, next to a ± by two: compilers, sanitizers and C libraries round differently, and an iterative fit ends
+/// within its tolerance.
 bool matches_transcript(const std::vector<std::string>& shown, const std::vector<std::string>& printed);
 bool same_line(std::string_view shown, std::string_view printed);
 

@@ -12,7 +12,7 @@ namespace percuss::tools {
 /// The tool's command line. It hides CLI11, whose headers take seconds to compile.
 class CommandLine {
  public:
-  /// `host` is the program that runs the commands in its own process, if any.
+  /// `host` is the program that calls the commands as functions, if any.
   CommandLine(const char* name, const char* description, const char* version, Host* host = nullptr);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;

@@ -46,7 +46,7 @@ class Command {
  public:
   Command(CLI::App* app, DeclaredCommand* declared, Host* host = nullptr)
       : app_(app), declared_(declared), host_(host) {}
-  /// The program that runs the command in its own process; nullptr: a shell.
+  /// The program that calls the command as a function; nullptr: a shell.
   Host* host() const { return host_; }
   /// A positional argument, or a list of them.
   Option argument(const char* name, std::string& value, const char* help);

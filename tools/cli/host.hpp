@@ -36,7 +36,7 @@ struct CommandResult {
   std::vector<report::NumericColumn> columns;
 };
 
-/// A program that runs a command in its own process: its inputs, and the result.
+/// A program that calls a command as a function: its inputs, and the result.
 struct Host {
   std::string equivalent_command;  // the command line with the same result, for provenance
   std::vector<InMemoryInput> inputs;

@@ -49,7 +49,7 @@ class Entry {
     const auto found = json_.find(key);
     if (found == json_.end()) return std::nullopt;
     if (!found->is_string() || found->get_ref<const std::string&>().empty()) {
-      throw InputError("not a text", where(key), "put it in double quotes");
+      throw InputError("no text", where(key), "put a text in double quotes");
     }
     return found->get<std::string>();
   }

@@ -9,7 +9,7 @@
 namespace percuss::identify {
 namespace {
 
-constexpr int kShapeSweeps = 20;  // of the rank-one fit; a few suffice from the singular vector
+constexpr int kShapeSweeps = 20;  // of the rank-one fit; from the singular vector, it converges in a few
 
 // The residues as a matrix with weights 1/σ²; 0 where not measured.
 struct Grid {
@@ -81,7 +81,7 @@ RankOne rank_one(const Grid& grid) {
     fit.b_std /= size;
     fit.a = solve_side(grid.value, grid.weight, fit.b, fit.a_std);
   }
-  if (grid.channels.size() == 1) {  // one sensor carries only the scale's error
+  if (grid.channels.size() == 1) {  // the value of a single sensor is part of the shape's scale
     fit.b_std = Eigen::VectorXd::Zero(1);
   }
   return fit;
@@ -131,7 +131,8 @@ void normalise_largest(ModeShape& shape) {
   scale(shape.sensors, 1 / by);
 }
 
-// Scales to unit modal mass by the driving point with the most significant residue; false where none is positive.
+// Scales to unit modal mass by the driving point with the most significant residue; false where no residue is
+// significantly positive.
 bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& options) {
   const Residue* best = nullptr;
   for (const DrivingPoint& at : options.driving) {

@@ -30,7 +30,8 @@ int contact_rates(double s, const double* y, double* dy, void* forces) {
   dy[0] = dt_ds * y[1];
   dy[1] = -dt_ds * force_N / f.model.ball_mass_kg;
   dy[2] = dt_ds * y[3];
-  dy[3] = dt_ds * f.barrel_compliance * (force_N - f.barrel_stiffness_Npm * y[2] - f.model.barrel_damping_Nspm * y[3]);
+  dy[3] =
+      dt_ds * f.inverse_mass_per_kg * (force_N - f.barrel_stiffness_Npm * y[2] - f.model.barrel_damping_Nspm * y[3]);
   return GSL_SUCCESS;
 }
 

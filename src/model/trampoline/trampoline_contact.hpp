@@ -18,7 +18,7 @@ struct BallAndBarrel {
 struct TrampolineForces {
   Trampoline model;
   double barrel_stiffness_Npm = 0;  // (3)
-  double barrel_compliance = 1;     // 1/(m₂ + Δm); 0: a rigid wall
+  double inverse_mass_per_kg = 1;   // 1/(m₂ + Δm) of the barrel; 0: a rigid wall
 
   double contact_N(double overlap_m, double closing_mps) const;  // (2), also where it is negative
   /// The contact force divided by |δ|ᵇ, in N/m^b: it has the same sign, and a simple root at the end of the contact.

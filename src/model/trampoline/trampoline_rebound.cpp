@@ -18,7 +18,7 @@ TrampolineForces forces_at(const Trampoline& model, double hoop_Hz) {
   const double omega = kTwoPi * hoop_Hz;
   return {.model = model,
           .barrel_stiffness_Npm = omega * omega * model.barrel_mass_kg,  // (3)
-          .barrel_compliance = 1 / (model.barrel_mass_kg + model.extra_mass_kg)};
+          .inverse_mass_per_kg = 1 / (model.barrel_mass_kg + model.extra_mass_kg)};
 }
 
 // Ball and barrel after a separation; both move in closed form.
@@ -27,8 +27,8 @@ class FreeFlight {
   FreeFlight(const TrampolineForces& forces, const BallAndBarrel& start)
       : forces_(forces),
         start_(start),
-        barrel_{.omega_radps = std::sqrt(forces.barrel_stiffness_Npm * forces.barrel_compliance),
-                .decay_radps = forces.model.barrel_damping_Nspm * forces.barrel_compliance / 2} {}
+        barrel_{.omega_radps = std::sqrt(forces.barrel_stiffness_Npm * forces.inverse_mass_per_kg),
+                .decay_radps = forces.model.barrel_damping_Nspm * forces.inverse_mass_per_kg / 2} {}
 
   /// The next touch, or none when the barrel cannot reach the ball.
   std::optional<BallAndBarrel> next_touch() const {
@@ -92,7 +92,7 @@ Rebound rebound(const Trampoline& model, double hoop_Hz) {
 
 Rebound rigid_wall_rebound(const Trampoline& model) {
   const BallAndBarrel end =
-      ContactSolver({.model = model, .barrel_compliance = 0}).follow({.ball_mps = model.ball_speed_mps});
+      ContactSolver({.model = model, .inverse_mass_per_kg = 0}).follow({.ball_mps = model.ball_speed_mps});
   const double cor = -end.ball_mps / model.ball_speed_mps;
   return {.cor = cor, .first_cor = cor, .contact_s = end.time_s};
 }

@@ -11,8 +11,8 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kMaxNoiseRms = 1.6;         // root mean square of residues over their ± up to which they are noise
-constexpr double kMinCertainRms = 5;         // … and from which the mode certainly moves there
+constexpr double kMaxNoiseRms = 1.6;         // rms of residues over their standard deviations: noise up to here
+constexpr double kMinCertainRms = 5;         // … and certainly motion from here
 constexpr double kMaxNodeSensitivity = 0.1;  // sensitivity below which a sensor sits on a node
 constexpr double kMaxAsymmetry = 0.1;        // of the frequency: how far asymmetry splits a pair of modes
 constexpr double kMaxDifference = 0.05;      // of reciprocal residues, relative, and
@@ -103,7 +103,7 @@ void warn_of_partners(const SurveyResults& survey, std::vector<Warning>& out) {
     }
   }
   const std::string pairs =
-      "a tube's modes come in pairs of one pattern, turned by 90°/n, but only one was found for mode ";
+      "a tube's modes come in pairs of one pattern, turned by 90°/n, but no partner was found for mode ";
   if (!blind.empty()) {
     out.push_back({"sensor_on_node", pairs + blind +
                                          "; the sensors sit on the partner's nodes and cannot measure it: add a sensor "

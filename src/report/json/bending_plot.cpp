@@ -13,19 +13,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Five digits exceed the resolution of a plot.
-double shown_digits(double value) { return std::stod(fmt::format("{:.5g}", value)); }
+double rounded_for_plot(double value) { return std::stod(fmt::format("{:.5g}", value)); }
 
-Json shown_all_values(const std::vector<double>& values) {
+Json all_rounded_for_plot(const std::vector<double>& values) {
   Json out = Json::array();
-  for (const double value : values) out.push_back(shown_digits(value));
+  for (const double value : values) out.push_back(rounded_for_plot(value));
   return out;
 }
 
 Json line_json(const BendingShape& line) {
   Json json{{"name", line.name},
             {"hz", line.freq_Hz},
-            {"z_m", shown_all_values(line.z_m)},
-            {"y", shown_all_values(line.y)},
+            {"z_m", all_rounded_for_plot(line.z_m)},
+            {"y", all_rounded_for_plot(line.y)},
             {"nodes", Json::array()}};
   for (const BendingNode& node : line.nodes)
     json["nodes"].push_back({{"z_m", node.z_m}, {"std_m", node.std_m}, {"text", node.text}});
@@ -37,7 +37,7 @@ Json line_json(const BendingShape& line) {
 std::string bending_plot_json(const BendingPlot& plot) {
   Json json{{"outline", Json::array()}, {"modes", Json::array()}, {"ends", plot.ends}, {"from_right", plot.from_right}};
   for (const auto& [z_m, radius_m] : plot.outline_m)
-    json["outline"].push_back({shown_digits(z_m), shown_digits(radius_m)});
+    json["outline"].push_back({rounded_for_plot(z_m), rounded_for_plot(radius_m)});
   for (const BendingShape& line : plot.modes) json["modes"].push_back(line_json(line));
   return Json{{"bending", std::move(json)}}.dump(-1, ' ', true, Json::error_handler_t::replace);
 }

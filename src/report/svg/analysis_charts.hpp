@@ -11,7 +11,7 @@ namespace percuss::report {
 /// movement.
 const std::vector<std::string>& analysis_chart_names();
 
-/// The chosen charts in that order; charts without data are left out.
+/// The chosen charts in the order of analysis_chart_names(); charts without data are left out.
 std::vector<SvgFragment> analysis_charts(const pipeline::Analysis& analysis,
                                          const std::vector<identify::ModeClassification>& classifications,
                                          const std::vector<std::string>& names);

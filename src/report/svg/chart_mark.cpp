@@ -5,12 +5,12 @@
 namespace percuss::report {
 namespace {
 
-constexpr double kMarkSize = 3.6;  // half the size of a mark
+constexpr double kHalfMarkSize = 3.6;
 
 }  // namespace
 
 std::string chart_mark_svg(ChartMark mark, double x, double y, const char* colour) {
-  const double r = kMarkSize;
+  const double r = kHalfMarkSize;
   const std::string filled = fmt::format("fill=\"{}\"", colour);
   const std::string drawn = fmt::format(R"(fill="none" stroke="{}" stroke-width="1.5")", colour);
   const auto path = [&](const std::string& way, const std::string& ink) {

@@ -47,7 +47,7 @@ std::string responses_text(const pipeline::Analysis& analysis, std::size_t width
       text += fmt::format("{} first moves {}, {:.2f} ms after the force's onset", name, direction(motion),
                           median(motion.delay_s) * 1e3);
     } else if (motion.undecided > 0) {
-      text += fmt::format("{}: the hits disagree about the direction of its first motion", name);
+      text += fmt::format("{}: the hits show no clear direction of its first motion", name);
     }
   }
   return text.empty() ? text : wrapped(text, width, 0) + "\n";

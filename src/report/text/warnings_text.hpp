@@ -6,7 +6,7 @@
 
 namespace percuss::report {
 
-/// One sentence per warning.
+/// One paragraph per warning.
 ReportText warnings_text(const std::vector<pipeline::Warning>& warnings);
 
 }  // namespace percuss::report

@@ -41,7 +41,7 @@ TEST(CsvDialect, HasDecimalCommasInsideQuotes) {
   EXPECT_TRUE(dialect.quoted);
 }
 
-TEST(CsvDialect, HasEveryKindOfLineEnd) {
+TEST(CsvDialect, FindsEveryKindOfLineEnd) {
   EXPECT_EQ(find_line_end("a\nb"), '\n');
   EXPECT_EQ(find_line_end("a\r\nb"), '\n');
   EXPECT_EQ(find_line_end("a\rb"), '\r');

@@ -28,7 +28,7 @@ struct ModelBeamFlags {
 struct FitName {
   const char* name;
   model::BeamParameter which;
-  bool given;  // whether its own option is given
+  bool given;  // whether other options give its value
 };
 
 std::vector<model::BeamParameter> fitted_parameters(const ModelBeamFlags& flags) {

@@ -90,7 +90,8 @@ std::optional<double> mass_from_shift(const TrampolineFlags& flags) {
   if (!flags.free_hoop_Hz || !flags.loaded_hoop_Hz)
     throw OptionError({"free_hoop", "loaded_hoop"}, "must be given together", remedy, {"extra_mass"});
   if (!(*flags.free_hoop_Hz > *flags.loaded_hoop_Hz && flags.extra_mass_kg > 0))
-    throw OptionError({"loaded_hoop"}, "is not lower because of an extra mass", remedy, {"extra_mass"});
+    throw OptionError({"loaded_hoop"}, "must be below the free frequency, with an extra mass above 0", remedy,
+                      {"extra_mass"});
   return model::modal_mass_kg(flags.extra_mass_kg, *flags.free_hoop_Hz, *flags.loaded_hoop_Hz);
 }
 
@@ -122,7 +123,7 @@ void add_constants(Command& command, TrampolineFlags& flags) {
   command.value("--m2", flags.barrel_mass, "Set the effective mass of the barrel").above_zero().type("KG");
   command
       .value("--c2", flags.barrel_damping,
-             "Set the damping of the barrel; for a baseball, the source has 90.5 in its script and 100 in its table")
+             "Set the damping of the barrel; for a baseball, Sutton (2010) has 90.5 in a script and 100 in a table")
       .not_negative()
       .type("N*S/M");
   command.heading(previous);
