@@ -131,7 +131,7 @@ def check_modelab(data, scratch):
     json.dump([{"name": "accel 1", "direction": "-x", "position_m": 0.5}], open(setup, "w"))
     code, document = percuss("analyze", *files, "--setup", setup)
     check("modelab: FRFs alone, no hits", code == 0 and document["hits"] == [] and len(document["inputs"]) == 9)
-    # Below 65 Hz (setup.csv, fMin) lie the beam's suspension and noise.
+    # Noise and the suspension of the beam are below 65 Hz (setup.csv, fMin).
     found = [m["frequency_hz"] for m in document["modes"] if m["frequency_hz"] > 65]
     check("modelab: four modes and no others", len(found) == 4, " ".join("%.3f" % f for f in found))
     for mode, shape in zip(independent["modes"], independent["shapes_real"]):

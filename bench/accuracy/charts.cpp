@@ -22,7 +22,7 @@ bool is_plottable(const Figure& figure) {
   return std::isfinite(figure.error) && figure.error > 0 && figure.time_ratio > 0;
 }
 
-// A symbol marks each method, in order of appearance.
+// The methods of a sweep, in order of appearance. The chart has one symbol per method.
 std::vector<std::string> methods_of(const Sweep& sweep) {
   std::vector<std::string> names;
   for (const Case& one : sweep.cases) {
@@ -33,7 +33,8 @@ std::vector<std::string> methods_of(const Sweep& sweep) {
   return names;
 }
 
-// A colour marks each case. A case with several points of one method has labels at its points.
+// The points of one method in one case. The symbol shows the method, the colour the case. Labels are kept only where
+// there are two or more points.
 report::ChartCurve points_of(const Case& one, std::size_t style, const std::string& method, report::ChartMark mark) {
   report::ChartCurve curve{.name = {}, .x = {}, .y = {}, .line = false, .mark = mark, .style = style};
   for (const Figure& figure : one.figures) {

@@ -98,7 +98,8 @@ struct TrampolineRebound {
   std::size_t contacts = 1;
 };
 
-/// errors  InputError: constants too far apart.
+/// errors  InputError: values not above 0; a contact that does not end within a million steps, or whose result is not
+/// finite.
 TrampolineRebound trampoline_rebound(const Trampoline& model, double hoop_Hz);
 /// The rebound from a rigid barrel.
 TrampolineRebound rigid_wall_rebound(const Trampoline& model);

@@ -6,11 +6,11 @@
 /// #include <percuss/synth.hpp>
 ///
 /// int main() {
-///   const percuss::SynthTest test = percuss::synthesise({.modes = {{.freq_Hz = 180, .damping_ratio = 0.01},
-///                                                                  {.freq_Hz = 620, .damping_ratio = 0.006, .order =
-///                                                                  2}},
-///                                                        .hits = 3,
-///                                                        .accel_noise = 1e-3});
+///   const percuss::SynthTest test = percuss::synthesise({
+///       .modes = {{.freq_Hz = 180, .damping_ratio = 0.01}, {.freq_Hz = 620, .damping_ratio = 0.006, .order = 2}},
+///       .hits = 3,
+///       .accel_noise = 1e-3,
+///   });
 ///   std::cout << test.record.rows() << " hits; the first mode is at " << test.modes.at(0).freq_Hz << " Hz\n";
 ///   for (const std::string& name : percuss::synth_presets()) std::cout << name << '\n';
 /// }
@@ -39,7 +39,7 @@ struct SynthPlace {
   double position_m = 0, angle_rad = 0;
 };
 
-/// The main values of a test of a free bat. docs/guides/synth.md describes all of them, for synthesise_json.
+/// The main values of a test of a free bat. synthesise_json takes more values: docs/guides/synth.md describes them.
 struct SynthSpec {
   double fs_Hz = 25600;
   std::size_t samples = 25600;  // per hit

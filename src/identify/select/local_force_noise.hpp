@@ -6,9 +6,10 @@
 
 namespace percuss::identify {
 
-/// Adds the effect of the force's noise to the poles' standard deviations from a window's residual. The gain error
-/// varies smoothly over frequency, so that the residual does not show it. Excluded are modes from the joint fit, which
-/// includes the effect, and modes with frequency scatter, where the scatter between the points includes it.
+/// Adds the effect of the force's noise to the standard deviations of poles from local fits. A local fit computes them
+/// from its residual. The force's noise causes a gain error that varies smoothly over frequency, so the residual does
+/// not show it. Modes from the joint fit stay unchanged, because this fit includes the effect. Modes with frequency
+/// scatter also stay unchanged, because the scatter between the points includes it.
 /// theory (4.12)
 void add_force_noise(const FrfDataset& set, std::vector<FittedMode>& modes);
 

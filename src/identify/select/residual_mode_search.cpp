@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kScatterExclusion = 10;   // bandwidths from a mode with frequency scatter: half of its window
 constexpr double kKnownModeExclusion = 2;  // … from any known mode: CloseModeSearch finds closer modes
-constexpr double kBroad =
-    0.02;  // half-power bandwidth of a broad mode, over the highest line's frequency: ten times a peak's
+// Smallest half-power bandwidth of a broad mode, over the highest line's frequency: about ten times the bandwidth of a
+// typical peak.
+constexpr double kBroad = 0.02;
 
 // The poles with frequency scatter. Their residual is not a mode; it is removed from `residual`.
 std::vector<Pole> scattered_poles(const WindowedFit& all, std::vector<Eigen::VectorXcd>& residual) {

@@ -11,8 +11,9 @@ struct Peak {
   double prominence = 0;
 };
 
-/// All local maxima of `level` in ascending order, in linear time. A flat maximum is represented by its middle. An end
-/// is a maximum where it is above its only neighbour. Both ends are saddles of their own height.
+/// All local maxima of `level` in ascending order, in linear time. A flat maximum is represented by its middle. On a
+/// side without a higher maximum, the saddle is the lowest value up to the end. An end is a maximum where it is above
+/// its only neighbour. Such an end is its own saddle, so its prominence is 0.
 std::vector<Peak> find_peaks(std::span<const double> level);
 
 /// The same maxima where they are higher than `min_level`, at any prominence.

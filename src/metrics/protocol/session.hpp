@@ -48,7 +48,7 @@ struct Session {
   double temperature_F = 0, humidity_percent = 0;
   PerformanceMetric metric = PerformanceMetric::ncaa_besr;
   std::optional<double> limit;
-  double low_in = 3, high_in = 9;  // permitted locations: the rings of the profile
+  double low_in = 3, high_in = 9;  // range of permitted locations; default: first to last diameter ring of the profile
   std::vector<SessionShot> shots;  // in the order fired
 };
 

@@ -41,10 +41,11 @@ struct StudyHistory {
 enum class StatementVerdict { supported, not_supported, contradicted };
 const char* name_of(StatementVerdict verdict);
 
-/// A statement of the source, tested with these bats. `sign` is the sign of the relation, 0 for no relation. A relation
-/// is supported when Spearman's ρ within lengths has its sign and its p, adjusted for all statements of the study, is
-/// below 5 %. In a study without any relation the chance of one false statement is then at most 5 %. Such a p
-/// contradicts a statement of no relation. Nothing supports one, because failing to find a relation is no proof.
+/// A statement of the source, tested with these bats. `sign` is the sign of the relation, 0 for no relation. The test
+/// uses Spearman's ρ within lengths, with p adjusted for all statements of the study. If p is below 5 %, a ρ of the
+/// stated sign supports the statement, and any other ρ contradicts it. Otherwise the statement is not supported. A
+/// statement of no relation is never supported, because failing to find a relation is no proof. In a study without any
+/// relation, the chance of any p below 5 % is at most 5 %.
 struct StudyStatement {
   std::string text;  // "BESR of wood bats rises with MOI"
   StudyQuantity x = StudyQuantity::moi, y = StudyQuantity::besr;

@@ -18,8 +18,8 @@ struct StudyCurve {
 /// errors  InputError: another document.
 StudyCurve parse_study_curve(std::string_view text, const std::string& where);
 
-/// Replaces the bats' ids by neutral ones (AS001, AS002, … in their order; states of one bat share the id of the first)
-/// and removes maker and model. Returns the key: a table of neutral and true names.
+/// Replaces each `id` by a neutral one: AS001, AS002, … in their order. Replaces `bat` by the neutral id of the bat's
+/// first state. Removes maker and model. Returns the key: a table of neutral and true names.
 std::string anonymise_bats(std::vector<StudyBat>& bats);
 
 /// The bats as a table that a study can read.

@@ -21,9 +21,9 @@ const char* phrase_of(StudyQuantity quantity);
 
 /// One state of one bat: new, or partly broken in.
 struct StudyBat {
-  std::string id;            // of the state; unique
-  std::string bat;           // the bat, where several rows are its states, in their order
-  std::string maker, model;  // never shown; anonymise_bats removes them
+  std::string id;   // of the state; unique
+  std::string bat;  // common to the rows of one bat, which are its states in their order; empty: a bat of one row
+  std::string maker, model;  // never in reports or figures; anonymise_bats removes them
   std::string program;       // certification program, such as "bbcor"
   double length_in = 0;
   BarrelMaterial material = BarrelMaterial::wood;

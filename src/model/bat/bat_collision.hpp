@@ -48,8 +48,9 @@ struct BatCollisionOptions {
 
 /// Simulates the ball against the first `modes` elastic modes of the bat at z_m from the knob. With no modes the bat is
 /// rigid. The modes are undamped and move exactly under a force that is linear in each step. The force at the end of a
-/// step is solved for (implicit), so the step is stable for every mode. The method has second order in the step, and
-/// the result is extrapolated from two steps, one twice the other.
+/// step is solved for (implicit), so the step is stable for every mode. The method has second order in the step.
+/// Exit speed and energy shares are extrapolated from two steps, one twice the other, if both give equally many
+/// contacts.
 /// A bat that moves away from the ball is not touched: 0 contacts, and the ball keeps its speed.
 /// domain  modes 0 … bat.freq_Hz.size(), z_m 0 … bat.length_m
 /// errors  InputError where the constants leave no finite result.

@@ -41,8 +41,8 @@ TEST(HitFindings, AreNoneForAGoodHit) {
 }
 
 TEST(HitFindings, ReportASecondHitAfterOrBeforeTheMainOne) {
-  constexpr double kSample_s = 1 / kFs_Hz;  // of the delay: each peak is within half a sample of the true one
-  constexpr double kRatio = 0.06;           // of the ratio: peaks half a sample off in a pulse of 8
+  constexpr double kDelayTolerance_s = 1 / kFs_Hz;  // each of the two peaks is found to half a sample
+  constexpr double kRatioTolerance = 0.06;          // relative: peaks half a sample off, in pulses of 8 samples
   for (const double delay : {31.5, 256.0, 2560.4, -31.5, -400.2}) {
     for (const double ratio : {0.05, 0.4}) {
       auto row = good_row();
@@ -51,9 +51,9 @@ TEST(HitFindings, ReportASecondHitAfterOrBeforeTheMainOne) {
       const Finding* finding = only(hit, FindingCode::double_hit);
       ASSERT_NE(finding, nullptr) << delay << ' ' << ratio;
       EXPECT_EQ(finding->severity, Severity::reject);
-      EXPECT_LE(std::abs(finding->value / ratio - 1), kRatio) << delay << ' ' << ratio;
+      EXPECT_LE(std::abs(finding->value / ratio - 1), kRatioTolerance) << delay << ' ' << ratio;
       ASSERT_TRUE(finding->delay_s);
-      EXPECT_LE(std::abs(*finding->delay_s - std::abs(delay) / kFs_Hz), kSample_s) << delay;
+      EXPECT_LE(std::abs(*finding->delay_s - std::abs(delay) / kFs_Hz), kDelayTolerance_s) << delay;
       EXPECT_EQ(finding->message.find("before") != std::string::npos, delay < 0) << finding->message;
     }
   }
@@ -203,7 +203,7 @@ TEST(GradeBandwidth, WarnsWhenTheForceEndsBelowTheBand) {
   EXPECT_EQ(hits[0].findings[0].value, 3000);
   EXPECT_EQ(hits[0].findings[0].severity, Severity::warn);
   EXPECT_TRUE(hits[1].findings.empty());
-  EXPECT_TRUE(hits[2].findings.empty());  // no_pulse is enough
+  EXPECT_TRUE(hits[2].findings.empty());  // a hit without a pulse has the finding no_pulse
 }
 
 }  // namespace percuss::acquire::hits_grade_test

@@ -26,7 +26,7 @@ FrfDataset three_modes(std::size_t channels, Complex turn = 1) {
 }
 
 TEST(FitJointly, IsExactOnLinesWithoutNoise) {
-  constexpr double kTolerance = 1e-11;  // rounding, a condition of some hundred times 1e-13
+  constexpr double kTolerance = 1e-11;  // rounding errors of 1e-13 times a condition number of about a hundred
   const FrfDataset set = three_modes(2);
   const JointFit fit = fit_jointly(set, kStart);
   EXPECT_TRUE(fit.converged);
@@ -37,7 +37,8 @@ TEST(FitJointly, IsExactOnLinesWithoutNoise) {
   EXPECT_LE(std::abs(fit.residues(1, 2) + 0.3), 1e3 * kTolerance);
 }
 
-// χ² of all poles' errors in reported standard deviations, over many realisations of the noise.
+// Mean squares of the errors in reported standard deviations, over many realisations of the noise: of all poles, and of
+// one residue. Also the number of modes with a complex residue.
 struct Scatter {
   double freq = 0, damping = 0, residue = 0;
   int complex_modes = 0;
@@ -71,7 +72,7 @@ Scatter scatter(Complex turn, double noise, int seeds) {
 }
 
 TEST(FitJointly, StatesTrueStandardDeviations) {
-  // χ² over 300 values (correlated within a pair) scatters by about 0.1. The tolerance is four times that.
+  // The mean square of 300 values (correlated within a pair) scatters by about 0.1. The tolerance is four times that.
   constexpr double kTolerance = 0.4;
   for (const Complex turn : {Complex(1, 0), Complex(0.8, 0.6)}) {
     const Scatter all = scatter(turn, 0.5, 100);
@@ -98,8 +99,9 @@ TEST(FitJointly, DetectsFrfsWithDifferentPhases) {
 }
 
 TEST(FitJointly, MeetsTheBoundOfATruncatedRecord) {
-  // 0.6 s of modes that need more to decay; the bound comes from the exact time series, not from this model. Within a
-  // tenth: lines outside the band, and the response orthogonal to the force, are not used.
+  // The modes need more than the recorded 0.6 s to decay. The bound comes from the exact time series, not from the
+  // model of the fit. The tolerance is a tenth, because the fit uses neither the lines outside the band nor the part of
+  // the response that is orthogonal to the force.
   synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 180, .damping_ratio = 0.004, .residue_per_kg = {0.9, 0.5}},
                                           {.freq_Hz = 600, .damping_ratio = 0.003, .residue_per_kg = {-0.7, 0.8}}},
                                          0.6);

@@ -34,7 +34,7 @@ TEST(JointProjection, HasNoResidualOnExactData) {
   }
 }
 
-TEST(JointProjection, ItsRightHandSideIsTheSlopeOfTheCost) {
+TEST(JointProjection, RightHandSideIsMinusHalfTheSlopeOfTheCost) {
   constexpr double kTolerance = 1e-4;  // central differences of a cost that is curved
   FrfDataset set = three_modes(Complex(0.9, 0.1));
   test::add_frf_noise(set, 0.05, 3);
@@ -69,9 +69,9 @@ TEST(JointProjection, FindsTheNoiseOfEachFrf) {
   EXPECT_LE(std::abs(projection.noise()(0) / 0.02 - 1), kTolerance);
   EXPECT_LE(std::abs(projection.noise()(1) / 0.10 - 1), kTolerance);
   // With these weights every row has the variance 1.
-  constexpr double kOfRows = 0.12;  // of a variance from over a thousand rows, three standard deviations
+  constexpr double kVarianceTolerance = 0.12;  // of a variance from over a thousand rows, three standard deviations
   const JointState state = projection.evaluate(model);
-  EXPECT_LE(std::abs(state.cost / static_cast<double>(state.parts[0].residual.size()) - 1), kOfRows);
+  EXPECT_LE(std::abs(state.cost / static_cast<double>(state.parts[0].residual.size()) - 1), kVarianceTolerance);
 }
 
 }  // namespace percuss::identify::joint_projection_test
