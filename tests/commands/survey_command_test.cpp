@@ -154,7 +154,7 @@ TEST_F(SurveyCommand, RejectsUnusableInput) {
     return test::rejection_of(arguments, {".json", ".csv", ".h5"}, named);
   };
   test::write_bytes(file("short.csv"), "point,position_m,angle_deg\n0,0.1,0\n");
-  refusal({file("bare.h5"), "--geometry", file("short.csv")}, "point 1 was measured");
+  refusal({file("bare.h5"), "--geometry", file("short.csv")}, "lacks point 1, which was measured");
   test::write_bytes(file("bad.csv"), "point,position_m,angle_deg\n0,0.1,zero\n");
   refusal({file("bare.h5"), "--geometry", file("bad.csv")}, "bad.csv: line 2");
   refusal({file("bare.h5"), "--geometry", file("none.csv")}, "none.csv");
