@@ -4,7 +4,7 @@ function(percuss_options target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion -Wnon-virtual-dtor
     -Wold-style-cast -Wcast-align -Woverloaded-virtual
-    # Options are designated initialisers, which leave members at their defaults.
+    # Option structs are written with designated initialisers, which leave members at their defaults.
     -Wno-missing-field-initializers
     # g++ 12 reports a false overlap in "x" + std::string (GCC bug 105329).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>

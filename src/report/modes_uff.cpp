@@ -94,19 +94,19 @@ std::string set2414(const UffMode& mode, const Nodes& nodes) {
 
 // Writes the positions of the points, or none if one position is not known. Returns the points written.
 std::set<int> write_places(acquire::UffOutput& out, const pipeline::Survey& survey, const Nodes& nodes, int offset) {
-  std::string old, lines;
+  std::string set15, set2411;
   std::set<int> written;
   for (const auto& [node, value] : nodes) {
     const auto at = plot_position(survey, static_cast<std::size_t>(node - offset));
     if (!at) return {};
     written.insert(node - offset);
-    old += fmt::format("{:10}{:10}{:10}{:10}{}{}{}\n", node, 0, 0, kNodeColour, acquire::uff_e13((*at)[0]),
-                       acquire::uff_e13((*at)[1]), acquire::uff_e13((*at)[2]));
-    lines += fmt::format("{:10}{:10}{:10}{:10}\n{}{}{}\n", node, 0, 0, kNodeColour, acquire::uff_d25((*at)[0]),
-                         acquire::uff_d25((*at)[1]), acquire::uff_d25((*at)[2]));
+    set15 += fmt::format("{:10}{:10}{:10}{:10}{}{}{}\n", node, 0, 0, kNodeColour, acquire::uff_e13((*at)[0]),
+                         acquire::uff_e13((*at)[1]), acquire::uff_e13((*at)[2]));
+    set2411 += fmt::format("{:10}{:10}{:10}{:10}\n{}{}{}\n", node, 0, 0, kNodeColour, acquire::uff_d25((*at)[0]),
+                           acquire::uff_d25((*at)[1]), acquire::uff_d25((*at)[2]));
   }
-  out.set(15, old);
-  out.set(2411, lines);
+  out.set(15, set15);
+  out.set(2411, set2411);
   return written;
 }
 

@@ -53,7 +53,7 @@ std::string_view synth_example() {
   "runs": 1,                   // repetitions of the hits with new noise
   "pretrigger_s": 0.005,       // before the onset; negative: the onset is missed
   "onset_spread_s": 0.0015,    // random part: onsets fall between samples
-  "noise": {"force": 0.0001, "accel": 0.001},  // standard deviations: of the largest force, of each channel's RMS
+  "noise": {"force": 0.0001, "accel": 0.001},  // standard deviations, as fractions of the largest force and of each channel's RMS
   "recorder": {
     "force_gain": 1.0,
     "force_bias_n": 0.1, "accel_bias_mps2": 0.5, "accel_drift_mps2_per_s": 0.1,

@@ -23,9 +23,10 @@ struct Result {
   std::size_t wanted = 0, found = 0;  // true modes that must be found, and true modes found
   double freq_relative = 0;           // the largest error over the modes found, relative
   double damping_absolute = 0;        // … of the damping ratio
-  double freq_bound = 0;              // the largest bound of a frequency / half its bandwidth; 0: none
+  double freq_bound = 0;              // largest Cramér–Rao bound of a frequency, over half its bandwidth; 0: none
   std::vector<Miss> misses;           // of the found modes
-  bool calibrated = false;  // the noise meets the assumptions of the standard deviations, so the intervals must cover
+  /// The noise meets the assumptions of the standard deviations, so the confidence intervals must cover the truth.
+  bool calibrated = false;
 };
 
 /// One cell of the grid.

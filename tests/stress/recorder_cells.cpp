@@ -27,7 +27,7 @@ std::vector<Cell> offsets() {
     drift.spec.recorder.accel_drift_mps2_per_s = 500 * part;
     cells.push_back(std::move(drift));
   }
-  // Ten times the motion of the structure: a warning must name missing modes.
+  // A drift of ten times the motion of the structure: a warning must name each mode that is not found.
   Cell fast = cell_of("drift over the record, 10 of the peak", {.demand = Demand::all});
   fast.spec.recorder.accel_drift_mps2_per_s = 5000;
   // A drift of a hundred times the motion of the structure hides it; the findings of the hits must state this.
@@ -67,7 +67,7 @@ std::vector<Cell> limits() {
         cell_of(fmt::format("{} bits", bits), {.warns = "coarse_steps", .or_refused = {"no_pulse", "overload"}});
     rounded.spec.noise = {};
     // Quantisation depends on the signal and is not noise: the warning states that standard deviations do not hold.
-    // From 8 bits on both modes must still be found to a tenth of their bandwidth.
+    // From 8 bits on, both modes must still be found to a tenth of their bandwidth.
     if (bits >= 8) {
       rounded.expected.freq_relative = kTenth * 2 * 0.005;
       rounded.expected.damping_absolute = kTenth * 0.005;

@@ -194,8 +194,8 @@ void SandboxProcess::report_timeout() const {
 }
 
 void SandboxProcess::report_no_memory() const {
-  throw InputError("reading needs more memory than four times the file's size", path_, kDamagedOrTrusted,
-                   {"trust_input"});
+  throw InputError("reading needs more than 2 GiB of memory and more than four times the file's size", path_,
+                   kDamagedOrTrusted, {"trust_input"});
 }
 
 void SandboxProcess::report_crash() {

@@ -86,8 +86,8 @@ Deviation largest_deviation(std::span<const double> t) {
   return largest;
 }
 
-// Stamps on even spacing far within their rounding were not rounded: the step is a whole number of units of the last
-// digit, as in 0.001, 0.002.
+// Stamps that deviate from even spacing by far less than their resolution were not rounded: the step is a whole number
+// of units of the last digit, as in 0.001, 0.002.
 bool is_exact(const TimeStamps& row, const Deviation& deviation) {
   return deviation.stamp_s <= 0.01 * row.resolution_s;
 }
@@ -151,7 +151,8 @@ std::optional<double> stated_rate_Hz(std::string_view line, const CsvDialect& di
 
 std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows, StampProblem& problem) {
   constexpr double kCoarsest = 5e-4;  // relative; an error of the rate shifts every frequency by the same ratio
-  double steps = 0, length_s = 0, off_s = 0;
+  double steps = 0, length_s = 0;
+  double length_error_s = 0;  // largest, from the rounding of the stamps
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (rows[r].time_s.size() < 2) continue;
     const Deviation deviation = largest_deviation(rows[r].time_s);
@@ -163,19 +164,20 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
     }
     steps += static_cast<double>(rows[r].time_s.size() - 1);
     length_s += rows[r].time_s.back() - rows[r].time_s.front();
-    off_s += is_exact(rows[r], deviation) ? 0 : rows[r].resolution_s;
+    length_error_s += is_exact(rows[r], deviation) ? 0 : rows[r].resolution_s;
   }
   if (steps == 0) {
     problem.text = "fewer than two time stamps";
     return std::nullopt;
   }
-  if (!(off_s <= kCoarsest * length_s)) {
+  if (!(length_error_s <= kCoarsest * length_s)) {
     problem.text = fmt::format("time stamps with a resolution of {:.2g} s are too coarse to give the sampling rate",
-                               off_s / static_cast<double>(rows.size()));
+                               length_error_s / static_cast<double>(rows.size()));
     return std::nullopt;
   }
-  StampedRate rate{
-      .fs_Hz = steps / length_s, .lowest_Hz = steps / (length_s + off_s), .highest_Hz = steps / (length_s - off_s)};
+  StampedRate rate{.fs_Hz = steps / length_s,
+                   .lowest_Hz = steps / (length_s + length_error_s),
+                   .highest_Hz = steps / (length_s - length_error_s)};
   // Sums of doubles have rounding errors even where the digits are exact.
   rate.lowest_Hz *= 1 - 1e-12;
   rate.highest_Hz *= 1 + 1e-12;

@@ -59,13 +59,14 @@ class WindowedFit {
   /// [channels] rms noise in the window, from the fit's residual.
   Eigen::VectorXd weights_from(const FitGroup& group) const;
 
-  /// Tolerance of a trial fit: the residual is then at the noise.
+  /// Tolerance of a trial fit, at which the residual has reached the noise.
   static constexpr double kTrialTolerance = 1e-3;
   /// The largest number of poles in a group.
   static constexpr std::size_t kMaxGroupSize = 4;
 
  private:
-  double gap(const Pole& below, const Pole& above) const;  // over the larger of the bandwidths and the line spacing
+  // The distance of two poles in Hz, divided by the largest of their bandwidths and the line spacing.
+  double gap(const Pole& below, const Pole& above) const;
   void add_groups(std::span<const Pole> poles);
   void place_window(FitGroup& group) const;
   bool same_window(const FitGroup& before, const FitGroup& group) const;

@@ -14,7 +14,7 @@ constexpr double kSameRing = 2e-3;           // axial distance within a ring, ov
 constexpr double kSameAngle = 0.01;          // rad between two equal angles
 constexpr std::size_t kMinRingAngles = 4;    // distinguish n = 1 from n = 2
 constexpr int kMaxCircumferentialOrder = 8;  // n
-constexpr double kResolved = 0.05;           // smallest pivot over the largest of a pattern that a ring resolves
+constexpr double kResolved = 0.05;           // least ratio of a pattern's smallest pivot to its largest
 
 struct Point {
   double position_m = 0, angle_rad = 0, value = 0, std = 0;

@@ -7,7 +7,8 @@ namespace percuss::identify {
 namespace {
 
 // The lowest value between each maximum and the nearest higher maximum before it (or the beginning). dips[i] is the
-// lowest value between top i − 1 and top i. One pass with a stack of descending tops, each with the lowest value since.
+// lowest value between top i − 1 and top i. One pass with a stack of descending tops. Each entry has the lowest value
+// between its top and the top below it in the stack.
 std::vector<double> saddles_before(std::span<const double> tops, std::span<const double> dips) {
   struct Entry {
     double value, lowest;

@@ -71,7 +71,8 @@ class AbiEvaluation {
       run_.next = AbiStep::first_performance;
       return;
     }
-    // The reference of a rolling is the state before it, BC_i,0; the reference of a test is the last state before it.
+    // After a rolling, the reference is BC_i,0, the compression before the first rolling of the cycle. After a test,
+    // the reference is the last compression before the test.
     const bool after_roll = run_.next == AbiStep::compression_after_roll;
     const double before_lbf = after_roll ? unrolled_lbf_ : run_.compressions.back().mean_lbf;
     const double reduction = (before_lbf - mean_lbf) / before_lbf;  // (P14)

@@ -7,7 +7,7 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr double kMinBelow = 2.1, kMaxBelow = 3.0;  // weight in ounces below the length in inches, class −3
+constexpr double kMinBelow = 2.1, kMaxBelow = 3.0;  // class −3: length in inches minus weight in ounces
 constexpr double kMinExponent = 0.08, kMaxExponent = 0.37;
 
 // f(numbers), or nothing when a number is absent.
@@ -68,8 +68,8 @@ std::vector<MetricsWarning> metrics_warnings(const BatReadings& r, const BatMetr
   if (m.swing_mps && !r.swing_mps && r.swing.v0_mps == standard.v0_mps) {
     out.push_back(
         {"swing_speed_constant",
-         "the swing model uses v0 = 60 mph: the source prints 40 mph, which gives 44 mph at the barrel in place of "
-         "its 66 mph",
+         "the swing model uses v0 = 60 mph: the source prints 40 mph, which gives 44 mph at the barrel, not the "
+         "66 mph that it states",
          {"v0_mph"}});
   }
   if (r.swing.exponent < kMinExponent || r.swing.exponent > kMaxExponent) {

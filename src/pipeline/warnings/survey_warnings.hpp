@@ -23,7 +23,7 @@ struct SurveyResults {
   const std::vector<identify::ModeClassification>& classifications;
   std::vector<identify::DrivingPointCheck> driving_checks;
   std::vector<identify::ReciprocityCheck> reciprocity;
-  const std::vector<identify::SynthesisedFrf>& synthesis;  // [outputs], point as an index into frf_points
+  const std::vector<identify::SynthesisedFrf>& synthesis;  // [FRF channels]; `point` is an index into frf_points
   std::vector<int> frf_points;
 };
 
@@ -32,7 +32,7 @@ std::vector<Warning> survey_warnings(const SurveyResults& survey);
 
 /// A strong FRF that the modes do not explain: FRAC below 0.99, level within 20 dB of the strongest.
 bool poorly_explained(const identify::SynthesisedFrf& frf);
-/// Noise explains the misfit: less than 1 % remains besides what changes from line to line.
+/// Noise explains the misfit: without the noise share of the residual, 1 − FRAC is at most 1 %.
 bool noise_alone(const identify::SynthesisedFrf& frf);
 
 }  // namespace percuss::pipeline

@@ -21,7 +21,7 @@ namespace percuss::acquire {
 namespace {
 
 struct OpenUff {
-  FileBytes file;  // the memory of binary functions
+  FileBytes file;  // binary functions point into its bytes
   UffContents contents;
   std::vector<UffRow> rows;
 };

@@ -20,7 +20,7 @@ const stabilisationMark = (context, mark, x, y) => {
   context.globalAlpha = 1;
 };
 
-// The strongest FRF behind the poles, over the height of the plot.
+// Draws the strongest FRF at each frequency behind the poles, over the height of the plot.
 const frfBehind = (u) => {
   const frf = data.frf;
   if (!frf || !frf.curves.length) return;
@@ -73,6 +73,6 @@ const stabilisationPlot = () => {
       }
     });
     plot(figure, 300, "frequency, Hz", "model order", xs, [{ values: ys, stroke: "transparent", paths: () => null }], { hooks: { draw: [dots] } });
-    addElement("figcaption", figure, "Grey: the strongest FRF. Vertical lines: the modes; ringed: their stable poles of the highest order.");
+    addElement("figcaption", figure, "Grey: the strongest FRF at each frequency. Vertical lines: the modes; ringed: their stable poles of the highest order.");
   }
 };
