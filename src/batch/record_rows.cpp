@@ -10,6 +10,7 @@
 
 #include "acquire/open_measurement.hpp"
 #include "batch/serialized_frf.hpp"
+#include "core/budget.hpp"
 #include "core/error.hpp"
 #include "pipeline/run_analyses.hpp"
 #include "report/frf_files.hpp"
@@ -22,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The exit codes of percuss analyze.
-constexpr int kInternalError = 1, kUsageError = 2, kBadInput = 3, kNoUsableHitCode = 4;
+constexpr int kInternalError = 1, kUsageError = 2, kBadInput = 3, kImpossible = 4;
 
 std::string line_of(const Json& row) { return row.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -104,7 +105,7 @@ void add_run(RowDiagnostics& rows, const BatchRecord& record, const pipeline::Ru
     rows.band_Hz = {analysis.band_Hz().first, analysis.band_Hz().second};
     add_modes(rows, record, test.run, analysis);
   } else {
-    rows.code = kNoUsableHitCode;
+    rows.code = kImpossible;
     rows.reason = report::kNoUsableHit;
   }
   for (const pipeline::Warning& warning : analysis.warnings()) {
@@ -134,6 +135,8 @@ RowDiagnostics row_diagnostics_of(const BatchRecord& record, const RowOptions& o
     return rows;
   } catch (const UsageError& e) {
     return refused(kUsageError, e.what());
+  } catch (const BudgetSpent& e) {
+    return refused(kImpossible, options.write_option != nullptr ? e.written(options.write_option) : e.what());
   } catch (const InputError& e) {
     return refused(kBadInput, options.write_option != nullptr ? e.written(options.write_option) : e.what());
   } catch (const std::bad_alloc&) {
