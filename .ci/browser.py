@@ -129,18 +129,18 @@ def check_page(driver, path, canvases=0, charts=0):
 
 
 def scales(driver):
-    return driver.execute_script('return plots.filter((d) => ["magnitude", "phase", "coherence"].includes(d.figure.dataset.picture))'
+    return driver.execute_script('return plots.filter((d) => ["magnitude", "phase", "coherence"].includes(d.figure.dataset.plot))'
                                  ".map((d) => [d.plot.scales.x.min, d.plot.scales.x.max])")
 
 
 def picture_of(driver, kind):
-    return driver.execute_script(f"return document.querySelector('[data-picture=\"{kind}\"] canvas').toDataURL()")
+    return driver.execute_script(f"return document.querySelector('[data-plot=\"{kind}\"] canvas').toDataURL()")
 
 
 def check_zoom(driver, path):
     load(driver, path)
     before, phase = scales(driver), picture_of(driver, "phase")
-    over = driver.find_element(By.CSS_SELECTOR, '[data-picture="magnitude"] .u-over')
+    over = driver.find_element(By.CSS_SELECTOR, '[data-plot="magnitude"] .u-over')
     driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", over)
     ActionChains(driver).move_to_element_with_offset(over, -150, 0).click_and_hold().move_by_offset(120, 0).release().perform()
     time.sleep(0.3)
@@ -151,9 +151,9 @@ def check_zoom(driver, path):
     ActionChains(driver).double_click(over).perform()
     time.sleep(0.3)
     check(scales(driver) == before, "zoom: a double click shows all again")
-    buttons = {b.text: b for b in driver.find_elements(By.CSS_SELECTOR, '[data-picture="magnitude"] button')}
+    buttons = {b.text: b for b in driver.find_elements(By.CSS_SELECTOR, '[data-plot="magnitude"] button')}
     ActionChains(driver).move_to_element(over).perform()
-    said = driver.find_element(By.CSS_SELECTOR, '[data-picture="magnitude"] .readout').text
+    said = driver.find_element(By.CSS_SELECTOR, '[data-plot="magnitude"] .readout').text
     check(" Hz: " in said and " dB" in said, f"cursor: {said}")
     buttons["Logarithmic"].click()
     time.sleep(0.2)
@@ -175,7 +175,7 @@ def check_animation(driver, path, kind):
         frames.append(picture_of(driver, kind))
         time.sleep(0.25)
     check(len(set(frames)) == 3, f"{path.stem}: {kind} moves")
-    driver.find_element(By.CSS_SELECTOR, f'[data-picture="{kind}"] button').send_keys("\ue007")
+    driver.find_element(By.CSS_SELECTOR, f'[data-plot="{kind}"] button').send_keys("\ue007")
     time.sleep(0.1)
     check(picture_of(driver, kind) == (time.sleep(0.4), picture_of(driver, kind))[1], f"{path.stem}: {kind} stops by its button")
     emulate(driver, prefers_reduced_motion="reduce")

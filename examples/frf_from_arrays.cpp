@@ -1,4 +1,4 @@
-// FRFs from arrays of force and acceleration, as a program has them that acquires data itself.
+// FRFs from arrays of force and acceleration, for a program that acquires its own data.
 //
 //   frf_from_arrays [MOBILITY.csv]
 //
@@ -68,7 +68,7 @@ int main(int argc, char** argv) try {
   std::printf("there the mobility is %.4f %s\n", std::abs(mobility.frfs().front().value[peak]),
               mobility.unit().c_str());
 
-  // FRFs are enough for an analysis: these come from the record above, but may come from anywhere (frfs_from_arrays).
+  // FRFs are enough for an analysis. These come from the record above; frfs_from_arrays takes FRFs of any source.
   for (const percuss::Mode& mode : percuss::Analysis(frfs).modes())
     std::printf("mode at %.2f Hz, damping ratio %.5f\n", mode.freq_Hz, mode.damping_ratio);
   if (argc > 1) percuss::write(argv[1], mobility, {.overwrite = true});

@@ -1,4 +1,4 @@
-"""FRFs from arrays of force and acceleration, as a program has them that acquires data itself.
+"""FRFs from arrays of force and acceleration, for a program that acquires its own data.
 
     python3 frf_from_arrays.py [MOBILITY.csv]
 

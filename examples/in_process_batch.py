@@ -15,7 +15,7 @@ records = sys.argv[1:] or [percuss.synth("wood-bat", seed=seed).record for seed 
 
 
 def analyze(record):
-    """The modes of one record, or why there are none. Each analysis is one thread's."""
+    """The analysis of one record, or the error. Each analysis uses one thread."""
     try:
         return percuss.analyze(record, band=(60, 3200), effort="standard", threads=1)
     except percuss.InputError as error:

@@ -37,8 +37,8 @@ namespace api {
 struct AnalysisData;
 }
 
-/// quick: modes that show a peak; standard: also modes without a peak; best: all modes together, at the statistical
-/// limit.
+/// quick: finds modes that show a peak. standard: also finds modes without a peak. best: fits all modes together, at
+/// the statistical limit.
 enum class Effort { quick, standard, best };
 
 struct AnalysisOptions {
@@ -56,11 +56,11 @@ struct AnalysisOptions {
 
 /// Optional parts of the document of Analysis::json().
 struct JsonOptions {
-  bool per_hit = false;        // every mode as each hit alone shows it
+  bool per_hit = false;        // every mode, fitted to each hit alone
   bool stabilisation = false;  // the poles of all model orders
 };
 
-/// Copies share the results. Accessors of one analysis, and of its copies, are for one thread at a time.
+/// Copies share the results. One thread at a time may call the accessors of an analysis and of its copies.
 /// errors  InputError, of the constructors: contradicting options, several runs (see Record::runs), no acceleration.
 ///         InputError, of the accessors: the file cannot be read; no hit can be used (where possible() is false).
 ///         BudgetSpent, of the accessors: they take more than the options' budget.
@@ -71,7 +71,7 @@ class Analysis {
 
   /// False when no hit can be used: there are no FRFs and modes then.
   bool possible() const;
-  /// Hits graded by force, responses and agreement. Empty for FRFs.
+  /// Hits, graded by their force, their responses and their agreement. Empty for an analysis of FRFs.
   std::vector<Hit> hits() const;
   Band band_Hz() const;
   /// Averaged FRFs within the band.
@@ -82,9 +82,9 @@ class Analysis {
   std::vector<Mode> modes() const;
   /// Bending or hoop, one per mode.
   std::vector<ModeClassification> classifications() const;
-  /// Every mode as each accepted hit alone shows it.
+  /// Every mode, fitted to each accepted hit alone.
   std::vector<ModeOfHit> modes_per_hit() const;
-  /// Warnings about hits, FRFs and modes, which it computes.
+  /// Computes hits, FRFs and modes, and returns the warnings about them.
   std::vector<Warning> warnings() const;
 
   /// The document percuss/analysis/1, as `percuss analyze --json` prints it.

@@ -1,5 +1,5 @@
 #pragma once
-/// Many records in one process, on several threads. A record that cannot be analysed is a result with an error.
+/// Many records in one process, on several threads. A record that cannot be analysed gives a result with an error.
 /// For batches that survive a kill, or that run on a cluster, see `percuss batch`.
 ///
 /// @code
@@ -46,7 +46,7 @@ struct BatchResult {
 struct BatchOptions {
   ReadOptions read{};          // of every path
   AnalysisOptions analysis{};  // of every record; its `threads` is not used
-  std::size_t threads = 0;     // 0: all. Each record is one thread's; results do not depend on it
+  std::size_t threads = 0;     // 0: all. One thread analyses a record; the results are the same
   std::function<void(const BatchResult&)> on_result{};  // one call at a time, in the order of completion
 };
 

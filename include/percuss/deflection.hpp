@@ -35,7 +35,7 @@ struct DeflectionOptions {
   DeflectionMethod method = DeflectionMethod::automatic;
   double highpass_corner_Hz = 0;              // of the charge amplifier, first order; 0: none
   std::optional<double> lowest_Hz{};          // of the method frequency
-  bool free_body = false;                     // the structure may move away
+  bool free_body = false;                     // the structure may move away from its rest position
   std::optional<double> effective_mass_kg{};  // of the free body at the struck point
   std::optional<double> beam_distance_m{};    // from the light beam to the structure: gives the ball's speed
   double beam_time_s = 0;                     // when the ball broke the beam, from the row's beginning
@@ -49,7 +49,7 @@ struct HitDeflection {
   double first_s = 0;  // of the samples, from the row's beginning
   std::vector<double> velocity_mps, deflection_m;
   std::vector<double> std_m;          // of the deflection; empty where the method gives none
-  double peak_m = 0, peak_std_m = 0;  // signed; NaN where nothing rises out of the noise
+  double peak_m = 0, peak_std_m = 0;  // signed; NaN where no deflection is significant
   double peak_time_s = 0;             // from the row's beginning
 };
 
@@ -61,14 +61,14 @@ struct PointDeflection {
   double peak_m = 0, std_m = 0;  // mean magnitude of the peaks
 };
 
-/// The ball's speed, from the light beam to the structure.
+/// The ball's speed between the light beam and the structure.
 struct ImpactSpeed {
   std::size_t hit = 0;
   double speed_mps = 0, std_mps = 0;
 };
 
-/// Copies share the results. errors  InputError, of the constructor: options that contradict each other, samples that
-/// cannot be read.
+/// Copies share the results.
+/// errors  InputError, of the constructor: options that contradict each other, samples that cannot be read.
 class Deflections {
  public:
   explicit Deflections(const Record& record, const DeflectionOptions& options = {});

@@ -27,22 +27,22 @@ enum class Severity { info, warn, reject };
 
 /// One judgement on a hit, with the number that decided it.
 struct Finding {
-  std::string code;  // "double_hit", "overload", "late_trigger", …; docs/reference/conventions.md lists them
+  std::string code;  // "double_hit", "overload", "late_trigger", …; docs/schema/analysis.schema.json lists them
   Severity severity = Severity::info;
   double value = 0;
   std::string message;
   std::vector<OptionId> options{};  // that the message concerns
-  std::optional<double> delay_s{};  // double_hit: from the first pulse to the other
+  std::optional<double> delay_s{};  // double_hit: from the first pulse to the second
 };
 
 struct Hit {
   std::size_t index = 0;  // the number that accept_hit and reject_hit take
   std::size_t row = 0;
   int point = 0;
-  double onset_s = 0;       // where the pulse leaves 5 % of its peak, from the row's beginning
+  double onset_s = 0;       // the force first exceeds 5 % of its peak, from the row's beginning
   double peak_force_N = 0;  // signed
   double pulse_s = 0;       // time above 5 % of the peak
-  double bandwidth_Hz = 0;  // where the force spectrum has fallen by 20 dB
+  double bandwidth_Hz = 0;  // the force spectrum has fallen 20 dB below its largest line
   bool accepted = false;
   bool by_user = false;  // accept_hit or reject_hit decided
   std::vector<Finding> findings;
@@ -51,9 +51,9 @@ struct Hit {
 struct HitOptions {
   std::optional<double> trigger_N{};                    // default: from the noise
   std::optional<double> pretrigger_s{};                 // default: 128 samples or 5 ms, whichever is longer
-  std::optional<double> length_s{};                     // of the stretch, pre-trigger included
-  double from_s = 0;                                    // hits after this time of each row only
-  std::optional<double> to_s{};                         // hits before this time only
+  std::optional<double> length_s{};                     // of the samples of a hit, pre-trigger included
+  double from_s = 0;                                    // find only hits after this time of each row
+  std::optional<double> to_s{};                         // find only hits before this time
   bool force_window = true;                             // the pulse alone enters the FRF; false: the whole force record
   std::vector<std::size_t> accept_hit{}, reject_hit{};  // overrule the findings
 };

@@ -27,27 +27,28 @@ struct Measured {
   double value = 0, std = 0;
 };
 
-/// Readings of one bat and one impact. Results without their readings are absent.
+/// Readings of one bat and one impact. A result is absent when its readings are missing.
 struct BatReadings {
   std::optional<Measured> length_m{}, mass_kg{};
   std::optional<Measured> cg_m{};      // from the barrel's tip
   std::optional<Measured> period_s{};  // of the pendulum; the pivot is 6 in from the knob
-  std::optional<Measured> moi_kgm2{};  // in place of the pendulum's
+  std::optional<Measured> moi_kgm2{};  // replaces the result of the pendulum
   std::optional<Measured> ball_kg{};
   std::optional<Measured> z_m{};  // of the impact, from the barrel's tip
   std::optional<Measured> v_in_mps{}, v_out_mps{};
-  std::optional<Measured> besr{}, bbcor{};  // in place of the speeds
-  std::optional<Measured> v_swing_mps{};    // in place of the swing model's
+  std::optional<Measured> besr{}, bbcor{};  // replace the results of the speeds
+  std::optional<Measured> v_swing_mps{};    // replaces the speed of the swing model
   double lot_correction = 0;                // of the balls, added to v_out/v_in
 };
 
 struct BatPerformance {
   std::optional<Measured> drop{}, moi_kgm2{}, besr{}, ncaa_besr{}, bbs_mps{}, bbcor{}, v_contact_mps{}, v_swing_mps{};
-  std::optional<Measured> k{};  // m_ball x²/MOI
+  std::optional<Measured> k{};  // m_ball x²/MOI, x from the pivot to the impact
   std::vector<Warning> warnings{};
 };
 
-/// All that the readings allow. errors  InputError: values not above 0, a place behind the pivot.
+/// Computes every result whose readings are given.
+/// errors  InputError: values not above 0, a place that is not between the tip and the pivot.
 BatPerformance bat_performance(const BatReadings& readings);
 
 }  // namespace percuss

@@ -29,7 +29,7 @@ struct Beam {
   double torsion_Nmprad = 1200;  // of the spring
   double length_m = 0.57;
   double gyration_m = 0;         // √(I/A), rotary inertia; 0: none
-  double shear_stiffness_N = 0;  // κGA; 0: without bound
+  double shear_stiffness_N = 0;  // κGA; 0: infinite, without shear deformation
 };
 
 struct BeamMode {
@@ -41,13 +41,13 @@ struct BeamMode {
 
 struct BeamModeOptions {
   std::size_t modes = 5;
-  std::vector<double> x_m{};  // where the shapes are wanted
+  std::vector<double> x_m{};  // positions of BeamMode::shape
 };
 
 /// The lowest modes, rigid-body modes first. errors  InputError: values not above 0; frequencies beyond a double.
 std::vector<BeamMode> beam_modes(const Beam& beam, const BeamModeOptions& options = {});
 
-/// A ball against a beam at rest.
+/// A ball that hits a beam at rest.
 struct BeamImpact {
   Beam beam{};
   double at_m = 0.51;  // from the spring's end
@@ -55,7 +55,7 @@ struct BeamImpact {
   double hertz_Npm15 = 3.2e6;
   double hysteresis_spm = 0;
   std::size_t modes = 10;
-  double step_s = 0;  // 0: chosen by halving
+  double step_s = 0;  // 0: shortened until the rebound converges
 };
 
 struct BeamImpactResult {
@@ -63,13 +63,13 @@ struct BeamImpactResult {
   double contact_s = 0, peak_force_N = 0;
   double peak_deflection_m = 0, peak_deflection_time_s = 0;
   std::optional<double> recontact_s{};
-  double energy_error = 0;
+  double energy_error = 0;  // largest |E/E₀ − 1| of the total energy E
 };
 
-/// errors  InputError: the two do not separate; values not above 0.
+/// errors  InputError: ball and beam do not separate; values not above 0.
 BeamImpactResult beam_impact(const BeamImpact& impact);
 
-/// A ball against a rigid bat; z from the bat's centre of mass.
+/// A ball that hits a rigid bat; z from the bat's centre of mass.
 struct RigidBat {
   double ball_mass_kg = 0.145, bat_mass_kg = 0.83;
   double inertia_kgm2 = 0.039;  // about the centre of mass
@@ -80,10 +80,10 @@ struct RigidBat {
 
 double effective_mass_kg(const RigidBat& bat, double z_m);
 double exit_speed_mps(const RigidBat& bat, double z_m);
-/// Where between low_m and high_m the ball leaves fastest.
+/// The place between low_m and high_m with the largest exit speed.
 double best_impact_m(const RigidBat& bat, double low_m, double high_m);
 
-/// A ball against a hollow barrel at rest, one degree of freedom each.
+/// A ball that hits a hollow barrel at rest. Each has one degree of freedom.
 struct Trampoline {
   double ball_mass_kg = 0.145;
   double stiffness = 60e6;  // N/m^(1 + stiffness_exponent)
@@ -100,10 +100,10 @@ struct TrampolineRebound {
 
 /// errors  InputError: constants too far apart.
 TrampolineRebound trampoline_rebound(const Trampoline& model, double hoop_Hz);
-/// Off a barrel that does not give way.
+/// The rebound from a rigid barrel.
 TrampolineRebound rigid_wall_rebound(const Trampoline& model);
 
-/// A bat of round slices from the knob on. shapes  end_m and diameter_m alike long, end_m ascending.
+/// A bat of round slices from the knob on. shapes  end_m and diameter_m of equal length, end_m ascending.
 struct BatProfile {
   std::vector<double> end_m, diameter_m;
   double density_kgpm3 = 649, young_Pa = 1.814e10;
@@ -130,7 +130,7 @@ struct BatCollision {
 std::vector<double> bat_exit_speeds_mps(const BatProfile& profile, const std::vector<double>& z_m,
                                         const BatCollision& collision = {});
 
-/// A barrel as a tube of even wall.
+/// A barrel as a tube with a wall of constant thickness.
 struct Tube {
   double outer_diameter_m = 0.066675, wall_m = 0.00254, length_m = 0.3302;
   double young_Pa = 70e9, density_kgpm3 = 2700, poisson = 0.33;
@@ -138,7 +138,7 @@ struct Tube {
 
 /// Flügge's frequency with n waves around (2 and above) and m half-waves along. errors  InputError: not a tube.
 double hoop_Hz(const Tube& tube, std::size_t n, std::size_t m);
-/// The same for a long tube (Rayleigh).
+/// Rayleigh's frequency of a long tube with n waves around.
 double long_hoop_Hz(const Tube& tube, std::size_t n);
 
 }  // namespace percuss

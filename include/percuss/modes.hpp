@@ -41,11 +41,11 @@ struct Mode {
   std::size_t index = 0;
   double freq_Hz = 0, freq_std_Hz = 0;  // undamped natural frequency
   double damping_ratio = 0, damping_ratio_std = 0;
-  double freq_scatter_Hz = 0;  // standard deviation between points, where these disagree beyond doubt
+  double freq_scatter_Hz = 0;  // standard deviation between points; 0: not significant
   std::vector<Residue> residues;
 };
 
-/// A mode as one hit alone shows it.
+/// A mode, fitted to one hit alone.
 struct ModeOfHit {
   std::size_t hit = 0, mode = 0;
   double freq_Hz = 0, freq_std_Hz = 0;
@@ -60,16 +60,16 @@ const char* name_of(ModeType type);
 struct SplitMode {
   std::size_t partner = 0;  // index of the other mode
   double separation_Hz = 0, separation_std_Hz = 0;
-  bool first = false;   // this one is the lower one
-  bool quoted = false;  // this one's frequency is the one to quote
+  bool first = false;   // this mode is the lower of the two
+  bool quoted = false;  // reports quote the frequency of this mode
 };
 
-/// Bending or hoop, of a tube.
+/// The type of a mode of a tube: bending or hoop.
 struct ModeClassification {
   ModeType type = ModeType::unknown;
   int order = 0;                                // counts from 1 within the type; 0 when unknown
   double confidence = 0;                        // posterior probability of the type
-  std::optional<ModeType> alternative{};        // the rival, where it is credible
+  std::optional<ModeType> alternative{};        // the other type, where it is credible
   std::optional<double> overlay_dB{};           // magnitude of the second FRF over the first at the peak
   bool overlaid = false;                        // |overlay_dB| is within the threshold
   std::optional<std::complex<double>> ratio{};  // residue of the second sensor over that of the first

@@ -62,12 +62,12 @@ struct RecordDescription {
   std::vector<Message> notes;  // assumptions, and parts that could not be read
 };
 
-/// The meaning of several files: hits of one test, or one point each. Automatic is hits.
+/// How several files form one test: as hits, or as one point each. Automatic means hits.
 enum class FileGrouping { automatic, hits, points };
 
 enum class FrfKind { accelerance, mobility, receptance };
 
-/// Statements about a file. Each overrides the file.
+/// The user's statements about a file. Each overrides what the file states.
 struct ReadOptions {
   std::optional<double> fs_Hz{};
   std::string fs_variable{};                       // the variable of a MAT file that holds the rate
@@ -107,11 +107,11 @@ class Record {
   std::size_t rows() const;
   std::size_t channels() const;
 
-  /// Samples of a row's force in N, and of a row's acceleration in m/s². errors  InputError: no such row, channel or
-  /// sample; the file cannot be read.
+  /// Samples of a row's force in N, and of a row's acceleration in m/s².
+  /// errors  InputError: no such row, channel or sample; the file cannot be read.
   std::vector<double> force_N(std::size_t row) const;
   std::vector<double> accel_mps2(std::size_t row, std::size_t channel) const;
-  /// The same into memory of the caller, from sample `first` on, `count` samples.
+  /// Reads the samples first … first + count − 1 into `out`; units and errors as above.
   void read_force_N(std::size_t row, std::size_t first, std::size_t count, double* out) const;
   void read_accel_mps2(std::size_t row, std::size_t channel, std::size_t first, std::size_t count, double* out) const;
 

@@ -39,7 +39,7 @@ struct GeometryPoint {
   int point = 0;  // its number in the records
   std::optional<std::array<double, 3>> xyz_m{};
   double position_m = 0;  // along the tube's axis, from the barrel's end
-  double angle_rad = 0;   // around it
+  double angle_rad = 0;   // around the axis
   double radius_m = 0;    // for drawings; 0: not known
 };
 
@@ -67,7 +67,7 @@ struct SurveyOptions {
   std::vector<DrivingPoint> driving_point{};  // default: points that lie where a sensor sits
 };
 
-/// A shape at one place.
+/// The value of a mode shape at one point and channel.
 struct ShapePlace {
   std::size_t point = 0, channel = 0;
   std::complex<double> value;  // 1/√kg with unit modal mass, else 1 at the largest
@@ -96,10 +96,10 @@ struct TubeShape {
   double confidence = 0;
   std::optional<double> plane_rad{};  // an antinode, 0 … π/n
   double plane_std_rad = 0;
-  std::vector<double> position_m, axial, axial_std;  // [rings] along the axis, of this order
+  std::vector<double> position_m, axial, axial_std;  // [rings]; the axial function of this order
 };
 
-/// Copies share the results. For one thread at a time.
+/// Copies share the results. One thread at a time may call the accessors.
 /// errors  InputError, of the constructors: a point without a place in the geometry, a driving point that was not
 ///         measured, several runs. Accessors as Analysis.
 class Survey {
@@ -111,10 +111,10 @@ class Survey {
   Analysis analysis() const;
   std::optional<Geometry> geometry() const;
   std::vector<ModeShape> shapes() const;                    // [modes]
-  std::vector<std::optional<TubeShape>> tubes() const;      // [modes]; nothing where the geometry is no tube
-  std::vector<ModeClassification> classifications() const;  // [modes], by shape where shapes tell
+  std::vector<std::optional<TubeShape>> tubes() const;      // [modes]; empty where the geometry is no tube
+  std::vector<ModeClassification> classifications() const;  // [modes]; by the shapes on a tube, else as Analysis
   std::vector<std::vector<Mac>> macs() const;               // [modes][modes], symmetric
-  std::vector<Warning> warnings() const;                    // the analysis' and the survey's own
+  std::vector<Warning> warnings() const;                    // of the analysis and of the survey
 
   /// The document percuss/analysis/1, as `percuss survey --json` prints it.
   std::string json() const;

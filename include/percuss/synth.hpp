@@ -34,7 +34,7 @@ struct SynthMode {
   double amplitude_per_sqrt_kg = 1;   // mass-normalised shape at the tip (bending), at the antinode (hoop)
 };
 
-/// A sensor, or a point to hit: from the barrel's end, and around it.
+/// The place of a sensor or of a point to hit: distance from the barrel's end, and angle around the barrel.
 struct SynthPlace {
   double position_m = 0, angle_rad = 0;
 };
@@ -48,8 +48,8 @@ struct SynthSpec {
   std::vector<SynthPlace> points{{.position_m = 0.1524}};  // several: roving hammer
   std::size_t hits = 5;                                    // per point
   double peak_N = 300, pulse_s = 0.3e-3;
-  double force_noise = 0;  // standard deviation over the largest force
-  double accel_noise = 0;  // standard deviation over the RMS of the channel
+  double force_noise = 0;  // standard deviation as a fraction of the largest force
+  double accel_noise = 0;  // standard deviation as a fraction of the RMS of the channel
   std::uint64_t seed = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Files. The extension of the path chooses the kind; a file is whole or absent.
+/// Writing of files. The extension of the path chooses the format. A file is whole or absent.
 ///
 /// @code
 /// #include <percuss/analysis.hpp>
@@ -28,13 +28,14 @@ namespace percuss {
 struct WriteOptions {
   bool overwrite = false;         // replace a file that exists (option "force")
   std::optional<FrfKind> kind{};  // of FRFs; default: the kind of the set
-  std::vector<std::string>
-      picture{};  // of .svg: "magnitude", "phase", "coherence", "shapes", …; default: the first ones
+  /// Of .svg: "magnitude", "phase", "coherence", "shapes", …; default: the first three, for a survey "shapes".
+  std::vector<std::string> picture{};
   std::string produced_by = "percuss (C++)";  // stated in .html
   std::string produced_at{};                  // stated in .html; default: now, UTC, "2026-11-22 21:45"
 };
 
-/// errors (of all)  InputError: the file exists, or cannot be written; the kind is not known, or cannot hold this.
+/// errors (of all)  InputError: the file exists, or cannot be written; the extension is not known, or its format cannot
+/// hold the data.
 
 /// .h5 .hdf5 .csv .mat .uff .unv .wav .rf64 .w64
 void write(const std::string& path, const Record& record, const WriteOptions& options = {});

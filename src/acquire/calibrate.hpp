@@ -20,7 +20,7 @@ struct CalibrationHit {
   double time_s = 0;
   double peak_force = 0;  // in the channel's present unit
   double peak_accel_mps2 = 0;
-  std::size_t samples = 0;  // compared: those above half of the force's peak
+  std::size_t samples = 0;  // the compared samples: the force exceeds half of its peak
   double scale = 0;         // N per present unit
   bool used = false;
 };
@@ -31,10 +31,10 @@ struct Calibration {
   std::vector<CalibrationHit> hits;
 };
 
-/// The force channel's scale from hits on a free mass: force = mass · acceleration. Per hit, least squares over the
-/// samples above half of the force's peak, both signals counted from their mean just before the hit; over hits,
-/// weighted by the square of the force (hits below a fifth of the largest are left out). The sign makes a push
-/// positive.
+/// The force channel's scale from hits on a free mass: force = mass · acceleration. The scale of one hit is a
+/// least-squares fit over the samples above half of the force's peak. Both signals count from their mean just before
+/// the hit. The result is the mean over the hits, weighted by the square of the peak force. Hits below a fifth of the
+/// largest are left out. The sign makes a push positive.
 /// errors  InputError when the record has not exactly one acceleration channel; NoHitError.
 /// theory (1.6)
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options = {});

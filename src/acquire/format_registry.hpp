@@ -10,17 +10,17 @@ namespace percuss::acquire {
 /// Every format that percuss knows, in the order of detection. A new format is one entry here and one folder.
 std::span<const FileFormat* const> file_formats();
 
-/// The first format that detects the input; the last one detects all.
+/// The first format that detects the input. The last format accepts every input.
 const FileFormat& detected_format(const FileHead& head);
 
 /// The format that percuss writes under the path's extension; nullptr when there is none.
 const FileFormat* written_format(const std::string& path);
 
-/// The extensions that write_record knows; that write_frfs knows.
+/// The extensions under which write_record, and write_frfs, can write.
 const std::vector<std::string>& record_extensions();
 const std::vector<std::string>& frf_extensions();
 
-/// Whether a file's name has the extension of a format, as for the files of a folder.
+/// Whether a file's name has the extension of a format: it selects the files of a folder that are read.
 bool has_known_extension(const std::string& path);
 
 }  // namespace percuss::acquire

@@ -18,11 +18,11 @@ constexpr std::size_t kHead_bytes = std::size_t{1} << 16U;
 
 void refuse_variable_name(const FrfReadOptions& options, const std::string& path) {
   if (options.read.fs_variable.empty()) return;
-  throw InputError("the sampling rate is no number: " + one_line(options.read.fs_variable, 40), input_name(path),
+  throw InputError("the sampling rate is not a number: " + one_line(options.read.fs_variable, 40), input_name(path),
                    "state it in Hz (in MAT files it may be a variable)", {"fs"});
 }
 
-// What cannot come through a pipe is refused by its first bytes.
+// Reads all of a pipe, unless its first bytes show a format that cannot be read from one.
 Measurement open_standard_input(const FrfReadOptions& options, Content content) {
   refuse_variable_name(options, "-");
   const FileBytes stream = read_input("-", kMaxPipe_bytes, [](std::string_view bytes) {

@@ -7,7 +7,7 @@
 namespace percuss::acquire {
 class ForkServer;
 
-/// Opens a file of any format ("-" is standard input) and describes its content. It holds FRFs where its columns,
+/// Opens a file of any format ("-" is standard input) and describes its content. The result is FRFs where the columns,
 /// variables or data sets are FRFs, else a record.
 /// errors  InputError: not readable, damaged, options that the content contradicts; AmbiguousColumns: nothing says
 /// which signal is the force or an acceleration.
@@ -22,8 +22,7 @@ bool needs_sandbox(const std::string& path);
 /// A server that forks processes in which files are opened with these options, for open_measurement_forked.
 std::shared_ptr<ForkServer> measurement_fork_server(const FrfReadOptions& options);
 
-/// As open_measurement with the server's options, which `options` must equal. The server forks the process that reads a
-/// foreign file.
+/// As open_measurement, but the server forks the process that reads a foreign file. `options` must equal the server's.
 Measurement open_measurement_forked(const std::shared_ptr<ForkServer>& fork_server, const std::string& path,
                                     const FrfReadOptions& options);
 

@@ -30,7 +30,8 @@ identify::Effort effort_of(Effort effort) {
 
 void require_band(const Band& band) {
   if (!(band.low_Hz >= 0 && band.low_Hz < band.high_Hz && std::isfinite(band.high_Hz)))
-    throw InputError("not a band", kOptions, "give two frequencies in Hz, the lower first", {"band"});
+    throw InputError("the band is not a range of frequencies", kOptions, "give two frequencies in Hz, the lower first",
+                     {"band"});
 }
 
 void require_consistent(const AnalysisOptions& options) {
@@ -50,12 +51,14 @@ void require_consistent(const AnalysisOptions& options) {
   for (const double start : options.start_Hz) {
     const bool within = !options.band_Hz || (start >= options.band_Hz->low_Hz && start <= options.band_Hz->high_Hz);
     if (!(start > 0) || !within)
-      throw InputError("a start lies outside the band", kOptions, "widen the band or leave it out", {"start", "band"});
+      throw InputError("a start frequency lies outside the band", kOptions,
+                       "widen the band, or leave the frequency out", {"start", "band"});
   }
   if (options.exponential != 0 && !(options.exponential >= kMinFraction && options.exponential < 1))
-    throw InputError("not a fraction", kOptions, "give a fraction between 0 and 1", {"exponential"});
+    throw InputError("the end of the exponential window is not a fraction", kOptions, "give a number between 0 and 1",
+                     {"exponential"});
   if (options.modes && *options.modes == 0)
-    throw InputError("no mode is asked for", kOptions, "give 1 or more", {"modes"});
+    throw InputError("the number of modes is 0", kOptions, "give 1 or more", {"modes"});
   require_above_zero(options.overlay_dB, "AnalysisOptions::overlay_dB", {"overlay_db"});
   if (options.budget && !(options.budget->time_s > 0 && options.budget->memory_bytes > 0))
     throw InputError("the budget is not above 0", kOptions, "give a time and a memory above 0", {"budget"});

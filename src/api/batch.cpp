@@ -24,7 +24,7 @@ BatchResult result_of(const pipeline::RunAnalysis& test, BatchResult result) {
   return result;
 }
 
-/// Every run of one input; an InputError is its result.
+/// The results of every run of one input. An InputError becomes a result.
 template <class Open>
 std::vector<BatchResult> results_of(const BatchResult& label, const pipeline::AnalysisOptions& options,
                                     const Open& open) {
@@ -39,17 +39,17 @@ std::vector<BatchResult> results_of(const BatchResult& label, const pipeline::An
   return out;
 }
 
-/// open(i) on several threads; label(i) names the input.
+/// Opens and analyses the inputs on several threads. open(i) opens input i, and label(i) names it.
 template <class Label, class Open>
 std::vector<BatchResult> batch_of(std::size_t count, const BatchOptions& options, const Label& label,
                                   const Open& open) {
-  pipeline::AnalysisOptions its = analysis_options(options.analysis);
-  its.threads = 1;
+  pipeline::AnalysisOptions of_each = analysis_options(options.analysis);
+  of_each.threads = 1;
   std::mutex one_call;
   std::vector<std::vector<BatchResult>> all(count);
   parallel_for(count, options.threads, [&](std::size_t i) {
     const ThreadLimit limit(1);
-    all[i] = results_of({.index = i, .source = label(i)}, its, [&] { return open(i); });
+    all[i] = results_of({.index = i, .source = label(i)}, of_each, [&] { return open(i); });
     if (!options.on_result) return;
     const std::scoped_lock lock(one_call);
     for (const BatchResult& result : all[i]) options.on_result(result);

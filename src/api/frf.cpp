@@ -24,7 +24,7 @@ void require_shape(const Frf& frf, std::size_t lines) {
     throw InputError("an FRF and the frequencies differ in length", kFrfArrays, "give one value per frequency");
 }
 
-// InputError unless the sorted FRFs are all channels of every point.
+// Throws InputError unless the sorted FRFs cover all channels of every point.
 void require_all_channels(const std::vector<Frf>& frfs, std::size_t channels) {
   for (std::size_t i = 0; i < frfs.size(); ++i) {
     const bool begins = i % channels == 0, same_point = i > 0 && frfs[i].point == frfs[i - 1].point;
@@ -61,15 +61,15 @@ FrfSet make_frf_set(acquire::FrfRecord record, FrfKind kind) {
   const acquire::LineRange& lines = data.record.lines;
   for (std::size_t k = 0; k < lines.count; ++k) data.freq_Hz.push_back(lines.freq_Hz(k));
   for (const acquire::PointFrf& from : data.record.frfs) {
-    acquire::Frf its = kind == FrfKind::accelerance
+    acquire::Frf frf = kind == FrfKind::accelerance
                            ? from.frf
                            : acquire::converted(from.frf, lines, frf_kind(kind), data.record.decay_per_s);
     data.frfs.push_back({.point = from.point,
                          .channel = from.channel,
-                         .value = std::move(its.value),
-                         .std = std::move(its.std),
-                         .coherence = std::move(its.coherence),
-                         .averages = its.averages});
+                         .value = std::move(frf.value),
+                         .std = std::move(frf.std),
+                         .coherence = std::move(frf.coherence),
+                         .averages = frf.averages});
   }
   return FrfSet(std::make_shared<const FrfData>(std::move(data)));
 }

@@ -24,7 +24,7 @@ struct FrfData {
   acquire::FrfRecord record;  // accelerances, whatever the kind
   FrfKind kind = FrfKind::accelerance;
   std::vector<double> freq_Hz;
-  std::vector<Frf> frfs;  // of the kind
+  std::vector<Frf> frfs;  // converted to `kind`
 };
 
 struct AnalysisData {
@@ -61,10 +61,10 @@ std::vector<Mode> modes_of(const std::vector<identify::Mode>& modes);
 std::vector<ModeClassification> classifications_of(const std::vector<identify::ModeClassification>& classifications);
 std::vector<Warning> warnings_of(const std::vector<pipeline::Warning>& warnings);
 
-/// The survey, with hits, modes and FRFs computed: its warnings are about the results computed so far.
+/// Computes hits, modes and FRFs, and returns the survey. Its warnings are about the results computed so far.
 const pipeline::Survey& computed(const Survey& survey);
 
-/// errors  InputError naming the field unless `value` is above 0.
+/// errors  InputError that names the field, unless `value` is finite and above 0.
 void require_above_zero(double value, const char* field, std::vector<OptionId> options = {});
 
 }  // namespace percuss::api

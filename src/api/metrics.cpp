@@ -25,7 +25,7 @@ std::optional<Measured> measured(const std::optional<metrics::UncertainValue>& v
 void require_behind_tip(const std::optional<Measured>& place_m, const std::optional<Measured>& length_m,
                         const char* field) {
   if (place_m && (place_m->value < 0 || (length_m && place_m->value > length_m->value - metrics::kPivot_m)))
-    throw InputError("the place lies behind the pivot", field, "give metres from the barrel's tip");
+    throw InputError("the place is not between the tip and the pivot", field, "give metres from the barrel's tip");
 }
 
 metrics::BatReadings internal_readings(const BatReadings& r) {
@@ -52,11 +52,11 @@ metrics::BatReadings internal_readings(const BatReadings& r) {
 
 BatPerformance bat_performance(const BatReadings& readings) {
   if (readings.length_m && !(readings.length_m->value > 2 * metrics::kPivot_m))
-    throw InputError("no bat is so short", "BatReadings::length_m", "give more than 0.3048 m");
+    throw InputError("the bat is too short", "BatReadings::length_m", "give more than 0.3048 m");
   api::require_behind_tip(readings.cg_m, readings.length_m, "BatReadings::cg_m");
   api::require_behind_tip(readings.z_m, readings.length_m, "BatReadings::z_m");
-  const metrics::BatReadings its = api::internal_readings(readings);
-  const metrics::BatMetrics results = metrics::bat_metrics(its);
+  const metrics::BatReadings internal = api::internal_readings(readings);
+  const metrics::BatMetrics results = metrics::bat_metrics(internal);
   BatPerformance out{.drop = api::measured(results.drop),
                      .moi_kgm2 = api::measured(results.moi_kgm2),
                      .besr = api::measured(results.besr),
@@ -66,7 +66,7 @@ BatPerformance bat_performance(const BatReadings& readings) {
                      .v_contact_mps = api::measured(results.contact_mps),
                      .v_swing_mps = api::measured(results.swing_mps),
                      .k = api::measured(results.k)};
-  for (const metrics::MetricsWarning& warning : metrics::metrics_warnings(its, results))
+  for (const metrics::MetricsWarning& warning : metrics::metrics_warnings(internal, results))
     out.warnings.push_back({.code = warning.code, .message = warning.message});
   return out;
 }

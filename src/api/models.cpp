@@ -173,12 +173,13 @@ std::vector<double> bat_exit_speeds_mps(const BatProfile& profile, const std::ve
     if (!(z >= 0 && z <= bat.length_m))
       throw InputError("the impact is not on the bat", "z_m", "give positions from the knob");
   }
-  const model::BatCollision its{.ball = {.mass_kg = collision.ball_mass_kg, .restitution = collision.cor},
-                                .ball_speed_mps = collision.ball_speed_mps,
-                                .bat_speed_mps = collision.bat_speed_mps,
-                                .swing_rate_radps = collision.swing_rate_radps};
+  const model::BatCollision internal{.ball = {.mass_kg = collision.ball_mass_kg, .restitution = collision.cor},
+                                     .ball_speed_mps = collision.ball_speed_mps,
+                                     .bat_speed_mps = collision.bat_speed_mps,
+                                     .swing_rate_radps = collision.swing_rate_radps};
   std::vector<double> out;
-  for (const model::BatRebound& rebound : model::bat_sweep(bat, static_cast<std::size_t>(bat.freq_Hz.size()), its, z_m))
+  for (const model::BatRebound& rebound :
+       model::bat_sweep(bat, static_cast<std::size_t>(bat.freq_Hz.size()), internal, z_m))
     out.push_back(rebound.exit_speed_mps);
   return out;
 }

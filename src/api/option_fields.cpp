@@ -70,8 +70,8 @@ constexpr std::array<FieldName, 52> kFields{{
 
 constexpr std::array<std::string_view, 8> kUnits{"Hz", "VpN", "Vpmps2", "rad", "m", "s", "N", "kg"};
 
-// "fs" names fs_Hz. Two names differ otherwise: a unit that is part of the identifier, and "force", which in C++ is a
-// signal.
+// "fs" names fs_Hz. Two identifiers differ from their fields in another way: "overlay_db" contains its unit, and
+// "force" is a signal in C++.
 bool names(std::string_view field, std::string_view id) {
   if (field == id) return true;
   if (id == "overlay_db" || id == "force") return field == (id == "force" ? "overwrite" : "overlay_dB");

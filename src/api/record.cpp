@@ -178,9 +178,9 @@ Record open_record(const std::vector<std::string>& paths, const ReadOptions& opt
   }
   std::vector<acquire::Record> records;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    acquire::ReadOptions its = common;
-    if (common.force_scale.size() > 1) its.force_scale = {common.force_scale[i]};
-    records.push_back(acquire::open_record(paths[i], its));
+    acquire::ReadOptions of_file = common;
+    if (common.force_scale.size() > 1) of_file.force_scale = {common.force_scale[i]};
+    records.push_back(acquire::open_record(paths[i], of_file));
   }
   return api::make_record(acquire::join_records(std::move(records), api::grouping(options.files)));
 }

@@ -37,7 +37,7 @@ std::string checked_extension(const std::string& path, const std::vector<std::st
                               const WriteOptions& options) {
   std::string extension = extension_of(path);
   if (std::find(known.begin(), known.end(), extension) == known.end()) {
-    throw InputError("the kind of the file is not known", path,
+    throw InputError("the file's extension is not known", path,
                      fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
   }
   std::error_code ignored;

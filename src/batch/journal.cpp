@@ -21,7 +21,7 @@ namespace percuss::batch {
 namespace {
 
 constexpr std::size_t kLongestLine_bytes = std::size_t{1} << 30U;  // holds the FRFs of a survey
-constexpr std::size_t kDigits = 16;                                // kept of the digest
+constexpr std::size_t kDigits = 16;                                // of the digest, in hexadecimal
 constexpr char kBetweenRows = '\t';                                // rows do not contain it: JSON escapes it
 constexpr std::string_view kBegun = "begun ", kDone = "done ";
 
@@ -42,7 +42,7 @@ struct CompletedLine {
 };
 
 // "done INDEX 0|1 DIGEST ROWS".
-std::optional<CompletedLine> completed_records_in(std::string_view line) {
+std::optional<CompletedLine> completed_line(std::string_view line) {
   if (!line.starts_with(kDone)) return std::nullopt;
   line.remove_prefix(kDone.size());
   const auto index = take_number(line);
@@ -53,7 +53,7 @@ std::optional<CompletedLine> completed_records_in(std::string_view line) {
   return CompletedLine{.index = *index, .failed = line[1] == '1', .rows = rows};
 }
 
-[[noreturn]] void fail_to(const char* what, const std::string& path) {
+[[noreturn]] void fail_with_errno(const char* what, const std::string& path) {
   throw InputError(std::string(what) + ": " + std::generic_category().message(errno), path,
                    "free some space or choose another folder");
 }
@@ -64,7 +64,7 @@ Journal::Journal(std::string path, const ShardLabel& label, ShardRange range, bo
     : path_(std::move(path)), range_(range), entries_(range.size()) {
   constexpr mode_t kMode = 0644;
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, kMode);
-  if (descriptor_ < 0) fail_to("cannot write", path_);
+  if (descriptor_ < 0) fail_with_errno("cannot write", path_);
   try {
     lock();
     load(label, anew);
@@ -98,12 +98,12 @@ void Journal::load(const ShardLabel& label, bool anew) {
     end_ = lines.end();
   }
   // Removes the incomplete last line of a killed writer.
-  if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) fail_to("cannot write", path_);
+  if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) fail_with_errno("cannot write", path_);
   if (!known) append(label_line(label) + "\n");
 }
 
 void Journal::take(std::string_view line, std::uint64_t offset) {
-  const auto done = completed_records_in(line);
+  const auto done = completed_line(line);
   if (!done || done->index < range_.first || done->index >= range_.last || has(done->index)) return;
   entries_[done->index - range_.first] = {
       .offset = offset + static_cast<std::uint64_t>(done->rows.data() - line.data()), .bytes = done->rows.size()};
@@ -120,7 +120,7 @@ void Journal::append(const std::string& line) {
       const int error = errno;
       static_cast<void>(::ftruncate(descriptor_, static_cast<off_t>(end_)));  // removes the incomplete line
       errno = error;
-      fail_to("cannot write", path_);
+      fail_with_errno("cannot write", path_);
     }
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
@@ -154,12 +154,12 @@ std::string Journal::rows(std::size_t index) const {
 void Journal::remove() { ::unlink(path_.c_str()); }
 
 JournalState journal_state(const std::string& path) {
-  std::map<std::size_t, std::size_t> begun;  // how often, of unfinished records
+  std::map<std::size_t, std::size_t> begun;  // how often each unfinished record was begun
   JournalState state;
   LineReader lines(path, kLongestLine_bytes);
   while (lines.next() && lines.ended()) {
     std::string_view line = lines.line();
-    if (const auto done = completed_records_in(line)) {
+    if (const auto done = completed_line(line)) {
       ++state.finished;
       begun.erase(done->index);
     } else if (line.starts_with(kBegun)) {

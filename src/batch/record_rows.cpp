@@ -42,7 +42,7 @@ void require_unchanged(const BatchRecord& record) {
 }
 
 /// The contents of the rows of a record, collected over its runs.
-struct RowDiagnostics {
+struct RowContents {
   int code = 0;
   std::string reason;
   Json fs_Hz, band_Hz{Json(), Json()};
@@ -53,7 +53,7 @@ struct RowDiagnostics {
   std::vector<Json> frfs;
 };
 
-void add_hits(RowDiagnostics& rows, const pipeline::Analysis& analysis) {
+void add_hits(RowContents& rows, const pipeline::Analysis& analysis) {
   for (const pipeline::AnalysedHit& hit : analysis.hits()) {
     ++(hit.accepted ? rows.accepted : rows.rejected);
     for (const acquire::Finding& finding : hit.hit.findings) rows.findings.insert(finding.code);
@@ -80,7 +80,7 @@ Json row_start(const char* kind, const BatchRecord& record) {
   return {{"row", kind}, {"id", record.id}, {"path", record.path}};
 }
 
-void add_modes(RowDiagnostics& rows, const BatchRecord& record, int run, const pipeline::Analysis& analysis) {
+void add_modes(RowContents& rows, const BatchRecord& record, int run, const pipeline::Analysis& analysis) {
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     const identify::Mode& mode = analysis.modes()[m];
     Json row = row_start("mode", record);
@@ -95,7 +95,7 @@ void add_modes(RowDiagnostics& rows, const BatchRecord& record, int run, const p
   }
 }
 
-void add_run(RowDiagnostics& rows, const BatchRecord& record, const pipeline::RunAnalysis& test,
+void add_run(RowContents& rows, const BatchRecord& record, const pipeline::RunAnalysis& test,
              const RowOptions& options) {
   const pipeline::Analysis& analysis = *test.analysis;
   const bool given = analysis.given_frfs() != nullptr;  // FRFs have no sampling rate
@@ -106,7 +106,8 @@ void add_run(RowDiagnostics& rows, const BatchRecord& record, const pipeline::Ru
     add_modes(rows, record, test.run, analysis);
   } else {
     rows.code = kImpossible;
-    rows.reason = report::kNoUsableHit;
+    const Message reason = report::no_usable_hit();
+    rows.reason = options.write_option != nullptr ? reason.written(options.write_option) : reason.text;
   }
   for (const pipeline::Warning& warning : analysis.warnings()) {
     auto& known = rows.warnings;
@@ -120,10 +121,10 @@ void add_run(RowDiagnostics& rows, const BatchRecord& record, const pipeline::Ru
 }
 
 // The codes and messages of the command `analyze`.
-RowDiagnostics row_diagnostics_of(const BatchRecord& record, const RowOptions& options) {
-  RowDiagnostics rows;
-  const auto refused = [](int code, const std::string& reason) {
-    return RowDiagnostics{.code = code, .reason = reason};
+RowContents row_contents_of(const BatchRecord& record, const RowOptions& options) {
+  RowContents rows;
+  const auto failed_record = [](int code, const std::string& reason) {
+    return RowContents{.code = code, .reason = reason};
   };
   try {
     require_unchanged(record);
@@ -134,19 +135,19 @@ RowDiagnostics row_diagnostics_of(const BatchRecord& record, const RowOptions& o
       add_run(rows, record, test, options);
     return rows;
   } catch (const UsageError& e) {
-    return refused(kUsageError, e.what());
+    return failed_record(kUsageError, e.what());
   } catch (const BudgetSpent& e) {
-    return refused(kImpossible, options.write_option != nullptr ? e.written(options.write_option) : e.what());
+    return failed_record(kImpossible, options.write_option != nullptr ? e.written(options.write_option) : e.what());
   } catch (const InputError& e) {
-    return refused(kBadInput, options.write_option != nullptr ? e.written(options.write_option) : e.what());
+    return failed_record(kBadInput, options.write_option != nullptr ? e.written(options.write_option) : e.what());
   } catch (const std::bad_alloc&) {
-    return refused(kInternalError, kOutOfMemoryMessage);
+    return failed_record(kInternalError, kOutOfMemoryMessage);
   } catch (const std::exception& e) {
-    return refused(kInternalError, e.what());
+    return failed_record(kInternalError, e.what());
   }
 }
 
-Json record_row(const BatchRecord& record, const RowDiagnostics& rows) {
+Json record_row(const BatchRecord& record, const RowContents& rows) {
   Json row = row_start("record", record);
   row["bytes"] = record.bytes;
   row["code"] = rows.code;
@@ -166,9 +167,9 @@ Json record_row(const BatchRecord& record, const RowDiagnostics& rows) {
 }  // namespace
 
 RecordRows rows_of(const BatchRecord& record, const RowOptions& options) {
-  const RowDiagnostics diagnostics = row_diagnostics_of(record, options);
-  RecordRows out{.lines = {line_of(record_row(record, diagnostics))}, .failed = diagnostics.code != 0};
-  for (const auto* kind : {&diagnostics.modes, &diagnostics.frfs}) {
+  const RowContents contents = row_contents_of(record, options);
+  RecordRows out{.lines = {line_of(record_row(record, contents))}, .failed = contents.code != 0};
+  for (const auto* kind : {&contents.modes, &contents.frfs}) {
     for (const Json& row : *kind) out.lines.push_back(line_of(row));
   }
   return out;

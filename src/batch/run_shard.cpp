@@ -11,7 +11,8 @@
 namespace percuss::batch {
 namespace {
 
-FinishedShard put_in_place(const ShardJob& job, const ShardLabel& label, ShardRange range, const Journal& journal) {
+FinishedShard write_finished_shard(const ShardJob& job, const ShardLabel& label, ShardRange range,
+                                   const Journal& journal) {
   FinishedShard part{.label = label, .records = journal.finished(), .failed = journal.failed()};
   Sha256File file(part_path(job.folder, job.shard, "jsonl"), true);
   file.add(label_line(label) + "\n");
@@ -59,7 +60,7 @@ ShardOutcome run_shard(const ShardJob& job) {
     if (!journal.has(i)) left.push_back(i);
   }
   analyse(job, journal, left);
-  ShardOutcome outcome{.part = put_in_place(job, label, range, journal), .analysed = left.size()};
+  ShardOutcome outcome{.part = write_finished_shard(job, label, range, journal), .analysed = left.size()};
   journal.remove();
   return outcome;
 }

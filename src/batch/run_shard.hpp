@@ -24,7 +24,7 @@ struct ShardOutcome {
   std::size_t analysed = 0;  // records in this run; earlier runs finished the others
 };
 
-/// Analyses the records of a shard that no earlier run finished, then writes part-i.jsonl and part-i.ok. Does nothing
+/// Analyses the unfinished records of a shard, then writes part-i.jsonl and part-i.ok. Does nothing
 /// for a shard with a valid part-i.ok. The rows depend neither on the number of threads nor on interruptions. errors
 /// InputError: the folder cannot be written or holds results of another plan; another process analyses this shard. A
 /// faulty record is a row, not an error.

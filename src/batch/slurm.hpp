@@ -20,7 +20,8 @@ std::string slurm_script(const SlurmJob& job);
 /// `text` quoted as one word of a shell.
 std::string shell_quoted(const std::string& text);
 
-/// One less than the largest index of a job array in the output of `scontrol show config`; 1000 if it is absent.
+/// The largest index of a job array: one less than MaxArraySize in the output of `scontrol show config`; 1000 if it
+/// is absent.
 std::size_t largest_array_index(const std::string& config);
 
 }  // namespace percuss::batch

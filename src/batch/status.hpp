@@ -11,7 +11,7 @@ struct BatchStatus {
   std::size_t shards = 1;
   std::size_t records = 0, bytes = 0;
   std::vector<std::size_t> missing;  // shards without a part-i.ok, ascending
-  std::size_t finished = 0;          // records, with those of unfinished shards
+  std::size_t finished = 0;          // records, including those of unfinished shards
   std::size_t failed = 0;            // records, of finished shards
   std::vector<std::string> stuck;    // ids of records begun at least twice and never finished: they may crash a worker
 };

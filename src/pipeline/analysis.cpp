@@ -41,7 +41,7 @@ Analysis::Analysis(acquire::FrfRecord frfs, AnalysisOptions options)
                      {option});
   };
   if (options_.exponential_end > 0) refuse("an exponential window", "exponential");
-  if (options_.estimator != frf::Estimator::h1) refuse("another estimator than H1", "estimator");
+  if (options_.estimator != frf::Estimator::h1) refuse("an estimator other than H1", "estimator");
 }
 
 const std::vector<AnalysedHit>& Analysis::force_hits() const {

@@ -49,9 +49,11 @@ class Analysis {
   /// False when no hit can be used: then no FRFs and no modes exist.
   bool possible() const;
 
+  /// The band of the options, or else the source's default.
   std::pair<double, double> band_Hz() const;
   /// Spectral lines of the FRFs: the band and a margin for modes just outside, within the usable bandwidth.
   const acquire::LineRange& lines() const;
+  /// Decay rate σ of the exponential window; 0 without a window.
   double window_decay_per_s() const;
   /// The points of frfs(), ascending.
   std::vector<int> frf_points() const;

@@ -17,7 +17,7 @@
 namespace percuss::pipeline {
 namespace {
 
-// Samples before the onset from which a bias can be estimated besides the ringing of the filter.
+// Fewest samples before the onset that allow an estimate of the bias despite the ringing of the filter.
 constexpr std::size_t kMinRestSamples = 16;
 
 bool usable(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t index) {
@@ -154,8 +154,9 @@ std::vector<ImpactSpeed> speeds(const Analysis& analysis, const std::vector<Anal
   for (const std::size_t h : hits) {
     const double time_s = impacts[h].hit.onset_s - options.beam_time_s;
     if (!(time_s > sample_s)) {
-      throw InputError(fmt::format("hit {} comes {:.6g} s after the light beam", h, time_s), analysis.record().source(),
-                       "correct the time of the light beam, or leave out its distance", {"beam_time", "beam_distance"});
+      throw InputError(fmt::format("the time from the light beam to hit {} is {:.6g} s", h, time_s),
+                       analysis.record().source(), "correct the time of the light beam, or leave out its distance",
+                       {"beam_time", "beam_distance"});
     }
     const double speed = *options.beam_distance_m / time_s;
     out.push_back({.hit = h, .speed_mps = speed, .std_mps = speed * sample_s / std::sqrt(12.0) / time_s});

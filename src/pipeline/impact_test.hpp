@@ -37,7 +37,7 @@ struct PointDeflection {
   std::size_t channel = 0, hits = 0;
   std::optional<double> position_m;
   double peak_m = 0;  // mean magnitude of the hits' peaks
-  double std_m = 0;   // of the mean: from the scatter of two or more hits, at least what the hits' own ± give
+  double std_m = 0;   // of the mean: from the scatter of two or more hits, not less than the hits' own ± give
   double forward_m = 0, forward_std_m = 0;  // the same for deflections in the direction of the first motion
 };
 

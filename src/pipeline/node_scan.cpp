@@ -48,7 +48,8 @@ MeasuredPoints measured_points(const Analysis& analysis, const ScanPositions& po
     }
   }
   if (!missing.empty())
-    warnings.push_back({"missing_position", "no usable hit at " + missing + ": the nodes are found without it"});
+    warnings.push_back(
+        {"missing_position", "no usable hit at " + missing + ": the nodes are found without these positions"});
   return measured;
 }
 
@@ -88,9 +89,9 @@ NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, do
                         .shape = identify::shape_along(mode, measured.point, measured.position_m),
                         .peak = peaks_of(analysis, mode, measured.point),
                         .nodes = {},
-                        .rule_m = {}};
+                        .minimum_m = {}};
     along.nodes = identify::find_nodes(along.shape);
-    along.rule_m = identify::minimum_of_peak(measured.position_m, along.peak, resolution_m);
+    along.minimum_m = identify::minimum_of_peak(measured.position_m, along.peak, resolution_m);
     scan.modes.push_back(std::move(along));
   }
   return scan;

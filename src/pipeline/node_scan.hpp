@@ -21,7 +21,7 @@ struct ModeAlongScan {
   identify::ScanShape shape;  // the points that have FRFs
   std::vector<double> peak;   // |H| at the mode's peak, the root of the sum of squares over the channels, (m/s²)/N
   std::vector<identify::Node> nodes;  // ascending
-  std::optional<double> rule_m;       // position of the minimum of `peak`, to the given resolution
+  std::optional<double> minimum_m;    // position of the minimum of `peak`, to the given resolution
 };
 
 struct NodeScan {

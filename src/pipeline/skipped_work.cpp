@@ -73,8 +73,8 @@ class SkippedWorkList {
     const double all = static_cast<double>(analysis_.lines().samples) / 2 + 1;
     const auto [low_Hz, high_Hz] = analysis_.band_Hz();
     add("lines", "spectral lines of the transforms",
-        fmt::format("they lie outside {:.4g} to {:.4g} Hz and its margin, or beyond the usable bandwidth", low_Hz,
-                    high_Hz),
+        fmt::format("they lie outside the band {:.6g} to {:.6g} Hz and its margin, or beyond the usable bandwidth",
+                    low_Hz, high_Hz),
         all - static_cast<double>(analysis_.lines().count), all);
   }
 

@@ -75,8 +75,9 @@ void Survey::place_points() {
   for (const int point : measured) {
     if (known.contains(point)) continue;
     throw InputError(
-        fmt::format("point {} was measured, but the geometry lacks it", point), analysis_.record().source(),
-        fmt::format("add it, or number the points as the record does: {} to {}", *measured.begin(), *measured.rbegin()),
+        fmt::format("the geometry lacks point {}, which was measured", point),
+        options_.geometry_source.empty() ? analysis_.record().source() : options_.geometry_source,
+        fmt::format("add it, or use the record's point numbers, {} to {}", *measured.begin(), *measured.rbegin()),
         {"geometry"});
   }
 }

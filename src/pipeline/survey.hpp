@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct SurveyOptions {
   std::optional<acquire::Geometry> geometry;  // default: the record's own
   identify::Roving roving = identify::Roving::hammer;
   std::vector<identify::DrivingPoint> driving;  // empty: points at which a sensor sits
+  std::string geometry_source{};                // file of the geometry, for messages; empty: none
 };
 
 /// A test of many points: mode shapes from the modes' residues and the points' positions. Each result is computed when

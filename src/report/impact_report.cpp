@@ -154,7 +154,7 @@ LineChart sweep_chart(const model::Impact& impact, const std::vector<ImpactSweep
     for (const model::ImpactResult& result : sweep.results) curve.y.push_back(result.cor);
     chart.curves.push_back(std::move(curve));
   }
-  chart.x.label = "parameter over its own value";
+  chart.x.label = "parameter over its value without a sweep";
   for (const SweptName& name : kSwept) {
     if (sweeps.size() == 1 && sweeps.front().parameter == name.key) chart.x.label = name.label;
   }

@@ -7,7 +7,7 @@
 
 namespace percuss::report {
 
-/// A sweep: one parameter varies, the others are those of the reported impact.
+/// A sweep: one parameter varies, the others have the values of the reported impact.
 struct ImpactSweep {
   std::string parameter;  // "ei", "torsion", "rho_a", "at", "speed"
   std::vector<double> values;
@@ -18,7 +18,7 @@ struct ImpactSweep {
 CommandReport impact_report(const model::Impact& impact, const model::ImpactResult& result,
                             const std::vector<ImpactSweep>& sweeps = {});
 
-/// Description of a sweep's parameter; nullptr for an unknown name.
+/// The value of `impact` that a sweep of `parameter` varies; nullptr for an unknown name.
 double* swept_value(model::Impact& impact, const std::string& parameter);
 
 }  // namespace percuss::report

@@ -76,13 +76,14 @@ Json profile_json(const BatProfileReadings& p, const metrics::BatMetrics& m) {
   return json;
 }
 
-// Readings whose errors are not part of the ±.
-std::string without_words(const metrics::UncertainValue& value) {
+// The readings whose error is not part of the ±, as a remark; empty when there are none.
+std::string missing_errors_text(const metrics::UncertainValue& value) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < metrics::kReadings; ++i) {
     if (value.unknown(static_cast<metrics::Reading>(i))) names.emplace_back(kReadingNames.at(i));
   }
-  return names.empty() ? "" : fmt::format("; the error of {} is not known", fmt::join(names, ", "));
+  if (names.empty()) return "";
+  return fmt::format("; {} {}", value.std() > 0 ? "± without" : "no ±: no resolution of", fmt::join(names, ", "));
 }
 
 ReportText text_of_metrics(const std::vector<Line>& lines, const metrics::BatMetrics& m,
@@ -95,18 +96,18 @@ ReportText text_of_metrics(const std::vector<Line>& lines, const metrics::BatMet
       continue;
     }
     table.add({line.title, value_with_std(line.value->value(), line.value->std()), line.unit,
-               line.equation + without_words(*line.value)});
+               line.equation + missing_errors_text(*line.value)});
   }
   ReportText out;
   if (absent == lines.size()) {
-    out += "the readings allow no number: no metric follows from them\n";
+    out += "no metric follows from these readings\n";
   } else {
     out += table;
   }
   if (m.drop_class) out += fmt::format("class {}\n", *m.drop_class);
   if (absent > 0 && absent < lines.size())
     out += fmt::format("{} more metrics need readings that are missing\n", absent);
-  for (const metrics::MetricsWarning& warning : warnings) out.say("note: " + warning.message);
+  for (const metrics::MetricsWarning& warning : warnings) out.say({"note: " + warning.message, warning.options});
   return out;
 }
 

@@ -43,7 +43,7 @@ std::string values_text(const Nodes& nodes) {
   return out;
 }
 
-struct PlottedMode {
+struct UffMode {
   std::size_t number;  // from 1
   identify::Pole pole;
   double modal_mass_kg;
@@ -56,7 +56,7 @@ Complex eigenvalue(const identify::Pole& pole) {
 }
 
 // Modal A of a shape with modal mass m: 2jω√(1 − ζ²)·m                                               (2)
-Complex modal_a(const PlottedMode& mode) { return Complex(0, 2 * eigenvalue(mode.pole).imag()) * mode.modal_mass_kg; }
+Complex modal_a(const UffMode& mode) { return Complex(0, 2 * eigenvalue(mode.pole).imag()) * mode.modal_mass_kg; }
 
 std::string numbers_text(std::initializer_list<double> values) {
   std::string out;
@@ -64,11 +64,11 @@ std::string numbers_text(std::initializer_list<double> values) {
   return out + '\n';
 }
 
-std::string mode_title(const PlottedMode& mode) {
+std::string mode_title(const UffMode& mode) {
   return fmt::format("Mode {}: {:.6g} Hz, {:.4g} %", mode.number, mode.pole.freq_Hz, 100 * mode.pole.damping_ratio);
 }
 
-std::string set55(const PlottedMode& mode, const Nodes& nodes) {
+std::string set55(const UffMode& mode, const Nodes& nodes) {
   const Complex lambda = eigenvalue(mode.pole), a = modal_a(mode);
   std::string out = mode_title(mode) + "\nNONE\nNONE\nNONE\nNONE\n";
   out += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", 1, kComplexModes, kTranslations, kDisplacement, kComplexSingle,
@@ -78,7 +78,7 @@ std::string set55(const PlottedMode& mode, const Nodes& nodes) {
   return out + values_text(nodes);
 }
 
-std::string set2414(const PlottedMode& mode, const Nodes& nodes) {
+std::string set2414(const UffMode& mode, const Nodes& nodes) {
   const Complex lambda = eigenvalue(mode.pole), a = modal_a(mode);
   std::string out = fmt::format("{:10}\n{}\n{:10}\n", mode.number, mode_title(mode), 1);
   out += mode_title(mode) + "\nNONE\nNONE\nNONE\nNONE\n";
@@ -92,7 +92,7 @@ std::string set2414(const PlottedMode& mode, const Nodes& nodes) {
   return out + values_text(nodes);
 }
 
-// The points to write: all, or none if the position of one is not known.
+// Writes the positions of the points, or none if one position is not known. Returns the points written.
 std::set<int> write_places(acquire::UffOutput& out, const pipeline::Survey& survey, const Nodes& nodes, int offset) {
   std::string old, lines;
   std::set<int> written;
@@ -124,8 +124,8 @@ void write_shapes(const std::string& path, const pipeline::Survey* survey, const
       for (const std::string& line : acquire::uff_trace_line_sets(plot_lines(*survey, points), offset))
         out.set(82, line);
     }
-    const PlottedMode mode{m + 1, modes[m].pole,
-                           shapes[m].normalisation == identify::Normalisation::unit_modal_mass ? 1.0 : 0.0};
+    const UffMode mode{m + 1, modes[m].pole,
+                       shapes[m].normalisation == identify::Normalisation::unit_modal_mass ? 1.0 : 0.0};
     out.set(55, set55(mode, nodes));
     out.set(2414, set2414(mode, nodes));
   }

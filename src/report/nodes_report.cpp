@@ -38,8 +38,8 @@ Json mode_json(const pipeline::Analysis& analysis, const pipeline::ModeAlongScan
                              {"degree", node.degree},
                              {"points", node.points}});
   }
-  json["minimum_m"] = along.rule_m ? Json(*along.rule_m) : Json();
-  json["minimum_in"] = along.rule_m ? Json(*along.rule_m / kInch_m) : Json();
+  json["minimum_m"] = along.minimum_m ? Json(*along.minimum_m) : Json();
+  json["minimum_in"] = along.minimum_m ? Json(*along.minimum_m / kInch_m) : Json();
   json["shape"] = Json::array();
   for (std::size_t i = 0; i < along.shape.position_m.size(); ++i) {
     json["shape"].push_back({{"position_m", along.shape.position_m[i]},
@@ -104,7 +104,7 @@ ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeSc
                classification.order > 0 ? fmt::format("{} {}", name_of(classification.family), classification.order)
                                         : std::string(name_of(classification.family)),
                value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz", joined(nodes),
-               along.rule_m ? fmt::format("{:.3f} in", *along.rule_m / kInch_m) : "–", ""});
+               along.minimum_m ? fmt::format("{:.3f} in", *along.minimum_m / kInch_m) : "–", ""});
   }
   ReportText text = heading(analysis, scan) + "\n";
   if (scan.modes.empty()) {

@@ -30,7 +30,7 @@ CommandReport rigid_report(const model::RigidCollision& collision, const std::ve
   report.json = json.dump(2) + "\n";
   report.text = fmt::format(
       "rigid bat: the ball leaves fastest, with {:.2f} m/s, {:.1f} mm from the centre of mass (positive towards the "
-      "barrel)\n5 cm farther in it is {:.2f} m/s slower, 5 cm farther out {:.2f} m/s\n",
+      "barrel)\n5 cm closer to the handle the ball is {:.2f} m/s slower, 5 cm closer to the tip {:.2f} m/s\n",
       best.exit_speed_mps, 1000 * best.z_m, loss(best.z_m - near_m), loss(best.z_m + near_m));
   report.charts = {{.title = "Rigid bat",
                     .x = {.label = "impact from the centre of mass, m"},

@@ -12,10 +12,10 @@ std::string shapes_csv(const pipeline::Survey& survey);
 /// The mode indicator as CSV: frequency_hz, then the singular values, largest first.
 std::string cmif_csv(const pipeline::Survey& survey);
 
-/// Both as HDF5: /frequency_hz [modes], /damping_ratio [modes], /shape {r,i} [modes, places], /shape_std, /point and
-/// /channel [places], /xyz_m [places, 3] (NaN where not known), /auto_mac [modes, modes], /auto_mac_std,
-/// /cmif_frequency_hz [lines], /cmif [lines, values]; attribute `normalisation` of the root.
-/// errors  InputError: the file exists (without `force`) or cannot be written.
+/// Shapes, MAC and mode indicator as HDF5: /frequency_hz [modes], /damping_ratio [modes], /shape {r,i} [modes, places],
+/// /shape_std, /point and /channel [places], /xyz_m [places, 3] (NaN where not known), /auto_mac [modes, modes],
+/// /auto_mac_std, /cmif_frequency_hz [lines], /cmif [lines, values]; attribute `normalisation` of the root. errors
+/// InputError: the file exists (without `force`) or cannot be written.
 void write_survey_hdf5(const std::string& path, const pipeline::Survey& survey, bool force);
 
 }  // namespace percuss::report

@@ -49,7 +49,7 @@ Json fit_json(const FittedExponents& fitted) {
 std::string fit_text(const FittedExponents& fitted) {
   const model::ExponentFit& fit = fitted.fit;
   return fmt::format(
-      "fit to measured CCOR: a = {}, b = {}, correlation {:.6f}: b for a known a: ± {:.2g}; chi2 {:.2f} of {} "
+      "fit to measured CCOR: a = {}, b = {}, correlation {:.6f}; for a known a, b has ± {:.2g}; chi2 {:.2f} of {} "
       "points, {} with residuals above their ±\n",
       value_with_std(fit.stiffness_exponent, fit.stiffness_exponent_std),
       value_with_std(fit.damping_exponent, fit.damping_exponent_std), fit.correlation, fit.damping_exponent_std_given_a,
@@ -100,8 +100,8 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
   CommandReport report;
   report.json = json.dump(2) + "\n";
   report.text = fmt::format(
-                    "trampoline: the COR is largest, {:.4f}, at a hoop frequency of {:.1f} Hz: {:.3f} of the rigid "
-                    "wall's {:.5f}, {:.3f} of the {:.4f} at 10 kHz\n",
+                    "trampoline: the COR is largest, {:.4f}, at a hoop frequency of {:.1f} Hz. It is {:.3f} of the "
+                    "rigid wall's {:.5f} and {:.3f} of the {:.4f} at 10 kHz\n",
                     peak.cor, peak.hoop_Hz, peak.cor / wall, wall, peak.cor / reference, reference) +
                 extras_text(model, peak, extras);
   report.charts = {

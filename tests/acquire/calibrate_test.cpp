@@ -42,7 +42,7 @@ Record free_mass(const Bench& bench) {
 
 TEST(Calibrate, IsExactOnAFreeMass) {
   const Calibration found = calibrate(free_mass({}), kMass_kg);
-  // What the filter rings in the samples that tell the offsets, 8 to 1 before the pulse: 3e-4 of the peak at most.
+  // The filter rings in the 8 samples before the pulse, which give the offsets: 3e-4 of the peak at most.
   constexpr double kRinging = 1e-3;
   EXPECT_LE(std::abs(found.scale / 0.0102 - 1), kRinging);
   ASSERT_EQ(found.hits.size(), 3U);
@@ -54,7 +54,7 @@ TEST(Calibrate, IsExactOnAFreeMass) {
   }
 }
 
-TEST(Calibrate, PutBackIntoNewtonsLawHolds) {
+TEST(Calibrate, SatisfiesNewtonsLaw) {
   constexpr double kRounding = 1e-12;  // of sums of 15 products
   for (const double scale : {0.0102, -0.00684, 1.0, 1e-30, -1e30}) {
     const Calibration found = calibrate(free_mass({.scale = scale}), kMass_kg);

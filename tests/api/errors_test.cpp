@@ -53,7 +53,7 @@ TEST(OptionFields, AreTheIdentifierAndItsUnit) {
   for (const auto& [id, field] : expected) EXPECT_EQ(option_field(id), field);
 }
 
-// Options of the terminal, of its files, and of documents that json() does not hold.
+// Options without a field: for the terminal, for its files, and for documents that json() does not contain.
 const std::set<std::string> kOfTheCommandLine{"bat",  "bat_id", "compare", "example", "explain", "help",
                                               "hits", "json",   "only",    "output",  "quiet",   "trace"};
 

@@ -20,7 +20,7 @@ nlohmann::json document_of(std::vector<std::string> arguments) {
   return test::parse_json(outcome.out);
 }
 
-TEST(PublicModels, BeamIsThatOfTheCommandLine) {
+TEST(PublicModels, BeamAgreesWithTheCommandLine) {
   const auto document = document_of({"model", "beam", "--support", "free", "--length", "0.84", "--modes", "4"});
   const std::vector<BeamMode> modes = beam_modes({.support = BeamSupport::free, .length_m = 0.84}, {.modes = 4});
   ASSERT_EQ(modes.size(), document["frequency_hz"].size());
@@ -30,14 +30,14 @@ TEST(PublicModels, BeamIsThatOfTheCommandLine) {
   }
 }
 
-TEST(PublicModels, ImpactIsThatOfTheCommandLine) {
+TEST(PublicModels, ImpactAgreesWithTheCommandLine) {
   const auto document = document_of({"model", "impact", "--at", "0.5", "--speed", "6"});
   const BeamImpactResult result = beam_impact({.at_m = 0.5, .speed_mps = 6});
   EXPECT_EQ(result.cor, document["cor"]);
   EXPECT_EQ(result.peak_force_N, document["peak_force_n"]);
 }
 
-TEST(PublicModels, RigidBatAndTrampolineAreThoseOfTheCommandLine) {
+TEST(PublicModels, RigidBatAndTrampolineAgreeWithTheCommandLine) {
   const auto rigid = document_of({"model", "rigid", "--cor", "0.5"});
   const auto& at = rigid["curve"][3];
   EXPECT_EQ(exit_speed_mps({.cor = 0.5}, at["z_m"]), at["exit_speed_mps"]);
@@ -47,7 +47,7 @@ TEST(PublicModels, RigidBatAndTrampolineAreThoseOfTheCommandLine) {
   EXPECT_EQ(trampoline_rebound({}, 1500).cor, trampoline["curve"][1]["cor"]);
 }
 
-TEST(PublicModels, BatAndShellAreThoseOfTheCommandLine) {
+TEST(PublicModels, BatAndShellAgreeWithTheCommandLine) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("profile.txt"), "0.02 0.05\n0.4 0.026\n0.84 0.066\n");
   const BatProfile profile{.end_m = {0.02, 0.4, 0.84}, .diameter_m = {0.05, 0.026, 0.066}};
@@ -62,7 +62,7 @@ TEST(PublicModels, BatAndShellAreThoseOfTheCommandLine) {
   EXPECT_EQ(long_hoop_Hz({}, 2), shell["rayleigh_hz"]);
 }
 
-TEST(PublicMetrics, AreThoseOfTheCommandLine) {
+TEST(PublicMetrics, AgreeWithTheCommandLine) {
   constexpr double kInch = 0.0254, kOunce = 0.028349523125, kMph = 0.44704;
   const auto document =
       document_of({"metrics", "--length-in", "34", "--weight-oz", "31", "--cg-in", "20", "--period-s", "1.25",

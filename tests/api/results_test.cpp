@@ -16,7 +16,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-// The public face and the command line: equal documents, and equal numbers in the structures.
+// The public interface and the command line give equal documents. The structures hold the same numbers.
 namespace percuss::api_results_test {
 
 const Band kBand{.low_Hz = 60, .high_Hz = 3200};
@@ -27,7 +27,7 @@ std::string output_of(const std::vector<std::string>& arguments) {
   return outcome.out;
 }
 
-/// A made-up test in a file.
+/// Writes the test of a preset to a file.
 class PublicResults : public testing::Test {
  protected:
   std::string file_of(const std::string& preset) {
@@ -38,13 +38,13 @@ class PublicResults : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(PublicResults, AnalysisDocumentIsThatOfAnalyze) {
+TEST_F(PublicResults, AnalysisDocumentEqualsThatOfAnalyze) {
   const std::string path = file_of("composite-bat");
   const Analysis analysis(open_record(path), {.band_Hz = kBand});
   EXPECT_EQ(analysis.json(), output_of({"analyze", path, "--band", "60:3200", "--json"}));
 }
 
-TEST_F(PublicResults, OptionsAreThoseOfAnalyze) {
+TEST_F(PublicResults, OptionsActAsTheFlagsOfAnalyze) {
   const std::string path = file_of("wood-bat");
   const AnalysisOptions options{.band_Hz = kBand,
                                 .effort = Effort::quick,
@@ -116,7 +116,7 @@ TEST_F(PublicResults, StructuresHoldTheNumbersOfTheDocument) {
   EXPECT_EQ(analysis.band_Hz().high_Hz, document["band_hz"][1]);
 }
 
-TEST_F(PublicResults, SurveyDocumentIsThatOfSurvey) {
+TEST_F(PublicResults, SurveyDocumentEqualsThatOfTheCommand) {
   const std::string path = file_of("roving-barrel");
   const Survey survey(open_record(path), {.analysis = {.band_Hz = kBand, .effort = Effort::quick}});
   const std::string document = output_of({"survey", path, "--band", "60:3200", "--effort", "quick", "--json"});
@@ -128,7 +128,7 @@ TEST_F(PublicResults, SurveyDocumentIsThatOfSurvey) {
   EXPECT_TRUE(survey.geometry()->tube);
 }
 
-TEST_F(PublicResults, DeflectionDocumentIsThatOfDeflect) {
+TEST_F(PublicResults, DeflectionDocumentEqualsThatOfDeflect) {
   const std::string path = file_of("wood-bat");
   const DeflectionOptions options{.method = DeflectionMethod::drift_free, .free_body = true};
   const Deflections deflections(open_record(path), options);
@@ -136,7 +136,7 @@ TEST_F(PublicResults, DeflectionDocumentIsThatOfDeflect) {
   EXPECT_EQ(deflections.hits().at(0).peak_m, test::parse_json(deflections.json())["hits"][0]["peak_m"]);
 }
 
-TEST_F(PublicResults, FrfsAreThoseOfFrf) {
+TEST_F(PublicResults, FrfFileEqualsThatOfTheCommand) {
   const std::string path = file_of("wood-bat");
   const FrfSet frfs = estimate_frfs(open_record(path), {.band_Hz = kBand, .estimator = Estimator::h2});
   const std::string ours = folder_.file("ours.csv"), theirs = folder_.file("theirs.csv");
@@ -145,7 +145,7 @@ TEST_F(PublicResults, FrfsAreThoseOfFrf) {
   EXPECT_EQ(test::bytes_of(ours), test::bytes_of(theirs));
 }
 
-TEST_F(PublicResults, FilesAreThoseOfAnalyze) {
+TEST_F(PublicResults, FilesEqualThoseOfAnalyze) {
   const std::string path = file_of("wood-bat");
   const Analysis analysis(open_record(path), {.band_Hz = kBand, .effort = Effort::quick});
   for (const char* const kind : {".json", ".svg", ".csv", ".uff", ".h5", ".mat"}) {
@@ -156,7 +156,7 @@ TEST_F(PublicResults, FilesAreThoseOfAnalyze) {
   }
 }
 
-TEST_F(PublicResults, ArraysGiveWhatTheirRecordGives) {
+TEST_F(PublicResults, ArraysGiveTheModesOfTheirRecord) {
   const Record made = synthesise_preset("wood-bat").record;
   RecordArrays arrays{.fs_Hz = made.fs_Hz(), .angle_rad = {0, 1.5707963267948966}};
   for (std::size_t row = 0; row < made.rows(); ++row) {
@@ -170,7 +170,7 @@ TEST_F(PublicResults, ArraysGiveWhatTheirRecordGives) {
   for (std::size_t m = 0; m < modes.size(); ++m) EXPECT_EQ(again[m].freq_Hz, modes[m].freq_Hz);
 }
 
-TEST_F(PublicResults, FrfsGivenAsArraysAreThoseOfTheirFile) {
+TEST_F(PublicResults, FrfsGivenAsArraysGiveTheModesOfTheirFile) {
   const FrfSet frfs = estimate_frfs(synthesise_preset("wood-bat").record, {.band_Hz = kBand});
   const std::string path = folder_.file("frfs.h5");
   write(path, frfs);
@@ -192,7 +192,7 @@ TEST_F(PublicResults, FrfsComeBackFromMobility) {
   }
 }
 
-TEST_F(PublicResults, BatchGivesWhatEachAnalysisGives) {
+TEST_F(PublicResults, BatchGivesTheModesOfEachAnalysis) {
   const std::string path = file_of("wood-bat");
   const std::vector<std::string> paths{path, folder_.file("missing.h5"), path};
   std::atomic<int> called = 0;

@@ -80,7 +80,7 @@ TEST(MetricsCommand, WritesFilesAndATable) {
 TEST(MetricsCommand, ReportsThatNoMetricFollows) {
   const auto outcome = run_percuss({"metrics"});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(outcome.out, HasSubstr("allow no number"));
+  EXPECT_THAT(outcome.out, HasSubstr("no metric follows from these readings"));
 }
 
 TEST(MetricsCommand, NamesTheInvalidOption) {

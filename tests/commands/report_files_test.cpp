@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
     Commands, ReportFiles,
     testing::Values(ReportCase{"analyze", {"analyze", "bat.h5"}, "hoop 1"},
                     ReportCase{"deflection", {"analyze", "bat.h5", "--only", "modes,deflection"}, "largest deflection"},
-                    ReportCase{"frf", {"frf", "bat.h5"}, "data-picture=\"magnitude\""},
+                    ReportCase{"frf", {"frf", "bat.h5"}, "data-plot=\"magnitude\""},
                     ReportCase{"deflect", {"deflect", "bat.h5"}, "largest deflection"},
                     ReportCase{"certify", {"certify", "session.json"}, "AS001: shoot"},
                     ReportCase{"abi", {"abi", "log.json"}, "AS333: step 9"},
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
                     ReportCase{"rigid", {"model", "rigid"}, "the ball leaves fastest"},
                     ReportCase{"trampoline", {"model", "trampoline"}, "the COR is largest"},
                     ReportCase{"shell", {"model", "shell"}, "Rayleigh"},
-                    ReportCase{"bat", {"model", "bat", "--profile", "bat.txt"}, "data-picture=\"bending\""}),
+                    ReportCase{"bat", {"model", "bat", "--profile", "bat.txt"}, "data-plot=\"bending\""}),
     [](const auto& one) { return std::string(one.param.name); });
 
 class AnalyzeFiles : public testing::Test {

@@ -8,7 +8,7 @@ function(extract_examples file out prefix names)
   string(REPLACE "]" "@close@" text "${text}")
   if(file MATCHES "[.]hpp$")
     string(REGEX MATCHALL "/// @code\n(///[^\n]*\n)*/// @endcode" programs "${text}")
-    # A greedy match spans several examples of one header: a header has one.
+    # The match is greedy, so a header may hold only one example.
   else()
     string(REGEX REPLACE "\n```" "\n@fence@" text "\n${text}")
     string(REGEX MATCHALL "@fence@cpp\n[^@]*(@(semicolon|open|close)@[^@]*)*@fence@" programs "${text}")

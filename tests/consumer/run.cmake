@@ -48,7 +48,7 @@ run(${WORK}/guide/build/my_program)
 run(${WORK}/prefix/bin/percuss --version)
 foreach(made man/man1/percuss.1 man/man1/percuss-model-beam.1 bash-completion/completions/percuss zsh/site-functions/_percuss
         fish/vendor_completions.d/percuss.fish)
-  file(SIZE ${WORK}/prefix/share/${made} bytes)  # an error when there is none
+  file(SIZE ${WORK}/prefix/share/${made} bytes)  # fails when the file is missing
   if(bytes LESS 500)
     message(FATAL_ERROR "${made} holds ${bytes} bytes")
   endif()

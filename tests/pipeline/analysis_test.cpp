@@ -118,7 +118,7 @@ TEST(Analysis, GivesEqualBytesForAnyNumberOfThreads) {
   EXPECT_EQ(documents.size(), 1U);
 }
 
-TEST(Analysis, MakesTheSameFrfsTogetherWithModesAsBeforeThem) {
+TEST(Analysis, ComputesTheSameFrfsWithModesAsWithoutThem) {
   const acquire::Record record = synth::synthesise(bat(4)).record;
   const Analysis before(record, {.band_Hz = std::pair{60.0, 3200.0}});
   const std::vector<acquire::PointFrf>& expected = before.frfs();

@@ -54,9 +54,9 @@ std::vector<std::vector<Judged>> judged_bats() {
 /// plane and sensors: the bats, not the classifications, are independent.
 struct Pool {
   double classifications = 0, right = 0, confidence = 0;
-  double expected_variance = 0;      // of the number of right ones, if the confidences hold and all are independent
-  double variance_by_bats = 0;       // of right minus confidence, summed within each bat first
-  double wrong_squared_by_bats = 0;  // the same for wrong ones
+  double expected_variance = 0;  // of the number of right classifications, if the confidences are true and independent
+  double variance_by_bats = 0;   // of right minus confidence, from the sums of each bat
+  double wrong_squared_by_bats = 0;  // the same for wrong classifications
 };
 
 Pool pool_of(const std::vector<std::vector<Judged>>& bats, double low, double high) {
@@ -82,7 +82,7 @@ Pool pool_of(const std::vector<std::vector<Judged>>& bats, double low, double hi
 /// Of the classifications with a confidence of 90 % or more, 95 % are right. The fraction exceeds 95 % by 1.645
 /// standard errors, so that a method that is right less often passes in one population of twenty at most. 75 % of all
 /// modes must have such a confidence, so that a method cannot pass by abstaining.
-void expect_confident_ones_right(const std::vector<std::vector<Judged>>& bats) {
+void expect_confident_classifications_right(const std::vector<std::vector<Judged>>& bats) {
   const Pool sure = pool_of(bats, kConfident, 1.1);
   double all = 0;
   for (const auto& bat : bats) all += static_cast<double>(bat.size());
@@ -103,7 +103,8 @@ void expect_doubts_named(const std::vector<std::vector<Judged>>& bats) {
   }
 }
 
-/// In each bin of confidence the number of right ones is the sum of the confidences, within three standard deviations.
+/// In each bin of confidence the number of right classifications is the sum of the confidences, within three standard
+/// deviations.
 void expect_calibrated(const std::vector<std::vector<Judged>>& bats) {
   constexpr std::array<double, 5> kEdges{0.6, 0.8, 0.9, 0.97, 1.1};
   for (std::size_t b = 0; b + 1 < kEdges.size(); ++b) {
@@ -117,7 +118,7 @@ void expect_calibrated(const std::vector<std::vector<Judged>>& bats) {
 // One test, because each test would have to make all bats.
 TEST(Classification, IsCalibratedOverRandomBats) {
   const auto bats = judged_bats();
-  expect_confident_ones_right(bats);
+  expect_confident_classifications_right(bats);
   expect_doubts_named(bats);
   expect_calibrated(bats);
 }

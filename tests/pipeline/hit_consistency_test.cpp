@@ -92,7 +92,7 @@ TEST_F(HitAgreement, AcceptsAnOutlierThatTheUserAccepts) {
   EXPECT_TRUE(hits_[2].accepted);
 }
 
-TEST_F(HitAgreement, WarnsOnlyWhenThreeHitsCannotOutvoteOne) {
+TEST_F(HitAgreement, OnlyWarnsWhereThreeHitsCannotOutvoteOne) {
   make(3, 0.01);
   for (Complex& line : accel_[2]) line *= -1;
   grade();

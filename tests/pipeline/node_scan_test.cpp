@@ -66,8 +66,8 @@ void expect_nodes(const char* preset, std::uint64_t seed) {
     const double off_in = std::abs(along.nodes[0].position_m - exact[0]) / kInch_m;
     EXPECT_LE(off_in, kNode_in) << "± " << along.nodes[0].std_m / kInch_m;
     EXPECT_LE(off_in, kDeviations * along.nodes[0].std_m / kInch_m);
-    ASSERT_TRUE(along.rule_m);
-    EXPECT_LE(std::abs(*along.rule_m - exact[0]) / kInch_m, kRule_in);
+    ASSERT_TRUE(along.minimum_m);
+    EXPECT_LE(std::abs(*along.minimum_m - exact[0]) / kInch_m, kRule_in);
   }
   EXPECT_EQ(bending, scan.modes.size());
 }

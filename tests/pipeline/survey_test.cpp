@@ -147,7 +147,7 @@ TEST_F(BarrelSurvey, ExplainsTheFrfs) {
 }
 
 TEST_F(BarrelSurvey, AgreesWithTheTwoAccelerometerTest) {
-  // [8], appendix A: the quick test finds what the full survey does.
+  // [8], appendix A: the two-accelerometer test names the same modes as the survey.
   synth::SynthSpec quick = barrel();
   quick.points = {{.position_m = 0.11, .angle_rad = 35 * kDegree}};
   quick.sensors = {{.position_m = 0.05, .angle_rad = 0}, {.position_m = 0.05, .angle_rad = pi / 2}};
@@ -184,8 +184,9 @@ TEST_F(BarrelSurvey, LeavesNamesAloneWithoutAGeometry) {
 TEST_F(BarrelSurvey, RefusesPointsThatTheGeometryLacks) {
   acquire::Geometry geometry = *survey_->geometry();
   geometry.points.erase(geometry.points.begin());
-  const std::string message = test::input_error_of([&] { const Survey survey(*analysis_, {.geometry = geometry}); });
-  EXPECT_THAT(message, HasSubstr("point 0 was measured"));
+  const std::string message = test::input_error_of(
+      [&] { const Survey survey(*analysis_, {.geometry = geometry, .geometry_source = "points.csv"}); });
+  EXPECT_THAT(message, HasSubstr("the geometry lacks point 0, which was measured (points.csv)"));
   EXPECT_THAT(message, HasSubstr("0 to 39"));
   EXPECT_THAT(
       test::input_error_of([&] { const Survey survey(*analysis_, {.driving = {{.point = 40, .channel = 0}}}); }),

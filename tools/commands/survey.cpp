@@ -57,7 +57,10 @@ pipeline::SurveyOptions survey_options(const SurveyFlags& flags) {
   pipeline::SurveyOptions options{.roving =
                                       flags.roving == "sensor" ? identify::Roving::sensor : identify::Roving::hammer};
   for (const std::string& text : flags.driving) options.driving.push_back(parse_driving(text));
-  if (!flags.geometry_path.empty()) options.geometry = acquire::read_geometry(flags.geometry_path);
+  if (!flags.geometry_path.empty()) {
+    options.geometry = acquire::read_geometry(flags.geometry_path);
+    options.geometry_source = flags.geometry_path;
+  }
   return options;
 }
 
@@ -126,7 +129,7 @@ void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyRe
   };
   outcome.html = [results] {
     return results->analysis->possible() ? report::survey_modes_table(results->survey).html()
-                                         : report::page_paragraph(report::kNoUsableHit);
+                                         : report::page_paragraph(report::no_usable_hit().text);
   };
   SurveyFlags captured = flags;
   captured.output = captured_output(flags.output);

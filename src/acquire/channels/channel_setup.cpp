@@ -74,7 +74,7 @@ void require_known_keys(const Json& json, const Entry& entry) {
   for (const auto& item : json.items()) {
     if (std::find(kSetupKeys.begin(), kSetupKeys.end(), item.key()) != kSetupKeys.end()) continue;
     throw InputError("unknown key", entry.where(one_line(item.key(), 40)),
-                     fmt::format("known are {}", fmt::join(kSetupKeys, ", ")));
+                     fmt::format("use one of {}", fmt::join(kSetupKeys, ", ")));
   }
 }
 
@@ -102,7 +102,8 @@ double read_sign(const Entry& entry) {
 // "mV/N" → 1e-3 V/N; "V/(m/s^2)", "mV/g". Charge is refused: its amplifier's gain is not in the sensor's data sheet.
 double volts_per_SI(const std::string& unit, const std::string& role, const std::string& where) {
   if (unit.substr(0, 2) == "pC") {
-    throw InputError("charge is not volts", where, "give the amplifier's output, such as mV/N");
+    throw InputError("a sensitivity in charge, but samples are volts", where,
+                     "give the sensitivity at the amplifier's output, such as mV/N");
   }
   const std::string shown = "\"" + one_line(unit, 40) + "\"";
   const auto slash = std::min(unit.find('/'), unit.size());
@@ -124,7 +125,8 @@ std::optional<double> read_sensitivity(const Entry& entry, const std::string& ro
   const auto value = entry.number("sensitivity", -kMaxValue, kMaxValue);
   const auto unit = entry.text("sensitivity_unit");
   if (!value && !unit) return std::nullopt;
-  if (!value || !unit) throw InputError("sensitivity without its unit, or the reverse", entry.where(), "give both");
+  if (!value || !unit)
+    throw InputError("only one of sensitivity and sensitivity_unit is given", entry.where(), "give both");
   if (std::abs(*value) < 1 / kMaxValue)
     throw InputError("a sensitivity of zero", entry.where("sensitivity"), "see the sensor's data sheet");
   return *value * volts_per_SI(*unit, role, entry.where("sensitivity_unit"));
@@ -156,7 +158,8 @@ std::vector<ChannelSetup> parse_channel_setup(std::string_view json, const std::
   const Json document = parse_json(json, where);
   if (!document.is_array() || document.empty())
     throw InputError("not an array of channels", where, "write [{\"name\": ...}, ...]");
-  if (document.size() > kMaxChannels) throw InputError("more than 4096 channels", where, "keep those that are used");
+  if (document.size() > kMaxChannels)
+    throw InputError("more than 4096 channels", where, "keep only the channels that are used");
   std::vector<ChannelSetup> setup;
   std::set<std::string> names;
   std::size_t forces = 0;
@@ -167,7 +170,7 @@ std::vector<ChannelSetup> parse_channel_setup(std::string_view json, const std::
       throw InputError("two entries for \"" + one_line(setup.back().name, 40) + "\"", place + "name", "keep one");
     }
     if (setup.back().role == "force" && ++forces > 1)
-      throw InputError("a second force", place + "role", "one channel is the hammer");
+      throw InputError("a second force", place + "role", "give the role force to one channel only");
   }
   return setup;
 }

@@ -63,9 +63,9 @@ class Finder {
 
   CsvColumns find() {
     check_setup();
-    columns_.hit = take_exact("hit");
-    columns_.point = take_exact("point");
-    columns_.run = take_exact("run");
+    columns_.hit = column_called("hit");
+    columns_.point = column_called("point");
+    columns_.run = column_called("run");
     columns_.time = find_time();
     columns_.force = find_force();
     find_accel();
@@ -73,7 +73,7 @@ class Finder {
   }
 
  private:
-  std::optional<CsvColumn> take_exact(const std::string& name) const {
+  std::optional<CsvColumn> column_called(const std::string& name) const {
     for (const auto& column : header_.columns) {
       if (column.has_numbers && header_.named && lower_case(column.name) == name) return column;
     }
@@ -90,7 +90,7 @@ class Finder {
       });
       if (!known) {
         throw InputError("no column \"" + one_line(entry.name, 40) + "\" among " + list_of(header_.columns),
-                         where_ + ": channel set-up", "correct the set-up's name, or leave the entry out");
+                         where_ + ": channel set-up", "correct the name in the set-up, or remove the entry");
       }
     }
   }
@@ -133,7 +133,7 @@ class Finder {
                        fmt::format("give its number, for instance {}", found.front().index + 1), {option});
     }
     if (!found.front().has_numbers)
-      throw InputError("column " + shown + " holds no numbers", where_, "name another", {option});
+      throw InputError("column " + shown + " holds no numbers", where_, "name another column", {option});
     return found.front();
   }
 
@@ -149,7 +149,7 @@ class Finder {
       if (*measured == quantity) return true;
       if (*measured != Quantity::voltage) return false;
     }
-    // A word counts only in a file with names, and only without a word of the other kind beside it.
+    // A word counts only in a file with names. A force word counts only without an acceleration word in the same name.
     const std::string name = lower_case(column.base);
     const Words& other = quantity == Quantity::force ? kAccelWords : Words{};
     return header_.named && has_one_of(name, words) && !has_one_of(name, other);

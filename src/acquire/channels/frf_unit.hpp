@@ -14,8 +14,8 @@ struct FrfUnit {
 };
 
 /// Response over force: "(m/s^2)/N", "m/s²/N", "g/N", "g/lbf", "(mm/s)/N", "m/N", "um/N"; also without the slash
-/// between brackets, as some analysers write it: "(m/s²)(N)". Superscripts in UTF-8 or Latin-1. Nothing for anything
-/// else.
+/// between brackets, as some analysers write it: "(m/s²)(N)". Superscripts are UTF-8 or Latin-1. Empty for other
+/// texts.
 std::optional<FrfUnit> parse_frf_unit(std::string_view text);
 
 /// The kind that a word in a header names: accelerance, inertance; mobility; receptance, compliance (letter case

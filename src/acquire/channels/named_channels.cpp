@@ -49,7 +49,7 @@ std::string channel_name(std::size_t index) { return "accel " + std::to_string(i
 std::vector<std::size_t> chosen_channels(const ReadOptions& options, std::size_t channels, const std::string& path) {
   for (const ChannelSetup& entry : options.setup) check_setup(entry, channels, path);
   if (!options.force_channel.empty() && !is_force_name(options.force_channel)) {
-    throw InputError("no force channel " + options.force_channel, path, "the only one is force");
+    throw InputError("no force channel " + options.force_channel, path, "use the name force");
   }
   std::vector<std::size_t> chosen;
   for (const std::string& name : options.accel_channels) {

@@ -35,7 +35,7 @@ SignalOverrides from_setup(const ChannelSetup* setup) {
           .position_m = setup->position_m};
 }
 
-void apply_over_setup(std::optional<double>& value, const std::optional<double>& by) {
+void override_value(std::optional<double>& value, const std::optional<double>& by) {
   if (by) value = by;
 }
 
@@ -72,7 +72,7 @@ double unit_to_SI(const std::string& unit, Quantity measures, const std::string&
 SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* setup) {
   SignalOverrides choice = from_setup(setup);
   if (!options.force_scale.empty()) choice.scale = options.force_scale.front();
-  apply_over_setup(choice.sensitivity_V_per_SI, options.force_sensitivity_V_per_N);
+  override_value(choice.sensitivity_V_per_SI, options.force_sensitivity_V_per_N);
   if (!options.force_unit.empty()) choice.unit = options.force_unit;
   return choice;
 }
@@ -81,11 +81,11 @@ SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* 
                                 std::size_t count) {
   SignalOverrides choice = from_setup(setup);
   choice.scale = entry(options.accel_scale, index, count, "accel_scale");
-  apply_over_setup(choice.sensitivity_V_per_SI,
-                   entry(options.accel_sensitivity_V_per_mps2, index, count, "accel_sensitivity"));
+  override_value(choice.sensitivity_V_per_SI,
+                 entry(options.accel_sensitivity_V_per_mps2, index, count, "accel_sensitivity"));
   if (!options.accel_unit.empty()) choice.unit = options.accel_unit;
-  apply_over_setup(choice.angle_rad, entry_of_each(options.angle_rad, index, count, "angle"));
-  apply_over_setup(choice.position_m, entry(options.position_m, index, count, "position"));
+  override_value(choice.angle_rad, entry_of_each(options.angle_rad, index, count, "angle"));
+  override_value(choice.position_m, entry(options.position_m, index, count, "position"));
   return choice;
 }
 

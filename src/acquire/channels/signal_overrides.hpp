@@ -11,7 +11,7 @@ namespace percuss::acquire {
 
 /// The user's statements about one signal, from options and set-up. Empty members leave what the file states.
 struct SignalOverrides {
-  std::optional<double> scale;                 // SI per stored unit: whatever the unit
+  std::optional<double> scale;                 // SI value per stored number, whatever its unit
   std::optional<double> sensitivity_V_per_SI;  // the stored numbers are volts
   std::string unit;                            // of the stored numbers
   double sign = 1;
@@ -26,8 +26,8 @@ SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* 
 SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
                                 std::size_t count);
 
-/// Applies the statements: sets the signal's unit, to_SI, angle_rad and position_m. The unit is `measures`' SI unit
-/// where neither the file (signal.unit) nor the user states one; volts with a sensitivity.
+/// Applies the statements: sets the signal's unit, to_SI, angle_rad and position_m. Where neither the file
+/// (signal.unit) nor the user states a unit, it is V with a sensitivity, else the SI unit of `measures`.
 /// errors  InputError at `where`: unknown unit, a unit of another quantity, volts without sensitivity, a sensitivity
 /// for another unit than volts, a scale or sensitivity that is zero or not finite.
 void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity measures, const std::string& where);

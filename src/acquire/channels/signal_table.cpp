@@ -35,14 +35,14 @@ CsvColumn column_of(const SignalTable& table, std::size_t index) {
   return column;
 }
 
-struct Scaled {
+struct ScaledTable {
   SignalTable table;
   SignalRoles roles;
   double force_to_N = 1;
   std::vector<double> accel_to_mps2;
 };
 
-void read_table(const Scaled& open, std::size_t row, std::size_t signal, double factor, std::size_t first,
+void read_table(const ScaledTable& open, std::size_t row, std::size_t signal, double factor, std::size_t first,
                 std::span<double> out) {
   open.table.read(row, signal, first, out);
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -61,7 +61,7 @@ SignalInfo described_signal(const SignalTable& table, std::size_t index) {
   return {.name = signal.name, .unit = unit, .angle_rad = signal.angle_rad, .position_m = signal.position_m};
 }
 
-// A unit that nobody states follows the file's own system of units, else SI.
+// Without a stated unit, the signal is in the file's own system of units, else in SI.
 void complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalOverrides& choice, const char* si_unit,
                    std::vector<Message>& notes) {
   const bool stated = !signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI;
@@ -72,7 +72,7 @@ void complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalOv
                      std::vector<OptionId>{si_unit == std::string("N") ? "force_unit" : "unit"});
 }
 
-void describe_table(Scaled& open, const ReadOptions& options, Record& record) {
+void describe_table(ScaledTable& open, const ReadOptions& options, Record& record) {
   const SignalTable& table = open.table;
   const auto place = [&](const SignalInfo& signal) { return table_name(table) + ": " + signal.name; };
   record.has_force = open.roles.has_force;
@@ -117,7 +117,7 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
 }
 
 Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOptions& options) {
-  auto open = std::make_shared<Scaled>();
+  auto open = std::make_shared<ScaledTable>();
   Record record;
   record.notes = std::move(table.notes);
   record.geometry = std::move(table.geometry);

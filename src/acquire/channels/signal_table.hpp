@@ -17,7 +17,7 @@ struct TableSignal {
   std::string unit;  // empty: not stated
   std::optional<double> angle_rad, position_m;
   std::string shape;  // for messages, where the file holds arrays: "4096x1"
-  // Where the file states them by other means than a unit.
+  // Quantity and factor, where the file states them by other means than a unit.
   std::optional<Quantity> measures{};
   std::optional<double> to_SI{};
 };

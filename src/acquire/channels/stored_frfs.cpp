@@ -16,18 +16,18 @@
 namespace percuss::acquire {
 namespace {
 
-void refuse_useless(const ReadOptions& options, const std::string& where) {
+void refuse_inapplicable_options(const ReadOptions& options, const std::string& where) {
   if (options.fs_Hz) {
-    throw InputError("a sampling rate does not apply to FRFs: the lines say how long the records were", where,
-                     "leave it out", {"fs"});
+    throw InputError("a sampling rate does not apply to FRFs, whose frequencies are stored", where, "leave it out",
+                     {"fs"});
   }
   if (options.force_sensitivity_V_per_N || !options.accel_sensitivity_V_per_mps2.empty()) {
-    throw InputError("a sensitivity does not apply to FRFs: they are no volts", where, "give scales instead",
+    throw InputError("a sensitivity does not apply to FRFs, which are not volts", where, "give scales instead",
                      {"accel_scale", "force_scale"});
   }
 }
 
-// m/s² or its integrals per stored unit of the response; N per stored unit of the force.
+// SI unit of the response (m/s², m/s or m) per stored unit.
 double response_factor(const SignalOverrides& choice, const StoredFrfs& stored, FrfKind kind,
                        const std::string& where) {
   if (choice.scale) return *choice.scale;
@@ -35,6 +35,7 @@ double response_factor(const SignalOverrides& choice, const StoredFrfs& stored, 
   return stored.unit && stored.unit->kind == kind ? stored.unit->response_to_SI : 1;
 }
 
+// N per stored unit of the force.
 double force_factor(const SignalOverrides& choice, const StoredFrfs& stored, const std::string& where) {
   if (choice.scale) return *choice.scale;
   if (!choice.unit.empty()) return require_unit(choice.unit, Quantity::force, where).to_SI;
@@ -81,7 +82,7 @@ Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, con
 FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   FrfRecord record = std::move(stored.record);
   const std::string where = input_name(record.source());
-  refuse_useless(options.read, where);
+  refuse_inapplicable_options(options.read, where);
   record.kind = frf_kind_of(stored, options, record.notes);
   const auto channels = chosen_channels(options.read, record.accel.size(), where);
   const SignalOverrides force = force_overrides(options.read, force_setup(options.read));
@@ -93,7 +94,7 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
     SignalInfo signal = record.accel[channels[i]];
     signal.to_SI = choice.sign * response_factor(choice, stored, record.kind, where) / below;
     if (!std::isfinite(signal.to_SI) || signal.to_SI == 0)
-      throw InputError("a scale of zero or beyond any number", where, "give a usable one");
+      throw InputError("the scale is zero or not finite", where, "give a finite scale other than zero");
     if (choice.angle_rad) signal.angle_rad = choice.angle_rad;
     if (choice.position_m) signal.position_m = choice.position_m;
     accel.push_back(std::move(signal));

@@ -26,7 +26,7 @@ struct StoredFrfs {
 };
 
 /// Applies unit, kind, channel choice, signs, scales, angles and positions: stored numbers become accelerances.
-/// errors  InputError: options without a meaning for FRFs, channels that are not there, numbers beyond any sensor.
+/// errors  InputError: options without a meaning for FRFs, channels that do not exist, implausibly large numbers.
 FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options);
 
 }  // namespace percuss::acquire

@@ -172,7 +172,7 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
   if (text.size() > kMaxGeometry_bytes) throw InputError("longer than 16 MiB", where, "keep one line per point");
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   if (text.find('\0') != std::string_view::npos)
-    throw InputError("this is no text", where, kGeometryRemedy, {"survey.example"});
+    throw InputError("not a text file", where, kGeometryRemedy, {"survey.example"});
   const char line_end = find_line_end(text);
   const std::vector<Line> lines = lines_of(text, line_end);
   if (lines.size() < 2) throw InputError("no points", where, kGeometryRemedy, {"survey.example"});
@@ -187,9 +187,9 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
     if (geometry.points.empty()) require_units(columns, place(where, lines.front().number));
     geometry.points.push_back(point_of(Row(std::move(cells), dialect.decimal_comma, at), columns));
     if (geometry.points.size() > kMaxGeometryPoints)
-      throw InputError("more than 100000 points", at, "keep those that were hit");
+      throw InputError("more than 100000 points", at, "keep only the points that were hit");
     if (!seen.insert(geometry.points.back().point).second)
-      throw InputError(fmt::format("point {} stands twice", geometry.points.back().point), at, "keep one");
+      throw InputError(fmt::format("point {} is listed twice", geometry.points.back().point), at, "keep one");
   }
   if (geometry.points.empty()) throw InputError("no points", where, kGeometryRemedy, {"survey.example"});
   geometry.tube = columns[kPosition].index.has_value();
@@ -206,7 +206,7 @@ std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>
   Geometry geometry;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     GeometryPoint point{.point = static_cast<int>(i)};
-    // A row of NaN: a number without a point, in formats that number their points.
+    // NaN marks a number without a point, in formats whose point numbers have gaps.
     if (std::any_of(rows[i].begin(), rows[i].end(), [](double x) { return std::isnan(x); })) continue;
     if (rows[i].size() == 3) {
       point.xyz_m = {rows[i][0], rows[i][1], rows[i][2]};

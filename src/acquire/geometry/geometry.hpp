@@ -12,7 +12,7 @@ struct GeometryPoint {
   int point = 0;
   std::optional<std::array<double, 3>> xyz_m;
   double position_m = 0;  // along the tube's axis, from the barrel's end
-  double angle_rad = 0;   // around it
+  double angle_rad = 0;   // around the axis
   double radius_m = 0;    // for drawings; 0: not stated
 };
 
@@ -24,10 +24,11 @@ struct Geometry {
 /// Reads the places of a survey's points from a text with one line per point (docs/reference/formats.md, "Geometry"):
 ///   point, x_m, y_m, z_m                      or
 ///   point, position_m, angle_deg[, radius_m]
-/// Columns in any order; units m, mm, cm, in and deg, rad as in "x_mm" or "angle (rad)", or in a line of
-/// units; delimiters, quotes and comments as in records. Coordinates of points around an axis are turned into position
-/// and angle (tube_from_coordinates). errors  InputError with file, line and remedy: no such columns, a cell that is no
-/// number, a point twice, no unit, too long.
+/// Columns may have any order. Units are m, mm, cm, in and deg, rad; they stand in the name ("x_mm", "angle (rad)") or
+/// in a line of units. Delimiters, quotes and comments are as in records. Coordinates of points around an axis are
+/// turned into position and angle (tube_from_coordinates).
+/// errors  InputError with file, line and remedy: no such columns, a cell that is not a number, a point twice, no unit,
+///         a text that is too long.
 Geometry read_geometry(const std::string& path);
 
 /// As read_geometry, for a text in memory; `where` names it.

@@ -7,14 +7,14 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kRound = 0.1;                  // of the mean radius: largest deviation within a ring
+constexpr double kMaxDeviation = 0.1;           // of a radius, over the mean radius of its ring
 constexpr double kSameRing = 2e-3;              // of the length along the axis
-constexpr std::size_t kMinTubePoints = 3;       // fewest points of a ring where there are several rings …
-constexpr std::size_t kMinPointsOnOneRing = 5;  // … and of a single ring: a plate has four corners
+constexpr std::size_t kMinTubePoints = 3;       // of each ring, where there are several rings
+constexpr std::size_t kMinPointsOnOneRing = 5;  // of a single ring: the four corners of a plate are no ring
 
 struct Tube {
   std::size_t axis = 0;
-  double off = 0;                  // largest deviation of a radius from its ring's mean, relative
+  double deviation = 0;            // largest of a radius from its ring's mean, relative
   std::array<double, 2> middle{};  // centre, across the axis
 };
 
@@ -55,9 +55,10 @@ std::optional<Tube> tube_about(const std::vector<GeometryPoint>& points, std::si
     double mean = 0;
     for (const std::size_t i : ring) mean += radius_about(points[i], tube) / static_cast<double>(ring.size());
     if (!(mean > 0)) return std::nullopt;
-    for (const std::size_t i : ring) tube.off = std::max(tube.off, std::abs(radius_about(points[i], tube) / mean - 1));
+    for (const std::size_t i : ring)
+      tube.deviation = std::max(tube.deviation, std::abs(radius_about(points[i], tube) / mean - 1));
   }
-  if (tube.off > kRound) return std::nullopt;
+  if (tube.deviation > kMaxDeviation) return std::nullopt;
   return tube;
 }
 
@@ -70,7 +71,7 @@ void tube_from_coordinates(Geometry& geometry) {
   std::optional<Tube> best;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto tube = tube_about(geometry.points, axis);
-    if (tube && (!best || tube->off < best->off)) best = tube;
+    if (tube && (!best || tube->deviation < best->deviation)) best = tube;
   }
   if (!best) return;
   const auto [u, v] = across(best->axis);

@@ -12,11 +12,11 @@ constexpr std::size_t kMinRun = 3;
 // In steps: a quantised parabola with three equal samples falls by at most 4 beside them.
 constexpr double kSmoothPeak = 5;
 constexpr std::size_t kMinPeaks = 4;
-// Within so many steps of its largest value, a quantised oscillation has twice as many samples as at that value; a
-// clipped one has less than half as many.
-constexpr double kBelow = 4.5, kMaxBelow = 0.5;
+// A quantised oscillation has twice as many samples within kNearSteps steps of its largest value as at that value. A
+// clipped oscillation has fewer than half as many.
+constexpr double kNearSteps = 4.5, kMaxNearRatio = 0.5;
 
-// How often a signal reaches an extreme: samples, separate peaks, and the longest run of samples.
+// The samples at an extreme: their number, the number of separate peaks, and the length of the longest run.
 struct PeakCount {
   std::size_t samples = 0, peaks = 0, longest_run = 0;
 };
@@ -56,8 +56,8 @@ std::size_t count_near(std::span<const double> x, std::span<const Extremes> bloc
 bool is_flat_topped(std::span<const double> x, std::span<const Extremes> blocks, double value, double step,
                     const PeakCount& count) {
   if (count.peaks < kMinPeaks) return false;
-  const auto below = static_cast<double>(count_near(x, blocks, value, kBelow * step));
-  return below < kMaxBelow * static_cast<double>(count.samples);
+  const auto near = static_cast<double>(count_near(x, blocks, value, kNearSteps * step));
+  return near < kMaxNearRatio * static_cast<double>(count.samples);
 }
 
 // The number of samples at `level` in runs that a smooth peak cannot have.

@@ -14,7 +14,7 @@ double resolution_of(std::span<const double> x);
 /// - several peaks that end at the same value, with hardly a sample just below it, where an oscillation spends most of
 ///   its time.
 /// An extreme equal to `rest` is not clipping: a one-sided signal rests there before and after.
-/// `blocks` are block_extremes of x by kClippingBlock. `around` contains x and gives the resolution.
+/// `blocks` are block_extremes of x by kClippingBlock. `around` contains x; the resolution is found in it.
 inline constexpr std::size_t kClippingBlock = 512;
 std::size_t count_clipped_samples(std::span<const double> x, std::span<const Extremes> blocks,
                                   std::span<const double> around, double rest);

@@ -10,7 +10,7 @@ namespace percuss::acquire {
 namespace {
 
 constexpr double kRounding = 1e-12;  // of the peak: the baseline was subtracted and is added again
-// Different hits with one peak value. The probability by chance at 16 bits is 1e-7 for three and 1e-3 for two.
+// Different hits with equal peaks. By chance, the probability at 16 bits is 1e-7 for three hits and 1e-3 for two.
 constexpr std::size_t kMinCoincidingPeaks = 3;
 
 bool overloaded(const Hit& hit) {
@@ -26,7 +26,7 @@ bool same(double a, double b) { return std::abs(a - b) <= kRounding * std::max(s
 struct ForceSide {
   std::size_t file = 0;
   double sign = 1;
-  bool holds(const Hit& hit, const Record& record) const {
+  bool includes(const Hit& hit, const Record& record) const {
     return sign * hit.peak_N > 0 && record.rows[hit.row].file == file;
   }
 };
@@ -58,7 +58,7 @@ bool peaks_coincide(const std::vector<const Hit*>& hits) {
 std::optional<double> clipping_level_N(const std::vector<Hit>& hits, const Record& record, const ForceSide& side) {
   std::optional<double> furthest, level;
   for (const Hit& hit : hits) {
-    if (!side.holds(hit, record)) continue;
+    if (!side.includes(hit, record)) continue;
     const double peak = raw_peak_N(hit);
     if (!furthest || side.sign * (peak - *furthest) > 0) furthest = peak;
     if (overloaded(hit) && (!level || side.sign * (peak - *level) > 0)) level = peak;
@@ -66,7 +66,7 @@ std::optional<double> clipping_level_N(const std::vector<Hit>& hits, const Recor
   if (level && same(*level, *furthest)) return level;
   std::vector<const Hit*> highest;
   for (const Hit& hit : hits) {
-    if (side.holds(hit, record) && same(raw_peak_N(hit), *furthest)) highest.push_back(&hit);
+    if (side.includes(hit, record) && same(raw_peak_N(hit), *furthest)) highest.push_back(&hit);
   }
   return peaks_coincide(highest) ? furthest : std::nullopt;
 }
@@ -76,8 +76,7 @@ void add_overload(Hit& hit) {
       {.code = FindingCode::overload,
        .severity = Severity::reject,
        .value = static_cast<double>(samples_at_peak(hit)),
-       .message = fmt::format("force clipped: it peaks at the clipping level of other hits, {:.3g} N; "
-                              "raise the input range",
+       .message = fmt::format("force clipped at {:.4g} N, the clipping level of other hits; raise the input range",
                               hit.peak_N)});
 }
 
@@ -90,7 +89,7 @@ void grade_force_clipping(std::vector<Hit>& hits, const Record& record) {
       const auto level = clipping_level_N(hits, record, side);
       if (!level) continue;
       for (Hit& hit : hits) {
-        if (side.holds(hit, record) && !overloaded(hit) && same(raw_peak_N(hit), *level)) add_overload(hit);
+        if (side.includes(hit, record) && !overloaded(hit) && same(raw_peak_N(hit), *level)) add_overload(hit);
       }
     }
   }

@@ -5,10 +5,10 @@
 
 namespace percuss::acquire {
 
-/// Adds `overload` to hits whose clipping shows only beside other hits. A short pulse may have one or two clipped
-/// samples, which look like any peak. The clipping level is the peak of an `overload` of the same file and sign, unless
-/// another hit exceeds it. Three different hits with exactly one peak value, or two with two samples at it, also give
-/// the level.
+/// Adds `overload` to hits whose clipping shows only in comparison with other hits. A short pulse may have one or two
+/// clipped samples, which look like any peak. The clipping level is the peak of a hit with `overload` in the same file
+/// and of the same sign, unless another hit exceeds it. Equal peaks of three different hits also give the level, as do
+/// equal peaks of two different hits with at least two samples at the peak.
 void grade_force_clipping(std::vector<Hit>& hits, const Record& record);
 
 }  // namespace percuss::acquire

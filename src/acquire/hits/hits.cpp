@@ -20,16 +20,16 @@ namespace {
 constexpr double kPulseToNoise = 10;      // times the noise: the minimum peak of a pulse
 constexpr double kLongestPulse_s = 0.05;  // no hammer tip makes longer pulses; longer is drift
 constexpr std::size_t kLongestPulse = 8;  // samples, for rates too low to resolve a pulse
-constexpr double kDoubleScan_s = 0.25;    // second contacts follow within some tens of milliseconds
+constexpr double kSecondScan_s = 0.25;    // second contacts follow within some tens of milliseconds
 constexpr std::size_t kMinRead = 256;     // samples: longer than the gate of any pulse
-constexpr double kDoubleRejects = 0.01;   // of the main pulse
+constexpr double kMaxSecondRatio = 0.01;  // of the main pulse; a larger second pulse rejects the hit
 constexpr double kWeak = 0.2;             // of the median peak
 constexpr double kLateTrigger = 0.05;     // of the peak, at the first sample
 
-std::size_t scan_samples(double fs_Hz) { return static_cast<std::size_t>(kDoubleScan_s * fs_Hz) + 1; }
+std::size_t samples_to_scan(double fs_Hz) { return static_cast<std::size_t>(kSecondScan_s * fs_Hz) + 1; }
 
 // The samples read after a pulse. At low rates its ringing lasts longer than the search for second contacts.
-std::size_t read_samples(double fs_Hz) { return std::max(scan_samples(fs_Hz), kMinRead); }
+std::size_t samples_to_read(double fs_Hz) { return std::max(samples_to_scan(fs_Hz), kMinRead); }
 
 std::vector<double> force_between(const Record& record, std::size_t row, std::size_t first, std::size_t last,
                                   double baseline) {
@@ -39,26 +39,29 @@ std::vector<double> force_between(const Record& record, std::size_t row, std::si
   return x;
 }
 
-void grade_double(Hit& hit, const std::optional<SecondPulse>& second, double fs_Hz) {
+// `x` covers the search for a second pulse and may begin before the samples of the hit. `peak` is an index into x.
+void grade_second_pulse(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz) {
+  const auto end = std::min(x.size(), peak + samples_to_scan(fs_Hz));
+  const auto second = second_pulse(x.first(end), shape_of_pulse(x, peak), hit.noise_N);
   if (!second) return;
   const double delay_s = std::abs(second->delay_samples) / fs_Hz;
+  const std::string when = second->delay_samples < 0 ? fmt::format("{:.2f} ms before the main one", delay_s * 1e3)
+                                                     : fmt::format("after {:.2f} ms", delay_s * 1e3);
   hit.findings.push_back({.code = FindingCode::double_hit,
-                          .severity = second->ratio > kDoubleRejects ? Severity::reject : Severity::info,
+                          .severity = second->ratio > kMaxSecondRatio ? Severity::reject : Severity::info,
                           .value = second->ratio,
-                          .message = fmt::format("second hit {} {:.2f} ms, {:.1f} % of the main one",
-                                                 second->delay_samples < 0 ? "before the main one by" : "after",
-                                                 delay_s * 1e3, second->ratio * 100),
+                          .message = fmt::format("second hit {}, {:.1f} % of the main one", when, second->ratio * 100),
                           .delay_s = delay_s});
 }
 
 void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
   const double peak = std::abs(hit.peak_N);
   const double at_start = std::abs(x.front()) / peak;
-  if (hit.gate_first == hit.first && (!pulse.starts_inside || at_start > kLateTrigger)) {
+  if (hit.gate_first == hit.first && (!pulse.has_rise || at_start > kLateTrigger)) {
     hit.findings.push_back({.code = FindingCode::late_trigger,
                             .severity = Severity::reject,
                             .value = at_start,
-                            .message = fmt::format("the record starts inside the pulse, at {:.0f} % of its peak: "
+                            .message = fmt::format("the record starts inside the pulse, at {:.0f} % of its peak; "
                                                    "set a pre-trigger on the recorder",
                                                    at_start * 100)});
   }
@@ -67,24 +70,24 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
   const auto within = x.subspan(rise, fall - rise);
   const std::size_t clipped = count_clipped_samples(within, block_extremes(within, kClippingBlock), x, 0);
   if (clipped > 0) {
-    hit.findings.push_back(
-        {.code = FindingCode::overload,
-         .severity = Severity::reject,
-         .value = static_cast<double>(clipped),
-         .message = fmt::format("force clipped: {} samples at the limit; raise the input range", clipped)});
+    hit.findings.push_back({.code = FindingCode::overload,
+                            .severity = Severity::reject,
+                            .value = static_cast<double>(clipped),
+                            .message = fmt::format("force clipped in {} samples; raise the input range", clipped)});
   }
   if (hit.peak_N < 0) {
     hit.findings.push_back({.code = FindingCode::polarity,
                             .severity = Severity::warn,
                             .value = hit.peak_N,
-                            .message = "the force pulse is negative, but a hammer only pushes: every FRF has the wrong "
-                                       "sign; use a negative force scale",
+                            .message = "the force pulse is negative, but a hammer only pushes, so every FRF has the "
+                                       "wrong sign; use a negative force scale",
                             .options = {"force_scale"}});
   }
 }
 
-// `x` are the samples of the hit with the baseline removed, `peak` is the sample of the main pulse.
-void describe_pulse(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz, const HitOptions& options) {
+// `x` are the samples of the hit with the baseline removed. `peak` is the index of its largest sample.
+void measure_and_grade_pulse(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz,
+                             const HitOptions& options) {
   const PulseShape pulse = shape_of_pulse(x, peak);
   hit.peak = hit.first + peak;
   hit.peak_N = x[peak];
@@ -99,66 +102,61 @@ void describe_pulse(Hit& hit, std::span<const double> x, std::size_t peak, doubl
   grade_pulse(hit, x, pulse);
 }
 
-// `x` covers the search for a second pulse and may begin before the samples of the hit.
-void look_for_second(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz) {
-  const auto end = std::min(x.size(), peak + scan_samples(fs_Hz));
-  grade_double(hit, second_pulse(x.first(end), shape_of_pulse(x, peak), hit.noise_N), fs_Hz);
-}
-
 bool is_pulse(std::span<const double> x, std::size_t peak, double noise_N, double fs_Hz) {
   if (!(std::abs(x[peak]) > kPulseToNoise * noise_N)) return false;
   const PulseShape pulse = shape_of_pulse(x, peak);
   return pulse.fall - pulse.rise <= std::max(kLongestPulse_s * fs_Hz, static_cast<double>(kLongestPulse));
 }
 
-Hit without_pulse(std::size_t row, const SampleRange& part, const TriggerScan& trigger_scan,
-                  const HitOptions& options) {
-  Hit hit{.row = row,
-          .first = part.first,
-          .samples = part.last - part.first,
+Hit unmeasured_hit(std::size_t row, const SampleRange& range, const TriggerScan& trigger_scan) {
+  return {.row = row,
+          .first = range.first,
+          .samples = range.last - range.first,
           .noise_N = trigger_scan.noise_N,
           .baseline_N = trigger_scan.baseline_N};
-  const std::string remedy = options.trigger_N ? fmt::format("the trigger is set to {:.6g} N", *options.trigger_N)
+}
+
+Hit hit_without_pulse(std::size_t row, const SampleRange& part, const TriggerScan& trigger_scan,
+                      const HitOptions& options) {
+  Hit hit = unmeasured_hit(row, part, trigger_scan);
+  const std::string remedy = options.trigger_N ? fmt::format("check the trigger level of {:.6g} N", *options.trigger_N)
                                                : "check the hammer's cable and channel";
   const double ratio = trigger_scan.noise_N > 0 ? trigger_scan.largest_N / trigger_scan.noise_N : 0;
   hit.findings.push_back(
       {.code = FindingCode::no_pulse,
        .severity = Severity::reject,
        .value = ratio,
-       .message = fmt::format("no hammer pulse: the force's largest excursion is {:.2g} N, {:.1f} times its noise; {}",
+       .message = fmt::format("no hammer pulse, the force stays within {:.2g} N of rest, {:.1f} times its noise; {}",
                               std::abs(trigger_scan.largest_N), ratio, remedy),
        .options = options.trigger_N ? std::vector<OptionId>{"trigger"} : std::vector<OptionId>{}});
   return hit;
 }
 
-// The hit of a record whose rows each hold one.
+// The hit of one row, in a record with one hit per row.
 Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options) {
   const SampleRange part = select_time_range(record, row, options);
   const TriggerScan trigger_scan =
       scan_for_triggers(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
-  Hit hit{.row = row,
-          .first = part.first,
-          .samples = part.last - part.first,
-          .noise_N = trigger_scan.noise_N,
-          .baseline_N = trigger_scan.baseline_N};
+  Hit hit = unmeasured_hit(row, part, trigger_scan);
   if (options.trigger_N && trigger_scan.largest_N < *options.trigger_N)
-    return without_pulse(row, part, trigger_scan, options);
+    return hit_without_pulse(row, part, trigger_scan, options);
   const std::size_t end =
-      options.gate_force ? std::min(part.last, trigger_scan.largest_end + read_samples(record.fs_Hz)) : part.last;
+      options.gate_force ? std::min(part.last, trigger_scan.largest_end + samples_to_read(record.fs_Hz)) : part.last;
   const auto x = force_between(record, row, part.first, end, trigger_scan.baseline_N);
   const auto at = [&](std::size_t sample) { return x.begin() + static_cast<std::ptrdiff_t>(sample - part.first); };
   const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto largest = static_cast<std::size_t>(
       std::max_element(at(trigger_scan.largest_first), at(trigger_scan.largest_end), smaller) - x.begin());
-  if (!is_pulse(x, largest, trigger_scan.noise_N, record.fs_Hz)) return without_pulse(row, part, trigger_scan, options);
-  describe_pulse(hit, x, largest, record.fs_Hz, options);
-  look_for_second(hit, x, largest, record.fs_Hz);
+  if (!is_pulse(x, largest, trigger_scan.noise_N, record.fs_Hz))
+    return hit_without_pulse(row, part, trigger_scan, options);
+  measure_and_grade_pulse(hit, x, largest, record.fs_Hz, options);
+  grade_second_pulse(hit, x, largest, record.fs_Hz);
   const auto length = selected_length(record, options);
   if (length) hit.samples = std::min(hit.samples, std::max(*length, largest + 1));  // the pulse stays inside
   return hit;
 }
 
-// The samples of event e in a continuous record: from its pre-trigger to that of the next event.
+// The samples of event e in a continuous record: from its pre-trigger to the pre-trigger of the next event.
 SampleRange range_of_event(const TriggerScan& trigger_scan, std::size_t e, const SampleRange& part,
                            std::size_t pretrigger, std::optional<std::size_t> length) {
   const auto begin = [&](std::size_t event) {
@@ -185,24 +183,20 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
   std::vector<Hit> hits;
   for (std::size_t e = 0; e < trigger_scan.events.size(); ++e) {
     const SampleRange range = range_of_event(trigger_scan, e, part, pretrigger_samples(record, options), length);
-    const std::size_t scan = scan_samples(record.fs_Hz);
+    const std::size_t scan = samples_to_scan(record.fs_Hz);
     const std::size_t begin = std::min(range.first, scan_begin(trigger_scan, e, part, scan));
     const std::size_t end =
-        options.gate_force ? std::min(range.last, trigger_scan.events[e] + read_samples(record.fs_Hz)) : range.last;
+        options.gate_force ? std::min(range.last, trigger_scan.events[e] + samples_to_read(record.fs_Hz)) : range.last;
     const auto all = force_between(record, row, begin, end, trigger_scan.baseline_N);
     const auto x = std::span(all).subspan(range.first - begin);
     const std::size_t peak = trigger_scan.events[e] - range.first;
     if (!is_pulse(x, peak, trigger_scan.noise_N, record.fs_Hz)) continue;
-    Hit hit{.row = row,
-            .first = range.first,
-            .samples = range.last - range.first,
-            .noise_N = trigger_scan.noise_N,
-            .baseline_N = trigger_scan.baseline_N};
-    describe_pulse(hit, x, peak, record.fs_Hz, options);
-    look_for_second(hit, all, trigger_scan.events[e] - begin, record.fs_Hz);
+    Hit hit = unmeasured_hit(row, range, trigger_scan);
+    measure_and_grade_pulse(hit, x, peak, record.fs_Hz, options);
+    grade_second_pulse(hit, all, trigger_scan.events[e] - begin, record.fs_Hz);
     hits.push_back(std::move(hit));
   }
-  if (hits.empty()) hits.push_back(without_pulse(row, part, trigger_scan, options));
+  if (hits.empty()) hits.push_back(hit_without_pulse(row, part, trigger_scan, options));
   return hits;
 }
 
@@ -211,15 +205,15 @@ void grade_weak(std::vector<Hit>& hits) {
   for (const Hit& hit : hits) {
     if (hit.peak_N != 0) peaks.push_back(std::abs(hit.peak_N));
   }
-  const double typical = median(peaks);
+  const double median_N = median(peaks);
   for (Hit& hit : hits) {
-    const double ratio = std::abs(hit.peak_N) / typical;
+    const double ratio = std::abs(hit.peak_N) / median_N;
     if (hit.peak_N == 0 || ratio >= kWeak) continue;
-    hit.findings.push_back(
-        {.code = FindingCode::weak,
-         .severity = Severity::warn,
-         .value = ratio,
-         .message = fmt::format("weak: {:.3g} N, {:.0f} % of the typical hit", std::abs(hit.peak_N), ratio * 100)});
+    hit.findings.push_back({.code = FindingCode::weak,
+                            .severity = Severity::warn,
+                            .value = ratio,
+                            .message = fmt::format("weak hit of {:.3g} N, {:.0f} % of the median hit",
+                                                   std::abs(hit.peak_N), ratio * 100)});
   }
 }
 
@@ -247,7 +241,7 @@ void grade_bandwidth(std::vector<Hit>& hits, double band_high_Hz) {
         {.code = FindingCode::low_bandwidth,
          .severity = Severity::warn,
          .value = hit.bandwidth_Hz,
-         .message = fmt::format("the force reaches {:.0f} Hz (−20 dB), the band ends at {:.0f} Hz: use a harder tip "
+         .message = fmt::format("the force reaches {:.0f} Hz (−20 dB), the band ends at {:.0f} Hz; use a harder tip "
                                 "or narrow the band",
                                 hit.bandwidth_Hz, band_high_Hz),
          .options = {"band"}});

@@ -11,9 +11,9 @@ namespace percuss::acquire {
 /// A hammer hit: its position in the record, its pulse and its findings.
 struct Hit {
   std::size_t row = 0;
-  std::size_t first = 0;  // of the samples of the row that belong to this hit
+  std::size_t first = 0;  // first sample of the hit in its row
   std::size_t samples = 0;
-  double onset_s = 0;       // the pulse first exceeds 5 % of its peak, from the start of the row (interpolated)
+  double onset_s = 0;       // the force first exceeds 5 % of its peak, from the start of the row (interpolated)
   double peak_N = 0;        // signed, baseline removed
   std::size_t peak = 0;     // its sample in the row
   double pulse_s = 0;       // time above 5 % of the peak

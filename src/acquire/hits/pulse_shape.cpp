@@ -33,8 +33,8 @@ std::size_t max_of_signed(std::span<const double> x, double sign, std::size_t be
   return best;
 }
 
-// Running mean over 2h + 1 samples. It averages noise and the ringing near fs/2, and keeps pulses as long as the main
-// one.
+// Running mean over 2h + 1 samples. It reduces the noise and the ringing near fs/2. Pulses as long as the main pulse
+// remain.
 std::vector<double> smoothed(std::span<const double> x, double sign, std::size_t h) {
   std::vector<double> out(x.size());
   const double share = 1 / static_cast<double>(2 * h + 1);
@@ -88,7 +88,7 @@ PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak) {
   const double level = kPulseEdge * std::abs(force_N[peak]);
   std::size_t i = peak;
   while (i > 0 && sign * force_N[i - 1] >= level) --i;
-  pulse.starts_inside = i > 0;
+  pulse.has_rise = i > 0;
   pulse.rise = i == 0 ? 0 : crossing(sign * force_N[i - 1], sign * force_N[i], level, static_cast<double>(i - 1));
   i = peak;
   while (i + 1 < force_N.size() && sign * force_N[i + 1] >= level) ++i;
@@ -103,7 +103,7 @@ Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, doubl
   const auto rise = static_cast<std::size_t>(std::max(0.0, std::floor(pulse.rise)));
   const auto fall = std::min(static_cast<std::size_t>(std::ceil(pulse.fall)), force_N.size() - 1);
   Gate gate{.first = rise, .end = fall + 1};
-  // Outwards sample by sample: a high sample far behind the last one is noise and would include all noise in between.
+  // The gate grows sample by sample. A high sample far outside is noise, and the gate would contain all noise up to it.
   const std::size_t first = rise > kRinging ? rise - kRinging : 0;
   for (std::size_t i = rise; i > first && gate.first - i < kGateGap; --i) {
     if (std::abs(force_N[i - 1]) > level) gate.first = i - 1;
@@ -121,12 +121,12 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
   const auto half = static_cast<std::size_t>(width / 4);
   const double noise = noise_N / std::sqrt(static_cast<double>(2 * half + 1));
   const double guard = std::max(width, 8.0);
-  const auto least_beside = [&](double main) { return std::max(kSecondNoise * noise, kSecondFraction * main); };
-  if (highest_outside(force_N, sign, pulse, guard) < least_beside(smoothed_peak(force_N, sign, pulse, half)))
+  const auto threshold_beside = [&](double main) { return std::max(kSecondNoise * noise, kSecondFraction * main); };
+  if (highest_outside(force_N, sign, pulse, guard) < threshold_beside(smoothed_peak(force_N, sign, pulse, half)))
     return std::nullopt;  // no running mean can exceed the threshold
   const auto x = smoothed(force_N, sign, half);
   const double main = *std::max_element(x.begin(), x.end());
-  const double least = least_beside(main);
+  const double threshold = threshold_beside(main);
 
   // The height of a second pulse counts from the lowest point between the two pulses.
   SecondPulse best;
@@ -136,7 +136,7 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
       const std::size_t i = forward ? begin + n : end - 1 - n;
       valley = std::min(valley, x[i]);
       const double rise = x[i] - std::max(valley, 0.0);
-      if (rise < least || rise < 0.5 * x[i] || rise / main <= best.ratio) continue;
+      if (rise < threshold || rise < 0.5 * x[i] || rise / main <= best.ratio) continue;
       if (half == 0 && looks_like_ringing(x, i)) continue;  // the pulse is too short to average
       best = {.delay_samples = static_cast<double>(i) - static_cast<double>(pulse.peak), .ratio = rise / main};
     }

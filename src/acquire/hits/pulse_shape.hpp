@@ -12,7 +12,7 @@ namespace percuss::acquire {
 struct PulseShape {
   std::size_t peak = 0;       // sample
   double rise = 0, fall = 0;  // crossings of 5 % of the peak, in samples (interpolated)
-  bool starts_inside = true;  // false: the signal begins above 5 % of the peak
+  bool has_rise = true;       // false: the signal begins above 5 % of the peak
 };
 
 /// Crossings of 5 % of the value at `peak` on either side of it.

@@ -19,9 +19,10 @@ constexpr std::size_t kMinQuiet = 12;       // samples of the pre-trigger that g
 constexpr std::size_t kQuietSamples = 256;  // give a standard deviation to 7 %, enough for thresholds
 constexpr double kOnsetNoise = 6;           // standard deviations
 constexpr double kOnsetFraction = 0.02;     // of the largest response
-constexpr std::size_t kMinPush = 4;         // samples
+constexpr std::size_t kMinPush = 4;         // samples of the first motion
 constexpr double kMinOnsetVelocity = 0.25;  // of the largest velocity during two pulses
-// Of the largest velocity, in the other direction before that. Above it the modes cancel at first, and noise decides.
+// Of the largest velocity, in the opposite direction and earlier. Above this limit the modes cancel at first, and noise
+// decides the sign.
 constexpr double kMaxOppositeVelocity = 0.05;
 constexpr double kRingingBefore = 4;    // times the level at the end
 constexpr double kNegligible = 0.0025;  // of the response: the same −52 dB
@@ -29,10 +30,10 @@ constexpr std::size_t kEnvelopeWindows = 64;
 constexpr double kSteady = 1.5;            // ratio of the levels of successive quarters; backgrounds vary
 constexpr double kBackgroundFactor = 2;    // times the final level
 constexpr double kStillFalling = 0.9;      // of the rms one window earlier
-constexpr double kCoarseStep = 1e-5;       // of the largest response; from 5e-5 (16 bits) steps make modes
-constexpr std::size_t kStepSamples = 512;  // some change by a single step
+constexpr double kCoarseStep = 1e-5;       // of the largest response; from 5e-5 (16 bits) on, steps make modes
+constexpr std::size_t kStepSamples = 512;  // samples, of which some differ by one step
 constexpr std::size_t kUnblurredEnd = 64;  // samples without change; noise of a third of a step would change them
-// An exponential that falls by less than this over the record cannot be told from a background by its last quarters.
+// The last two quarters do not distinguish a background from a decay by less than this ratio over the record.
 constexpr double kMinDecay = kSteady * kSteady * kSteady * kSteady;
 
 double rms_about_mean(std::span<const double> x) {
@@ -139,11 +140,12 @@ std::size_t decayed_within(const Hit& hit, std::size_t samples, const SampleWind
       {level.end() - static_cast<std::ptrdiff_t>(2 * quarter), level.end() - static_cast<std::ptrdiff_t>(quarter)});
   if (!(final_level > 0) || earlier > kSteady * final_level) return samples;
   const std::size_t quiet = quiet_samples(hit, samples);
-  const bool seen_before = quiet >= kMinQuiet && kBackgroundFactor * rms_about_mean(accel_mps2(0, quiet)) > final_level;
-  if (!seen_before && *std::max_element(level.begin(), level.end()) < kMinDecay * final_level) return samples;
-  std::size_t sunk = kEnvelopeWindows;
-  while (sunk > 0 && level[sunk - 1] < kBackgroundFactor * final_level) --sunk;
-  return std::min(samples, after + 2 * std::max<std::size_t>(sunk, 1) * window);
+  const bool background_before =
+      quiet >= kMinQuiet && kBackgroundFactor * rms_about_mean(accel_mps2(0, quiet)) > final_level;
+  if (!background_before && *std::max_element(level.begin(), level.end()) < kMinDecay * final_level) return samples;
+  std::size_t settled = kEnvelopeWindows;
+  while (settled > 0 && level[settled - 1] < kBackgroundFactor * final_level) --settled;
+  return std::min(samples, after + 2 * std::max<std::size_t>(settled, 1) * window);
 }
 
 // The resolution from the end, where changes are single steps, or from all samples when the end is constant.
@@ -190,20 +192,19 @@ void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels)
     if (grade.truncated && (worst == nullptr || grade.end_level_dB > worst->end_level_dB)) worst = &grade;
   }
   if (clipped > 0) {
-    hit.findings.push_back(
-        {.code = FindingCode::overload,
-         .severity = Severity::reject,
-         .value = static_cast<double>(clipped),
-         .message = fmt::format("acceleration clipped: {} sample{} at the limit; raise the input range", clipped,
-                                clipped == 1 ? "" : "s")});
+    hit.findings.push_back({.code = FindingCode::overload,
+                            .severity = Severity::reject,
+                            .value = static_cast<double>(clipped),
+                            .message = fmt::format("acceleration clipped in {} sample{}; raise the input range",
+                                                   clipped, clipped == 1 ? "" : "s")});
   }
   if (worst != nullptr) {
     hit.findings.push_back(
         {.code = FindingCode::truncated_decay,
          .severity = Severity::warn,
          .value = worst->end_level_dB,
-         .message = fmt::format("still ringing at the end, {:.0f} dB below the start: record longer, or rely on the "
-                                "fitted damping, which allows for it",
+         .message = fmt::format("still ringing at the end, {:.0f} dB below the start; record longer, or rely on the "
+                                "fitted damping, which allows for the missing decay",
                                 -worst->end_level_dB)});
   }
 }

@@ -30,10 +30,10 @@ ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2,
 /// Samples first … first + count − 1 of a hit's response.
 using SampleWindow = std::function<std::span<const double>(std::size_t first, std::size_t count)>;
 
-/// The number of samples after which a response holds only a steady background. It ends at twice the time after the hit
-/// from which the response stays within twice its final level. All `samples` when the response still falls at the end,
-/// or falls too little to distinguish ringing from a background that the pre-trigger does not show. Reads a 64th of the
-/// samples at a time.
+/// The number of samples after which a response holds only a steady background. The response stays within twice its
+/// final level from some time after the hit on; the length is twice that time. It is all `samples` in two cases: the
+/// response still falls at the end, or the decay is too small to distinguish ringing from a background that the
+/// pre-trigger does not show. Reads a 64th of the samples at a time.
 std::size_t decayed_length(const Hit& hit, std::size_t samples, const SampleWindow& accel_mps2);
 
 /// Adds `truncated_decay` and `overload` of the worst channel to the findings of the hit.

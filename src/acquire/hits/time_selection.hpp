@@ -12,7 +12,7 @@ struct SampleRange {
   std::size_t first, last;
 };
 
-/// The options' seconds in samples.
+/// The times of the options, converted to samples.
 /// errors  InputError: no samples between `from_s` and `to_s`; fewer than two samples in `length_s`
 SampleRange select_time_range(const Record& record, std::size_t row, const HitOptions& options);
 std::size_t pretrigger_samples(const Record& record, const HitOptions& options);

@@ -23,7 +23,7 @@ struct Envelope {
 };
 
 Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, std::size_t last) {
-  // Chunks of one size in whole blocks: a remainder of a few samples would count as much in the median over chunks.
+  // Chunks of equal size: a short last chunk would count as much as the others in the median over chunks.
   const std::size_t chunks = (last - first + kChunk - 1) / kChunk;
   const std::size_t size = ((last - first) / chunks / kBlock + 1) * kBlock;
   const std::size_t used = (last - first + size - 1) / size;
@@ -31,24 +31,24 @@ Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, s
   Envelope envelope{.blocks = {}, .chunk_median = std::vector<double>(used), .chunk_noise = std::vector<double>(used)};
   parallel_for_cost(used, size, [&](std::size_t c) {
     thread_local std::vector<double> buffer;  // one per thread, not one per chunk
-    std::vector<double> some;
+    std::vector<double> subset;
     const std::size_t begin = first + c * size, end = std::min(begin + size, last);
     for (std::size_t at = begin; at < end; at += kPart) {
       const auto part = record.read_force_N.view_or_read(row, at, std::min(kPart, end - at), buffer);
       const std::vector<Extremes> its_blocks = block_extremes(part, kBlock);
       blocks[c].insert(blocks[c].end(), its_blocks.begin(), its_blocks.end());
       const std::size_t its_share = std::max<std::size_t>(1, kNoiseSamples * part.size() / (end - begin));
-      for (const double value : subsampled(part, its_share)) some.push_back(value);
+      for (const double value : subsampled(part, its_share)) subset.push_back(value);
     }
-    const Spread subset = spread_of(std::move(some));
-    envelope.chunk_median[c] = subset.median;
-    envelope.chunk_noise[c] = subset.robust_std;
+    const Spread spread = spread_of(std::move(subset));
+    envelope.chunk_median[c] = spread.median;
+    envelope.chunk_noise[c] = spread.robust_std;
   });
   for (const auto& part : blocks) envelope.blocks.insert(envelope.blocks.end(), part.begin(), part.end());
   return envelope;
 }
 
-// The envelope gives the block; this reads it again to find the sample.
+// Reads a block again, to find the sample of the envelope's maximum.
 std::size_t index_of_max(const Record& record, std::size_t row, std::size_t begin, std::size_t end, double baseline) {
   std::vector<double> buffer;
   const auto x = record.read_force_N.view_or_read(row, begin, end - begin, buffer);
@@ -65,11 +65,11 @@ TriggerScan scan_for_triggers(const Record& record, std::size_t row, const Trigg
   const Envelope envelope = envelope_of(record, row, options.first, last);
   scan.baseline_N = median(envelope.chunk_median);
   scan.noise_N = median(envelope.chunk_noise);
-  std::vector<double> reach(envelope.blocks.size());
-  for (std::size_t b = 0; b < reach.size(); ++b) reach[b] = envelope.blocks[b].max_distance_from(scan.baseline_N);
-  const auto largest = std::max_element(reach.begin(), reach.end());
+  std::vector<double> distance(envelope.blocks.size());
+  for (std::size_t b = 0; b < distance.size(); ++b) distance[b] = envelope.blocks[b].max_distance_from(scan.baseline_N);
+  const auto largest = std::max_element(distance.begin(), distance.end());
   scan.largest_N = *largest;
-  const std::size_t begin = options.first + static_cast<std::size_t>(largest - reach.begin()) * kBlock;
+  const std::size_t begin = options.first + static_cast<std::size_t>(largest - distance.begin()) * kBlock;
   scan.largest_first = begin;
   scan.largest_end = std::min(begin + kBlock, last);
   scan.trigger_N =
@@ -77,12 +77,12 @@ TriggerScan scan_for_triggers(const Record& record, std::size_t row, const Trigg
   if (!(scan.largest_N > 0)) return scan;
 
   const auto separation = static_cast<std::size_t>(options.separation_s * record.fs_Hz) / kBlock + 1;
-  for (std::size_t b = 0; b < reach.size(); ++b) {
-    if (reach[b] < scan.trigger_N) continue;
-    const std::size_t end = std::min(b + separation, reach.size());
+  for (std::size_t b = 0; b < distance.size(); ++b) {
+    if (distance[b] < scan.trigger_N) continue;
+    const std::size_t end = std::min(b + separation, distance.size());
     std::size_t best = b;
     for (std::size_t i = b; i < end; ++i) {
-      if (reach[i] > reach[best]) best = i;
+      if (distance[i] > distance[best]) best = i;
     }
     const std::size_t begin_sample = options.first + best * kBlock;
     scan.events.push_back(

@@ -16,8 +16,8 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kPiece = std::size_t{1}
-                               << 14U;  // numbers at a time: 128 KiB stay in the cache while they are scaled
+// Numbers at a time: 128 KiB stay in the cache while they are scaled.
+constexpr std::size_t kPiece = std::size_t{1} << 14U;
 
 class OpenFile {
  public:
@@ -29,14 +29,14 @@ class OpenFile {
     if (good()) ::close(descriptor_);
   }
   bool good() const { return descriptor_ >= 0; }
-  // The samples lay within the file when it was opened. A library could read the missing part of a truncated file as
-  // zeros.
+  // Throws when the file was truncated after it was opened. A library could read the missing part as zeros.
   void read(void* to, std::size_t bytes, std::uint64_t offset) const {
     auto* at = static_cast<char*>(to);
     while (bytes > 0) {
       const auto got = ::pread(descriptor_, at, bytes, static_cast<off_t>(offset));
       if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) throw InputError("the file changed during reading", path_, "copy it anew, and read it again");
+      if (got <= 0)
+        throw InputError("the file changed during reading", path_, "copy the file again, then read it again");
       at += got;
       offset += static_cast<std::uint64_t>(got);
       bytes -= static_cast<std::size_t>(got);
@@ -48,7 +48,7 @@ class OpenFile {
   int descriptor_;
 };
 
-// False when a number is not a plausible sample.
+// Multiplies all values. False when a product is not a plausible sample.
 bool scale(std::span<double> values, double factor) {
   Eigen::Map<Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
   if (factor != 1) all *= factor;
@@ -68,7 +68,7 @@ void read_piece(const OpenFile& file, std::uint64_t offset, std::span<double> ou
   }
 }
 
-// False when a number is not a plausible sample.
+// Reads and scales samples. False when one is not plausible.
 bool read_samples(const OpenFile& file, const ContiguousSignal& signal, std::size_t row, std::size_t first,
                   std::span<double> out) {
   const std::uint64_t start = signal.offset_bytes + row * signal.row_step_bytes + first * signal.number_bytes;

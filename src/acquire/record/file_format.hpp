@@ -21,7 +21,8 @@ struct FormatInput {
   const FileBytes* stream = nullptr;
 };
 
-/// The content that the caller accepts. A file of FRFs is no record: its reader says what is missing.
+/// The content that the caller accepts. With `record`, text is read as a record even if it holds FRFs: the error then
+/// names the columns that are missing.
 enum class Content { record, record_or_frfs };
 
 /// One file format, for records and FRFs alike: an entry of the registry (acquire/format_registry.hpp). Members that a
@@ -30,8 +31,8 @@ struct FileFormat {
   std::string_view name;                         // for people: "HDF5", "MAT"
   std::span<const std::string_view> extensions;  // customary ones, lower case; on reading the content decides
   std::span<const std::string_view> written{};   // the extensions under which percuss writes it
-  bool sandboxed = false;        // another project's library opens the file by its path: in a process of its own
-  bool names_variables = false;  // ReadOptions::fs_variable has a meaning
+  bool sandboxed = false;                        // another project's library opens the path, in a process of its own
+  bool names_variables = false;                  // ReadOptions::fs_variable has a meaning
 
   /// Whether the input is of this format. The registry asks in its order.
   bool (*detect)(const FileHead& head);

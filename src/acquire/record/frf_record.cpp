@@ -23,14 +23,15 @@ FrfRecord join_frfs(std::vector<FrfRecord> records) {
     FrfRecord& next = records[r];
     const bool spaced = std::abs(next.lines.df_Hz() / out.lines.df_Hz() - 1) <= kSameSpacing;
     if (!spaced || next.lines.first != out.lines.first || next.lines.count != out.lines.count) {
-      throw InputError(fmt::format("{} lines of {:.6g} Hz from {:.6g} Hz where {} has {} of {:.6g} Hz from {:.6g} Hz",
-                                   next.lines.count, next.lines.df_Hz(), next.lines.freq_Hz(0), input_name_of(out),
-                                   out.lines.count, out.lines.df_Hz(), out.lines.freq_Hz(0)),
-                       input_name_of(next), "analyse it by itself, or as a test of its own", {"files"});
+      throw InputError(
+          fmt::format("{} lines every {:.6g} Hz from {:.6g} Hz, but {} has {} every {:.6g} Hz from {:.6g} Hz",
+                      next.lines.count, next.lines.df_Hz(), next.lines.freq_Hz(0), input_name_of(out), out.lines.count,
+                      out.lines.df_Hz(), out.lines.freq_Hz(0)),
+          input_name_of(next), "analyse the file alone, or each file as one test", {"files"});
     }
     if (next.accel.size() != out.accel.size() || next.decay_per_s != out.decay_per_s) {
-      throw InputError(fmt::format("other channels or windows than in {}", input_name_of(out)), input_name_of(next),
-                       "analyse it by itself, or as a test of its own", {"files"});
+      throw InputError(fmt::format("the channels or the exponential window differ from {}", input_name_of(out)),
+                       input_name_of(next), "analyse the file alone, or each file as one test", {"files"});
     }
     const int after = out.frfs.back().point + 1 - std::min(0, next.frfs.front().point);
     for (PointFrf& frf : next.frfs) {

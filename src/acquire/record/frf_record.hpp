@@ -37,13 +37,13 @@ struct FrfRecord {
 /// The content of a file.
 using Measurement = std::variant<Record, FrfRecord>;
 
-/// What the user says about FRF files beyond ReadOptions; wins over what the file says.
+/// The user's statements about a file of FRFs, beyond ReadOptions. They override what the file states.
 struct FrfReadOptions {
   ReadOptions read;
   std::optional<FrfKind> kind;
 };
 
-/// Several files of FRFs as one test: each file's points after the points of the file before.
+/// Joins several files of FRFs to one test. The points of a file follow the points of the file before it.
 /// errors  InputError: lines or channels differ; names the file.
 FrfRecord join_frfs(std::vector<FrfRecord> records);
 

@@ -18,17 +18,17 @@ void require_alike(const Record& first, const Record& other) {
   if (!(std::abs(other.fs_Hz / first.fs_Hz - 1) <= kSameRate)) {
     throw InputError(
         fmt::format("sampling rate {:.10g} Hz where {} has {:.10g} Hz", other.fs_Hz, first.source(), first.fs_Hz),
-        other.source(), "analyse it by itself, or as a test of its own", {"files"});
+        other.source(), "analyse the file alone, or each file as one test", {"files"});
   }
   if (other.has_force != first.has_force) {
     throw InputError(fmt::format("{} force where {} has {}", other.has_force ? "a" : "no", first.source(),
                                  first.has_force ? "one" : "none"),
-                     other.source(), "give files of one kind");
+                     other.source(), "give only files with a force, or only files without");
   }
   if (other.accel.size() != first.accel.size()) {
     throw InputError(
         fmt::format("{} acceleration channels where {} has {}", other.accel.size(), first.source(), first.accel.size()),
-        other.source(), "choose the same ones", {"accel_channel"});
+        other.source(), "choose the same channels in each file", {"accel_channel"});
   }
 }
 
@@ -60,7 +60,7 @@ struct Joined {
 
 }  // namespace
 
-Record join_records(std::vector<Record> records, FileGrouping mean) {
+Record join_records(std::vector<Record> records, FileGrouping grouping) {
   if (records.empty()) throw InputError("nothing to join", "no files", "name at least one file");
   if (records.size() == 1) return std::move(records.front());
   Record out = records.front();
@@ -77,7 +77,7 @@ Record join_records(std::vector<Record> records, FileGrouping mean) {
     for (std::size_t row = 0; row < record.rows.size(); ++row) {
       RowInfo info = record.rows[row];
       info.file += out.files.size();
-      if (mean == FileGrouping::points) info.point += points;
+      if (grouping == FileGrouping::points) info.point += points;
       out.rows.push_back(info);
       joined->rows.push_back({r, row});
     }

@@ -20,7 +20,7 @@ LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::
   if (!(freq_Hz.front() >= 0) || !(rough_Hz > 0)) throw InputError("frequencies that do not rise", where, remedy);
   const double first = std::round(freq_Hz.front() / rough_Hz);
   if (!(first < static_cast<double>(kMaxFrfLines)))
-    throw InputError("frequencies too close together for how high they are", where, remedy);
+    throw InputError("frequencies too close together (more than 2^28 lines from 0 Hz)", where, remedy);
   const double df_Hz = freq_Hz.back() / (first + static_cast<double>(n - 1));
   for (std::size_t k = 0; k < n; ++k) {
     const double expected_Hz = (first + static_cast<double>(k)) * df_Hz;

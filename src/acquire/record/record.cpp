@@ -18,12 +18,13 @@ std::set<int> Record::points() const {
 
 std::vector<TraceLine> trace_lines_of(const std::vector<double>& numbers, std::size_t points,
                                       const std::string& where) {
-  if (numbers.size() % 2 != 0) throw InputError("an odd count of ends", where, "give two points for every line");
+  if (numbers.size() % 2 != 0)
+    throw InputError("an odd count of point numbers", where, "give two points for every line");
   std::vector<TraceLine> out;
   out.reserve(numbers.size() / 2);
   for (const double number : numbers) {
     if (!(number >= 0 && number < static_cast<double>(points)) || number != std::floor(number))
-      throw InputError("a line to a missing point", where, "number points from 0, as the geometry's rows");
+      throw InputError("a line to a missing point", where, "number points from 0, in the order of the geometry's rows");
   }
   for (std::size_t i = 0; i < numbers.size(); i += 2)
     out.push_back({static_cast<int>(numbers[i]), static_cast<int>(numbers[i + 1])});

@@ -77,8 +77,7 @@ struct ChannelSetup {
   std::string name;  // name or 1-based number of the column, or "accel 1", "force"
   std::string role;  // "force", "acceleration" or "ignore"
   double sign = 1;   // −1 when the sensor points against its axis
-  std::optional<double> angle_rad;
-  std::optional<double> position_m;
+  std::optional<double> angle_rad, position_m;
   std::optional<double> sensitivity_V_per_SI;  // volts per N or per m/s²
   std::optional<std::string> unit;             // of the stored numbers
 };
@@ -106,7 +105,7 @@ enum class FileGrouping { automatic, hits, points, tests };
 /// Joins several files to one record: as hits of one point, or as one point per file. Automatic means hits. A single
 /// record is returned unchanged.
 /// errors  InputError: sampling rates, channel counts or forces differ; names the file.
-Record join_records(std::vector<Record> records, FileGrouping mean);
+Record join_records(std::vector<Record> records, FileGrouping grouping);
 
 /// A record of the rows for which keep(row) is true.
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep);

@@ -7,9 +7,9 @@
 
 namespace percuss::acquire {
 
-// Parts of a record that a format may have no place for. Each function adds a line where the record has the part.
+// Parts of a record that a format may have no place for. Each function adds an entry where the record has the part.
 
-/// The lines between points, of which a file keeps `kept`.
+/// Trace lines, when the file keeps only `kept` of them.
 void add_lost_lines(const Record& record, std::size_t kept, std::vector<std::string>& losses);
 void add_lost_places(const Record& record, std::vector<std::string>& losses);
 /// Names other than "accel 1", "accel 2", …

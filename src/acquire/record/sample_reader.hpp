@@ -24,7 +24,7 @@ class SampleReader {
 
   /// Fills `out` with the samples first … first + out.size() − 1.
   void operator()(Place... place, std::size_t first, std::span<double> out) const { read_(place..., first, out); }
-  /// A view of the samples first … first + count − 1: of the memory they lie in, or of `buffer`, filled with them.
+  /// A view of the samples first … first + count − 1. Samples that are not in memory are read into `buffer`.
   std::span<const double> view_or_read(Place... place, std::size_t first, std::size_t count,
                                        std::vector<double>& buffer) const {
     if (view_) return view_(place...).subspan(first, count);

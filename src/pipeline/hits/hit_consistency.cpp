@@ -12,9 +12,9 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMinHits = 4;      // fewer cannot outvote one
-constexpr double kOutlierRatio = 25;     // times the others' disagreement (five times in amplitude)
-constexpr double kOutlierEnergy = 0.05;  // of its own energy: smaller misfits are harmless
+constexpr std::size_t kMinHits = 4;      // fewer hits cannot outvote an outlier
+constexpr double kOutlierRatio = 25;     // outlier's error over the others' median (five times in amplitude)
+constexpr double kOutlierEnergy = 0.05;  // least error of an outlier, of its energy: smaller errors are harmless
 constexpr std::size_t kFlopsPerHit = 50'000;
 constexpr double kLowCoherence = 0.9;
 constexpr double kMaxDissent = 0.2;  // of the hits: above it the direction of the first motion is undecided
@@ -40,10 +40,10 @@ void reject_outlier(AnalysedHit& hit, double error, double typical) {
       {.code = acquire::FindingCode::outlier,
        .severity = acquire::Severity::reject,
        .value = error,
-       .message =
-           fmt::format("outlier: the other hits' FRFs leave {:.0f} % of its response unexplained, and {:.1f} % of each "
-                       "other's",
-                       error * 100, typical * 100)});
+       .message = fmt::format(
+           "outlier: the FRFs of the other hits leave {:.0f} % of its response unexplained, but {} of their "
+           "own responses",
+           error * 100, typical < 5e-4 ? "less than 0.1 %" : fmt::format("{:.1f} %", typical * 100))});
   if (!hit.by_user) hit.accepted = false;
 }
 
@@ -57,7 +57,7 @@ void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& 
                  std::vector<std::size_t> members) {
   std::vector<double> errors = unexplained(spectra, members);
   while (members.size() >= kMinHits) {
-    // The worst hit spoils the FRFs of the others: their agreement is computed without it.
+    // The worst hit distorts the FRFs that explain the others: their errors are computed without it.
     const auto worst = static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
     if (errors[worst] <= kOutlierEnergy) break;
     auto others = without(members, worst);

@@ -38,8 +38,8 @@ HitResponses read_responses(const acquire::Record& record, const std::vector<Ana
 std::vector<frf::Spectrum> force_spectra(const std::vector<AnalysedHit>& hits, const TransformOptions& options,
                                          Trace& trace);
 
-/// Samples until the slowest response to an accepted hit has decayed into the noise. Behind them a transform sees noise
-/// only. Stage: "decay".
+/// Samples until the slowest response to an accepted hit has decayed into the noise. Later samples add
+/// only noise to a transform. Stage: "decay".
 std::size_t longest_decay_samples(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                   std::size_t threads, Trace& trace);
 

@@ -8,8 +8,9 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kMaxChance = 1e-3;  // probability of equal extremes without clipping
-constexpr double kAsymmetry = 0.1;   // typical difference of a response's two sides, of its largest sample
+constexpr double kAsymmetry = 0.1;   // typical difference between a response's extremes, relative to its largest sample
 
+// The positive or the negative side of one channel.
 struct Side {
   std::size_t channel = 0;
   double sign = 1;
@@ -50,7 +51,7 @@ void grade_side(std::vector<AnalysedHit>& hits, const Side& side) {
     low = std::min(low, side.opposite(*hit));
     high = std::max(high, side.opposite(*hit));
   }
-  // The opposite side shows by how much hits differ: the hits of a machine may agree to the last bit.
+  // The extremes of the opposite side show by how much hits differ: those of an impact machine may be equal.
   if (at_level.size() < 2 || !(high > low)) return;
   const double chance = combinations(measured.size(), at_level.size()) *
                         std::pow(std::min(1.0, step / (high - low)), static_cast<double>(at_level.size() - 1));

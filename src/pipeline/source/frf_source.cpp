@@ -53,7 +53,7 @@ acquire::LineRange FrfSource::choose_lines(const LineRequest& request, const std
   if (!(low_Hz < high_Hz) || low_Hz < 0 || high_Hz > top_Hz + 0.5 * all.df_Hz() || low_Hz > top_Hz) {
     throw InputError(fmt::format("the band {:.6g}:{:.6g} Hz does not fit FRFs from {:.6g} to {:.6g} Hz", low_Hz,
                                  high_Hz, all.freq_Hz(0), top_Hz),
-                     record_.source(), "choose LO:HI within them", {"band"});
+                     record_.source(), "choose LO:HI within this range", {"band"});
   }
   const auto [from_Hz, to_Hz] = band_with_margin(low_Hz, high_Hz);
   acquire::LineRange lines = frf::lines_in_band(all.fs_Hz, all.samples, from_Hz, std::min(to_Hz, top_Hz));

@@ -60,7 +60,7 @@ std::size_t RecordSource::block_samples(const LineRequest& request, const std::v
 void RecordSource::require_band(const LineRequest& request) const {
   const auto [low_Hz, high_Hz] = request.band_Hz;
   if (!request.band_given && !(low_Hz < high_Hz)) {
-    throw InputError("the force shows no bandwidth, from which the band would follow", record_.source(),
+    throw InputError("the force shows no bandwidth, so the band has no default", record_.source(),
                      "check the force's channel, unit and scale, or state the band", {"band"});
   }
   if (low_Hz < high_Hz && low_Hz >= 0 && high_Hz <= record_.fs_Hz / 2) return;

@@ -11,7 +11,7 @@
 
 namespace percuss::pipeline {
 
-/// What the spectral lines of an analysis are chosen for.
+/// The inputs to the choice of an analysis's spectral lines.
 struct LineRequest {
   std::pair<double, double> band_Hz;
   bool band_given = false;    // by the user; else the source's own band
@@ -37,17 +37,17 @@ class Source {
   virtual std::vector<acquire::Hit> find_hits(const acquire::HitOptions& options) const = 0;
   /// Whether FRFs exist, or can be estimated from these hits.
   virtual bool has_frfs(const std::vector<AnalysedHit>& hits) const = 0;
-  /// The band of an analysis whose user names none.
+  /// The band of an analysis if the user states none.
   virtual std::pair<double, double> default_band_Hz(const std::vector<AnalysedHit>& hits) const = 0;
   /// The band with a margin for modes just outside, limited by the bandwidth of the data. `hits` are graded by force.
   /// errors  InputError: no accepted hit, or a band that does not fit the data.
   virtual acquire::LineRange choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
                                           Trace& trace) const = 0;
-  /// Of the exponential window that the data carry already; 0 without one.
+  /// Decay rate of the exponential window that the data contain already; 0 without a window.
   virtual double window_decay_per_s() const = 0;
-  /// The FRFs that can be had, point by point, ascending. errors  InputError: no accepted hit.
+  /// The FRFs that exist or can be estimated, point by point, ascending. errors  InputError: no accepted hit.
   virtual std::vector<FrfGroup> groups(const std::vector<AnalysedHit>& hits) const = 0;
-  /// One of groups() over the lines of `spectra`. Threads may call at once.
+  /// One of groups() over the lines of `spectra`. Several threads may call it at the same time.
   virtual acquire::PointFrf frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator) const = 0;
   /// The FRFs that modes are fitted to; `averages` as for h1_dataset.
   virtual identify::FrfDataset dataset(const TestSpectra& spectra, const std::vector<std::size_t>& hits,

@@ -34,7 +34,8 @@ std::size_t average_cost_flops(std::size_t lines, std::size_t hits);
 
 acquire::PointFrf average_frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator);
 
-/// H1 of `hits` by point, as modes are fitted to it. `averages`: the same FRFs, if they exist already; else nullptr.
+/// H1 of `hits` by point, the input of the fit of the modes. `averages`: the same FRFs, if they exist already; else
+/// nullptr.
 identify::FrfDataset h1_dataset(const TestSpectra& spectra, const std::vector<std::size_t>& hits, std::size_t channels,
                                 const std::vector<acquire::PointFrf>* averages);
 

@@ -21,8 +21,8 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
                                      [](const metrics::Deflection* deflection) { return !deflection->has_peak(); });
   if (unknown > 0) {
     out.push_back({"not_told",
-                   fmt::format("{} of {} deflections never exceed four times their own uncertainty, so that they have "
-                               "no largest value; record with more pre-trigger, or choose the method modal",
+                   fmt::format("{} of {} deflections never exceed four times their own uncertainty and have no "
+                               "largest value; record with more pre-trigger, or choose the method modal",
                                unknown, test.deflections.size()),
                    {"method"}});
   }
@@ -32,8 +32,8 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
   if (drifts && !test.free_body) {
     out.push_back({"drift",
                    "the structure does not return to its rest position, or the record is too short to show that it "
-                   "does: late deflections drift as their ± states; the method modal does not drift, and a free body "
-                   "may be stated as such",
+                   "does: late deflections drift as their ± states; choose the method modal, which does not drift, or "
+                   "state that the body is free",
                    {"method", "free_body"}});
   }
   return out;

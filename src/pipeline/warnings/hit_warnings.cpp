@@ -46,8 +46,8 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
   std::vector<Warning> out;
   const std::size_t rejected = hits.size() - accepted_hits(hits).size();
   if (rejected > 0) {
-    out.push_back({"rejected_hits", fmt::format("{} of {} hits not used; the findings of each hit give the reasons",
-                                                rejected, hits.size())});
+    out.push_back({"rejected_hits",
+                   fmt::format("{} of {} hits not used; each hit's verdict gives the reason", rejected, hits.size())});
   }
   if (const std::string poor = poorly_coherent_hits(hits); !poor.empty())
     out.push_back(disagreement(poor, record.files.size() > 1));

@@ -50,8 +50,8 @@ std::vector<Warning> unmodelled_peak_warnings(const identify::FrfDataset& set, c
   if (peaks.size() > kMaxNamedPeaks) list += fmt::format(" and {} lower ones", peaks.size() - kMaxNamedPeaks);
   return {{"unclaimed_peaks",
            "no mode models these peaks: " + list +
-               ". A single decaying oscillation does not fit them beyond doubt; two modes that are one or two spectral "
-               "lines apart may: state a starting frequency for each",
+               ". A single mode does not fit them well enough. Two modes that are one or two spectral lines apart "
+               "may fit them: state a starting frequency for each",
            {"start"}}};
 }
 
@@ -65,7 +65,7 @@ std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& mode
                         significant(pair->separation_Hz, 3));
   }
   if (list.empty()) return {};
-  return {{"double_peak", "split modes (double peaks), of which the first is quoted: " + list +
+  return {{"double_peak", "split modes, quoted by their first peak: " + list +
                               ". Possible causes: a tuned absorber, a crack or other damage, uneven wall or material"}};
 }
 

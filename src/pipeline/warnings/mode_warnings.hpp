@@ -19,7 +19,7 @@ std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& mo
 std::vector<Warning> unmodelled_peak_warnings(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                               std::pair<double, double> band_Hz);
 
-/// double_peak: split modes, of which the first is quoted.
+/// double_peak: split modes, quoted by their first peak.
 std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& modes,
                                          const std::vector<identify::ModeClassification>& classifications);
 

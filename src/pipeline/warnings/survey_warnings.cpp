@@ -167,10 +167,10 @@ void warn_of_pairs(const SurveyResults& survey, std::vector<Warning>& out) {
       text += fmt::format(", planes {:.2f} ± {:.2g}° apart", pair->planes->between_rad * kRadian_deg,
                           pair->planes->between_std_rad * kRadian_deg);
     }
-    add_name(pairs, text + (pair->quoted ? ")" : "; the second is quoted, which hides the pair)"));
+    add_name(pairs, text + (pair->quoted ? ")" : "; here the second peak is quoted, which hides the first)"));
   }
   if (!pairs.empty()) {
-    out.push_back({"double_peak", "split modes (double peaks), of which the first is quoted: " + pairs +
+    out.push_back({"double_peak", "split modes, quoted by their first peak: " + pairs +
                                       ". Planes turned by 90°/n indicate uneven wall or material; other possible "
                                       "causes: a tuned absorber, a crack or other damage"});
   }
@@ -189,10 +189,11 @@ bool noise_alone(const identify::SynthesisedFrf& frf) {
 std::vector<Warning> survey_warnings(const SurveyResults& survey) {
   std::vector<Warning> out;
   if (!survey.has_geometry) {
-    out.push_back({"no_geometry",
-                   "the positions of the points are not known, so that shapes cannot name modes: state the geometry, "
-                   "for which an example can be printed",
-                   {"geometry", "survey.example"}});
+    out.push_back(
+        {"no_geometry",
+         "the positions of the points are not known, so shapes cannot name modes: state the geometry, or print "
+         "an example of it",
+         {"geometry", "survey.example"}});
   }
   warn_of_nodes(survey, out);
   warn_of_partners(survey, out);

@@ -11,9 +11,9 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kMinPretriggerSamples = 32;  // samples from a record's beginning to the pulse
-constexpr double kMinRingingNoise = 2e-4;     // noise of a sample over the largest response …
-constexpr std::size_t kMinNoiseLines = 512;   // … when there are so many lines
-constexpr double kDecayed = 0.0025;           // six time constants, as for the hits' own finding
+constexpr double kMinRingingNoise = 2e-4;     // least noise that hides the ringing, over the largest response
+constexpr std::size_t kMinNoiseLines = 512;   // fewest spectral lines for an estimate of the noise
+constexpr double kDecayed = 0.0025;           // after six time constants, as for the finding truncated_decay
 
 // Largest magnitude of a channel over the accepted hits, m/s².
 double largest_response_mps2(const std::vector<AnalysedHit>& hits, std::size_t channel) {

@@ -18,9 +18,9 @@ std::string frf_section(const std::string& summary) {
   return page_section(
       "frf", "Frequency responses",
       page_paragraph("Drag to zoom in on a frequency range in all three plots; double-click to see the whole band.") +
-          page_picture("magnitude", "Magnitude of the frequency responses in decibels over frequency. " + summary) +
-          page_picture("phase", "Phase of the frequency responses over frequency.") +
-          page_picture("coherence", "Coherence over frequency, 0 to 1."));
+          page_plot("magnitude", "Magnitude of the frequency responses in decibels over frequency. " + summary) +
+          page_plot("phase", "Phase of the frequency responses over frequency.") +
+          page_plot("coherence", "Coherence over frequency, 0 to 1."));
 }
 
 std::string hits_section(const pipeline::Analysis& analysis) {
@@ -35,13 +35,13 @@ std::string hits_section(const pipeline::Analysis& analysis) {
         fmt::format("<details>\n<summary>Table of {} hits</summary>\n{}</details>\n", analysis.hits().size(), shown);
   }
   return page_section("hits", "Hits",
-                      shown + page_picture("force", "Force of the first hits over time.") +
+                      shown + page_plot("force", "Force of the first hits over time.") +
                           page_findings(analysis, {double_hit, overload, late_trigger, no_pulse, weak}) +
-                          page_picture("response", "Response of the first accelerometer to the pulses over time.") +
+                          page_plot("response", "Response of the first accelerometer to the pulses over time.") +
                           page_findings(analysis, {polarity}) +
-                          page_picture("spectrum", "Spectrum of the force in decibels over frequency.") +
+                          page_plot("spectrum", "Spectrum of the force in decibels over frequency.") +
                           page_findings(analysis, {low_bandwidth}) +
-                          page_picture("decay", "Decay of the responses in decibels over time.") +
+                          page_plot("decay", "Decay of the responses in decibels over time.") +
                           page_findings(analysis, {truncated_decay, low_coherence, outlier}));
 }
 
@@ -95,9 +95,9 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
   if (options.deflection != nullptr) body += deflection_section(analysis, *options.deflection);
   if (possible && modes) {
     body += page_section("movement", "Cross-section of the barrel",
-                         page_picture("movement", "Cross-section of the barrel in each mode."));
+                         page_plot("movement", "Cross-section of the barrel in each mode."));
     body += page_section("stabilisation", "Stabilisation",
-                         page_picture("stabilisation", "Poles of every model order over frequency."));
+                         page_plot("stabilisation", "Poles of every model order over frequency."));
   }
   body += page_section("provenance", "Method and provenance", page_provenance(analysis.record().files, provenance)) +
           "</main>\n";

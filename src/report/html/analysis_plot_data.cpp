@@ -17,7 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kSeen_dB = 0.01, kSeen_deg = 0.1, kSeen_coherence = 1e-4;
+// Quantisation steps, below the resolution of the plots.
+constexpr double kMagnitudeStep_dB = 0.01, kPhaseStep_deg = 0.1, kCoherenceStep = 1e-4;
 
 Json numbers_json(std::span<const double> values, double coarsest) {
   QuantisedCurve numbers = quantised_curve(values, coarsest);
@@ -26,11 +27,11 @@ Json numbers_json(std::span<const double> values, double coarsest) {
 
 Json curve_plot_json(const FrfCurve& curve) {
   Json json{{"name", curve.name},
-            {"db", numbers_json(curve.level_dB, kSeen_dB)},
-            {"phase_deg", numbers_json(curve.phase_deg, kSeen_deg)}};
-  if (!curve.coherence.empty()) json["coherence"] = numbers_json(curve.coherence, kSeen_coherence);
-  if (!curve.above_dB.empty()) json["sigma_db"] = numbers_json(curve.above_dB, kSeen_dB);
-  if (!curve.fit_dB.empty()) json["fit_db"] = numbers_json(curve.fit_dB, kSeen_dB);
+            {"db", numbers_json(curve.level_dB, kMagnitudeStep_dB)},
+            {"phase_deg", numbers_json(curve.phase_deg, kPhaseStep_deg)}};
+  if (!curve.coherence.empty()) json["coherence"] = numbers_json(curve.coherence, kCoherenceStep);
+  if (!curve.above_dB.empty()) json["sigma_db"] = numbers_json(curve.above_dB, kMagnitudeStep_dB);
+  if (!curve.fit_dB.empty()) json["fit_db"] = numbers_json(curve.fit_dB, kMagnitudeStep_dB);
   return json;
 }
 
@@ -76,8 +77,8 @@ Json hits_plot_json(const pipeline::Analysis& analysis) {
                    {"force_n", samples_json(hit.force_N, 0)},
                    {"response_mps2", hit.response_mps2.value.empty() ? Json() : samples_json(hit.response_mps2, 0)},
                    {"noise_db", std::isfinite(hit.noise_dB) ? Json(hit.noise_dB) : Json()},
-                   {"spectrum_db", samples_json(hit.spectrum_dB, kSeen_dB)},
-                   {"decay_db", hit.decay_dB.value.empty() ? Json() : samples_json(hit.decay_dB, kSeen_dB)}});
+                   {"spectrum_db", samples_json(hit.spectrum_dB, kMagnitudeStep_dB)},
+                   {"decay_db", hit.decay_dB.value.empty() ? Json() : samples_json(hit.decay_dB, kMagnitudeStep_dB)}});
   }
   return out;
 }

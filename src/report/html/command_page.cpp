@@ -33,7 +33,7 @@ std::string command_page(const CommandReport& report, const std::vector<std::str
   const bool bends = !report.bending.modes.empty();
   if (bends) {
     body += page_section("bending", "Bending modes of the bat",
-                         page_picture("bending", "The bat in each of its bending modes."));
+                         page_plot("bending", "The bat in each of its bending modes."));
   }
   std::string charts;
   for (const LineChart& chart : report.charts) charts += page_chart(chart);

@@ -49,8 +49,8 @@ std::string title_of(const std::vector<acquire::InputFile>& files) {
 
 std::string page_paragraph(const std::string& text) { return "<p>" + html_escape(text) + "</p>\n"; }
 
-std::string page_picture(const char* kind, const std::string& description) {
-  return fmt::format("<figure class=\"picture\" data-picture=\"{}\" role=\"img\" aria-label=\"{}\"></figure>\n", kind,
+std::string page_plot(const char* kind, const std::string& description) {
+  return fmt::format("<figure class=\"picture\" data-plot=\"{}\" role=\"img\" aria-label=\"{}\"></figure>\n", kind,
                      html_escape(description));
 }
 

@@ -19,7 +19,7 @@ struct Provenance {
 std::string page_section(const char* id, const char* heading, const std::string& content);
 std::string page_paragraph(const std::string& text);
 /// A figure for the scripts in src/report/html/page to draw in, with a text for screen readers.
-std::string page_picture(const char* kind, const std::string& description);
+std::string page_plot(const char* kind, const std::string& description);
 /// A figure with a chart.
 std::string page_chart(const LineChart& chart);
 /// The title of the page, and the conditions of the test.

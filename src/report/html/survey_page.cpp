@@ -87,7 +87,7 @@ std::string survey_page(const pipeline::Survey& survey, const Provenance& proven
     found += survey_modes_table(survey).html();
     data += "," + ascii_text(Json{{"shapes", shapes_plot_json(wireframe(survey))}});
     shapes = page_section("shapes", "Mode shapes",
-                          page_picture("shapes", "Animated points of the structure in each mode.") + mac_html(survey));
+                          page_plot("shapes", "Animated points of the structure in each mode.") + mac_html(survey));
   }
   std::string body = page_header(title_of(analysis.record().files),
                                  test_conditions(analysis, with_hits ? analysis.hits().size() : 0)) +
@@ -97,7 +97,7 @@ std::string survey_page(const pipeline::Survey& survey, const Provenance& proven
     body += page_section("indicator", "Mode indicator",
                          page_paragraph("Singular values of the FRFs: if the second peaks with the first, two modes "
                                         "share a frequency.") +
-                             page_picture("indicator", "Singular values of the FRFs in decibels over frequency."));
+                             page_plot("indicator", "Singular values of the FRFs in decibels over frequency."));
     body += frf_section(summary);
   }
   if (with_hits) body += hits_section(analysis);

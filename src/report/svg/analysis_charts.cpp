@@ -59,7 +59,7 @@ LineChart magnitude_chart(const pipeline::Analysis& analysis, const std::vector<
 }
 
 // The curve is interrupted where the phase wraps.
-std::vector<double> unwrapped_phase(std::vector<double> phase_deg) {
+std::vector<double> interrupted_at_wraps(std::vector<double> phase_deg) {
   const std::vector<double> given = phase_deg;
   for (std::size_t k = 1; k < given.size(); ++k) {
     if (std::abs(given[k] - given[k - 1]) > kJump_deg) phase_deg[k] = std::numeric_limits<double>::quiet_NaN();
@@ -75,7 +75,7 @@ LineChart phase_chart(const pipeline::Analysis& analysis, const std::vector<FrfC
                         .ticks = {-180, -90, 0, 90, 180}}};
   const std::vector<double> x = line_frequencies(analysis);
   for (std::size_t i = 0; i < frfs.size(); ++i)
-    chart.curves.push_back({.name = frfs[i].name, .x = x, .y = unwrapped_phase(frfs[i].phase_deg), .style = i});
+    chart.curves.push_back({.name = frfs[i].name, .x = x, .y = interrupted_at_wraps(frfs[i].phase_deg), .style = i});
   return chart;
 }
 

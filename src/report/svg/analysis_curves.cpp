@@ -17,9 +17,9 @@ namespace {
 constexpr std::size_t kMaxFrfs = 8, kMaxHitsShown = 12, kDecayPoints = 400, kSpectrumPoints = 300;
 constexpr double kMaxAbove_dB = 40;  // a standard deviation as large as the value is unbounded in decibels
 constexpr double kBeyondBandwidth = 1.5;
-constexpr double kNotSeen = std::numeric_limits<double>::quiet_NaN();
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
-double level_dB_of(double amplitude) { return amplitude > 0 ? 20 * std::log10(amplitude) : kNotSeen; }
+double level_dB_of(double amplitude) { return amplitude > 0 ? 20 * std::log10(amplitude) : kGap; }
 
 double level_of(const acquire::PointFrf& frf) {
   double sum = 0;
@@ -27,7 +27,7 @@ double level_of(const acquire::PointFrf& frf) {
   return sum;
 }
 
-// The strongest outputs, in the order of the file.
+// The strongest FRFs, in the order of the file.
 std::vector<std::size_t> strongest_frfs_of(const std::vector<acquire::PointFrf>& frfs) {
   std::vector<std::size_t> order(frfs.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -99,7 +99,7 @@ HitSamples response_of(const pipeline::Analysis& analysis, const acquire::Hit& h
 
 struct Decay {
   HitSamples level_dB;
-  double noise_dB = kNotSeen;
+  double noise_dB = kGap;
 };
 
 // The response's level per block after the peak, and before the pulse.

@@ -17,7 +17,7 @@ struct FrfCurve {
   std::vector<double> fit_dB;    // of the fitted modes
 };
 
-/// Curves of the strongest outputs, eight at most, in the order of the file.
+/// Curves of the strongest FRFs, eight at most, in the order of the file.
 std::vector<FrfCurve> frf_curves(const pipeline::Analysis& analysis);
 
 /// Equally spaced values of a hit.
@@ -33,9 +33,9 @@ struct HitCurves {
   double bandwidth_Hz = 0;
   HitSamples force_N;        // over seconds from the onset; zero outside
   HitSamples response_mps2;  // of the first accelerometer over seconds from the onset; may be empty
-  HitSamples spectrum_dB;    // of the force over Hz, under its largest line, to 1.5 times the bandwidth
+  HitSamples spectrum_dB;    // of the force over Hz, relative to its largest line, to 1.5 times the bandwidth
   double noise_dB = 0;       // of the first accelerometer before the hit, as decay_dB; NaN: it was not at rest
-  HitSamples decay_dB;  // of the first accelerometer over seconds from the peak, under its largest block; may be empty
+  HitSamples decay_dB;       // of the first accelerometer over seconds from the peak, 0 at its largest; may be empty
 };
 
 /// Curves of the first hits with a pulse, twelve at most.

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "report/text/analysis_tables.hpp"
+#include "report/text/number_format.hpp"
 
 namespace percuss::report {
 namespace {
@@ -75,9 +76,10 @@ std::vector<DeformedShape> barrel_cross_sections(const pipeline::Analysis& analy
     if (sensors.size() != 2 || classifications[m].family == identify::ModeType::unknown) continue;
     const double n = classifications[m].family == identify::ModeType::hoop ? 2 : 1;
     const Eigen::Vector2d pattern = pattern_of(sensors, n);
-    drawings.push_back({.name = fmt::format("{}, {:.4g} Hz", mode_name(classifications[m], m), mode.pole.freq_Hz),
-                        .rest = {ring(pattern, n, 0)},
-                        .moved = {ring(pattern, n, kExaggeration), ring(pattern, n, -kExaggeration)}});
+    drawings.push_back(
+        {.name = fmt::format("{}, {} Hz", mode_name(classifications[m], m), hertz_text(mode.pole.freq_Hz)),
+         .rest = {ring(pattern, n, 0)},
+         .moved = {ring(pattern, n, kExaggeration), ring(pattern, n, -kExaggeration)}});
   }
   return drawings;
 }

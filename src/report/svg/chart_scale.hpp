@@ -7,7 +7,7 @@ namespace percuss::report {
 
 /// Values to pixels along one axis of a chart.
 struct ChartScale {
-  double low = std::numeric_limits<double>::infinity(), high = -low;  // of the values, logarithms where so drawn
+  double low = std::numeric_limits<double>::infinity(), high = -low;  // of the values, or of their logarithms
   double from = 0, to = 1;                                            // pixels
   bool logarithmic = false;
 

@@ -33,8 +33,8 @@ constexpr std::array<const char*, 7> kPageColours{"var(--c0)", "var(--c1)", "var
                                                   "var(--c7)", "var(--c5)", "var(--c4)"};
 constexpr std::array<const char*, 7> kDashes{"none", "7 3", "2 3", "9 3 2 3", "12 4", "4 2", "6 2 1 2 1 2"};
 
-// The lowest and the highest of each run of neighbouring samples, in their order, and a gap if there is one.
-std::vector<std::size_t> has_enough_points(const std::vector<double>& y) {
+// Indices of the samples to draw, ascending: of each run of neighbours the lowest, the highest and one gap if any.
+std::vector<std::size_t> extreme_samples(const std::vector<double>& y) {
   std::vector<std::size_t> kept;
   const std::size_t run = std::max<std::size_t>(1, 2 * y.size() / kMaxDrawn);
   for (std::size_t begin = 0; begin < y.size(); begin += run) {
@@ -70,8 +70,8 @@ std::string shown_name(const std::string& name) {
 
 class Drawing {
  public:
-  Drawing(const LineChart& chart, ChartTheme ground)
-      : chart_(chart), on_page_(ground == ChartTheme::page), grid_(on_page_ ? "var(--rule)" : "#ddd") {
+  Drawing(const LineChart& chart, ChartTheme theme)
+      : chart_(chart), on_page_(theme == ChartTheme::page), grid_(on_page_ ? "var(--rule)" : "#ddd") {
     x_ = {.from = kLeft, .to = kRight, .logarithmic = chart.x.logarithmic};
     y_ = {.from = kBottom, .to = kTop, .logarithmic = chart.y.logarithmic};
     std::size_t longest = 0;
@@ -147,7 +147,7 @@ class Drawing {
   std::string way(const std::vector<double>& x, const std::vector<double>& y, bool backwards = false) const {
     std::string path;
     bool pen = backwards;
-    std::vector<std::size_t> drawn = has_enough_points(y);
+    std::vector<std::size_t> drawn = extreme_samples(y);
     if (backwards) std::reverse(drawn.begin(), drawn.end());
     for (const std::size_t i : drawn) {
       const double px = x_.pixel(x[i]), py = std::clamp(y_.pixel(y[i]), kTop, kBottom);
@@ -175,7 +175,7 @@ class Drawing {
   void points(const ChartCurve& curve, std::size_t style) {
     std::vector<std::size_t> drawn(curve.x.size());
     std::iota(drawn.begin(), drawn.end(), std::size_t{0});
-    if (curve.line) drawn = has_enough_points(curve.y);
+    if (curve.line) drawn = extreme_samples(curve.y);
     for (const std::size_t i : drawn) {
       const double x = x_.pixel(curve.x[i]), y = y_.pixel(curve.y[i]);
       if (!std::isfinite(x) || !std::isfinite(y)) continue;
@@ -253,10 +253,10 @@ class Drawing {
 
 }  // namespace
 
-SvgFragment line_chart_fragment(const LineChart& chart, ChartTheme ground) { return Drawing(chart, ground).piece(); }
+SvgFragment line_chart_fragment(const LineChart& chart, ChartTheme theme) { return Drawing(chart, theme).piece(); }
 
-std::string line_chart_svg(const LineChart& chart, ChartTheme ground) {
-  return svg_document({line_chart_fragment(chart, ground)});
+std::string line_chart_svg(const LineChart& chart, ChartTheme theme) {
+  return svg_document({line_chart_fragment(chart, theme)});
 }
 
 std::string line_charts_svg(const std::vector<LineChart>& charts) {

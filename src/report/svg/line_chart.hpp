@@ -56,10 +56,10 @@ enum class ChartTheme : std::uint8_t { paper, page };
 /// The chart as an SVG 1.1 document: ticks at round numbers, colours for the colour-blind, dashes that differ in print,
 /// text of 12 px and more. A longer line is reduced to a thousand points, the extremes of neighbouring samples. If a
 /// curve consists of points alone, the names form a legend.
-std::string line_chart_svg(const LineChart& chart, ChartTheme ground = ChartTheme::paper);
+std::string line_chart_svg(const LineChart& chart, ChartTheme theme = ChartTheme::paper);
 
 /// The same as a part of a larger drawing.
-SvgFragment line_chart_fragment(const LineChart& chart, ChartTheme ground = ChartTheme::paper);
+SvgFragment line_chart_fragment(const LineChart& chart, ChartTheme theme = ChartTheme::paper);
 
 /// Several charts, stacked, as one document.
 std::string line_charts_svg(const std::vector<LineChart>& charts);

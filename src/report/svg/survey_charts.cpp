@@ -11,6 +11,7 @@
 #include "report/svg/shape_svg.hpp"
 #include "report/svg/wireframe.hpp"
 #include "report/text/analysis_tables.hpp"
+#include "report/text/number_format.hpp"
 
 namespace percuss::report {
 namespace {
@@ -65,7 +66,7 @@ std::vector<DeformedShape> shape_drawings(const pipeline::Survey& survey) {
       for (const Complex& component : move) largest = std::max(largest, std::abs(component));
     }
     if (frame.points.size() < 2 || !(largest > 0)) continue;
-    drawings.push_back({.name = fmt::format("{}, {:.4g} Hz", mode.name, mode.freq_Hz),
+    drawings.push_back({.name = fmt::format("{}, {} Hz", mode.name, hertz_text(mode.freq_Hz)),
                         .rest = lines_of(frame, mode, 0, kCross * radius),
                         .moved = lines_of(frame, mode, kShapeAmplitude * radius / largest, kCross * radius)});
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/io/significant_digits.hpp"
+#include "report/text/number_format.hpp"
 
 namespace percuss::report {
 namespace {
@@ -34,7 +35,7 @@ std::string summary_sentence(const pipeline::Analysis& analysis,
                              const std::vector<identify::ModeClassification>& classifications) {
   if (!analysis.possible()) return "No hit can be used: there are no FRFs and no modes.";
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
-  const std::string band = fmt::format("between {:.4g} and {:.4g} Hz", low_Hz, high_Hz);
+  const std::string band = fmt::format("between {} and {} Hz", hertz_text(low_Hz), hertz_text(high_Hz));
   const std::size_t count = analysis.modes().size();
   if (count == 0) return fmt::format("No mode rises above the noise {}.", band);
   std::vector<std::string> parts;

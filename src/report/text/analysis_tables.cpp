@@ -37,7 +37,7 @@ std::string brief(const acquire::Finding& finding) {
 
 std::string hit_verdict(const pipeline::AnalysedHit& hit) {
   std::string text = hit.accepted ? "ok" : "rejected";
-  if (hit.by_user) text += hit.accepted ? " (accepted by the user)" : " (rejected by the user)";
+  if (hit.by_user) text += hit.accepted ? " (accepted by the user)" : " (by the user)";
   std::string reasons;
   for (const acquire::Finding& finding : hit.hit.findings) {
     reasons += (reasons.empty() ? ": " : "; ") +
@@ -55,7 +55,7 @@ HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipel
   std::vector<TextTable::Column> columns{{"hit", TextTable::Align::right}};
   if (points) columns.push_back({"point", TextTable::Align::right});
   if (files) columns.push_back({"file"});
-  for (const char* name : {"time", "peak", "pulse", "reaches"}) columns.push_back({name, TextTable::Align::right});
+  for (const char* name : {"time", "peak", "pulse", "bandwidth"}) columns.push_back({name, TextTable::Align::right});
   columns.push_back({"verdict"});
   TextTable table(columns);
   std::size_t shown = 0, left_out = 0;
@@ -90,9 +90,9 @@ std::string note_of(const pipeline::Analysis& analysis, std::size_t m) {
   std::string note;
   const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
   if (classification.split_mode) {
-    add(classification.split_mode->first ? fmt::format("double peak, {} Hz apart: this one is quoted",
+    add(classification.split_mode->first ? fmt::format("split mode, {} Hz apart: this peak is quoted",
                                                        significant(classification.split_mode->separation_Hz, 3))
-                                         : "second of the double peak");
+                                         : "second peak of the split mode");
   }
   if (classification.family != identify::ModeType::unknown && classification.confidence < 0.95)
     add(fmt::format("{:.0f} % sure", classification.confidence * 100));
@@ -155,7 +155,7 @@ std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits
   }
   if (analysis.possible()) {
     const auto [low, high] = analysis.band_Hz();
-    text += fmt::format(" · band {:.4g}–{:.4g} Hz", low, high);
+    text += fmt::format(" · band {}–{} Hz", hertz_text(low), hertz_text(high));
   }
   return text;
 }

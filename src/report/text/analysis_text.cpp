@@ -81,6 +81,11 @@ std::string spaced(const std::string& text) { return text.empty() ? text : text 
 
 }  // namespace
 
+Message no_usable_hit() {
+  return {"no hit can be used, so there are no FRFs and no modes; to use a hit despite its findings, accept it",
+          {"accept_hit"}};
+}
+
 std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions& options) {
   const auto wants = [&](ReportSection section) { return options.sections.contains(section); };
   const bool force_only = options.sections == std::set{ReportSection::hits};
@@ -101,7 +106,9 @@ std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions&
     if (modes) text += modes_text(analysis, wants(ReportSection::classes), options.width) + "\n";
     if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";
   } else {
-    text += std::string(kNoUsableHit) + "\n\n";
+    const Message result = no_usable_hit();
+    const std::string words = options.write_option != nullptr ? result.written(options.write_option) : result.text;
+    text += wrapped(words, options.width, 2) + "\n\n";
   }
   if (options.warnings) text += warnings_text(analysis.warnings()).text(options.width, options.write_option);
   while (text.ends_with("\n\n")) text.pop_back();

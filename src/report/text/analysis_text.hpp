@@ -18,8 +18,7 @@ struct TextOptions {
 };
 
 /// The result of a test without FRFs and modes.
-inline constexpr const char* kNoUsableHit =
-    "no hit can be used: no FRF, no modes (a hit can be accepted despite its findings)";
+Message no_usable_hit();
 
 /// The analysis as text: one line with the test's conditions, the hits, the modes with ±, then the warnings.
 std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions& options = {});

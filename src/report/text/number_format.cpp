@@ -15,6 +15,12 @@ std::string value_with_std(double value, double deviation) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, deviation, decimals);
 }
 
+std::string hertz_text(double freq_Hz) {
+  constexpr double kFiveDigits = 9999.5, kMaxDigits = 1e6;
+  return freq_Hz >= kFiveDigits && freq_Hz < kMaxDigits ? fmt::format("{:.0f}", freq_Hz)
+                                                        : fmt::format("{:.4g}", freq_Hz);
+}
+
 std::string rounded_frequency_text(double freq_Hz) {
   return freq_Hz >= 1000 ? fmt::format("{:.4g} kHz", freq_Hz / 1000) : fmt::format("{:.4g} Hz", freq_Hz);
 }

@@ -10,6 +10,9 @@ std::string value_with_std(double value, double std);
 /// Frequencies: four significant digits, k for thousands ("3.9 kHz").
 std::string rounded_frequency_text(double freq_Hz);
 
+/// A frequency as a number of hertz: four significant digits, whole hertz from 10 kHz, no exponent below 1 MHz.
+std::string hertz_text(double freq_Hz);
+
 /// "232 N", "1750 N": three significant digits, never an exponent.
 std::string force_text(double force_N);
 

@@ -68,7 +68,7 @@ ReportText& ReportText::operator+=(const TextTable& table) {
   return *this;
 }
 
-void ReportText::say(std::string sentence) { parts_.emplace_back(Sentence{.message = std::move(sentence)}); }
+void ReportText::say(Message sentence) { parts_.emplace_back(Sentence{.message = std::move(sentence)}); }
 
 void ReportText::warn(Message message) {
   message.text = one_line(message.text, kMaxWarningBytes);

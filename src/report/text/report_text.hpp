@@ -18,7 +18,7 @@ class ReportText {
   ReportText& operator+=(const std::string& lines);  // verbatim, each with its line end
   ReportText& operator+=(const TextTable& table);
   /// Adds a sentence, wrapped at the terminal's width with later lines indented.
-  void say(std::string sentence);
+  void say(Message sentence);
   /// Adds a warning: a sentence after an exclamation mark.
   void warn(Message message);
 

@@ -25,8 +25,8 @@ std::string plane_cell(const std::optional<identify::TubeShape>& tube) {
 std::string note_cell(const identify::ModeClassification& classification) {
   std::string note;
   if (classification.split_mode) {
-    note = fmt::format("double peak, {:.3g} Hz apart{}", classification.split_mode->separation_Hz,
-                       classification.split_mode->quoted ? ": this one is quoted" : "");
+    note = fmt::format("split mode, {:.3g} Hz apart{}", classification.split_mode->separation_Hz,
+                       classification.split_mode->quoted ? ": this peak is quoted" : "");
   }
   if (classification.alternative)
     note += fmt::format("{}could be {}", note.empty() ? "" : "; ", name_of(*classification.alternative));

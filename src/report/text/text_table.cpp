@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "report/text/html_escape.hpp"
 
@@ -28,11 +31,44 @@ std::size_t text_width(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+namespace {
+
+// A number, with a sign or an opening bracket before it: "35.5", "(12.0", "±".
+bool is_number(std::string_view word) {
+  if (word == "±") return true;
+  const std::size_t digit = word.find_first_not_of("(+-");
+  return digit != std::string_view::npos && word.find_first_not_of("0123456789.", digit) == std::string_view::npos;
+}
+
+// A unit of measurement or "±", with punctuation behind it: "Hz,".
+bool is_unit(std::string_view word) {
+  constexpr std::array<std::string_view, 19> kUnits{"%",  "Hz", "kHz", "s",  "ms", "N", "g",   "kg",  "m",  "mm",
+                                                    "in", "oz", "mph", "°F", "dB", "±", "m/s", "lbf", "GPa"};
+  word = word.substr(0, word.find_last_not_of(".,;:)") + 1);
+  return std::find(kUnits.begin(), kUnits.end(), word) != kUnits.end();
+}
+
+// The words of a text. A number and its unit or standard deviation form one word.
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> words;
+  bool after_number = false;
+  for (std::string word; in >> word; after_number = is_number(word)) {
+    if (after_number && (is_unit(word) || words.back().ends_with("±"))) {
+      words.back() += ' ' + word;
+    } else {
+      words.push_back(word);
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
-  std::istringstream words(text);
-  std::string out, word;
+  std::string out;
   std::size_t at = indent;
-  while (words >> word) {
+  for (const std::string& word : words_of(text)) {
     const std::size_t length = text_width(word);
     if (at > indent && at + 1 + length > width) {
       out += '\n' + std::string(indent, ' ');

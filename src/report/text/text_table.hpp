@@ -27,7 +27,8 @@ class TextTable {
 /// Number of characters of a UTF-8 text.
 std::size_t text_width(const std::string& text);
 
-/// `text` broken at spaces into lines of at most `width` characters, later lines indented.
+/// `text` broken at spaces into lines of at most `width` characters, later lines indented. A number stays on one line
+/// with its unit and its standard deviation.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
 
 }  // namespace percuss::report

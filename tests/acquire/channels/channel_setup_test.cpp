@@ -85,7 +85,7 @@ TEST(ChannelSetup, RefusesImpossibleSensitivities) {
 
 TEST(ChannelSetup, NamesTheWrongKey) {
   EXPECT_THAT(rejection_of(R"([{"name": "a"}, {"name": "b", "angel_deg": 3}])"),
-              HasSubstr("unknown key (s.json: [1].angel_deg); known are name,"));
+              HasSubstr("unknown key (s.json: [1].angel_deg); use one of name,"));
   EXPECT_THAT(rejection_of(R"([{"role": "force"}])"), HasSubstr("no name (s.json: [0])"));
   EXPECT_THAT(rejection_of(R"([{"name": 3}])"), HasSubstr("not a text (s.json: [0].name)"));
   EXPECT_THAT(rejection_of(R"([{"name": "a", "angle_deg": "90"}])"), HasSubstr("not a number (s.json: [0].angle_deg)"));

@@ -94,7 +94,7 @@ TEST(Geometry, NamesLineAndRemedyOfAnError) {
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1,zero\n"),
               AllOf(HasSubstr("angle \"zero\" is not a number (g.csv: line 2)"), HasSubstr("; write a number")));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1,0\n\n0,0.2,0\n"),
-              HasSubstr("point 0 stands twice (g.csv: line 4)"));
+              HasSubstr("point 0 is listed twice (g.csv: line 4)"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0.5,0.1,0\n"),
               HasSubstr("0.5 is not a point number (g.csv: line 2)"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n-1,0.1,0\n"), HasSubstr("-1 is not a point number"));
@@ -115,7 +115,7 @@ TEST(Geometry, RefusesOtherTexts) {
         "point\n1\n", "point,position_m,angle_deg\nm,m,deg\n"}) {
     EXPECT_THAT(rejection_of(text), HasSubstr("g.csv")) << text;
   }
-  EXPECT_THAT(rejection_of(std::string("point,position_m,angle_deg\n0,\0,1\n", 33)), HasSubstr("no text"));
+  EXPECT_THAT(rejection_of(std::string("point,position_m,angle_deg\n0,\0,1\n", 33)), HasSubstr("not a text file"));
   EXPECT_THAT(rejection_of(std::string(std::size_t{17} << 20U, 'x')), HasSubstr("16 MiB"));
   const test::ScratchFolder folder;
   EXPECT_THAT(input_error_of([&] { read_geometry(folder.path()); }), HasSubstr("folder"));

@@ -74,7 +74,7 @@ TEST(ForceClipping, IsNoneInEqualHits) {
   for (const Hit& hit : find_hits(test::force_record(25600, {row, row, row}))) EXPECT_EQ(overloads(hit), 0U);
 }
 
-// A pulse of three samples has one or two clipped ones: no hit shows clipping alone.
+// A pulse of three samples has one or two clipped samples: no hit alone shows the clipping.
 TEST(ForceClipping, IsFoundInEqualPeaksOfShortPulses) {
   const auto row = [](double peak_N, double onset) {
     std::vector<double> x(4000);

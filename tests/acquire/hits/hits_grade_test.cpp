@@ -29,7 +29,7 @@ const Finding* found(const Hit& hit, FindingCode code) {
   return at == hit.findings.end() ? nullptr : &*at;
 }
 
-/// Expects this finding and no other.
+/// The finding with this code if it is the only one, else nullptr.
 const Finding* only(const Hit& hit, FindingCode code) { return hit.findings.size() == 1 ? found(hit, code) : nullptr; }
 
 TEST(HitFindings, AreNoneForAGoodHit) {

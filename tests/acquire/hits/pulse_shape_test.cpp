@@ -27,7 +27,7 @@ TEST(ShapeOfPulse, InterpolatesWhereItCrossesFivePercent) {
     EXPECT_EQ(pulse.peak, 3U);
     EXPECT_DOUBLE_EQ(pulse.rise, 1.25);  // 5 of the 20 between samples 1 and 2
     EXPECT_DOUBLE_EQ(pulse.fall, 4.75);
-    EXPECT_TRUE(pulse.starts_inside);
+    EXPECT_TRUE(pulse.has_rise);
   }
 }
 
@@ -42,11 +42,11 @@ TEST(ShapeOfPulse, MeasuresAHaversine) {
 
 TEST(ShapeOfPulse, EndsWithTheSignal) {
   const PulseShape cut = shape_of({80, 100, 60});
-  EXPECT_FALSE(cut.starts_inside);
+  EXPECT_FALSE(cut.has_rise);
   EXPECT_EQ(cut.rise, 0);
   EXPECT_EQ(cut.fall, 2);
   const PulseShape lone = shape_of({3});
-  EXPECT_FALSE(lone.starts_inside);
+  EXPECT_FALSE(lone.has_rise);
   EXPECT_EQ(lone.rise, 0);
   EXPECT_EQ(lone.fall, 0);
   EXPECT_DOUBLE_EQ(shape_of({0, 0, 9}).rise, 1.05);

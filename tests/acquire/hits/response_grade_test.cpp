@@ -109,7 +109,7 @@ TEST(GradeResponse, FindsRingingBeforeTheHit) {
   auto noisy = ringing(1500), rounded = noisy;
   test::add_noise(noisy, 2, 3);
   EXPECT_FALSE(grade(noisy).rings_before);
-  rounded[100] += 1e-4;  // less than the 52 dB below the response that change nothing
+  rounded[100] += 1e-4;  // more than 52 dB below the response: negligible
   EXPECT_FALSE(grade(rounded).rings_before);
 }
 
@@ -219,10 +219,10 @@ TEST(DecayedLength, IsTwiceTheTimeToTheBackground) {
   auto x = ringing(kTau);
   test::add_noise(x, kNoise, 2);
   // rms² = peak² e^(−2t/τ)/2 + σ² is (2σ)² at:
-  const double sunk = kTau * std::log(50 / std::sqrt(6.0) / kNoise);
+  const double settled = kTau * std::log(50 / std::sqrt(6.0) / kNoise);
   const auto after = static_cast<double>(hit().gate_first + hit().gated_N.size());
   const double window = (kSamples - after) / 64;
-  const double exact = after + 2 * (static_cast<double>(kOnset) + sunk - after);
+  const double exact = after + 2 * (static_cast<double>(kOnset) + settled - after);
   EXPECT_LE(std::abs(static_cast<double>(decayed(hit(), x)) - exact), 2.5 * window);  // whole windows, twice
 }
 

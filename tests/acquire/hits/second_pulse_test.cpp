@@ -25,8 +25,8 @@ std::vector<double> two_pulses(double width, double delay, double ratio, double 
   return x;
 }
 
-/// Each peak is up to half a sample off: 1 − cos² of π/2 over the width. Added are the ringing of one pulse in the
-/// other, and the different effect of the 5-sample mean at different phases.
+/// Each peak is up to half a sample off: 1 − cos² of π/2 over the width. The 0.01 allows for the ringing of one pulse
+/// in the other, and for the phase dependence of the 5-sample mean.
 double ratio_slack(double width) { return std::pow(std::numbers::pi / 2 / width, 2) + 0.01; }
 
 TEST(SecondPulse, IsFoundWithItsDelayAndRatio) {
@@ -97,7 +97,7 @@ TEST(SecondPulse, IsFoundInNoise) {
     test::add_noise(x, 0.005, seed);
     const auto second = second_in(x, 0.005);
     ASSERT_TRUE(second);
-    // The top of a pulse of 0.1 under noise of 0.005 falls off by that much within two samples.
+    // A pulse of 0.1 falls by the noise of 0.005 within two samples of its top.
     EXPECT_LE(std::abs(second->delay_samples - 400), 3);
     EXPECT_LE(std::abs(second->ratio - 0.1), 0.02);  // four deviations and the phases of the tops
   }
@@ -111,7 +111,7 @@ TEST(SecondPulse, IsNotTheUndershootOfAnAcCoupledChannel) {
     ASSERT_LE(*std::min_element(coupled.begin() + 3010, coupled.end()), -0.2);  // the coupling makes an undershoot
     EXPECT_FALSE(second_in(coupled)) << time_constant;
     if (time_constant < 50) continue;
-    // Two couplings overshoot back, by less the longer they are beside the pulse.
+    // Two couplings make an overshoot. It is smaller for longer time constants.
     EXPECT_FALSE(second_in(test::ac_coupled(coupled, time_constant))) << time_constant;
   }
 }

@@ -118,7 +118,7 @@ std::vector<std::size_t> part_borders(std::size_t samples) {
 TEST(TriggerScan, FindsPulsesAtTheBordersOfChunksAndBlocks) {
   constexpr std::size_t kSamples = 2 * kChunk + 1000;
   const std::vector<std::size_t> parts = part_borders(kSamples);
-  ASSERT_EQ(parts.size() % 3, 0U);  // three chunks of so many parts; the first border is one of blocks instead
+  ASSERT_EQ(parts.size() % 3, 0U);  // three chunks of equally many parts; 32000 is a border of blocks
   std::vector<std::size_t> borders{32000, parts[parts.size() / 3], parts[2 * parts.size() / 3], parts.back()};
   std::vector<double> all(kSamples);
   for (const std::size_t border : borders) {

@@ -73,7 +73,7 @@ TEST_F(ContiguousSamples, ExcludeChunkedSets) {
   for (std::size_t i = 0; i < accel.size(); ++i) ASSERT_EQ(accel[i], test::ramp_value(300 + i));
 }
 
-// The library's reader words the refusal: it knows the place.
+// The library's reader writes the message, because it knows the place.
 TEST_F(ContiguousSamples, AreRefusedWithTheirPlaceWhenNotFinite) {
   const std::string path = folder_.file("bad.h5");
   std::vector<double> values(kSamples, 1.0);
@@ -85,7 +85,7 @@ TEST_F(ContiguousSamples, AreRefusedWithTheirPlaceWhenNotFinite) {
     const std::string message = test::input_error_of([&] { record.read_force_N(0, 0, force); });
     EXPECT_THAT(message, testing::HasSubstr("not a finite number"));
     EXPECT_THAT(message, testing::HasSubstr("[20000]"));
-    record.read_force_N(0, 20001, std::span(force).first(100));  // beside it all is well
+    record.read_force_N(0, 20001, std::span(force).first(100));  // the samples after it are good
     EXPECT_EQ(force[0], 1);
   }
 }

@@ -186,7 +186,8 @@ TEST_F(Sandbox, ForksWithLibrariesIdle) {
   other.join();
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)  // they need terabytes
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
+    !defined(__clang__)  // sanitizers reserve terabytes
 TEST_F(Sandbox, LimitsMemory) {
   EXPECT_THAT(message_when([] {
                 const std::vector<char> much(std::size_t{3} << 30U);

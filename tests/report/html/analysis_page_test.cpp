@@ -130,7 +130,7 @@ TEST_F(AnalysisPage, ShowsThatARecordCannotBeUsed) {
     EXPECT_THAT(page, Not(HasSubstr(fmt::format(R"(<section id="{}")", id))));
 }
 
-TEST_F(AnalysisPage, IsOfOneTest) {
+TEST_F(AnalysisPage, IsRefusedForSeveralTests) {
   test::write_small_test(folder_.file("bat.h5"), R"("hits": 2, "runs": 2)");
   EXPECT_EQ(run_percuss({"analyze", folder_.file("bat.h5"), "-o", folder_.file("x.html")}).code, 2);
 }

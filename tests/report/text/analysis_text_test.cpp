@@ -86,7 +86,7 @@ TEST(AnalysisText, StatesTheSeparationOfVeryClosePairs) {
   spec.band_high_Hz = 1000;
   spec.samples = 102400;  // 40 s
   const pipeline::Analysis analysis(synth::synthesise(spec).record, {.band_Hz = std::pair{400.0, 600.0}, .threads = 1});
-  EXPECT_THAT(analysis_text(analysis, {.width = 200}), HasSubstr("double peak, 0.0400 Hz apart"));
+  EXPECT_THAT(analysis_text(analysis, {.width = 200}), HasSubstr("split mode, 0.0400 Hz apart"));
 }
 
 TEST(AnalysisText, ObeysTheWidth) {

@@ -40,6 +40,15 @@ TEST(RoundedFrequencyText, UsesKilohertzFromAThousand) {
   EXPECT_EQ(rounded_frequency_text(0.12345), "0.1235 Hz");
 }
 
+TEST(HertzText, HasNoExponentBelowAMegahertz) {
+  EXPECT_EQ(hertz_text(67.0312), "67.03");
+  EXPECT_EQ(hertz_text(3200), "3200");
+  EXPECT_EQ(hertz_text(9999.6), "10000");
+  EXPECT_EQ(hertz_text(12345.4), "12345");
+  EXPECT_EQ(hertz_text(999999), "999999");
+  EXPECT_EQ(hertz_text(2e6), "2e+06");
+}
+
 TEST(ForceText, HasThreeDigitsAndNoExponent) {
   EXPECT_EQ(force_text(232.4), "232 N");
   EXPECT_EQ(force_text(-1750.4), "-1750 N");

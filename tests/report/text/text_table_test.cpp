@@ -31,6 +31,12 @@ TEST(Wrapped, LeavesAWordThatIsTooLongWhole) {
   EXPECT_EQ(wrapped("a incomprehensible b", 5, 0), "a\nincomprehensible\nb");
 }
 
+TEST(Wrapped, KeepsANumberAndItsUnitOnOneLine) {
+  EXPECT_EQ(wrapped("after 11.99 ms, 35.5 % of it", 14, 2), "after\n  11.99 ms,\n  35.5 % of it");
+  EXPECT_EQ(wrapped("at (12.0 Hz) it", 9, 0), "at\n(12.0 Hz)\nit");
+  EXPECT_EQ(wrapped("is 3.2 ± 0.1 mm long", 6, 0), "is\n3.2 ± 0.1 mm\nlong");
+}
+
 TEST(Wrapped, KeepsEveryWordInOrder) {
   const std::string text = "the damping is fitted with the missing decay ± allowed for";
   for (std::size_t width = 1; width < 70; ++width) {

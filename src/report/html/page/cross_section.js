@@ -25,7 +25,7 @@ const crossSectionPlots = () => {
       const box = addElement("div", row), canvas = addElement("canvas", box);
       canvas.width = canvas.height = 150 * devicePixelRatio;
       addElement("p", box, mode.name);
-      addElement("p", box, `${mode.hz.toPrecision(4)} Hz`);
+      addElement("p", box, `${hertz(mode.hz)} Hz`);
       return { canvas, ring: ringPattern(mode) };
     });
     play((phase) => {

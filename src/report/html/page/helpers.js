@@ -5,6 +5,8 @@ const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 // Looked up at each drawing: colours differ between paper and a dark screen.
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const dashes = [[], [8, 4], [2, 3], [10, 3, 2, 3], [5, 5], [1, 4], [12, 4], [6, 2]];
+// Four significant digits; whole hertz from 10 kHz, without an exponent.
+const hertz = (hz) => (hz >= 9999.5 ? hz.toFixed(0) : hz.toPrecision(4));
 const strokes = (i) => ({ stroke: () => colour(`--c${i % 8}`), dash: dashes[i % 8] });
 
 const addElement = (tag, parent, text) => {
@@ -13,7 +15,7 @@ const addElement = (tag, parent, text) => {
   if (parent) parent.append(element);
   return element;
 };
-const figuresOf = (kind) => document.querySelectorAll(`[data-picture="${kind}"]`);
+const figuresOf = (kind) => document.querySelectorAll(`[data-plot="${kind}"]`);
 
 // Decodes a quantised curve: from + step · k, null for k = 65535.
 const decoded = (packed) => {

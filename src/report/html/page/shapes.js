@@ -11,7 +11,7 @@ const shapePlots = () => {
       const box = addElement("div", row), canvas = addElement("canvas", box);
       canvas.width = 300 * devicePixelRatio;
       canvas.height = 240 * devicePixelRatio;
-      addElement("p", box, `${mode.name}, ${mode.hz.toPrecision(4)} Hz`);
+      addElement("p", box, `${mode.name}, ${hertz(mode.hz)} Hz`);
       const largest = mode.moves.reduce((max, x) => Math.max(max, Math.abs(x)), 0) || 1;
       return { canvas, moves: mode.moves.map((x) => x / largest) };
     });

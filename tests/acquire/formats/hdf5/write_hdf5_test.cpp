@@ -122,7 +122,7 @@ TEST_F(Hdf5Write, GivesEqualBytesForEqualInput) {
   record.rows[1].point = 1;
   record.accel[0].angle_rad = 0.5;
   write_hdf5(path_, record, false);
-  ::sleep(1);  // a clock in the file would show
+  ::sleep(1);  // a time stamp in the file would differ
   write_hdf5(folder_.file("again.h5"), record, false);
   EXPECT_EQ(test::bytes_of(path_), test::bytes_of(folder_.file("again.h5")));
   write_hdf5(folder_.file("copy.h5"), open_hdf5(path_), false);
@@ -187,10 +187,10 @@ TEST_F(Hdf5Write, LeavesTheOldFileWhenKilledAndTheNextWriterCleansUp) {
   try {
     write_hdf5(path, large, false);
   } catch (const InputError&) {
-    write_hdf5(path, small, false);  // the library is still of use
+    write_hdf5(path, small, false);  // the library still works
     code = open_hdf5(path).rows.size() == small.rows.size() ? 3 : 2;
   }
-  std::exit(code);  // NOLINT(concurrency-mt-unsafe): with all that runs at exit
+  std::exit(code);  // NOLINT(concurrency-mt-unsafe): runs the exit handlers
 }
 
 TEST_F(Hdf5Write, SurvivesAFullDisk) {

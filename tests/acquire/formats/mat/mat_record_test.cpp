@@ -247,7 +247,7 @@ TEST_F(MatWritten, DistinguishesASingleHitFromAContinuousRow) {
   }
 }
 
-TEST_F(MatWritten, SurvivesTruncationAndMutations) {
+TEST_F(MatWritten, IsRefusedWhenTruncated) {
   write_mat(path_, example(), false);
   const std::string good = test::bytes_of(path_);
   const auto try_bytes = [&](const std::string& bytes) {

@@ -71,7 +71,7 @@ TEST(ReadCsv, RefusesCommasBetweenCellsAndInNumbers) {
 
 TEST(ReadCsv, TakesWholeNumbersBetweenCommas) {
   EXPECT_EQ(csv_record("time_s,force_N,acc_m_s2\n0,1,2\n1,3,4\n2,3,4\n").fs_Hz, 1);
-  // Whole numbers under no names, and a padded table
+  // Whole numbers without names of columns, and lines padded with commas.
   const ReadOptions numbered{.fs_Hz = 10, .force_channel = "2", .accel_channels = {"3"}};
   EXPECT_EQ(csv_record("Operator,Smith\n0,1,2\n1,3,4\n2,3,4\n", numbered).rows.at(0).samples, 3U);
   EXPECT_EQ(csv_record("time_s,force_N,acc_m_s2\n0,1,2,,\n1,3,4,,\n2,3,4,,\n").fs_Hz, 1);

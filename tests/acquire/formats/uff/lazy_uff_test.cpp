@@ -15,7 +15,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/uff_text.hpp"
 
-// Universal files long enough that their numbers stay on the disk until somebody wants them.
+// Universal files so long that their numbers stay on the disk until they are read.
 namespace percuss::acquire::sparse_uff_test {
 
 namespace fs = std::filesystem;
@@ -109,7 +109,7 @@ TEST_F(LazyUff, ReportsAFileTruncatedMeanwhile) {
   EXPECT_THAT(input_error_of([&] { force_N(record, 2); }), HasSubstr("became shorter while it was read"));
 }
 
-// A file without the end of a line: every byte is looked at once.
+// A file without the end of a line. The search reads every byte once.
 TEST(LazyFile, TakesTimeInProportionToItsLength) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("long.unv");
@@ -117,7 +117,7 @@ TEST(LazyFile, TakesTimeInProportionToItsLength) {
   fs::resize_file(path, 200'000'000);
   const auto start = std::chrono::steady_clock::now();
   EXPECT_THAT(input_error_of([&] { open_record(path); }), HasSubstr("not closed"));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << "it was 30 s when it was quadratic";
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << "a quadratic search takes 30 s";
 }
 
 TEST(LazyFile, ReadsTheRangeRequested) {

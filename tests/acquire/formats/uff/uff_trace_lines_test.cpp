@@ -14,7 +14,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-// Which points a drawing connects, and points whose place is not known, through every format that has room for them.
+// Trace lines, and points without coordinates, in every format that stores them.
 namespace percuss::acquire::trace_lines_test {
 
 using test::csv_bytes;
@@ -42,7 +42,7 @@ std::string cells(const std::vector<int>& numbers) {
   return out.ends_with('\n') ? out : out + '\n';
 }
 
-TEST(UffTraceLines, FollowSet82AndLiftThePenAtZero) {
+TEST(UffTraceLines, FollowSet82AndBreakAtZero) {
   const UffTraceLines found =
       lines_in(set_of(82, fmt::format("{:10}{:10}{:10}\nNONE\n", 1, 10, 0) + cells({1, 2, 3, 0, 5, 6, 0, 3, 2, 9})));
   EXPECT_THAT(found.lines, ElementsAre(TraceLine{1, 2}, TraceLine{2, 3}, TraceLine{5, 6}, TraceLine{2, 9}))
@@ -52,7 +52,7 @@ TEST(UffTraceLines, FollowSet82AndLiftThePenAtZero) {
 TEST(UffTraceLines, AreTheEdgesOfElements) {
   EXPECT_THAT(lines_in(set_of(2412, head(11, 2) + cells({0, 1, 1}) + cells({4, 7}))).lines,
               ElementsAre(TraceLine{4, 7}))
-      << "a rod, with its orientation between";
+      << "a rod; its orientation stands between header and nodes";
   EXPECT_THAT(lines_in(set_of(2412, head(91, 3) + cells({1, 2, 3}))).lines,
               ElementsAre(TraceLine{1, 2}, TraceLine{2, 3}, TraceLine{3, 1}));
   EXPECT_EQ(lines_in(set_of(2412, head(94, 4) + cells({1, 2, 3, 4}))).lines.size(), 4U);
@@ -72,7 +72,8 @@ TEST(UffTraceLines, AreReadUpToDamage) {
       lines_in(set_of(2412, head(91, 3) + cells({1, 2, 3}) + head(91, 3) + "         1      a  2\n"));
   EXPECT_EQ(found.lines.size(), 3U);
   EXPECT_THAT(found.unreadable, HasSubstr("x.csv: line 6"));
-  EXPECT_THAT(lines_in(set_of(2412, head(91, 1'000'000'000))).lines, IsEmpty()) << "what is claimed takes no memory";
+  EXPECT_THAT(lines_in(set_of(2412, head(91, 1'000'000'000))).lines, IsEmpty())
+      << "a claimed count allocates no memory";
 }
 
 TEST(UffTraceLines, AreWrittenAsConnectedPaths) {
