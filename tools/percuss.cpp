@@ -10,6 +10,7 @@
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "commands/commands.hpp"
+#include "core/budget.hpp"
 #include "core/error.hpp"
 #include "core/io/temporary_files.hpp"
 #include "malloc_options.hpp"
@@ -77,6 +78,8 @@ int main(int argc, char** argv) {
   } catch (const UsageError& e) {
     return print_error(e.what(), kUsage);
   } catch (const acquire::NoHitError& e) {
+    return print_error(e.written(flag_of), kImpossible);
+  } catch (const BudgetSpent& e) {
     return print_error(e.written(flag_of), kImpossible);
   } catch (const InputError& e) {
     return print_error(e.written(flag_of), kBadInput);

@@ -18,6 +18,7 @@
 ///   percuss::write("report.html", analysis, {.overwrite = true});
 /// }
 /// @endcode
+#include <percuss/budget.hpp>
 #include <percuss/frf.hpp>
 #include <percuss/hits.hpp>
 #include <percuss/modes.hpp>
@@ -50,6 +51,7 @@ struct AnalysisOptions {
   double exponential = 0;              // exponential window that falls to this fraction at the end; 0: none
   double overlay_dB = 1;               // FRFs that differ by no more at a peak count as overlaid
   std::size_t threads = 0;             // 0: all; the result is the same
+  std::optional<Budget> budget{};      // default: default_budget() of the input's files
 };
 
 /// Optional parts of the document of Analysis::json().
@@ -61,6 +63,7 @@ struct JsonOptions {
 /// Copies share the results. One thread at a time may call the accessors of an analysis and of its copies.
 /// errors  InputError, of the constructors: contradicting options, several runs (see Record::runs), no acceleration.
 ///         InputError, of the accessors: the file cannot be read; no hit can be used (where possible() is false).
+///         BudgetSpent, of the accessors: they take more than the options' budget.
 class Analysis {
  public:
   explicit Analysis(const Record& record, const AnalysisOptions& options = {});

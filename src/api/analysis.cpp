@@ -60,6 +60,8 @@ void require_consistent(const AnalysisOptions& options) {
   if (options.modes && *options.modes == 0)
     throw InputError("the number of modes is 0", kOptions, "give 1 or more", {"modes"});
   require_above_zero(options.overlay_dB, "AnalysisOptions::overlay_dB", {"overlay_db"});
+  if (options.budget && !(options.budget->time_s > 0 && options.budget->memory_bytes > 0))
+    throw InputError("the budget is not above 0", kOptions, "give a time and a memory above 0", {"budget"});
   require_above_zero(hits.trigger_N.value_or(1), "HitOptions::trigger_N", {"trigger"});
   require_above_zero(hits.length_s.value_or(1), "HitOptions::length_s", {"length"});
 }
@@ -106,6 +108,7 @@ pipeline::AnalysisOptions analysis_options(const AnalysisOptions& options) {
   out.modes = {.effort = effort_of(options.effort), .modes = options.modes, .start_Hz = std::move(start_Hz)};
   out.classes.overlay_dB = options.overlay_dB;
   out.threads = options.threads;
+  out.budget = options.budget;
   return out;
 }
 

@@ -13,7 +13,7 @@ struct FieldName {
   std::string_view aggregate, field;
 };
 
-constexpr std::array<FieldName, 51> kFields{{
+constexpr std::array<FieldName, 52> kFields{{
     {"ReadOptions", "fs_Hz"},
     {"ReadOptions", "df_Hz"},
     {"ReadOptions", "force_channel"},
@@ -46,6 +46,7 @@ constexpr std::array<FieldName, 51> kFields{{
     {"AnalysisOptions", "exponential"},
     {"AnalysisOptions", "overlay_dB"},
     {"AnalysisOptions", "threads"},
+    {"AnalysisOptions", "budget"},
     {"JsonOptions", "per_hit"},
     {"JsonOptions", "stabilisation"},
     {"SurveyOptions", "geometry"},

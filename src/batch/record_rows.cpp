@@ -10,6 +10,7 @@
 
 #include "acquire/open_measurement.hpp"
 #include "batch/serialized_frf.hpp"
+#include "core/budget.hpp"
 #include "core/error.hpp"
 #include "pipeline/run_analyses.hpp"
 #include "report/frf_files.hpp"
@@ -22,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The exit codes of percuss analyze.
-constexpr int kInternalError = 1, kUsageError = 2, kBadInput = 3, kNoUsableHitCode = 4;
+constexpr int kInternalError = 1, kUsageError = 2, kBadInput = 3, kImpossible = 4;
 
 std::string line_of(const Json& row) { return row.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -104,7 +105,7 @@ void add_run(RowContents& rows, const BatchRecord& record, const pipeline::RunAn
     rows.band_Hz = {analysis.band_Hz().first, analysis.band_Hz().second};
     add_modes(rows, record, test.run, analysis);
   } else {
-    rows.code = kNoUsableHitCode;
+    rows.code = kImpossible;
     const Message reason = report::no_usable_hit();
     rows.reason = options.write_option != nullptr ? reason.written(options.write_option) : reason.text;
   }
@@ -135,6 +136,8 @@ RowContents row_contents_of(const BatchRecord& record, const RowOptions& options
     return rows;
   } catch (const UsageError& e) {
     return failed_record(kUsageError, e.what());
+  } catch (const BudgetSpent& e) {
+    return failed_record(kImpossible, options.write_option != nullptr ? e.written(options.write_option) : e.what());
   } catch (const InputError& e) {
     return failed_record(kBadInput, options.write_option != nullptr ? e.written(options.write_option) : e.what());
   } catch (const std::bad_alloc&) {

@@ -16,11 +16,26 @@
 
 namespace percuss::pipeline {
 
+namespace {
+
+Budget budget_of(const AnalysisOptions& options, const acquire::Record& record) {
+  if (options.budget) return *options.budget;
+  std::uint64_t bytes = 0;
+  for (const acquire::InputFile& file : record.files) bytes += file.bytes;
+  return default_budget(bytes);
+}
+
+}  // namespace
+
 Analysis::Analysis(acquire::Record record, AnalysisOptions options)
-    : source_(std::make_shared<RecordSource>(std::move(record))), options_(std::move(options)) {}
+    : source_(std::make_shared<RecordSource>(std::move(record))),
+      options_(std::move(options)),
+      budget_(budget_of(options_, source_->record()), source_->record().source()) {}
 
 Analysis::Analysis(acquire::FrfRecord frfs, AnalysisOptions options)
-    : source_(std::make_shared<FrfSource>(std::move(frfs))), options_(std::move(options)) {
+    : source_(std::make_shared<FrfSource>(std::move(frfs))),
+      options_(std::move(options)),
+      budget_(budget_of(options_, source_->record()), source_->record().source()) {
   const auto refuse = [&](const char* choice, const char* option) {
     throw InputError(std::string(choice) + " needs records in time, not FRFs", record().source(), "leave it out",
                      {option});
@@ -30,7 +45,7 @@ Analysis::Analysis(acquire::FrfRecord frfs, AnalysisOptions options)
 }
 
 const std::vector<AnalysedHit>& Analysis::force_hits() const {
-  return force_hits_.get([&] {
+  return within_budget(budget_, force_hits_, [&] {
     const ThreadLimit limit(options_.threads);
     return trace_.run("hits", [&] {
       const HitDemands demands{.accept = options_.accept_hits,
@@ -48,7 +63,7 @@ std::pair<double, double> Analysis::band_Hz() const {
 }
 
 const acquire::LineRange& Analysis::lines() const {
-  return lines_.get([&] {
+  return within_budget(budget_, lines_, [&] {
     const LineRequest request{.band_Hz = band_Hz(),
                               .band_given = options_.band_Hz.has_value(),
                               .length_given = options_.hits.length_s.has_value(),
@@ -67,15 +82,17 @@ TransformOptions Analysis::transform_options() const {
 }
 
 const HitResponses& Analysis::responses() const {
-  return responses_.get([&] { return read_responses(record(), force_hits(), transform_options(), trace_); });
+  return within_budget(budget_, responses_,
+                       [&] { return read_responses(record(), force_hits(), transform_options(), trace_); });
 }
 
 const std::vector<frf::Spectrum>& Analysis::force_spectra() const {
-  return force_spectra_.get([&] { return pipeline::force_spectra(force_hits(), transform_options(), trace_); });
+  return within_budget(budget_, force_spectra_,
+                       [&] { return pipeline::force_spectra(force_hits(), transform_options(), trace_); });
 }
 
 const std::vector<AnalysedHit>& Analysis::hits() const {
-  return hits_.get([&] { return compute_hits(); });
+  return within_budget(budget_, hits_, [&] { return compute_hits(); });
 }
 
 std::vector<AnalysedHit> Analysis::compute_hits() const {
@@ -107,7 +124,7 @@ std::vector<int> Analysis::frf_points() const {
 }
 
 const std::vector<acquire::PointFrf>& Analysis::frfs() const {
-  return frfs_.get([&] {
+  return within_budget(budget_, frfs_, [&] {
     const std::vector<FrfGroup> groups = source_->groups(hits());
     const TestSpectra from = spectra();
     const ThreadLimit limit(options_.threads);
@@ -122,7 +139,7 @@ const std::vector<acquire::PointFrf>& Analysis::frfs() const {
 }
 
 const identify::FrfDataset& Analysis::fitted_frfs() const {
-  return fitted_frfs_.get([&] {
+  return within_budget(budget_, fitted_frfs_, [&] {
     const TestSpectra from = spectra();
     const bool averaged = frfs_.ready() && options_.estimator == frf::Estimator::h1;
     const ThreadLimit limit(options_.threads);
@@ -131,7 +148,7 @@ const identify::FrfDataset& Analysis::fitted_frfs() const {
 }
 
 const std::vector<identify::Mode>& Analysis::modes() const {
-  return modes_.get([&] {
+  return within_budget(budget_, modes_, [&] {
     const identify::FrfDataset& set = fitted_frfs();
     const ThreadLimit limit(options_.threads);
     return trace_.run("modes", [&] { return modes_in_band(set, frf_points(), band_Hz(), options_.modes); });
@@ -144,7 +161,7 @@ void Analysis::compute_modes_and_frfs() const {
 }
 
 const std::vector<identify::ModeClassification>& Analysis::classifications() const {
-  return classifications_.get([&] {
+  return within_budget(budget_, classifications_, [&] {
     const std::vector<identify::Mode>& found = modes();
     const identify::FrfDataset& set = fitted_frfs();
     return trace_.run("classes", [&] { return classify_modes(found, set, record().accel, options_.classes); });
@@ -152,7 +169,7 @@ const std::vector<identify::ModeClassification>& Analysis::classifications() con
 }
 
 const std::vector<HitMode>& Analysis::modes_per_hit() const {
-  return modes_per_hit_.get([&] {
+  return within_budget(budget_, modes_per_hit_, [&] {
     const std::vector<identify::Mode>& found = modes();
     const TestSpectra from = spectra();
     const auto dataset_of = [&](std::size_t hit) { return source_->dataset(from, {hit}, nullptr); };
@@ -163,7 +180,7 @@ const std::vector<HitMode>& Analysis::modes_per_hit() const {
 }
 
 const identify::Stabilisation& Analysis::stabilisation() const {
-  return stabilisation_.get([&] {
+  return within_budget(budget_, stabilisation_, [&] {
     const identify::FrfDataset& set = fitted_frfs();
     return trace_.run("stabilisation", [&] { return stabilisation_in_band(set, band_Hz()); });
   });

@@ -7,6 +7,7 @@
 
 #include "acquire/record/frf_record.hpp"
 #include "acquire/record/record.hpp"
+#include "core/budget.hpp"
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
 #include "pipeline/analysis_options.hpp"
@@ -20,7 +21,8 @@ namespace percuss::pipeline {
 
 /// The analysis of one test, from hits to named modes. Each result is computed when first demanded, and kept. Inputs
 /// are immutable: other options need another Analysis. An accessor runs the stages that it needs and no others; trace()
-/// lists those that ran. Not for use by several threads at once.
+/// lists those that ran. An accessor throws BudgetSpent when the stages take more than the options' budget. Not for use
+/// by several threads at once.
 class Analysis {
  public:
   /// errors  InputError: no acceleration channel.
@@ -35,6 +37,8 @@ class Analysis {
   /// The FRFs that were given in place of a record; nullptr for a record.
   const acquire::FrfRecord* given_frfs() const { return source_->frfs(); }
   Trace& trace() const { return trace_; }
+  /// For computations that belong to this analysis.
+  BudgetMeter& budget() const { return budget_; }
   /// Numbers of the measured points.
   std::set<int> points() const { return source_->points(); }
 
@@ -79,6 +83,7 @@ class Analysis {
   std::shared_ptr<const Source> source_;
   AnalysisOptions options_;
   mutable Trace trace_;
+  mutable BudgetMeter budget_;
   // Results refer neither to the analysis nor to each other.
   Lazy<std::vector<AnalysedHit>> force_hits_, hits_;
   Lazy<acquire::LineRange> lines_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "acquire/hits/hits.hpp"
+#include "core/budget.hpp"
 #include "frf/estimators.hpp"
 #include "identify/classify/classify.hpp"
 #include "identify/identify.hpp"
@@ -19,7 +20,8 @@ struct AnalysisOptions {
   double exponential_end = 0;                         // end value of the exponential window, relative; 0: no window
   identify::IdentifyOptions modes;
   identify::ClassifyOptions classes;
-  std::size_t threads = 0;  // 0: all
+  std::size_t threads = 0;       // 0: all
+  std::optional<Budget> budget;  // default: default_budget() of the input
 };
 
 }  // namespace percuss::pipeline

@@ -106,7 +106,7 @@ void Survey::find_driving_points() {
 }
 
 const std::vector<identify::ModeShape>& Survey::shapes() const {
-  return shapes_.get([&] {
+  return within_budget(analysis_.budget(), shapes_, [&] {
     const auto& modes = analysis_.modes();
     return analysis_.trace().run("shapes", [&] {
       std::vector<identify::ModeShape> shapes;
@@ -119,7 +119,7 @@ const std::vector<identify::ModeShape>& Survey::shapes() const {
 }
 
 const std::vector<std::optional<identify::TubeShape>>& Survey::tubes() const {
-  return tubes_.get([&] {
+  return within_budget(analysis_.budget(), tubes_, [&] {
     std::vector<std::optional<identify::TubeShape>> tubes;
     for (const identify::ModeShape& shape : shapes()) tubes.push_back(identify::tube_shape(shape, tube_places_));
     return tubes;
@@ -127,7 +127,7 @@ const std::vector<std::optional<identify::TubeShape>>& Survey::tubes() const {
 }
 
 const std::vector<identify::ModeClassification>& Survey::classifications() const {
-  return classifications_.get([&] { return classify_by_shapes(); });
+  return within_budget(analysis_.budget(), classifications_, [&] { return classify_by_shapes(); });
 }
 
 std::vector<identify::ModeClassification> Survey::classify_by_shapes() const {
@@ -156,7 +156,7 @@ std::vector<identify::ModeClassification> Survey::classify_by_shapes() const {
 }
 
 const std::vector<std::vector<identify::Mac>>& Survey::macs() const {
-  return macs_.get([&] { return identify::auto_mac(shapes()); });
+  return within_budget(analysis_.budget(), macs_, [&] { return identify::auto_mac(shapes()); });
 }
 
 acquire::LineRange Survey::band() const {
@@ -171,7 +171,7 @@ acquire::LineRange Survey::band() const {
 }
 
 const std::vector<identify::SynthesisedFrf>& Survey::synthesis() const {
-  return synthesis_.get([&] {
+  return within_budget(analysis_.budget(), synthesis_, [&] {
     const identify::FrfDataset& set = analysis_.fitted_frfs();
     const auto& modes = analysis_.modes();
     const ThreadLimit limit(analysis_.options().threads);
@@ -180,7 +180,7 @@ const std::vector<identify::SynthesisedFrf>& Survey::synthesis() const {
 }
 
 const Eigen::MatrixXd& Survey::indicator() const {
-  return indicator_.get([&] {
+  return within_budget(analysis_.budget(), indicator_, [&] {
     const identify::FrfDataset& set = analysis_.fitted_frfs();
     return analysis_.trace().run("mode indicator", [&] { return identify::cmif(set, band()); });
   });

@@ -180,4 +180,13 @@ TEST_F(AnalyzeChoices, WarnsOfFilesOfDifferentStructures) {
   EXPECT_THAT(run_percuss(words).out, HasSubstr("analyse each file as a test of its own (--files)"));
 }
 
+TEST_F(AnalyzeChoices, StopAnAnalysisBeyondItsBudget) {
+  EXPECT_THAT(rejection_of({"--budget", "1e-6"}, 4),
+              AllOf(HasSubstr("not finished after its budget of 1e-06 s"), HasSubstr("raise the budget"),
+                    HasSubstr("(--band, --effort, --budget)")));
+  EXPECT_THAT(rejection_of({"--budget", "100,1e-6"}, 4), HasSubstr("more memory than its budget of 1e-06 GB"));
+  EXPECT_THAT(rejection_of({"--budget", "1,2,3"}, 2), HasSubstr("--budget cannot be '1,2,3'"));
+  EXPECT_EQ(document_of({"--budget", "1000,64"})["modes"], document_of({})["modes"]);
+}
+
 }  // namespace percuss::analyze_choices_test

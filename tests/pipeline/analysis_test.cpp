@@ -245,4 +245,24 @@ TEST(AnalysesOfRuns, AssumeTheAnglesOfTwoAccelerometersAndNoteIt) {
   EXPECT_EQ(assumed.notes.size(), 1U);
 }
 
+// 60 modes take seconds; the budget ends them within one check of each fit.
+TEST(Analysis, EndsWhenItsBudgetIsSpent) {
+  synth::SynthSpec many = bat();
+  for (int m = 0; m < 60; ++m) {
+    many.modes.push_back({.freq_Hz = 250.0 + 25 * m,
+                          .damping_ratio = 0.01,
+                          .order = 2,
+                          .angle_rad = 0.1 * m,
+                          .amplitude_per_sqrt_kg = 1});
+  }
+  const Analysis analysis(synth::synthesise(many).record, {.budget = Budget{.time_s = 0.05}});
+  try {
+    analysis.modes();
+    FAIL() << "the budget was not spent";
+  } catch (const BudgetSpent& error) {
+    EXPECT_EQ(error.resource(), Resource::time);
+  }
+  EXPECT_THROW(analysis.modes(), BudgetSpent);  // the time stays spent
+}
+
 }  // namespace percuss::pipeline::analysis_test

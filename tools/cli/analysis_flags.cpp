@@ -101,7 +101,30 @@ void add_analysis_flags(Command& command, AnalysisFlags& flags) {
   const std::string previous = command.heading(kAnalysisHeading);
   command.value("--threads", flags.threads, "Use this many threads (default: all; the result is the same)")
       .within(0, 1024);
+  add_budget_option(command, flags.budget);
   command.heading(previous);
+}
+
+void add_budget_option(Command& command, std::vector<double>& budget) {
+  command
+      .list("--budget", budget,
+            "Stop an analysis that takes more than this time in seconds or memory in GB (default: 120 s and 2 s per MB "
+            "of input; 2.1 GB and 16 times the input)")
+      .above_zero()
+      .type("S[,GB]");
+}
+
+std::optional<Budget> budget_of(const std::vector<double>& values) {
+  constexpr double kGigabyte = 1e9, kMaxGigabytes = 1e9;
+  if (values.empty()) return std::nullopt;
+  if (values.size() > 2) {
+    throw OptionError::wrong_value("budget", fmt::format("{:g}", fmt::join(values, ",")),
+                                   "give a time in s, or a time and a memory in GB");
+  }
+  Budget budget{.time_s = values[0]};
+  if (values.size() == 2)
+    budget.memory_bytes = static_cast<std::uint64_t>(std::min(values[1], kMaxGigabytes) * kGigabyte);
+  return budget;
 }
 
 namespace {
@@ -149,6 +172,7 @@ pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags) {
       .effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = without_duplicates(flags.start_Hz)};
   options.classes.overlay_dB = flags.overlay_dB;
   options.threads = flags.threads;
+  options.budget = budget_of(flags.budget);
   return options;
 }
 

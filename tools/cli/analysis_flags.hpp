@@ -24,11 +24,15 @@ struct AnalysisFlags {
   double exponential_end = 0;
   double overlay_dB = 1;
   std::size_t threads = 0;
+  std::vector<double> budget;  // time in s, memory in GB
 };
 
 void add_analysis_flags(Command& command, AnalysisFlags& flags);
-/// The options that change the result: all but --threads.
+/// The options that change the result: all but --threads and --budget.
 void add_analysis_options(Command& command, AnalysisFlags& flags);
+void add_budget_option(Command& command, std::vector<double>& budget);
+/// The value of --budget. Throws OptionError.
+std::optional<Budget> budget_of(const std::vector<double>& values);
 inline constexpr const char* kAnalysisHeading = "Analysis";
 
 /// Throws UsageError for contradictory values.

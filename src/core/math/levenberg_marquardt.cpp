@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/budget.hpp"
 #include "core/math/linear_algebra.hpp"
 
 namespace percuss {
@@ -104,6 +105,7 @@ class Search {
   std::optional<double> cost_after(const VectorXd& step, double size) {
     if (!std::isfinite(size) || size > options_.max_step_size) return std::nullopt;
     ++summary_.trials;
+    check_budget();
     return problem_.try_step(step);
   }
 

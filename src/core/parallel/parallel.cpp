@@ -4,6 +4,7 @@
 #include <atomic>
 #include <utility>
 
+#include "core/budget.hpp"
 #include "core/parallel/task_arena.hpp"
 
 namespace percuss {
@@ -37,23 +38,36 @@ struct LoopEnd {
   ~LoopEnd() { tasks_ended.load(std::memory_order_acquire); }
 };
 
-void run_task(const void* task, std::size_t i) {
+// The tasks of one loop, and the budget of the thread that started it.
+struct Loop {
+  const Task& task;
+  BudgetMeter* budget;
+};
+
+void run_task(const void* loop, std::size_t i) {
   loops_begun.load(std::memory_order_acquire);
   if (!thread_initialised) initialise_this_thread();
   const TaskEnd end{};
-  (*static_cast<const Task*>(task))(i);
+  const auto& [task, budget] = *static_cast<const Loop*>(loop);
+  const CheckedBudget checked(budget);
+  check_budget();
+  task(i);
 }
 
 }  // namespace
 
 void parallel_for(std::size_t count, std::size_t threads, const Task& task) {
   if (threads == 1 || count < 2) {
-    for (std::size_t i = 0; i < count; ++i) task(i);
+    for (std::size_t i = 0; i < count; ++i) {
+      check_budget();
+      task(i);
+    }
     return;
   }
   loops_begun.fetch_add(1, std::memory_order_release);
   const LoopEnd end{};
-  run_in_arena(count, threads, run_task, &task);
+  const Loop loop{.task = task, .budget = current_budget()};
+  run_in_arena(count, threads, run_task, &loop);
 }
 
 ThreadLimit::ThreadLimit(std::size_t threads) : before_(std::exchange(thread_limit, threads)) {}

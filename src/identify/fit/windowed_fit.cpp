@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/budget.hpp"
 #include "core/math/linear_algebra.hpp"
 #include "core/parallel/parallel.hpp"
 
@@ -208,6 +209,7 @@ std::vector<VectorXcd> WindowedFit::data_without_other_modes(const FitGroup& gro
   }
   for (const FitGroup& other : groups_) {
     if (&other == &group || other.fit.residues.isZero(0)) continue;
+    check_budget();
     for (std::size_t m = 0; m < other.fit.poles.size(); ++m) subtract(other.fit, m, group, data);
   }
   return data;

@@ -30,6 +30,7 @@ struct RunFlags {
   std::string manifest, folder, shard;
   std::size_t threads = 0;
   bool trust_input = false, force = false, json = false, quiet = false;
+  std::vector<double> budget;
 };
 
 // The shards to run, and the number of shards.
@@ -140,6 +141,7 @@ int run(const RunFlags& flags) {
       flags.shard.empty() ? shard_selection_of_scheduler() : parse_shard_selection(flags.shard);
   const batch::Manifest manifest(flags.manifest);
   batch::RowOptions options = row_options(manifest, flags.trust_input);
+  options.analysis.budget = budget_of(flags.budget);
   const std::string folder = results_folder(flags.folder);
   const std::size_t shards = number_of_shards(flags, selection, manifest, folder);
   const auto wanted = shards_to_run(selection, shards);
@@ -197,6 +199,7 @@ void add_batch_run(CommandLine& line) {
       .type("I/N");
   command.value("--threads", flags->threads, "Use this many threads (default: all; the result is the same)")
       .within(0, 1024);
+  add_budget_option(command, flags->budget);
   command.flag("--trust-input", flags->trust_input, "Read MAT and HDF5 files in this process, without a sandbox");
   command.flag("--json", flags->json, "Print one JSON document on standard output");
   command.flag("--force", flags->force,

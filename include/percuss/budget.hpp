@@ -1,0 +1,50 @@
+#pragma once
+/// Time and memory that one analysis may take. Where an analysis needs more, its accessors throw BudgetSpent.
+///
+/// @code
+/// #include <iostream>
+/// #include <percuss/analysis.hpp>
+/// #include <percuss/budget.hpp>
+/// #include <percuss/synth.hpp>
+///
+/// int main() {
+///   const percuss::Analysis analysis(percuss::synthesise_preset("composite-bat").record,
+///                                    {.budget = percuss::Budget{.time_s = 1e-6}});
+///   try {
+///     analysis.modes();
+///   } catch (const percuss::BudgetSpent& error) {
+///     std::cout << error.what() << '\n';
+///   }
+/// }
+/// @endcode
+#include <percuss/error.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace percuss {
+
+/// Limits of one analysis. The defaults do not limit.
+struct Budget {
+  double time_s = std::numeric_limits<double>::infinity();  // wall-clock time of its computations
+  std::uint64_t memory_bytes = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// The budget of an analysis without one of its own: 120 s and 2 s per megabyte of its files; 2 GiB and 16 times their
+/// bytes.
+Budget default_budget(std::uint64_t input_bytes);
+
+enum class Resource { time, memory };
+
+/// An analysis needs more than its budget.
+class BudgetSpent : public InputError {
+ public:
+  BudgetSpent(Resource resource, const Budget& budget, const std::string& where);
+  Resource resource() const { return resource_; }
+
+ private:
+  Resource resource_;
+};
+
+}  // namespace percuss

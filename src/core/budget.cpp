@@ -1,0 +1,124 @@
+#include "core/budget.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <mutex>
+#include <utility>
+
+namespace percuss {
+inline namespace core {
+namespace {
+
+constexpr double kMinTime_s = 120, kTimePerByte_s = 2e-6;
+constexpr std::uint64_t kMinMemory_bytes = std::uint64_t{2} << 30U, kMemoryPerByte = 16;
+constexpr std::uint64_t kMaxMemory_bytes = std::uint64_t{1} << 48U;  // a larger budget does not limit
+constexpr double kMemoryInterval_s = 0.01;                           // one measurement takes about 2 µs
+
+thread_local BudgetMeter* meter_of_thread = nullptr;
+
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+// Without the pages of files, which the kernel can drop. 0 where /proc is absent: then memory has no budget.
+std::uint64_t process_memory_bytes() {
+  const int statm = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (statm < 0) return 0;
+  std::array<char, 128> text{};
+  const ssize_t size = ::read(statm, text.data(), text.size() - 1);
+  ::close(statm);
+  unsigned long long total = 0, resident = 0, shared = 0;
+  if (size <= 0 || std::sscanf(text.data(), "%llu %llu %llu", &total, &resident, &shared) != 3) return 0;  // NOLINT
+  return (resident - std::min(resident, shared)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+// The memory budgets of all analyses of the process. Allocations cannot be told apart by analysis.
+class SharedMemory {
+ public:
+  void add(const Budget& budget) {
+    const std::lock_guard lock(mutex_);
+    if (meters_++ == 0) base_bytes_ = process_memory_bytes();
+    is_unlimited(budget) ? ++unlimited_ : limit_bytes_ += budget.memory_bytes;
+  }
+  void remove(const Budget& budget) {
+    const std::lock_guard lock(mutex_);
+    --meters_;
+    is_unlimited(budget) ? --unlimited_ : limit_bytes_ -= budget.memory_bytes;
+  }
+  bool spent() {
+    const std::lock_guard lock(mutex_);
+    return unlimited_ == 0 && process_memory_bytes() > base_bytes_ + limit_bytes_;
+  }
+
+ private:
+  static bool is_unlimited(const Budget& budget) { return budget.memory_bytes > kMaxMemory_bytes; }
+
+  std::mutex mutex_;
+  std::uint64_t base_bytes_ = 0;  // before the first analysis began
+  std::uint64_t limit_bytes_ = 0;
+  std::size_t meters_ = 0, unlimited_ = 0;
+};
+
+SharedMemory& shared_memory() {
+  static SharedMemory memory;
+  return memory;
+}
+
+std::string problem_of(Resource resource, const Budget& budget) {
+  return resource == Resource::time
+             ? fmt::format("the analysis is not finished after its budget of {:.4g} s", budget.time_s)
+             : fmt::format("the analysis needs more memory than its budget of {:.4g} GB",
+                           static_cast<double>(budget.memory_bytes) / 1e9);
+}
+
+}  // namespace
+
+BudgetMeter::BudgetMeter(const Budget& budget, std::string where) : budget_(budget), where_(std::move(where)) {
+  shared_memory().add(budget_);
+}
+
+BudgetMeter::~BudgetMeter() { shared_memory().remove(budget_); }
+
+void BudgetMeter::check() {
+  const double now = now_s();
+  if (spent_s_ + (now - began_s_) > budget_.time_s) throw BudgetSpent(Resource::time, budget_, where_);
+  double due = next_memory_s_;
+  if (now < due || !next_memory_s_.compare_exchange_strong(due, now + kMemoryInterval_s)) return;
+  if (shared_memory().spent()) throw BudgetSpent(Resource::memory, budget_, where_);
+}
+
+BudgetMeter* current_budget() { return meter_of_thread; }
+
+CheckedBudget::CheckedBudget(BudgetMeter* meter) : before_(std::exchange(meter_of_thread, meter)) {}
+CheckedBudget::~CheckedBudget() { meter_of_thread = before_; }
+
+BudgetScope::BudgetScope(BudgetMeter& meter)
+    : measured_(meter_of_thread == &meter ? nullptr : &meter), checked_(&meter) {
+  if (measured_ != nullptr) measured_->began_s_ = now_s();
+}
+
+BudgetScope::~BudgetScope() {
+  if (measured_ != nullptr) measured_->spent_s_ += now_s() - measured_->began_s_;
+}
+
+void check_budget() {
+  if (meter_of_thread != nullptr) meter_of_thread->check();
+}
+
+}  // namespace core
+
+Budget default_budget(std::uint64_t input_bytes) {
+  return {.time_s = kMinTime_s + kTimePerByte_s * static_cast<double>(input_bytes),
+          .memory_bytes = kMinMemory_bytes + kMemoryPerByte * std::min(input_bytes, kMaxMemory_bytes)};
+}
+
+BudgetSpent::BudgetSpent(Resource resource, const Budget& budget, const std::string& where)
+    : InputError(problem_of(resource, budget), where, "limit the band, choose a lower effort, or raise the budget",
+                 {"band", "effort", "budget"}),
+      resource_(resource) {}
+
+}  // namespace percuss

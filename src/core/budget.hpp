@@ -1,0 +1,77 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+#include "core/lazy.hpp"
+#include "percuss/budget.hpp"
+
+namespace percuss {
+inline namespace core {
+
+/// Accounts for one analysis. Its memory is the growth of the process while analyses run. Several analyses at the same
+/// time share the sum of their memory budgets.
+class BudgetMeter {
+ public:
+  /// `where` names the input in the error.
+  BudgetMeter(const Budget& budget, std::string where);
+  ~BudgetMeter();
+  BudgetMeter(const BudgetMeter&) = delete;
+  BudgetMeter& operator=(const BudgetMeter&) = delete;
+
+  const Budget& budget() const { return budget_; }
+  /// errors  BudgetSpent
+  void check();
+
+ private:
+  friend class BudgetScope;
+
+  Budget budget_;
+  std::string where_;
+  double spent_s_ = 0;                    // in scopes that have ended
+  std::atomic<double> began_s_{0};        // of the present scope
+  std::atomic<double> next_memory_s_{0};  // when the memory is measured again
+};
+
+/// The meter that this thread checks; nullptr: none.
+BudgetMeter* current_budget();
+
+/// During its lifetime, this thread checks `meter`, as do the threads of the parallel loops that it starts.
+class CheckedBudget {
+ public:
+  explicit CheckedBudget(BudgetMeter* meter);
+  ~CheckedBudget();
+  CheckedBudget(const CheckedBudget&) = delete;
+  CheckedBudget& operator=(const CheckedBudget&) = delete;
+
+ private:
+  BudgetMeter* before_;
+};
+
+/// A CheckedBudget that also measures its time, unless it lies within another scope of the same meter.
+class BudgetScope {
+ public:
+  explicit BudgetScope(BudgetMeter& meter);
+  ~BudgetScope();
+  BudgetScope(const BudgetScope&) = delete;
+  BudgetScope& operator=(const BudgetScope&) = delete;
+
+ private:
+  BudgetMeter* measured_;  // nullptr within another scope
+  CheckedBudget checked_;
+};
+
+/// slot.get(compute), within a scope of `meter`.
+template <class T, class Compute>
+const T& within_budget(BudgetMeter& meter, const Lazy<T>& slot, Compute&& compute) {
+  return slot.get([&] {
+    const BudgetScope scope(meter);
+    return compute();
+  });
+}
+
+/// Long computations call this at least every few milliseconds; it takes about 30 ns. errors  BudgetSpent
+void check_budget();
+
+}  // namespace core
+}  // namespace percuss
