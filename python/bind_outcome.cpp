@@ -165,9 +165,10 @@ void bind_outcome(py::module_& module) {
       .def_property_readonly("tests", [](const ResultHandle& held) { return held.outcome.analyses.size(); })
       .def("text",
            [](const SharedResult& held, std::size_t width) {
-             return decoded(held->outcome.text
-                                ? without_gil(held, [&] { return held->outcome.text(width, option_in_python); })
-                                : std::string());
+             return decoded(
+                 held->outcome.text
+                     ? without_gil(held, [&] { return visible_text(held->outcome.text(width, option_in_python)); })
+                     : std::string());
            })
       .def("html",
            [](const SharedResult& held) {

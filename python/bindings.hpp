@@ -10,6 +10,7 @@
 #include "array_record.hpp"
 #include "cli/host.hpp"
 #include "core/error.hpp"
+#include "core/visible_text.hpp"
 #include "run_command.hpp"
 
 namespace percuss::python {
@@ -70,7 +71,7 @@ pybind11::list notes_of(const Notes& notes) {
     const Message message{note};
     pybind11::list options;
     for (const OptionId& option : message.options) options.append(decoded(option));
-    out.append(pybind11::make_tuple(decoded(message.text), options));
+    out.append(pybind11::make_tuple(decoded(visible_text(message.text)), options));
   }
   return out;
 }

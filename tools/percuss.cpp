@@ -9,6 +9,7 @@
 #include "acquire/calibrate.hpp"
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
+#include "cli/visible_output.hpp"
 #include "commands/commands.hpp"
 #include "core/budget.hpp"
 #include "core/error.hpp"
@@ -67,6 +68,7 @@ extern "C" void clean_up_and_die(int signal) {
 }
 
 int main(int argc, char** argv) {
+  const VisibleOutput output(std::cout), messages(std::cerr);
   std::set_terminate(end_at_once);
   allow_many_files();
   percuss::tools::configure_malloc();

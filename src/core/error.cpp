@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "core/visible_text.hpp"
+
 namespace percuss {
 inline namespace core {
 
@@ -11,25 +13,15 @@ namespace {
 
 constexpr std::size_t kMaxField_bytes = 600;
 
-// The last position up to `limit` that is not inside a UTF-8 character. A text without the start of a character in the
-// four bytes that end at index `limit` is not UTF-8: it is cut at `limit`.
-std::size_t cut_at(std::string_view text, std::size_t limit) {
-  const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U; };
-  if (text.size() <= limit) return text.size();
-  std::size_t cut = limit;
-  while (cut > 0 && limit - cut < 3 && continues(cut)) --cut;
-  return continues(cut) ? limit : cut;
-}
-
 }  // namespace
 
 std::string one_line(std::string_view text, std::size_t limit) {
   std::string out;
-  for (const char c : text.substr(0, cut_at(text, limit))) {
-    const auto byte = static_cast<unsigned char>(c);
-    out += byte < 0x20 || byte == 0x7f ? '?' : c;
+  while (!text.empty()) {
+    const std::string shown = take_visible(text);
+    if (out.size() + shown.size() > limit) return out + "...";
+    out += shown;
   }
-  if (text.size() > limit) out += "...";
   return out;
 }
 

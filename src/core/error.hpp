@@ -18,8 +18,8 @@ class UsageError : public std::runtime_error {
   UsageError(std::string_view problem, std::string_view remedy);
 };
 
-/// `text` for use inside a one-line message: '?' for each control character. A longer text is cut after at most `limit`
-/// bytes, never inside a UTF-8 character, and ends with "...".
+/// `text` for use inside a one-line message: its characters as take_visible() shows them, line ends too. A longer text
+/// is cut after at most `limit` bytes, never inside a character, and ends with "...".
 std::string one_line(std::string_view text, std::size_t limit = 200);
 
 }  // namespace core

@@ -1,5 +1,6 @@
 #include "core/error.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -16,7 +17,7 @@ TEST(UsageError, StatesProblemAndRemedy) {
 
 TEST(InputError, IsOneLineForAnyText) {
   const std::string message = InputError("a\nb", "c\r\td", std::string("e\0f", 3)).what();
-  EXPECT_EQ(message, "a?b (c??d); e?f");
+  EXPECT_EQ(message, "a\\u000ab (c\\u000d\\u0009d); e\\u0000f");
 }
 
 TEST(InputError, IsShortForAnyText) {
@@ -26,7 +27,7 @@ TEST(InputError, IsShortForAnyText) {
 
 TEST(InputError, HoldsItsFieldsWithoutControlCharacters) {
   const InputError error("a\nb", "c", std::string(1000, 'x'), {"fs", "survey.example"});
-  EXPECT_EQ(error.problem(), "a?b");
+  EXPECT_EQ(error.problem(), "a\\u000ab");
   EXPECT_EQ(error.where(), "c");
   EXPECT_EQ(error.remedy(), std::string(600, 'x') + "...");
   EXPECT_EQ(error.options(), (std::vector<OptionId>{"fs", "survey.example"}));
@@ -50,9 +51,11 @@ TEST(OneLine, KeepsPrintableTextAndBytesBeyondAscii) {
   EXPECT_EQ(one_line(""), "");
 }
 
-TEST(OneLine, ShowsControlCharactersAsQuestionMarks) {
-  for (int code = 0; code < 0x20; ++code) EXPECT_EQ(one_line(std::string(1, static_cast<char>(code))), "?") << code;
-  EXPECT_EQ(one_line("\x7f"), "?");
+TEST(OneLine, ShowsCharactersThatCannotBeSeenAsEscapes) {
+  for (int code = 0; code < 0x20; ++code)
+    EXPECT_EQ(one_line(std::string(1, static_cast<char>(code))), fmt::format("\\u{:04x}", code));
+  EXPECT_EQ(one_line("\x7f"), "\\u007f");
+  EXPECT_EQ(one_line("\u009b\u202e\u2028\xff"), "\\u009b\\u202e\\u2028\\xff");
   EXPECT_EQ(one_line(" ~"), " ~");
 }
 
@@ -69,9 +72,9 @@ TEST(OneLine, CutsBetweenCharactersNotInsideThem) {
   EXPECT_EQ(one_line("\xF0\x9F\x94\xA8 hit", 4), "\xF0\x9F\x94\xA8...");
 }
 
-TEST(OneLine, CutsTextThatIsNotUtf8AtTheLimit) {
-  const std::string bytes(20, '\x80');
-  EXPECT_EQ(one_line(bytes, 10), bytes.substr(0, 10) + "...");
+TEST(OneLine, CutsBetweenEscapes) {
+  EXPECT_EQ(one_line(std::string(20, '\x80'), 10), "\\x80\\x80...");
+  EXPECT_EQ(one_line("\u202e\u202e", 11), "\\u202e...");
 }
 
 }  // namespace percuss::error_test

@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <iostream>
+#include <cstdio>
 #include <utility>
+
+#include "core/visible_text.hpp"
 
 namespace percuss::tools {
 
@@ -35,10 +37,10 @@ void Progress::show() {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, std::chrono::seconds(1), [&] { return done_; })) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    std::cerr << "\r" << text_(seconds) << "\033[K" << std::flush;
+    fmt::print(stderr, "\r{}\033[K", visible_text(text_(seconds)));  // std::cerr makes control characters visible
     shown = true;
   }
-  if (shown) std::cerr << "\r\033[K" << std::flush;
+  if (shown) fmt::print(stderr, "\r\033[K");
 }
 
 }  // namespace percuss::tools

@@ -168,12 +168,12 @@ int run_info(const InfoFlags& flags) {
       files.push_back(frfs != nullptr ? frfs_json(*frfs) : record_json(std::get<acquire::Record>(opened)));
       any = true;
       if (flags.output.json) continue;
-      fmt::print("{}", frfs != nullptr ? frfs_text(*frfs, terminal_width())
-                                       : record_text(std::get<acquire::Record>(opened), terminal_width()));
+      std::cout << (frfs != nullptr ? frfs_text(*frfs, terminal_width())
+                                    : record_text(std::get<acquire::Record>(opened), terminal_width()));
     } catch (const acquire::AmbiguousColumns& seen) {
       files.push_back(columns_json(flags.read.paths[i], seen));
       any = true;
-      if (!flags.output.json) fmt::print("{}", columns_text(flags.read.paths[i], seen, terminal_width()));
+      if (!flags.output.json) std::cout << columns_text(flags.read.paths[i], seen, terminal_width());
     } catch (const InputError& error) {
       // One bad file must not hide the descriptions of the others.
       if (flags.output.host == nullptr) std::cerr << "percuss: " << error.written(flag_of) << '\n';

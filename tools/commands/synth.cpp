@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -74,17 +75,18 @@ void write_outputs(const SynthFlags& flags, const synth::SyntheticTest& test, co
 
 void print_summary(const SynthFlags& flags, const synth::Truth& truth, const acquire::Record& record) {
   const synth::SynthSpec& spec = truth.spec;
-  fmt::print("{}: {} {} of {} samples at {:g} Hz, {} acceleration channels\n", one_line(spec.name), record.rows.size(),
-             record.rows.size() == 1 ? "row" : "rows", spec.samples, spec.fs_Hz, spec.sensors.size());
+  std::cout << fmt::format("{}: {} {} of {} samples at {:g} Hz, {} acceleration channels\n", one_line(spec.name),
+                           record.rows.size(), record.rows.size() == 1 ? "row" : "rows", spec.samples, spec.fs_Hz,
+                           spec.sensors.size());
   for (const synth::SynthMode& m : spec.modes) {
-    fmt::print("{:>10.3f} Hz  {:>7.4f} %  {} {}\n", m.freq_Hz, 100 * m.damping_ratio,
-               m.family == synth::SynthFamily::bending ? "bending" : "hoop", m.order);
+    std::cout << fmt::format("{:>10.3f} Hz  {:>7.4f} %  {} {}\n", m.freq_Hz, 100 * m.damping_ratio,
+                             m.family == synth::SynthFamily::bending ? "bending" : "hoop", m.order);
   }
   for (std::size_t h = 0; h < truth.hits.size(); ++h) {
-    if (truth.hits[h].flag != "good") fmt::print("  hit {}: {}\n", h, truth.hits[h].flag);
+    if (truth.hits[h].flag != "good") std::cout << fmt::format("  hit {}: {}\n", h, truth.hits[h].flag);
   }
   for (const std::string& output : flags.outputs)
-    fmt::print("{}, truth in {}\n", one_line(output, 400), one_line(truth_path(output), 400));
+    std::cout << fmt::format("{}, truth in {}\n", one_line(output, 400), one_line(truth_path(output), 400));
 }
 
 std::string presets_text(bool json) {
@@ -135,7 +137,7 @@ int run_synth(const SynthFlags& flags) {
   if (flags.host != nullptr) {
     give_to_host(flags, made, truth);
   } else if (flags.json) {
-    fmt::print("{}", truth);
+    std::cout << truth;
   } else if (!flags.quiet) {
     print_summary(flags, test.truth, test.record);
   }

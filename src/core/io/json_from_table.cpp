@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/io/csv_cell.hpp"
 #include "core/io/csv_dialect.hpp"
 #include "core/io/csv_header.hpp"
 #include "core/io/parse_number.hpp"
@@ -93,7 +94,7 @@ std::string json_from_table(const StrictText& input, StrictSource& source) {
         throw InputError(fmt::format("cell {} has no column name above it", c + 1),
                          fmt::format("{}: line {}", input.where, lines[i].number), "name every column");
       }
-      row[names[c]] = to_utf8(cells[c]);
+      row[names[c]] = to_utf8(text_of_csv_cell(cells[c]));
     }
     list.push_back(std::move(row));
     source.lines.push_back(lines[i].number);

@@ -8,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "core/io/strict_json.hpp"
-#include "metrics/study/csv_cell.hpp"
 
 namespace percuss::metrics {
 namespace {
@@ -49,14 +48,14 @@ StudyCurve parse_study_curve(std::string_view text, const std::string& where) {
   return curve;
 }
 
-std::string anonymise_bats(std::vector<StudyBat>& bats) {
+std::string anonymise_bats(std::vector<StudyBat>& bats, CsvFormulas formulas) {
+  const auto cell = [&](const std::string& text) { return csv_cell(text, formulas); };
   std::string key = "neutral,id,bat,maker,model\n";
   std::map<std::string, std::string> neutral_of_bat;
   for (std::size_t b = 0; b < bats.size(); ++b) {
     StudyBat& bat = bats[b];
     const std::string neutral = fmt::format("AS{:03}", b + 1);
-    key += fmt::format("{},{},{},{},{}\n", neutral, csv_cell(bat.id), csv_cell(bat.bat), csv_cell(bat.maker),
-                       csv_cell(bat.model));
+    key += fmt::format("{},{},{},{},{}\n", neutral, cell(bat.id), cell(bat.bat), cell(bat.maker), cell(bat.model));
     bat.id = neutral;
     bat.maker.clear();
     bat.model.clear();
@@ -65,15 +64,15 @@ std::string anonymise_bats(std::vector<StudyBat>& bats) {
   return key;
 }
 
-std::string study_table_csv(const std::vector<StudyBat>& bats) {
+std::string study_table_csv(const std::vector<StudyBat>& bats, CsvFormulas formulas) {
+  const auto cell = [&](const std::string& text) { return csv_cell(text, formulas); };
   std::string out = "id,bat,maker,model,length_in,material,condition,program";
   for (std::size_t q = 0; q < kStudyQuantities; ++q)
     out += fmt::format(",{}", column_of(static_cast<StudyQuantity>(q)));
   out += '\n';
   for (const StudyBat& bat : bats) {
-    out += fmt::format("{},{},{},{},{},{},{},{}", csv_cell(bat.id), csv_cell(bat.bat), csv_cell(bat.maker),
-                       csv_cell(bat.model), bat.length_in, material_word(bat.material), bat.broken_in ? "abi" : "new",
-                       csv_cell(bat.program));
+    out += fmt::format("{},{},{},{},{},{},{},{}", cell(bat.id), cell(bat.bat), cell(bat.maker), cell(bat.model),
+                       bat.length_in, material_word(bat.material), bat.broken_in ? "abi" : "new", cell(bat.program));
     for (const auto& value : bat.values) out += value ? fmt::format(",{}", *value) : ",";
     out += '\n';
   }

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace percuss {
+inline namespace core {
+
+/// How a table holds a text that a spreadsheet would compute.
+enum class CsvFormulas { neutralise, keep };
+
+/// A text as a CSV cell: quoted where it contains a separator (comma, semicolon, tab), a quote or a line end. A text
+/// that begins with = + - @, a tab or a line end, and is not a number, gets a leading apostrophe, unless formulas are
+/// kept. A text of apostrophes before one of these gets one more, so that text_of_csv_cell() restores every text.
+std::string csv_cell(const std::string& text, CsvFormulas formulas = CsvFormulas::neutralise);
+
+/// The text of a cell without the apostrophe that csv_cell() added.
+std::string_view text_of_csv_cell(std::string_view cell);
+
+}  // namespace core
+}  // namespace percuss

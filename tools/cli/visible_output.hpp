@@ -1,0 +1,29 @@
+#pragma once
+#include <ostream>
+#include <streambuf>
+#include <string>
+
+namespace percuss::tools {
+
+/// Makes the characters that leave by a stream visible (core/visible_text.hpp) during the lifetime of this object:
+/// names and texts of files cannot command the terminal.
+///   const VisibleOutput output(std::cout);
+class VisibleOutput : private std::streambuf {
+ public:
+  explicit VisibleOutput(std::ostream& stream);
+  ~VisibleOutput() override;
+  VisibleOutput(const VisibleOutput&) = delete;
+  VisibleOutput& operator=(const VisibleOutput&) = delete;
+
+ private:
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override;
+  int_type overflow(int_type character) override;
+  int sync() override;
+  bool write(std::string_view text);
+
+  std::ostream& stream_;
+  std::streambuf* const to_;
+  std::string begun_;  // the first bytes of a character that is not complete yet
+};
+
+}  // namespace percuss::tools
