@@ -67,7 +67,7 @@ void copy_rows(const std::string& folder, const FinishedShard& part,
 }  // namespace
 
 MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, const std::vector<std::string>& paths,
-                        bool force) {
+                        const MergeOptions& options) {
   const auto parts = finished_parts(manifest, folder);
   MergedBatch merged;
   for (const FinishedShard& part : parts) {
@@ -80,7 +80,7 @@ MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, con
                            .failed = merged.failed};
   std::vector<std::unique_ptr<RowWriter>> writers;
   writers.reserve(paths.size());
-  for (const std::string& path : paths) writers.push_back(row_writer(path, totals, force));
+  for (const std::string& path : paths) writers.push_back(row_writer(path, totals, options.force, options.formulas));
   for (const FinishedShard& part : parts) copy_rows(folder, part, writers);
   for (const auto& writer : writers) writer->commit();
   return merged;

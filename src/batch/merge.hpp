@@ -3,8 +3,14 @@
 #include <vector>
 
 #include "batch/manifest.hpp"
+#include "core/io/csv_cell.hpp"
 
 namespace percuss::batch {
+
+struct MergeOptions {
+  bool force = false;  // replace existing files
+  CsvFormulas formulas = CsvFormulas::neutralise;
+};
 
 struct MergedBatch {
   std::size_t records = 0, failed = 0;
@@ -18,6 +24,6 @@ struct MergedBatch {
 /// errors  InputError: shards that are missing, that changed after they were finished, or that have other options or
 /// another version of percuss than the others; a file exists (without force); .h5 of a batch without FRFs
 MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, const std::vector<std::string>& paths,
-                        bool force);
+                        const MergeOptions& options = {});
 
 }  // namespace percuss::batch

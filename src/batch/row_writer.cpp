@@ -11,7 +11,6 @@
 #include "core/error.hpp"
 #include "core/io/strict_json.hpp"
 #include "metrics/study/batch_columns.hpp"
-#include "metrics/study/csv_cell.hpp"
 
 namespace percuss::batch {
 namespace {
@@ -46,18 +45,18 @@ class JsonLines : public RowWriter {
   Sha256File file_;
 };
 
-std::string cell_of(const Json& value) {
+std::string cell_of(const Json& value, CsvFormulas formulas) {
   if (value.is_null()) return "";
-  if (value.is_string()) return metrics::csv_cell(value.get<std::string>());
+  if (value.is_string()) return csv_cell(value.get<std::string>(), formulas);
   if (!value.is_array()) return value.dump();
   std::string words;
   for (const Json& one : value) words += (words.empty() ? "" : " ") + one.get<std::string>();
-  return metrics::csv_cell(words);
+  return csv_cell(words, formulas);
 }
 
 class CsvTable : public RowWriter {
  public:
-  CsvTable(const std::string& path, bool force) : file_(path, force) {
+  CsvTable(const std::string& path, bool force, CsvFormulas formulas) : file_(path, force), formulas_(formulas) {
     for (const std::string& column : metrics::batch_columns()) file_.add((column == "row" ? "" : ",") + column);
     file_.add("\n");
   }
@@ -68,7 +67,7 @@ class CsvTable : public RowWriter {
       for (const std::string& column : metrics::batch_columns()) {
         const auto value = json.find(column);
         if (column != "row") line += ',';
-        if (value != json.end()) line += cell_of(*value);
+        if (value != json.end()) line += cell_of(*value, formulas_);
       }
       file_.add(line + "\n");
     });
@@ -77,6 +76,7 @@ class CsvTable : public RowWriter {
 
  private:
   Sha256File file_;
+  CsvFormulas formulas_;
 };
 
 // A group name for an id: a slash would make two groups.
@@ -124,8 +124,9 @@ std::string batch_header_line(const BatchTotals& totals) {
   return json.dump() + "\n";
 }
 
-std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals& totals, bool force) {
-  if (path.ends_with(".csv")) return std::make_unique<CsvTable>(path, force);
+std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals& totals, bool force,
+                                      CsvFormulas formulas) {
+  if (path.ends_with(".csv")) return std::make_unique<CsvTable>(path, force, formulas);
   if (!path.ends_with(".h5")) return std::make_unique<JsonLines>(path, totals, force);
   if (totals.head.frf) return std::make_unique<FrfFile>(path, totals, force);
   throw InputError("the batch was planned without FRFs", path, "plan the batch with FRFs", {"batch.plan.frf"});

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "batch/manifest.hpp"
+#include "core/io/csv_cell.hpp"
 
 namespace percuss::batch {
 
@@ -32,7 +33,8 @@ class RowWriter {
 
 /// The writer for an extension: .csv, .h5, otherwise JSON lines.
 /// errors  InputError: the file exists (without force) or cannot be written; .h5 of a batch without FRFs
-std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals& totals, bool force);
+std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals& totals, bool force,
+                                      CsvFormulas formulas = CsvFormulas::neutralise);
 
 /// The first of the JSON lines, with its line end: the document percuss/batch/1 without its rows.
 std::string batch_header_line(const BatchTotals& totals);

@@ -8,8 +8,28 @@
 #include <string_view>
 
 #include "batch/status.hpp"
+#include "core/error.hpp"
 
 namespace percuss::batch {
+namespace {
+
+// A line end in a path would begin another directive, and a hidden character would make the script look different.
+void require_printable(const std::string& path) {
+  if (is_printable(path)) return;
+  throw InputError("the path holds a line end, another character that cannot be seen, or a byte that is not UTF-8",
+                   path, "rename the folder or the file");
+}
+
+// Slurm replaces %A and other letters in names of logs.
+std::string log_name(const std::string& folder) {
+  std::string name;
+  for (const char c : folder) name += c == '%' ? std::string("%%") : std::string(1, c);
+  return name + "/slurm-%A-%a.log";
+}
+
+}  // namespace
+
+bool is_printable(const std::string& text) { return one_line(text, std::string::npos) == text; }
 
 std::string shell_quoted(const std::string& text) {
   const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
@@ -22,12 +42,13 @@ std::string shell_quoted(const std::string& text) {
 }
 
 std::string slurm_script(const SlurmJob& job) {
+  for (const std::string* path : {&job.program, &job.manifest, &job.folder}) require_printable(*path);
   std::string text =
       "#!/bin/sh\n"
       "#SBATCH --job-name=percuss-batch\n";
   text += fmt::format("#SBATCH --array={}\n", array_list(job.tasks));
   text += fmt::format("#SBATCH --cpus-per-task={}\n", job.threads);
-  text += fmt::format("#SBATCH --output={}\n", shell_quoted(job.folder + "/slurm-%A-%a.log"));
+  text += fmt::format("#SBATCH --output={}\n", shell_quoted(log_name(job.folder)));
   for (const std::string& directive : job.directives) text += "#SBATCH " + directive + "\n";
   text += fmt::format("exec {} batch run --manifest {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --threads {} -o {}\n",
                       shell_quoted(job.program), shell_quoted(job.manifest), job.shards, job.threads,

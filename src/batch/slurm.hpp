@@ -15,7 +15,11 @@ struct SlurmJob {
 };
 
 /// The script for sbatch.
+/// errors  InputError: a path that is not printable
 std::string slurm_script(const SlurmJob& job);
+
+/// Whether each character of the text can be seen in a line: no line end, nothing that take_visible() escapes.
+bool is_printable(const std::string& text);
 
 /// `text` quoted as one word of a shell.
 std::string shell_quoted(const std::string& text);

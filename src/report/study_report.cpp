@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "metrics/study/csv_cell.hpp"
 #include "report/json/json_document.hpp"
 #include "report/svg/study_charts.hpp"
 #include "report/text/text_table.hpp"
@@ -139,7 +138,7 @@ ReportText study_text(const metrics::Study& study) {
   return out;
 }
 
-std::string study_csv(const metrics::Study& study) {
+std::string study_csv(const metrics::Study& study, CsvFormulas formulas) {
   std::string out =
       "figure,source,length_in,bats,counted,pearson,pearson_low,pearson_high,spearman,spearman_low,spearman_high,p,"
       "slope,"
@@ -158,7 +157,7 @@ std::string study_csv(const metrics::Study& study) {
           one.trend ? fmt::format(",{},{},{},", one.trend->slope, one.trend->slope_low, one.trend->slope_high) : ",,,,";
       std::string names;
       for (const std::size_t b : one.outliers) names += (names.empty() ? "" : " ") + study.bats[b].id;
-      out += metrics::csv_cell(names) + "\n";
+      out += csv_cell(names, formulas) + "\n";
     }
   }
   return out;
@@ -166,11 +165,12 @@ std::string study_csv(const metrics::Study& study) {
 
 }  // namespace
 
-CommandReport study_report(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve) {
+CommandReport study_report(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve,
+                           CsvFormulas formulas) {
   CommandReport report;
   report.json = study_json(study);
   report.text = study_text(study);
-  report.table = study_csv(study);
+  report.table = study_csv(study, formulas);
   report.charts = study_charts(study, curve);
   return report;
 }

@@ -291,6 +291,23 @@ TEST_F(BatchCommand, PrintsAJobArrayOfMissingShards) {
   EXPECT_EQ(batch({"submit", "pbs", "--manifest", "m.jsonl", "-o", "out"}).code, 2);
 }
 
+TEST_F(BatchCommand, RefusesAJobArrayInAFolderWhoseNameHoldsALineEnd) {
+  plan();
+  const std::string folder = folder_.file("x\n#SBATCH --wrap=id");
+  fs::create_directory(folder);
+  fs::copy_file(folder_.file("m.jsonl"), folder + "/m.jsonl");
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--go"}}) {
+    std::vector<std::string> words{"batch", "submit", "slurm", "--manifest", "m.jsonl", "-o", "out"};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto outcome = run_percuss(words, {.folder = folder});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.out, IsEmpty());
+    EXPECT_THAT(outcome.err, HasSubstr("cannot be seen"));
+  }
+  for (const char* option : {"--sbatch=--a\r--b", "--sbatch=--a\nid", "--sbatch=--a\u202e"})
+    EXPECT_EQ(batch({"submit", "slurm", "--manifest", "m.jsonl", "-o", "out", option}).code, 2);
+}
+
 TEST_F(BatchCommand, RejectsAnInvalidManifest) {
   const std::string good = R"({"schema":"percuss/batch-manifest/1","version":"1","records":0,"bytes":0,"shards":1,)"
                            R"("frf":false,"options":[],"options_sha256":")";

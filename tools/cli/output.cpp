@@ -32,6 +32,15 @@ void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
   command.heading(previous);
 }
 
+void add_formula_flag(Command& command, bool& keep_formulas) {
+  const std::string previous = command.heading("Output");
+  command.flag("--keep-formulas", keep_formulas,
+               "Write texts such as =1+1 to CSV without the apostrophe that keeps a spreadsheet from computing them");
+  command.heading(previous);
+}
+
+CsvFormulas csv_formulas(bool keep_formulas) { return keep_formulas ? CsvFormulas::keep : CsvFormulas::neutralise; }
+
 OutputFlags captured_output(const OutputFlags& flags) {
   OutputFlags kept = flags;
   kept.equivalent_command = flags.host->equivalent_command;

@@ -5,6 +5,7 @@
 #include "cli/command_line.hpp"
 #include "cli/host.hpp"
 #include "core/error.hpp"
+#include "core/io/csv_cell.hpp"
 
 namespace percuss::tools {
 
@@ -20,6 +21,10 @@ struct OutputFlags {
 
 /// `kinds` lists the extensions that the command passes to check_outputs: ".json, .csv".
 void add_output_flags(Command& command, OutputFlags& flags, const char* kinds);
+
+/// The flag for tables with texts. csv_formulas() gives its meaning.
+void add_formula_flag(Command& command, bool& keep_formulas);
+CsvFormulas csv_formulas(bool keep_formulas);
 
 /// The flags for files that a host saves after the command has run.
 OutputFlags captured_output(const OutputFlags& flags);

@@ -21,7 +21,7 @@ constexpr std::uint64_t kMaxTable_bytes = std::uint64_t{16} << 20U;
 struct StudyFlags {
   std::vector<std::string> inputs;
   std::string figures, key, table, curve;
-  bool example = false;
+  bool example = false, keep_formulas = false;
   OutputFlags output;
 };
 
@@ -41,7 +41,7 @@ void write_figures(const StudyFlags& flags, const metrics::Study& study, const r
   std::error_code problem;
   std::filesystem::create_directories(flags.figures, problem);
   if (problem) throw InputError("cannot create the folder", flags.figures, "name a folder that can be written");
-  for (const report::StudyFile& file : report::study_files(study, curve))
+  for (const report::StudyFile& file : report::study_files(study, curve, csv_formulas(flags.keep_formulas)))
     write_file((std::filesystem::path(flags.figures) / file.name).string(), file.text, flags.output.force);
   write_file((std::filesystem::path(flags.figures) / "statistics.csv").string(), report.csv(), flags.output.force);
 }
@@ -64,12 +64,13 @@ int run_study(const StudyFlags& flags) {
   metrics::StudyRows rows;
   for (const std::string& path : flags.inputs) rows.add(text_at(path), input_name(path));
   std::vector<metrics::StudyBat> bats = rows.bats();
-  if (!flags.key.empty()) write_file(flags.key, metrics::anonymise_bats(bats), flags.output.force);
-  if (!flags.table.empty()) write_file(flags.table, metrics::study_table_csv(bats), flags.output.force);
+  const CsvFormulas formulas = csv_formulas(flags.keep_formulas);
+  if (!flags.key.empty()) write_file(flags.key, metrics::anonymise_bats(bats, formulas), flags.output.force);
+  if (!flags.table.empty()) write_file(flags.table, metrics::study_table_csv(bats, formulas), flags.output.force);
   const metrics::Study study = metrics::study_of(std::move(bats));
   std::optional<metrics::StudyCurve> curve;
   if (!flags.curve.empty()) curve = metrics::parse_study_curve(text_at(flags.curve), input_name(flags.curve));
-  const report::CommandReport report = report::study_report(study, curve);
+  const report::CommandReport report = report::study_report(study, curve, formulas);
   write_figures(flags, study, report, curve);
   return show_report(report, flags.output, flags.inputs);
 }
@@ -103,6 +104,7 @@ void add_study(CommandLine& line) {
   command.value("--table", flags->table, "Write the joined table").type("FILE");
   command.flag("--example", flags->example, "Print an example table: a synthetic population");
   add_output_flags(command, flags->output, kReportKinds);
+  add_formula_flag(command, flags->keep_formulas);
 }
 
 }  // namespace percuss::tools

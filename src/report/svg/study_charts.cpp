@@ -6,7 +6,6 @@
 #include <map>
 
 #include "core/math/statistics.hpp"
-#include "metrics/study/csv_cell.hpp"
 #include "report/svg/line_chart.hpp"
 #include "report/svg/study_charts.hpp"
 
@@ -142,7 +141,7 @@ LineChart chart_of(const metrics::Study& study, const metrics::StudyFigure& figu
 }
 
 std::string points_csv(const metrics::Study& study, metrics::StudyQuantity x, metrics::StudyQuantity y,
-                       const std::vector<std::size_t>& bats) {
+                       const std::vector<std::size_t>& bats, CsvFormulas formulas) {
   std::string out =
       fmt::format("id,length_in,material,condition,{},{}\n", metrics::column_of(x), metrics::column_of(y));
   for (const std::size_t b : bats) {
@@ -150,7 +149,7 @@ std::string points_csv(const metrics::Study& study, metrics::StudyQuantity x, me
     const char* const material = bat.material == metrics::BarrelMaterial::wood       ? "wood"
                                  : bat.material == metrics::BarrelMaterial::aluminum ? "aluminum"
                                                                                      : "composite";
-    out += fmt::format("{},{},{},{},{},{}\n", metrics::csv_cell(bat.id), bat.length_in, material,
+    out += fmt::format("{},{},{},{},{},{}\n", csv_cell(bat.id, formulas), bat.length_in, material,
                        bat.broken_in ? "abi" : "new", *bat.value(x), *bat.value(y));
   }
   return out;
@@ -212,11 +211,12 @@ std::vector<StudyPlot> plotted_curves(const metrics::Study& study, const std::op
 
 }  // namespace
 
-std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve) {
+std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve,
+                                   CsvFormulas formulas) {
   std::vector<StudyFile> files;
   for (const StudyPlot& one : plotted_curves(study, curve)) {
     files.push_back({one.name + ".svg", line_chart_svg(one.chart)});
-    files.push_back({one.name + ".csv", points_csv(study, one.x, one.y, one.bats)});
+    files.push_back({one.name + ".csv", points_csv(study, one.x, one.y, one.bats, formulas)});
   }
   return files;
 }

@@ -15,7 +15,8 @@ struct StudyFile {
 };
 
 /// Each figure and each bat's trail, as a chart and as a table of its points.
-std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {});
+std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {},
+                                   CsvFormulas formulas = CsvFormulas::neutralise);
 
 /// The charts alone.
 std::vector<LineChart> study_charts(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {});

@@ -20,7 +20,7 @@ namespace {
 struct ResultFlags {
   std::string manifest, folder;
   OutputFlags output;
-  bool missing = false, json = false;
+  bool missing = false, json = false, keep_formulas = false;
 };
 
 void add_folder_and_manifest(Command& command, ResultFlags& flags) {
@@ -46,7 +46,9 @@ int merge(const ResultFlags& flags) {
     throw OptionError({}, "no output is given", "name a file that ends in .jsonl, .csv or .h5", {"output"});
   const batch::Manifest manifest(flags.manifest);
   const Progress progress("merging", flags.output.quiet);
-  const batch::MergedBatch merged = batch::merge_batch(manifest, flags.folder, flags.output.paths, flags.output.force);
+  const batch::MergedBatch merged =
+      batch::merge_batch(manifest, flags.folder, flags.output.paths,
+                         {.force = flags.output.force, .formulas = csv_formulas(flags.keep_formulas)});
   progress.stop();
   if (flags.output.json) {
     const nlohmann::ordered_json json{{"schema", "percuss/batch-merge/1"},
@@ -93,6 +95,7 @@ void add_batch_merge(CommandLine& line) {
       "Turn records into a table");
   add_folder_and_manifest(command, *flags);
   add_output_flags(command, flags->output, ".jsonl, .csv, .h5");
+  add_formula_flag(command, flags->keep_formulas);
 }
 
 }  // namespace percuss::tools

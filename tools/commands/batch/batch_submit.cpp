@@ -60,7 +60,7 @@ int submit_to_slurm(const batch::SlurmJob& job) {
 
 int submit(const SubmitFlags& flags) {
   for (const std::string& directive : flags.directives) {
-    if (!directive.starts_with("--") || directive.find('\n') != std::string::npos)
+    if (!directive.starts_with("--") || !batch::is_printable(directive))
       throw OptionError::wrong_value("sbatch", directive, "give an option of sbatch, such as --time=60");
   }
   const batch::BatchStatus found = batch::batch_status(batch::Manifest(flags.manifest), flags.folder);
