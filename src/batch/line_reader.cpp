@@ -5,7 +5,6 @@
 
 #include <cerrno>
 #include <limits>
-#include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
@@ -41,8 +40,7 @@ bool LineReader::fill() {
     got = ::read(descriptor_, buffer_.data() + had, kPiece_bytes);
   } while (got < 0 && errno == EINTR);
   buffer_.resize(had + static_cast<std::size_t>(got < 0 ? 0 : got));
-  if (got < 0)
-    throw InputError("reading failed: " + std::generic_category().message(errno), path_, "check the disk or network");
+  if (got < 0) throw_system_error("reading failed", errno, path_, "check the disk or network");
   return got > 0;
 }
 

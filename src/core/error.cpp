@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
 #include <utility>
 
 #include "core/visible_text.hpp"
@@ -23,6 +27,17 @@ std::string one_line(std::string_view text, std::size_t limit) {
     out += shown;
   }
   return out;
+}
+
+bool is_machine_fault(int error) {
+  constexpr std::array kFaults{EAGAIN, ENOMEM, EMFILE, ENFILE, ENOBUFS, ENOSPC, EDQUOT, EIO, ESTALE, ETIMEDOUT};
+  return std::find(kFaults.begin(), kFaults.end(), error) != kFaults.end();
+}
+
+void throw_system_error(std::string_view problem, int error, std::string_view where, std::string_view remedy) {
+  const std::string text = fmt::format("{}: {}", problem, std::generic_category().message(error));
+  if (is_machine_fault(error)) throw MachineFault(text, where, remedy);
+  throw InputError(text, where, remedy);
 }
 
 UsageError::UsageError(std::string_view problem, std::string_view remedy)

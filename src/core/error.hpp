@@ -18,6 +18,20 @@ class UsageError : public std::runtime_error {
   UsageError(std::string_view problem, std::string_view remedy);
 };
 
+/// The machine failed, not the input: it has no process, descriptor or memory left, its disk is full or cannot be read.
+/// The same work may succeed later.
+class MachineFault : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// Whether a value of errno tells of the machine's state: EAGAIN, ENOMEM, EMFILE, ENOSPC, EIO, …
+bool is_machine_fault(int error);
+
+/// Throws "PROBLEM: the text of `error`", a value of errno: a MachineFault, or an InputError.
+[[noreturn]] void throw_system_error(std::string_view problem, int error, std::string_view where,
+                                     std::string_view remedy);
+
 /// `text` for use inside a one-line message: its characters as take_visible() shows them, line ends too. A longer text
 /// is cut after at most `limit` bytes, never inside a character, and ends with "...".
 std::string one_line(std::string_view text, std::size_t limit = 200);

@@ -35,6 +35,7 @@ class OpenFile {
     while (bytes > 0) {
       const auto got = ::pread(descriptor_, at, bytes, static_cast<off_t>(offset));
       if (got < 0 && errno == EINTR) continue;
+      if (got < 0 && is_machine_fault(errno)) throw_system_error("reading failed", errno, path_, "check the disk");
       if (got <= 0)
         throw InputError("the file changed during reading", path_, "copy the file again, then read it again");
       at += got;

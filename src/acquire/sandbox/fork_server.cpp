@@ -31,7 +31,7 @@ ForkServer::ForkServer(const Open& open) {
   descriptor_ = paired ? ends[0] : -1;
   if (process_ > 0) return;
   if (paired) ::close(descriptor_);
-  throw InputError("cannot start a process that reads files", "batch", "close other programs, or trust the input",
+  throw MachineFault("cannot start a process that reads files", "batch", "close other programs, or trust the input",
                    {"trust_input"});
 }
 

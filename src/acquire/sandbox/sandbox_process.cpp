@@ -165,6 +165,7 @@ void SandboxProcess::receive_outcome(std::string& payload) {
       payload = std::move(bytes);
       return;
     case SandboxOutcome::input_error:
+    case SandboxOutcome::machine_fault:
     case SandboxOutcome::ambiguous_columns:
       rethrow(static_cast<SandboxOutcome>(head[0]), bytes);
     case SandboxOutcome::no_memory:
@@ -178,6 +179,7 @@ void SandboxProcess::receive_outcome(std::string& payload) {
 void SandboxProcess::rethrow(SandboxOutcome outcome, const std::string& payload) const {
   try {
     if (outcome == SandboxOutcome::input_error) throw deserialize_input_error(payload);
+    if (outcome == SandboxOutcome::machine_fault) throw deserialize_machine_fault(payload);
     throw deserialize_ambiguous_columns(payload);
   } catch (const std::out_of_range&) {
     report_contradiction();
@@ -185,7 +187,7 @@ void SandboxProcess::rethrow(SandboxOutcome outcome, const std::string& payload)
 }
 
 void SandboxProcess::report_no_process() const {
-  throw InputError("cannot start a process that reads the file", path_, "close other programs, or trust the input",
+  throw MachineFault("cannot start a process that reads the file", path_, "close other programs, or trust the input",
                    {"trust_input"});
 }
 

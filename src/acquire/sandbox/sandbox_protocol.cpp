@@ -34,7 +34,8 @@ OptionId deserialize_option(Deserializer& in) {
   return option;
 }
 
-InputError deserialize_error(Deserializer& in) {
+template <class Error>
+Error deserialize_error(Deserializer& in) {
   const std::string problem = in.text(), where = in.text(), remedy = in.text();
   return {problem, where, remedy, deserialize_options(in)};
 }
@@ -102,12 +103,17 @@ bool receive_bytes(int descriptor, void* to, std::size_t bytes) {
 
 InputError deserialize_input_error(const std::string& payload) {
   Deserializer in(payload);
-  return deserialize_error(in);
+  return deserialize_error<InputError>(in);
+}
+
+MachineFault deserialize_machine_fault(const std::string& payload) {
+  Deserializer in(payload);
+  return deserialize_error<MachineFault>(in);
 }
 
 AmbiguousColumns deserialize_ambiguous_columns(const std::string& payload) {
   Deserializer in(payload);
-  const InputError problem = deserialize_error(in);
+  const auto problem = deserialize_error<InputError>(in);
   CsvHeader header{.named = true, .text = false};
   const std::string format = in.text();
   const bool has_rate = in.get<std::uint64_t>() != 0;
@@ -132,6 +138,8 @@ bool run_and_send_outcome(int descriptor, const std::function<std::string()>& wo
     return send_outcome(descriptor, SandboxOutcome::good, work());
   } catch (const AmbiguousColumns& error) {
     return send_outcome(descriptor, SandboxOutcome::ambiguous_columns, serialized_ambiguous_columns(error));
+  } catch (const MachineFault& error) {
+    return send_outcome(descriptor, SandboxOutcome::machine_fault, serialized_error(error));
   } catch (const InputError& error) {
     return send_outcome(descriptor, SandboxOutcome::input_error, serialized_error(error));
   } catch (const std::bad_alloc&) {

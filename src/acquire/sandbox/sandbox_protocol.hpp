@@ -20,7 +20,7 @@ struct SandboxRequest {
 };
 
 /// The result of a request. It is sent as this number, the payload's length and the payload.
-enum class SandboxOutcome : std::uint64_t { good, input_error, ambiguous_columns, no_memory, other_error };
+enum class SandboxOutcome : std::uint64_t { good, input_error, ambiguous_columns, no_memory, other_error, machine_fault };
 
 /// Transfers all bytes. False when the other process has closed its end.
 bool send_bytes(int descriptor, const void* from, std::size_t bytes);
@@ -34,9 +34,10 @@ void serialize_options(Serializer& out, const std::vector<OptionId>& options);
 /// errors  std::out_of_range: too many options, or not an option's identifier
 std::vector<OptionId> deserialize_options(Deserializer& in);
 
-/// The error in the payload of SandboxOutcome::input_error or ambiguous_columns.
+/// The error in the payload of SandboxOutcome::input_error, machine_fault or ambiguous_columns.
 /// errors  std::out_of_range: the payload is not such an error
 InputError deserialize_input_error(const std::string& payload);
+MachineFault deserialize_machine_fault(const std::string& payload);
 AmbiguousColumns deserialize_ambiguous_columns(const std::string& payload);
 
 }  // namespace percuss::acquire

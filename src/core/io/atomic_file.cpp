@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
@@ -191,7 +190,7 @@ void AtomicFile::commit() {
 
 void AtomicFile::fail(std::string_view problem) const {
   const int error = errno;
-  throw InputError(std::string(problem) + ": " + std::generic_category().message(error), path_, remedy_for(error));
+  throw_system_error(problem, error, path_, remedy_for(error));
 }
 
 void write_file(const std::string& path, std::string_view bytes, bool force) {

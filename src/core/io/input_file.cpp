@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <new>
-#include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
@@ -38,11 +37,12 @@ class Descriptor {
   bool owned_;
 };
 
+constexpr const char* kCannotOpen = "cannot open the file";
+
 [[noreturn]] void fail_to_open(const std::string& path, int error) {
-  const std::string problem = "cannot open the file: " + std::generic_category().message(error);
   if (error == ENOENT) throw InputError("no such file", path, "check the path");
-  if (error == EACCES) throw InputError(problem, path, "ask for permission to read it");
-  throw InputError(problem, path, "check the path");
+  if (error == EACCES) throw_system_error(kCannotOpen, error, path, "ask for permission to read it");
+  throw_system_error(kCannotOpen, error, path, is_machine_fault(error) ? "try again later" : "check the path");
 }
 
 std::uint64_t require_regular(const struct stat& status, const std::string& path) {
@@ -76,10 +76,7 @@ std::size_t read_fully(const Descriptor& file, char* to, std::size_t count, cons
     const auto got = ::read(file.number(), to + done, std::min(count - done, kLargestRead_bytes));
     if (got == 0) break;
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) {
-      throw InputError("reading failed: " + std::generic_category().message(errno), input_name(path),
-                       "check the disk or pipe");
-    }
+    if (got < 0) throw_system_error("reading failed", errno, input_name(path), "check the disk or pipe");
     done += static_cast<std::size_t>(got);
   }
   return done;

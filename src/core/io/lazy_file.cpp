@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <system_error>
 
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
@@ -21,7 +20,7 @@ LazyFile::LazyFile(const std::string& path, std::uint64_t limit_bytes) : path_(p
                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (place == MAP_FAILED) {
     ::close(descriptor_);
-    throw InputError("not enough address space for the file", path, "split it, or save it as HDF5");
+    throw MachineFault("not enough address space for the file", path, "split it, or save it as HDF5");
   }
   data_ = static_cast<char*>(place);
 }
@@ -40,9 +39,7 @@ void LazyFile::copy(std::size_t first, std::size_t count, char* to) const {
   while (count > 0) {
     const auto got = ::pread(descriptor_, to, count, static_cast<off_t>(first));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) {
-      throw InputError("reading failed: " + std::generic_category().message(errno), path_, "check the disk");
-    }
+    if (got < 0) throw_system_error("reading failed", errno, path_, "check the disk");
     if (got == 0) throw InputError("the file became shorter while it was read", path_, "read it when it is complete");
     to += got;
     first += static_cast<std::size_t>(got);

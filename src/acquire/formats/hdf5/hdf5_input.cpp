@@ -8,7 +8,6 @@
 #include <array>
 #include <cerrno>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "acquire/formats/hdf5/read_hdf5.hpp"
@@ -23,8 +22,8 @@ std::uint64_t size_of(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) {
     const int error = errno;
-    throw InputError(
-        "cannot open: " + std::generic_category().message(error), path,
+    throw_system_error(
+        "cannot open", error, path,
         error == EMFILE ? "raise the limit of open files (ulimit -n)" : "check the name and its permissions");
   }
   struct stat info {};
