@@ -8,9 +8,7 @@
 #include <cassert>
 #include <cerrno>
 #include <charconv>
-#include <map>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "batch/line_reader.hpp"
@@ -23,7 +21,8 @@ namespace {
 constexpr std::size_t kLongestLine_bytes = std::size_t{1} << 30U;  // holds the FRFs of a survey
 constexpr std::size_t kDigits = 16;                                // of the digest, in hexadecimal
 constexpr char kBetweenRows = '\t';                                // rows do not contain it: JSON escapes it
-constexpr std::string_view kBegun = "begun ", kDone = "done ";
+constexpr std::string_view kBegun = "begun ", kDone = "done ", kOpen = "open ";
+constexpr std::size_t kLongestReason_bytes = 1000;
 
 std::string digits_of(std::string_view rows) { return report::hexadecimal(report::sha256(rows)).substr(0, kDigits); }
 
@@ -53,41 +52,31 @@ std::optional<CompletedLine> completed_line(std::string_view line) {
   return CompletedLine{.index = *index, .failed = line[1] == '1', .rows = rows};
 }
 
-[[noreturn]] void fail_with_errno(const char* what, const std::string& path) {
-  throw InputError(std::string(what) + ": " + std::generic_category().message(errno), path,
-                   "free some space or choose another folder");
+[[noreturn]] void fail_to_write(const std::string& path, int error) {
+  throw_system_error("cannot write", error, path, "free some space or choose another folder");
+}
+
+// A lock of this process: it ends with the process, and no child inherits it. False: another process has it.
+bool lock_file(int descriptor) {
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  return ::fcntl(descriptor, F_SETLK, &whole) == 0 || (errno != EACCES && errno != EAGAIN);
 }
 
 }  // namespace
 
 Journal::Journal(std::string path, const ShardLabel& label, ShardRange range, bool anew)
-    : path_(std::move(path)), range_(range), entries_(range.size()) {
-  constexpr mode_t kMode = 0644;
-  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, kMode);
-  if (descriptor_ < 0) fail_with_errno("cannot write", path_);
-  try {
-    lock();
-    load(label, anew);
-  } catch (...) {
-    ::close(descriptor_);
-    throw;
-  }
-}
-
-Journal::~Journal() { ::close(descriptor_); }
-
-// A lock of this process: it ends with the process, and no child inherits it.
-void Journal::lock() const {
-  struct flock whole {};
-  whole.l_type = F_WRLCK;
-  whole.l_whence = SEEK_SET;
-  if (::fcntl(descriptor_, F_SETLK, &whole) == 0 || (errno != EACCES && errno != EAGAIN)) return;
-  throw InputError("another process analyses this shard", path_, "wait for it, or end it first");
+    : path_(std::move(path)), file_(PartFile::appended(path_)), range_(range), entries_(range.size()) {
+  if (!lock_file(file_.descriptor()))
+    throw InputError("another process analyses this shard", path_, "wait for it, or end it first");
+  file_.require_own();
+  load(label, anew);
 }
 
 void Journal::load(const ShardLabel& label, bool anew) {
   bool known = false;
-  LineReader lines(descriptor_, path_, kLongestLine_bytes);  // closing another descriptor would release the lock
+  LineReader lines(file_.descriptor(), path_, kLongestLine_bytes);  // closing another descriptor would release the lock
   while (!anew && lines.next() && lines.ended()) {
     if (lines.number() == 1) {
       require_same_shard(parse_label(lines.line(), path_), label, path_);
@@ -98,7 +87,7 @@ void Journal::load(const ShardLabel& label, bool anew) {
     end_ = lines.end();
   }
   // Removes the incomplete last line of a killed writer.
-  if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) fail_with_errno("cannot write", path_);
+  remove_incomplete_line();
   if (!known) append(label_line(label) + "\n");
 }
 
@@ -111,16 +100,21 @@ void Journal::take(std::string_view line, std::uint64_t offset) {
   failed_ += done->failed ? 1U : 0U;
 }
 
+void Journal::remove_incomplete_line() {
+  incomplete_ = ::ftruncate(file_.descriptor(), static_cast<off_t>(end_)) != 0;
+  if (incomplete_) fail_to_write(path_, errno);
+}
+
 void Journal::append(const std::string& line) {
+  if (incomplete_) remove_incomplete_line();
   std::string_view rest = line;
   while (!rest.empty()) {
-    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    const ssize_t written = ::write(file_.descriptor(), rest.data(), rest.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       const int error = errno;
-      static_cast<void>(::ftruncate(descriptor_, static_cast<off_t>(end_)));  // removes the incomplete line
-      errno = error;
-      fail_with_errno("cannot write", path_);
+      incomplete_ = ::ftruncate(file_.descriptor(), static_cast<off_t>(end_)) != 0;
+      fail_to_write(path_, error);
     }
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
@@ -138,33 +132,59 @@ void Journal::finish(std::size_t index, bool failed, const std::vector<std::stri
   for (const std::string& line : lines) rows += (rows.empty() ? "" : std::string(1, kBetweenRows)) + line;
   const std::string start = fmt::format("{}{} {} {} ", kDone, index, failed ? 1 : 0, digits_of(rows));
   const std::scoped_lock lock(mutex_);
-  entries_[index - range_.first] = {.offset = end_ + start.size(), .bytes = rows.size()};
   append(start + rows + "\n");
+  entries_[index - range_.first] = {.offset = end_ - 1 - rows.size(), .bytes = rows.size()};
   ++finished_;
   failed_ += failed ? 1U : 0U;
 }
 
+void Journal::leave_open(std::size_t index, const std::string& reason) {
+  const std::scoped_lock lock(mutex_);
+  try {
+    append(fmt::format("{}{} {}\n", kOpen, index, one_line(reason, kLongestReason_bytes)));
+  } catch (const MachineFault&) {
+    // The disk has no room for the reason either. The record is open without it.
+  }
+}
+
 std::string Journal::rows(std::size_t index) const {
   const Entry& entry = entries_[index - range_.first];
-  std::string rows = bytes_at(descriptor_, entry.offset, entry.bytes, path_);
+  std::string rows = bytes_at(file_.descriptor(), entry.offset, entry.bytes, path_);
   std::replace(rows.begin(), rows.end(), kBetweenRows, '\n');
   return rows + "\n";
 }
 
 void Journal::remove() { ::unlink(path_.c_str()); }
 
+void remove_abandoned_journal(const std::string& path) {
+  if (!PartFile::existing(path).present()) return;
+  const PartFile file = PartFile::appended(path);
+  if (!lock_file(file.descriptor())) return;  // its process removes it
+  file.require_own();
+  ::unlink(path.c_str());
+}
+
 JournalState journal_state(const std::string& path) {
   std::map<std::size_t, std::size_t> begun;  // how often each unfinished record was begun
   JournalState state;
-  LineReader lines(path, kLongestLine_bytes);
+  const PartFile file = PartFile::existing(path);
+  if (!file.present()) return state;
+  LineReader lines(file.descriptor(), path, kLongestLine_bytes);
   while (lines.next() && lines.ended()) {
     std::string_view line = lines.line();
     if (const auto done = completed_line(line)) {
       ++state.finished;
       begun.erase(done->index);
+      state.open.erase(done->index);
     } else if (line.starts_with(kBegun)) {
       line.remove_prefix(kBegun.size());
       if (const auto index = take_number(line)) ++begun[*index];
+    } else if (line.starts_with(kOpen)) {
+      line.remove_prefix(kOpen.size());
+      const auto index = take_number(line);
+      if (!index || !line.starts_with(' ')) continue;
+      begun.erase(*index);
+      state.open[*index] = line.substr(1);
     }
   }
   for (const auto& [index, times] : begun) {

@@ -1,11 +1,13 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <mutex>
 #include <string>
 #include <vector>
 
 #include "batch/manifest.hpp"
 #include "batch/part.hpp"
+#include "batch/part_file.hpp"
 
 namespace percuss::batch {
 
@@ -15,13 +17,13 @@ namespace percuss::batch {
 ///   first line   the label of the shard
 ///   begun 17     record 17 is being analysed
 ///   done 17 …    its rows, with a digest: a line damaged by a system crash counts as absent
-/// Several threads may call begin() and finish() at the same time.
-/// errors  InputError: another process analyses this shard; the file is from another plan or version (unless `anew`);
-/// the disk is full
+///   open 17 …    a fault of the machine: the next run analyses record 17 again
+/// Several threads may call begin(), finish() and leave_open() at the same time.
+/// errors  InputError: another process analyses this shard; the file is from another plan or version (unless `anew`),
+/// or not a journal; MachineFault: the disk is full or failed
 class Journal {
  public:
   Journal(std::string path, const ShardLabel& label, ShardRange range, bool anew);
-  ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
@@ -30,6 +32,8 @@ class Journal {
   std::size_t failed() const { return failed_; }
   void begin(std::size_t index);
   void finish(std::size_t index, bool failed, const std::vector<std::string>& lines);
+  /// Notes why a record is not finished, if the disk allows it.
+  void leave_open(std::size_t index, const std::string& reason);
   /// The rows of a finished record, each with its line end.
   std::string rows(std::size_t index) const;
   /// Removes the file after the rows of the shard have been written.
@@ -40,24 +44,31 @@ class Journal {
     std::uint64_t offset = 0;
     std::uint64_t bytes = 0;  // 0: not finished
   };
-  void lock() const;
   void load(const ShardLabel& label, bool anew);
   void take(std::string_view line, std::uint64_t offset);
   void append(const std::string& line);
+  void remove_incomplete_line();
 
   std::string path_;
+  PartFile file_;
   ShardRange range_;
   std::vector<Entry> entries_;  // the rows of each record in the file
   std::size_t finished_ = 0, failed_ = 0;
   std::uint64_t end_ = 0;
   std::mutex mutex_;
-  int descriptor_ = -1;
+  bool incomplete_ = false;  // the file ends with a line that could not be written whole
 };
 
-/// The progress in a journal: the finished records, and the records begun at least twice and never finished.
+/// Removes the journal of a finished shard, as a process leaves it that is killed at the end. Another process's journal
+/// stays. errors  InputError: the file is not a journal
+void remove_abandoned_journal(const std::string& path);
+
+/// The progress in a journal: the finished records; the records begun at least twice and never finished; the records
+/// that a fault of the machine left open.
 struct JournalState {
   std::size_t finished = 0;
-  std::vector<std::size_t> stuck;  // indices, ascending
+  std::vector<std::size_t> stuck;           // indices, ascending
+  std::map<std::size_t, std::string> open;  // reasons by index
 };
 JournalState journal_state(const std::string& path);
 

@@ -9,6 +9,7 @@
 
 #include "batch/line_reader.hpp"
 #include "batch/part.hpp"
+#include "batch/part_file.hpp"
 #include "batch/row_writer.hpp"
 #include "batch/status.hpp"
 #include "core/error.hpp"
@@ -29,6 +30,7 @@ std::vector<FinishedShard> finished_parts(const Manifest& manifest, const std::s
   std::vector<FinishedShard> parts;
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < shards; ++i) {
+    if (manifest.shard(i, shards).size() == 0) continue;
     const auto part = finished_part(folder, i);
     if (!part) {
       missing.push_back(i);
@@ -48,7 +50,9 @@ std::vector<FinishedShard> finished_parts(const Manifest& manifest, const std::s
 void copy_rows(const std::string& folder, const FinishedShard& part,
                const std::vector<std::unique_ptr<RowWriter>>& writers) {
   const std::string path = part_path(folder, part.label.shard, "jsonl");
-  LineReader lines(path, kLongestRow_bytes);
+  const PartFile file = PartFile::existing(path);
+  if (!file.present()) refuse_changed(path);
+  LineReader lines(file.descriptor(), path, kLongestRow_bytes);
   report::Digest digest;
   std::size_t records = 0;
   while (lines.next()) {
@@ -74,7 +78,7 @@ MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, con
     merged.records += part.records;
     merged.failed += part.failed;
   }
-  const BatchTotals totals{.version = parts.front().label.version,
+  const BatchTotals totals{.version = parts.empty() ? manifest.head().version : parts.front().label.version,
                            .head = manifest.head(),
                            .records = merged.records,
                            .failed = merged.failed};

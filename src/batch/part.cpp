@@ -5,9 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "batch/line_reader.hpp"
+#include "batch/part_file.hpp"
 #include "core/error.hpp"
-#include "core/io/input_file.hpp"
 #include "core/io/strict_json.hpp"
 #include "report/text/version.hpp"
 
@@ -49,16 +48,20 @@ ShardLabel read_label(StrictObject& o) {
   return label;
 }
 
+bool is_shard_name(const std::string& stem) {
+  constexpr std::string_view kStart = "part-";
+  return stem.starts_with(kStart) && stem.size() > kStart.size() &&
+         stem.find_first_not_of("0123456789", kStart.size()) == std::string::npos;
+}
+
 // The number of shards in the label of a file; nothing for a file without a complete label.
 std::optional<std::size_t> shards_of_label(const fs::path& path) {
-  const std::string name = path.filename().string(), kind = path.extension().string();
-  if (!name.starts_with("part-")) return std::nullopt;
-  if (kind == ".ok") {
-    const FileBytes bytes = read_input(path.string(), kLongestLabel_bytes);
-    return parse_finished(bytes.view(), path.string()).label.shards;
-  }
-  if (kind != ".partial") return std::nullopt;
-  const std::string head = first_bytes(path.string(), kLongestLabel_bytes);
+  const std::string kind = path.extension().string();
+  if (!is_shard_name(path.stem().string()) || (kind != ".ok" && kind != ".partial")) return std::nullopt;
+  const PartFile file = PartFile::existing(path.string());
+  if (!file.present()) return std::nullopt;  // another process removed it
+  const std::string head = file.first_bytes(kLongestLabel_bytes);
+  if (kind == ".ok") return parse_finished(head, path.string()).label.shards;
   const std::size_t end = head.find('\n');
   if (end == std::string::npos) return std::nullopt;
   return parse_label(std::string_view(head).substr(0, end), path.string()).shards;
@@ -112,9 +115,9 @@ FinishedShard parse_finished(std::string_view text, const std::string& where) {
 
 std::optional<FinishedShard> finished_part(const std::string& folder, std::size_t shard) {
   const std::string path = part_path(folder, shard, "ok");
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) return std::nullopt;
-  return parse_finished(read_input(path, kLongestLabel_bytes).view(), path);
+  const PartFile file = PartFile::existing(path);
+  if (!file.present()) return std::nullopt;
+  return parse_finished(file.first_bytes(kLongestLabel_bytes), path);
 }
 
 std::optional<std::size_t> shard_count_in(const std::string& folder) {

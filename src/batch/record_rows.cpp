@@ -7,6 +7,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <system_error>
 
 #include "acquire/open_measurement.hpp"
 #include "batch/serialized_frf.hpp"
@@ -136,12 +137,19 @@ RowContents row_contents_of(const BatchRecord& record, const RowOptions& options
     return rows;
   } catch (const UsageError& e) {
     return failed_record(kUsageError, e.what());
+  } catch (const MachineFault&) {
+    throw;
   } catch (const BudgetSpent& e) {
+    // Analyses at the same time share their memory, so that this record need not be the cause.
+    if (e.resource() == Resource::memory) throw MachineFault("not enough memory", record.path, e.remedy());
     return failed_record(kImpossible, options.write_option != nullptr ? e.written(options.write_option) : e.what());
   } catch (const InputError& e) {
     return failed_record(kBadInput, options.write_option != nullptr ? e.written(options.write_option) : e.what());
   } catch (const std::bad_alloc&) {
-    return failed_record(kInternalError, kOutOfMemoryMessage);
+    throw MachineFault("not enough memory", record.path, "analyse fewer records at a time");
+  } catch (const std::system_error& e) {
+    if (is_machine_fault(e.code().value())) throw MachineFault(e.what(), record.path, "close other programs");
+    return failed_record(kInternalError, e.what());
   } catch (const std::exception& e) {
     return failed_record(kInternalError, e.what());
   }

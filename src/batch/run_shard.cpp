@@ -1,26 +1,70 @@
 #include "batch/run_shard.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <filesystem>
+#include <mutex>
+#include <new>
+#include <thread>
 #include <vector>
 
 #include "batch/journal.hpp"
+#include "batch/part_file.hpp"
 #include "batch/sha256_file.hpp"
+#include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/parallel/parallel.hpp"
 
 namespace percuss::batch {
 namespace {
 
+// Repeats work that a fault of the machine stops, after each of the waits. While the fault lasts, later work is tried
+// once: a thousand records must not wait a thousand times. Several threads may call at the same time.
+class Retries {
+ public:
+  explicit Retries(const std::vector<std::chrono::milliseconds>& waits) : waits_(waits) {}
+
+  /// errors  MachineFault: of the last attempt; those of `work`
+  void run(const std::function<void()>& work) {
+    for (auto wait = waits_.begin();; ++wait) {
+      try {
+        work();
+        lasts_ = false;
+        return;
+      } catch (const MachineFault&) {
+        lasts_ = lasts_ || wait == waits_.end();
+        if (lasts_) throw;
+      }
+      std::this_thread::sleep_for(*wait);
+    }
+  }
+
+ private:
+  const std::vector<std::chrono::milliseconds>& waits_;
+  std::atomic<bool> lasts_{false};
+};
+
+// What stands at the name is replaced only if it is the same shard's.
+AtomicFile::Links require_own_part(const std::string& path) {
+  const PartFile file = PartFile::existing(path);
+  if (file.present()) file.require_own();
+  return AtomicFile::Links::refused;
+}
+
 FinishedShard write_finished_shard(const ShardJob& job, const ShardLabel& label, ShardRange range,
                                    const Journal& journal) {
   FinishedShard part{.label = label, .records = journal.finished(), .failed = journal.failed()};
-  Sha256File file(part_path(job.folder, job.shard, "jsonl"), true);
+  const std::string rows_path = part_path(job.folder, job.shard, "jsonl");
+  const std::string mark_path = part_path(job.folder, job.shard, "ok");
+  Sha256File file(rows_path, true, require_own_part(rows_path));
   file.add(label_line(label) + "\n");
   for (std::size_t i = range.first; i < range.last; ++i) file.add(journal.rows(i));
   file.commit();
   part.bytes = file.bytes();
   part.sha256 = file.sha256();
-  write_file(part_path(job.folder, job.shard, "ok"), finished_line(part) + "\n", true);
+  AtomicFile mark(mark_path, true, AtomicFile::Temporary::unnamed_if_possible, require_own_part(mark_path));
+  mark.write(finished_line(part) + "\n");
+  mark.commit();
   return part;
 }
 
@@ -34,13 +78,31 @@ std::optional<FinishedShard> finished_shard_before(const ShardJob& job, const Sh
   return absent || bytes != part->bytes ? std::nullopt : part;
 }
 
-void analyse(const ShardJob& job, Journal& journal, const std::vector<std::size_t>& left) {
+// Analyses records and returns those that a fault of the machine left open.
+std::vector<OpenRecord> analyse(const ShardJob& job, Journal& journal, const std::vector<std::size_t>& left) {
+  Retries retries(job.waits);
+  std::mutex one_at_a_time;
+  std::vector<OpenRecord> open;
+  const auto leave_open = [&](std::size_t index, const std::string& reason) {
+    journal.leave_open(index, reason);
+    const std::scoped_lock lock(one_at_a_time);
+    open.push_back({.index = index, .reason = reason});
+  };
   parallel_for(left.size(), job.threads, [&](std::size_t i) {
-    journal.begin(left[i]);
-    const RecordRows rows = rows_of(job.manifest->record(left[i]), job.options);
-    journal.finish(left[i], rows.failed, rows.lines);
-    if (job.advance) job.advance();
+    try {
+      RecordRows rows;
+      retries.run([&] { journal.begin(left[i]); });
+      retries.run([&] { rows = rows_of(job.manifest->record(left[i]), job.options); });
+      retries.run([&] { journal.finish(left[i], rows.failed, rows.lines); });
+      if (job.advance) job.advance();
+    } catch (const MachineFault& fault) {
+      leave_open(left[i], job.options.write_option != nullptr ? fault.written(job.options.write_option) : fault.what());
+    } catch (const std::bad_alloc&) {
+      leave_open(left[i], kOutOfMemoryMessage);
+    }
   });
+  std::sort(open.begin(), open.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
+  return open;
 }
 
 }  // namespace
@@ -48,8 +110,13 @@ void analyse(const ShardJob& job, Journal& journal, const std::vector<std::size_
 ShardOutcome run_shard(const ShardJob& job) {
   const ShardLabel label = label_of(*job.manifest, job.shard, job.shards);
   const ShardRange range = job.manifest->shard(job.shard, job.shards);
-  if (auto part = finished_shard_before(job, label)) return {.part = *part};
-  Journal journal(part_path(job.folder, job.shard, "partial"), label, range, job.force);
+  if (range.size() == 0) return {.part = {.label = label}};
+  const std::string journal_path = part_path(job.folder, job.shard, "partial");
+  if (auto part = finished_shard_before(job, label)) {
+    remove_abandoned_journal(journal_path);
+    return {.part = *part};
+  }
+  Journal journal(journal_path, label, range, job.force);
   // The process that held the journal until now may have finished the shard.
   if (auto part = finished_shard_before(job, label)) {
     journal.remove();
@@ -59,8 +126,11 @@ ShardOutcome run_shard(const ShardJob& job) {
   for (std::size_t i = range.first; i < range.last; ++i) {
     if (!journal.has(i)) left.push_back(i);
   }
-  analyse(job, journal, left);
-  ShardOutcome outcome{.part = write_finished_shard(job, label, range, journal), .analysed = left.size()};
+  ShardOutcome outcome{.open = analyse(job, journal, left)};
+  outcome.analysed = left.size() - outcome.open.size();
+  outcome.part = {.label = label, .records = journal.finished(), .failed = journal.failed()};
+  if (!outcome.open.empty()) return outcome;
+  Retries(job.waits).run([&] { outcome.part = write_finished_shard(job, label, range, journal); });
   journal.remove();
   return outcome;
 }

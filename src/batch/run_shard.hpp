@@ -1,6 +1,8 @@
 #pragma once
+#include <chrono>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "batch/manifest.hpp"
 #include "batch/part.hpp"
@@ -14,20 +16,33 @@ struct ShardJob {
   std::size_t shard = 0, shards = 1;
   std::string folder;  // of the results; it exists
   RowOptions options;
-  std::size_t threads = 0;        // each record uses one thread
-  bool force = false;             // discard existing results
+  std::size_t threads = 0;  // each record uses one thread
+  bool force = false;       // discard existing results
+  /// Waits before a record is tried again after a fault of the machine.
+  std::vector<std::chrono::milliseconds> waits{std::chrono::milliseconds(100), std::chrono::seconds(1),
+                                               std::chrono::seconds(4)};
   std::function<void()> advance;  // any thread calls it after each record; may be empty
 };
 
-struct ShardOutcome {
-  FinishedShard part;
-  std::size_t analysed = 0;  // records in this run; earlier runs finished the others
+/// A record without a result: the machine failed (no process, no memory, no descriptor, a full disk, …), not the
+/// record.
+struct OpenRecord {
+  std::size_t index = 0;
+  std::string reason;
 };
 
-/// Analyses the unfinished records of a shard, then writes part-i.jsonl and part-i.ok. Does nothing
-/// for a shard with a valid part-i.ok. The rows depend neither on the number of threads nor on interruptions.
-/// errors  InputError: the folder cannot be written or holds results of another plan; another process analyses this
-/// shard. A faulty record is a row, not an error.
+struct ShardOutcome {
+  FinishedShard part;            // without `bytes` and `sha256` if records are open
+  std::size_t analysed = 0;      // records in this run; earlier runs finished the others
+  std::vector<OpenRecord> open;  // ascending; not empty: the shard is not finished
+};
+
+/// Analyses the unfinished records of a shard, then writes part-i.jsonl and part-i.ok. Does nothing for a shard with a
+/// valid part-i.ok, and writes nothing for a shard without records. The rows depend neither on the number of threads
+/// nor on interruptions. A faulty record is a row, not an error. A record that a fault of the machine stops is tried
+/// again, then left open for the next run.
+/// errors  InputError: the folder cannot be written or holds results of another plan; something else has the name of a
+///         part; another process analyses this shard. MachineFault: the files of the shard cannot be written
 ShardOutcome run_shard(const ShardJob& job);
 
 }  // namespace percuss::batch

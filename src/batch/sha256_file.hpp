@@ -11,7 +11,8 @@ namespace percuss::batch {
 /// Writes a text file in pieces and computes its length and SHA-256. errors  InputError as AtomicFile
 class Sha256File {
  public:
-  Sha256File(const std::string& path, bool force) : file_(path, force) {}
+  Sha256File(const std::string& path, bool force, AtomicFile::Links links = AtomicFile::Links::followed)
+      : file_(path, force, AtomicFile::Temporary::unnamed_if_possible, links) {}
   void add(std::string_view text);
   /// Renames the file to its path. Call it once, last.
   void commit();

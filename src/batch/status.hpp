@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,12 @@ namespace percuss::batch {
 struct BatchStatus {
   std::size_t shards = 1;
   std::size_t records = 0, bytes = 0;
-  std::vector<std::size_t> missing;  // shards without a part-i.ok, ascending
-  std::size_t finished = 0;          // records, including those of unfinished shards
-  std::size_t failed = 0;            // records, of finished shards
-  std::vector<std::string> stuck;    // ids of records begun at least twice and never finished: they may crash a worker
+  std::vector<std::size_t> missing;         // shards without a part-i.ok, ascending
+  std::size_t finished = 0;                 // records, including those of unfinished shards
+  std::size_t failed = 0;                   // records, of finished shards
+  std::size_t empty = 0;                    // shards without a record: they need no run
+  std::map<std::string, std::string> open;  // reasons by id: records that a fault of the machine left open
+  std::vector<std::string> stuck;  // ids of records begun at least twice and never finished: they may crash a worker
 };
 
 /// errors  InputError: a part in the folder has another plan, options, number of shards or version

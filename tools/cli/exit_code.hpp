@@ -10,7 +10,8 @@ enum ExitCode {
   kBadInput = 3,
   kImpossible = 4,
   kQualityGate = 5,
-  kPartial = 6
+  kPartial = 6,
+  kUnfinished = 7
 };
 
 }  // namespace percuss::tools

@@ -1,6 +1,7 @@
 #include "core/io/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -99,11 +100,13 @@ void sync_folder(const std::string& folder) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::string path, bool force, Temporary kind) : path_(std::move(path)), force_(force) {
+AtomicFile::AtomicFile(std::string path, bool force, Temporary kind, Links links)
+    : path_(std::move(path)), force_(force) {
   if (path_.empty()) throw InputError("empty file name", "output", "name the file to write");
-  target_ = resolved(path_);
+  target_ = links == Links::followed ? resolved(path_) : path_;
   struct stat info {};
-  if (::stat(target_.c_str(), &info) == 0) {
+  const int flags = links == Links::followed ? 0 : AT_SYMLINK_NOFOLLOW;
+  if (::fstatat(AT_FDCWD, target_.c_str(), &info, flags) == 0) {
     if (!S_ISREG(info.st_mode)) {
       throw InputError(S_ISDIR(info.st_mode) ? "is a folder" : "is not a regular file", path_,
                        "name a file, or - for standard output");
@@ -112,6 +115,7 @@ AtomicFile::AtomicFile(std::string path, bool force, Temporary kind) : path_(std
   } else if (errno != ENOENT) {
     fail("cannot write");
   }
+  if (links == Links::followed) remove_abandoned_files(folder_of(target_), temporary_prefix(target_));
   if (kind == Temporary::unnamed_if_possible) open_unnamed(folder_of(target_));
   if (descriptor_ < 0) open_named();
 }
@@ -164,7 +168,8 @@ void AtomicFile::link_name() {
     if (errno == EEXIST) refuse_existing(path_);
     fail("cannot write");
   }
-  // A link cannot replace a file; a rename can.
+  // A link cannot replace a file; a rename can. The lock keeps other writers from removing the file in between.
+  ::flock(descriptor_, LOCK_EX);
   const std::string name = first_free_name(target_, link_as);
   if (name.empty()) fail("cannot write");
   if (::rename(name.c_str(), target_.c_str()) == 0) return;

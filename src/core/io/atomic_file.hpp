@@ -14,15 +14,19 @@ inline namespace core {
 ///   file.write("hit,t_s\n");
 ///   file.commit();
 /// Where the file system allows it, the temporary file has no name, so that even SIGKILL leaves nothing behind.
-/// Elsewhere it is called ".out.csv.percuss-PID". A symbolic link is followed: its target is replaced.
+/// Elsewhere it is called ".out.csv.percuss-PID", and the next writer of out.csv removes it after a kill.
 /// errors  InputError from every member: the file exists and `force` is not set, the folder is missing, the disk is
 /// full, …
 class AtomicFile {
  public:
   /// The kind of temporary file. It is `named` wherever the file system or /proc does not support the other kind.
   enum class Temporary { unnamed_if_possible, named };
+  /// A symbolic link at the path: its target is replaced, or it is an error. The latter is for folders of many files:
+  /// their owner removes abandoned files once, with remove_abandoned_files().
+  enum class Links { followed, refused };
 
-  AtomicFile(std::string path, bool force, Temporary kind = Temporary::unnamed_if_possible);
+  AtomicFile(std::string path, bool force, Temporary kind = Temporary::unnamed_if_possible,
+             Links links = Links::followed);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;

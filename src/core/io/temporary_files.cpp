@@ -23,6 +23,20 @@ std::array<std::atomic<const char*>, kFilesKnown>& known_files() {
   return files;
 }
 
+// Whether the name ends as AtomicFile ends temporary names: ".percuss-123" or ".percuss-123-4".
+bool is_temporary(std::string_view name) {
+  constexpr std::string_view kMark = ".percuss-";
+  const std::size_t mark = name.rfind(kMark);
+  if (mark == std::string_view::npos) return false;
+  const std::string_view number = name.substr(mark + kMark.size());
+  return !number.empty() && number.find_first_not_of("0123456789-") == std::string_view::npos;
+}
+
+bool is_regular_file(int descriptor) {
+  struct stat info {};
+  return ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode);
+}
+
 }  // namespace
 
 TemporaryFile::TemporaryFile(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {
@@ -56,11 +70,11 @@ void remove_abandoned_files(const std::string& folder, const std::string& prefix
   const std::unique_ptr<DIR, int (*)(DIR*)> listing(::opendir(folder.c_str()), ::closedir);
   if (!listing) return;
   while (const dirent* const entry = ::readdir(listing.get())) {  // NOLINT(concurrency-mt-unsafe): not shared
-    if (!std::string_view(entry->d_name).starts_with(prefix)) continue;
+    if (!std::string_view(entry->d_name).starts_with(prefix) || !is_temporary(entry->d_name)) continue;
     const std::string path = folder + "/" + entry->d_name;
     const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0) continue;
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
+    if (is_regular_file(descriptor) && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
     ::close(descriptor);
   }
 }

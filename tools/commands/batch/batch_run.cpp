@@ -11,9 +11,11 @@
 
 #include "acquire/open_measurement.hpp"
 #include "batch/part.hpp"
+#include "batch/part_file.hpp"
 #include "batch/run_shard.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_error.hpp"
+#include "cli/option_names.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "commands/batch/batch_commands.hpp"
@@ -91,16 +93,18 @@ std::string progress_text(std::size_t done, std::size_t total, double seconds) {
 }
 
 void print(const RunFlags& flags, const std::vector<batch::ShardOutcome>& outcomes) {
-  std::size_t records = 0, failed = 0, analysed = 0;
+  std::size_t records = 0, failed = 0, analysed = 0, open = 0;
   auto shards = nlohmann::ordered_json::array();
   for (const batch::ShardOutcome& outcome : outcomes) {
     records += outcome.part.records;
     failed += outcome.part.failed;
     analysed += outcome.analysed;
+    open += outcome.open.size();
     shards.push_back({{"shard", outcome.part.label.shard},
                       {"records", outcome.part.records},
                       {"failed", outcome.part.failed},
-                      {"analysed", outcome.analysed}});
+                      {"analysed", outcome.analysed},
+                      {"open", outcome.open.size()}});
   }
   const std::size_t of = outcomes.front().part.label.shards;
   if (flags.json) {
@@ -114,7 +118,24 @@ void print(const RunFlags& flags, const std::vector<batch::ShardOutcome>& outcom
                             : outcomes.size() > 1
                                 ? fmt::format("finished in {} shards", of)
                                 : fmt::format("finished in shard {} of {}", outcomes.front().part.label.shard, of);
-  std::cout << fmt::format("{} records {}, {} of them now; {} failed\n", records, which, analysed, failed);
+  std::cout << fmt::format("{} records {}, {} of them now; {} failed{}\n", records, which, analysed, failed,
+                           open > 0 ? fmt::format("; {} left open", open) : "");
+}
+
+// The reasons of the first records left open, and their number.
+void print_open_records(const batch::Manifest& manifest, const std::vector<batch::ShardOutcome>& outcomes) {
+  constexpr std::size_t kMaxNamed = 10, kLongestReason_bytes = 1000;
+  std::size_t open = 0;
+  for (const batch::ShardOutcome& outcome : outcomes) {
+    for (const batch::OpenRecord& record : outcome.open) {
+      if (open++ >= kMaxNamed) continue;
+      std::cerr << fmt::format("percuss: {} is left open: {}\n", one_line(manifest.record(record.index).id),
+                               one_line(record.reason, kLongestReason_bytes));
+    }
+  }
+  if (open > 0)
+    std::cerr << fmt::format("percuss: the machine failed at {} {}; run the batch again\n", open,
+                             open == 1 ? "record" : "records");
 }
 
 // Absolute, since run() changes the working folder.
@@ -136,13 +157,14 @@ std::size_t number_of_shards(const RunFlags& flags, const ShardSelection& select
                    "run with the number of shards in the folder, or name another folder");
 }
 
-int run(const RunFlags& flags) {
+int run_shards(const RunFlags& flags) {
   const ShardSelection selection =
       flags.shard.empty() ? shard_selection_of_scheduler() : parse_shard_selection(flags.shard);
   const batch::Manifest manifest(flags.manifest);
   batch::RowOptions options = row_options(manifest, flags.trust_input);
   options.analysis.budget = budget_of(flags.budget);
   const std::string folder = results_folder(flags.folder);
+  batch::remove_abandoned_parts(folder);
   const std::size_t shards = number_of_shards(flags, selection, manifest, folder);
   const auto wanted = shards_to_run(selection, shards);
   // Paths of records, also in messages, are relative to the folder of the manifest.
@@ -154,7 +176,7 @@ int run(const RunFlags& flags) {
   for (const std::size_t i : wanted) total += manifest.shard(i, shards).size();
   const Progress progress([&done, total](double seconds) { return progress_text(done, total, seconds); }, flags.quiet);
   std::vector<batch::ShardOutcome> outcomes;
-  std::size_t failed = 0;
+  std::size_t failed = 0, open = 0;
   for (const std::size_t i : wanted) {
     outcomes.push_back(batch::run_shard({.manifest = &manifest,
                                          .shard = i,
@@ -165,10 +187,21 @@ int run(const RunFlags& flags) {
                                          .force = flags.force,
                                          .advance = [&done] { ++done; }}));
     failed += outcomes.back().part.failed;
+    open += outcomes.back().open.size();
   }
   progress.stop();
   print(flags, outcomes);
-  return failed > 0 ? kPartial : kOk;
+  print_open_records(manifest, outcomes);
+  return open > 0 ? kUnfinished : failed > 0 ? kPartial : kOk;
+}
+
+int run(const RunFlags& flags) {
+  try {
+    return run_shards(flags);
+  } catch (const MachineFault& fault) {
+    std::cerr << "percuss: " << fault.written(flag_of) << '\n';
+    return kUnfinished;
+  }
 }
 
 }  // namespace
@@ -182,7 +215,8 @@ void add_batch_run(CommandLine& line) {
       "Slurm (SLURM_ARRAY_TASK_ID), Kubernetes (JOB_COMPLETION_INDEX) or GNU parallel (PARALLEL_SEQ minus one) sets "
       "the shard; without a scheduler all shards run. Finished records are stored at once: a run that was killed "
       "continues where it stopped. A record that cannot be analysed becomes a row with the reason, and the exit code "
-      "is 6.");
+      "is 6. A fault of the machine (no process, memory or descriptor, a full disk) is no result: the record is tried "
+      "again, then left open for the next run, and the exit code is 7.");
   command.example("percuss batch plan bat.h5 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl -o results",
                   "Analyse all records on all processors of this machine");
   command.example(
