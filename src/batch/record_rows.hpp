@@ -32,6 +32,7 @@ struct RecordRows {
 /// Reads and analyses one record. A record that cannot be analysed gives a row with the message of the command
 /// `analyze` as `reason` and its exit code as `code`. No error of a record is thrown. Text that is not UTF-8 is
 /// replaced.
+/// errors  MachineFault: the machine failed, so there is no result
 RecordRows rows_of(const BatchRecord& record, const RowOptions& options);
 
 }  // namespace percuss::batch

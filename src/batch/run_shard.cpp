@@ -28,9 +28,7 @@ class Retries {
   void run(const std::function<void()>& work) {
     for (auto wait = waits_.begin();; ++wait) {
       try {
-        work();
-        lasts_ = false;
-        return;
+        return work();
       } catch (const MachineFault&) {
         lasts_ = lasts_ || wait == waits_.end();
         if (lasts_) throw;
@@ -38,31 +36,30 @@ class Retries {
       std::this_thread::sleep_for(*wait);
     }
   }
+  void end_of_fault() { lasts_ = false; }
 
  private:
   const std::vector<std::chrono::milliseconds>& waits_;
   std::atomic<bool> lasts_{false};
 };
 
-// What stands at the name is replaced only if it is the same shard's.
-AtomicFile::Links require_own_part(const std::string& path) {
+// A file is replaced only if it is of a batch.
+void require_replaceable(const std::string& path) {
   const PartFile file = PartFile::existing(path);
   if (file.present()) file.require_own();
-  return AtomicFile::Links::refused;
 }
 
 FinishedShard write_finished_shard(const ShardJob& job, const ShardLabel& label, ShardRange range,
                                    const Journal& journal) {
   FinishedShard part{.label = label, .records = journal.finished(), .failed = journal.failed()};
-  const std::string rows_path = part_path(job.folder, job.shard, "jsonl");
-  const std::string mark_path = part_path(job.folder, job.shard, "ok");
-  Sha256File file(rows_path, true, require_own_part(rows_path));
+  const auto refused = AtomicFile::Links::refused;
+  Sha256File file(part_path(job.folder, job.shard, "jsonl"), true, refused);
   file.add(label_line(label) + "\n");
   for (std::size_t i = range.first; i < range.last; ++i) file.add(journal.rows(i));
   file.commit();
   part.bytes = file.bytes();
   part.sha256 = file.sha256();
-  AtomicFile mark(mark_path, true, AtomicFile::Temporary::unnamed_if_possible, require_own_part(mark_path));
+  AtomicFile mark(part_path(job.folder, job.shard, "ok"), true, AtomicFile::Temporary::unnamed_if_possible, refused);
   mark.write(finished_line(part) + "\n");
   mark.commit();
   return part;
@@ -94,6 +91,7 @@ std::vector<OpenRecord> analyse(const ShardJob& job, Journal& journal, const std
       retries.run([&] { journal.begin(left[i]); });
       retries.run([&] { rows = rows_of(job.manifest->record(left[i]), job.options); });
       retries.run([&] { journal.finish(left[i], rows.failed, rows.lines); });
+      retries.end_of_fault();
       if (job.advance) job.advance();
     } catch (const MachineFault& fault) {
       leave_open(left[i], job.options.write_option != nullptr ? fault.written(job.options.write_option) : fault.what());
@@ -112,6 +110,7 @@ ShardOutcome run_shard(const ShardJob& job) {
   const ShardRange range = job.manifest->shard(job.shard, job.shards);
   if (range.size() == 0) return {.part = {.label = label}};
   const std::string journal_path = part_path(job.folder, job.shard, "partial");
+  for (const char* kind : {"jsonl", "ok"}) require_replaceable(part_path(job.folder, job.shard, kind));
   if (auto part = finished_shard_before(job, label)) {
     remove_abandoned_journal(journal_path);
     return {.part = *part};

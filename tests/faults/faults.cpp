@@ -2,6 +2,7 @@
 //   PERCUSS_FAULT_ALLOCATION=N  the N-th allocation of each process fails
 //   PERCUSS_FAULT_WRITE=N       the N-th write and all later ones fail: the disk is full
 //   PERCUSS_FAULT_SHORT=N       no write accepts more than N bytes
+//   PERCUSS_FAULT_FORK=N        the N-th fork of each process and all later ones fail
 #include <dlfcn.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -86,6 +87,16 @@ ssize_t pwrite(int descriptor, const void* bytes, std::size_t count, off_t at) {
 }
 ssize_t pwrite64(int descriptor, const void* bytes, std::size_t count, off_t at) {
   return pwrite(descriptor, bytes, count, at);
+}
+pid_t fork() {
+  static auto* const kReal = real<pid_t()>("fork");
+  static const long kNone = environment_number("PERCUSS_FAULT_FORK");
+  static std::atomic<long> count = 0;
+  if (kNone > 0 && ++count >= kNone) {
+    errno = EAGAIN;
+    return -1;
+  }
+  return kReal();
 }
 int fsync(int descriptor) {
   static auto* const kReal = real<int(int)>("fsync");

@@ -138,4 +138,68 @@ TEST_F(Faults, OfShortWritesAreHandled) {
   }
 }
 
+class BatchFaults : public Faults {
+ protected:
+  void SetUp() override {
+    test::write_small_test(folder_.file("a.h5"), R"("hits": 1, "seed": 1)");
+    test::write_small_test(folder_.file("b.csv"), R"("hits": 1, "seed": 2)");
+    test::write_bytes(folder_.file("c.csv"), "no,record\n");
+    ASSERT_EQ(batch({"plan", "a.h5", "b.csv", "c.csv", "-o", "m.jsonl", "--effort", "quick", "--quiet"}).code, 0);
+    ASSERT_EQ(run_batch("good").code, 6);
+    rows_ = merged("good");
+  }
+  ProcessOutcome batch(std::vector<std::string> words, const std::string& fault = "SHORT=0") const {
+    words.insert(words.begin(), "batch");
+    return test::run_percuss(
+        words, {.folder = folder_.path(), .environment = {"LD_PRELOAD=" PERCUSS_FAULTS, "PERCUSS_FAULT_" + fault}});
+  }
+  ProcessOutcome run_batch(const std::string& out, const std::string& fault = "SHORT=0") const {
+    return batch({"run", "--manifest", "m.jsonl", "-o", out, "--threads", "1", "--json"}, fault);
+  }
+  std::string merged(const std::string& out) const {
+    const ProcessOutcome outcome = batch({"merge", "--manifest", "m.jsonl", out, "-o", out + ".jsonl", "--quiet"});
+    EXPECT_EQ(outcome.code, 6) << outcome.err;
+    return bytes_of(folder_.file(out + ".jsonl"));
+  }
+  /// Without the fault, a second run finishes with the rows of an undisturbed run.
+  void expect_same_rows_later(const std::string& out) const {
+    const ProcessOutcome again = run_batch(out);
+    ASSERT_EQ(again.code, 6) << again.err;
+    EXPECT_TRUE(merged(out) == rows_);
+  }
+  std::string rows_;
+};
+
+TEST_F(BatchFaults, OfProcessesLeaveTheRecordOpen) {
+  const ProcessOutcome none = run_batch("none", "FORK=1");  // not even the process that forks readers
+  EXPECT_EQ(none.code, 7) << none.err;
+  const ProcessOutcome outcome = run_batch("some", "FORK=2");
+  EXPECT_EQ(outcome.code, 7);
+  EXPECT_THAT(outcome.err, HasSubstr("a is left open: cannot start a process that reads the file (a.h5)"));
+  EXPECT_THAT(outcome.out, HasSubstr("\"open\": 1"));
+  EXPECT_FALSE(fs::exists(folder_.file("some/part-0.ok")));
+  const std::string status = batch({"status", "--manifest", "m.jsonl", "some", "--json"}).out;
+  EXPECT_THAT(status, HasSubstr("\"id\": \"a\""));
+  EXPECT_THAT(status, HasSubstr("\"stuck\": []"));
+  EXPECT_THAT(batch({"status", "--manifest", "m.jsonl", "some"}).out,
+              HasSubstr("left open by a fault of the machine: 1"));
+  expect_same_rows_later("some");
+}
+
+TEST_F(BatchFaults, OfTheDiskAreNeverRows) {
+  int failures = 0;
+  for (long n = 1; n < 60; n += 1 + n / 8) {
+    SCOPED_TRACE(n);
+    const std::string out = "out" + std::to_string(n);
+    const ProcessOutcome outcome = run_batch(out, "WRITE=" + std::to_string(n));
+    ASSERT_EQ(outcome.signal, 0);
+    if (outcome.code == 6) break;
+    ++failures;
+    ASSERT_EQ(outcome.code, 7) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("No space left on device"));
+    expect_same_rows_later(out);
+  }
+  EXPECT_GE(failures, 4);
+}
+
 }  // namespace percuss::faults_test

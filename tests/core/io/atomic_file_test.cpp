@@ -139,6 +139,27 @@ TEST_P(AtomicFileTest, KeepsTheFilesOfOtherWriters) {
   EXPECT_THAT(files(), ElementsAre("x.csv"));
 }
 
+TEST_P(AtomicFileTest, RemovesWhatKilledWritersLeft) {
+  test::write_bytes(folder_.file(".x.csv.percuss-99999999"), "");
+  test::write_bytes(folder_.file(".x.csv.percuss-99999999-7"), "");
+  const std::vector<std::string> others{".x.csv.percuss-notes", ".y.csv.percuss-99999999", "x.csv.percuss-1"};
+  for (const std::string& name : others) test::write_bytes(folder_.file(name), "mine");
+  ASSERT_EQ(::mkfifo(folder_.file(".x.csv.percuss-5").c_str(), 0600), 0);
+  write("new", false);
+  EXPECT_FALSE(fs::exists(folder_.file(".x.csv.percuss-99999999")));
+  EXPECT_FALSE(fs::exists(folder_.file(".x.csv.percuss-99999999-7")));
+  EXPECT_EQ(files().size(), others.size() + 2);
+}
+
+TEST_P(AtomicFileTest, RefusesSymbolicLinksWhereAskedTo) {
+  test::write_bytes(folder_.file("victim"), "kept");
+  fs::create_symlink("victim", path_);
+  EXPECT_THROW(AtomicFile(path_, true, GetParam(), AtomicFile::Links::refused), InputError);
+  fs::remove(folder_.file("victim"));
+  EXPECT_THROW(AtomicFile(path_, true, GetParam(), AtomicFile::Links::refused), InputError);
+  EXPECT_TRUE(fs::is_symlink(path_));
+}
+
 TEST_P(AtomicFileTest, FollowsSymbolicLinks) {
   const std::string target = folder_.file("target");
   test::write_bytes(target, "old");

@@ -1,0 +1,206 @@
+#include "batch/run_shard.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "batch/merge.hpp"
+#include "batch/status.hpp"
+#include "core/error.hpp"
+#include "report/text/version.hpp"
+#include "support/input_error.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+namespace percuss::batch::run_shard_test {
+
+namespace fs = std::filesystem;
+using test::bytes_of;
+using test::input_error_of;
+using test::write_bytes;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// Limits the descriptors of this process to those in use and a few more.
+class DescriptorLimit {
+ public:
+  explicit DescriptorLimit(int more) {
+    ::getrlimit(RLIMIT_NOFILE, &before_);
+    const int next = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    ::close(next);
+    const rlimit few{.rlim_cur = static_cast<rlim_t>(next + more), .rlim_max = before_.rlim_max};
+    ::setrlimit(RLIMIT_NOFILE, &few);
+  }
+  ~DescriptorLimit() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+  DescriptorLimit(const DescriptorLimit&) = delete;
+  DescriptorLimit& operator=(const DescriptorLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+/// A batch of text records, which are read in this process.
+class RunShard : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directory(out_);
+    options_.analysis.threads = 1;
+    options_.analysis.effort = identify::Effort::quick;
+  }
+  void plan(std::size_t count) {
+    std::vector<BatchRecord> records;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::string path = folder_.file("r" + std::to_string(i) + ".csv");
+      test::write_small_test(path, R"("hits": 1, "seed": )" + std::to_string(i + 1));
+      records.push_back({.id = "r" + std::to_string(i), .path = path, .bytes = fs::file_size(path)});
+    }
+    write_manifest(folder_.file("m.jsonl"), {.version = report::version()}, records, false);
+    manifest_.emplace(folder_.file("m.jsonl"));
+  }
+  ShardJob job(std::size_t shard = 0, std::size_t shards = 1) const {
+    return {.manifest = &*manifest_,
+            .shard = shard,
+            .shards = shards,
+            .folder = out_,
+            .options = options_,
+            .threads = 1,
+            .waits = {}};
+  }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(out_), fs::directory_iterator()));
+  }
+  test::ScratchFolder folder_;
+  std::string out_ = folder_.file("out");
+  RowOptions options_;
+  std::optional<Manifest> manifest_;
+};
+
+TEST_F(RunShard, LeavesRecordsOpenWhileThereAreNoDescriptors) {
+  plan(2);
+  {
+    const DescriptorLimit limit(1);  // for the journal
+    const ShardOutcome outcome = run_shard(job());
+    ASSERT_THAT(outcome.open, SizeIs(2));
+    EXPECT_THAT(outcome.open[0].reason, HasSubstr("Too many open files"));
+    EXPECT_EQ(outcome.analysed, 0U);
+  }
+  EXPECT_FALSE(fs::exists(out_ + "/part-0.ok"));
+  const BatchStatus status = batch_status(*manifest_, out_);
+  EXPECT_EQ(status.finished, 0U);
+  EXPECT_THAT(status.missing, testing::ElementsAre(0U));
+  EXPECT_THAT(status.open, SizeIs(2));
+  EXPECT_THAT(status.stuck, IsEmpty());
+  const ShardOutcome later = run_shard(job());
+  EXPECT_THAT(later.open, IsEmpty());
+  EXPECT_EQ(later.analysed, 2U);
+  EXPECT_EQ(later.part.failed, 0U);
+  EXPECT_THAT(batch_status(*manifest_, out_).open, IsEmpty());
+}
+
+TEST_F(RunShard, TriesARecordAgainAfterAPassingFault) {
+  plan(1);
+  ShardJob one = job();
+  one.waits = {std::chrono::milliseconds(1), std::chrono::milliseconds(500), std::chrono::seconds(20)};
+  auto limit = std::make_unique<DescriptorLimit>(1);
+  std::thread relief([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    limit.reset();
+  });
+  const ShardOutcome outcome = run_shard(one);
+  relief.join();
+  EXPECT_THAT(outcome.open, IsEmpty());
+  EXPECT_EQ(outcome.part.failed, 0U);
+  EXPECT_EQ(outcome.part.records, 1U);
+}
+
+TEST_F(RunShard, WaitsForALastingFaultOnce) {
+  plan(6);
+  ShardJob six = job();
+  six.waits = {std::chrono::milliseconds(300)};
+  const DescriptorLimit limit(1);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_THAT(run_shard(six).open, SizeIs(6));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(1500));
+}
+
+TEST_F(RunShard, WritesNoFilesForShardsWithoutRecords) {
+  plan(3);
+  constexpr std::size_t kShards = 100'000;
+  std::size_t records = 0;
+  for (std::size_t i = 0; i < kShards; ++i) {
+    if (manifest_->shard(i, kShards).size() > 0 || i % 1000 == 0) records += run_shard(job(i, kShards)).part.records;
+  }
+  EXPECT_EQ(records, 3U);
+  EXPECT_EQ(files(), 6U);
+  const BatchStatus status = batch_status(*manifest_, out_);
+  EXPECT_EQ(status.shards, kShards);
+  EXPECT_THAT(status.missing, IsEmpty());
+  EXPECT_THAT(status_text(status), HasSubstr("3 of 3 records finished, in 3 of 3 shards"));
+  EXPECT_EQ(merge_batch(*manifest_, out_, {folder_.file("r.jsonl")}).records, 3U);
+}
+
+TEST_F(RunShard, RefusesLinksInPlaceOfParts) {
+  plan(1);
+  const std::string victim = folder_.file("victim");
+  for (const char* kind : {"partial", "jsonl", "ok"}) {
+    write_bytes(victim, "kept");
+    const std::string path = part_path(out_, 0, kind);
+    fs::create_symlink(victim, path);
+    for (const bool force : {false, true}) {
+      ShardJob one = job();
+      one.force = force;
+      EXPECT_THAT(input_error_of([&] { run_shard(one); }), testing::AllOf(HasSubstr("symbolic link"), HasSubstr(path)));
+    }
+    EXPECT_EQ(bytes_of(victim), "kept");
+    EXPECT_TRUE(fs::is_symlink(path));
+    fs::remove(path);
+  }
+}
+
+TEST_F(RunShard, RefusesFilesOfOthersInPlaceOfParts) {
+  plan(1);
+  for (const char* kind : {"partial", "jsonl", "ok"}) {
+    const std::string path = part_path(out_, 0, kind);
+    for (const std::string text : {"a letter", "a letter\n", R"({"schema":"other"})"}) {
+      write_bytes(path, text);
+      for (const bool force : {false, true}) {
+        ShardJob one = job();
+        one.force = force;
+        EXPECT_THAT(input_error_of([&] { run_shard(one); }), HasSubstr(path)) << text << force;
+      }
+      EXPECT_EQ(bytes_of(path), text);
+    }
+    fs::remove(path);
+    fs::create_directory(path);
+    EXPECT_THAT(input_error_of([&] { run_shard(job()); }), HasSubstr(path));
+    fs::remove(path);
+    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    EXPECT_THAT(input_error_of([&] { run_shard(job()); }), HasSubstr(path));
+    fs::remove(path);
+  }
+  EXPECT_EQ(run_shard(job()).part.records, 1U);
+}
+
+TEST_F(RunShard, RemovesTheJournalThatAKillAtTheEndLeaves) {
+  plan(1);
+  write_bytes(part_path(out_, 0, "partial"), "");
+  const ShardOutcome outcome = run_shard(job());
+  ASSERT_EQ(outcome.part.records, 1U);
+  write_bytes(part_path(out_, 0, "partial"), label_line(outcome.part.label) + "\nbegun 0\n");
+  EXPECT_EQ(run_shard(job()).analysed, 0U);
+  EXPECT_EQ(files(), 2U);
+}
+
+}  // namespace percuss::batch::run_shard_test
