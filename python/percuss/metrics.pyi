@@ -71,6 +71,7 @@ def study(
     hoop_curve: _File | None = ...,
     blind: _File | None = ...,
     table: _File | None = ...,
+    keep_formulas: bool = ...,
 ) -> Result: ...
 
 def mac(a: Any, b: Any = ...) -> np.ndarray: ...

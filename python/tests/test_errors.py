@@ -212,3 +212,10 @@ def test_errors_are_ordinary_exceptions():
         assert type(again) is type(one) and str(again) == str(one) and again.options == one.options
     assert issubclass(percuss.NoHitError, percuss.InputError)
     assert percuss.InputError.__module__ == "percuss"
+
+
+def test_hidden_characters_are_escapes(tmp_path):
+    with pytest.raises(percuss.InputError) as raised:
+        percuss.analyze(str(tmp_path / "a\u202e\u009b\u2028.h5"))
+    assert "a\\u202e\\u009b\\u2028.h5" in str(raised.value)
+    assert not {"\u202e", "\u009b", "\u2028"} & set(str(raised.value) + raised.value.where)

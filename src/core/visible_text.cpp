@@ -28,9 +28,6 @@ bool is_hidden(std::uint32_t code) {
                      [&](const CodeRange& range) { return range.first <= code && code <= range.last; });
 }
 
-// Printable ASCII, which is nearly all text.
-bool is_plain(char c) { return c >= ' ' && c <= '~'; }
-
 std::uint32_t code_of(std::string_view character) {
   const auto first = static_cast<unsigned char>(character.front());
   constexpr std::array<std::uint32_t, 5> kFirstBits{0, 0x7F, 0x1F, 0x0F, 0x07};  // by the length of the character
@@ -78,9 +75,8 @@ std::string visible_text(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   while (!text.empty()) {
-    const auto kept = static_cast<std::size_t>(
-        std::find_if_not(text.begin(), text.end(), [](char c) { return is_plain(c) || c == '\n' || c == '\t'; }) -
-        text.begin());
+    const auto end = std::find_if_not(text.begin(), text.end(), is_plain);
+    const auto kept = static_cast<std::size_t>(end - text.begin());
     out += text.substr(0, kept);
     text.remove_prefix(kept);
     if (!text.empty()) out += take_visible(text);

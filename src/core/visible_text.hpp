@@ -6,6 +6,9 @@
 namespace percuss {
 inline namespace core {
 
+/// Whether visible_text() keeps the byte in every text: printable ASCII, line feeds and tabs.
+constexpr bool is_plain(char byte) { return (byte >= ' ' && byte <= '~') || byte == '\n' || byte == '\t'; }
+
 /// The bytes of the UTF-8 character at the start of `text`, which is not empty; 0 for bytes that are not UTF-8, also
 /// for overlong forms and surrogates.
 std::size_t utf8_length(std::string_view text);

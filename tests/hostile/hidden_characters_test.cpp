@@ -22,8 +22,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-const std::vector<std::string> kHidden{"\x1b",   "\r",     "\x07",   "\x7f",   "\u0085", "\u009b", "\u200b", "\u200e",
-                                       "\u200f", "\u061c", "\u202a", "\u202b", "\u202c", "\u202d", "\u202e", "\u2066",
+const std::vector<std::string> kHidden{"\u202e", "\x1b",   "\r",     "\x07",   "\x7f",   "\u0085", "\u009b", "\u200b",
+                                       "\u200e", "\u200f", "\u061c", "\u202a", "\u202b", "\u202c", "\u202d", "\u2066",
                                        "\u2067", "\u2068", "\u2069", "\u2028", "\u2029", "\ufeff"};
 
 std::string all_hidden() {
@@ -53,7 +53,6 @@ TEST(HiddenCharacters, AreEscapesInErrorsAboutPathsAndWords) {
                                              {"--" + name},
                                              {"analyze", "x.h5", "--" + name},
                                              {"analyze", "x.h5", "--band", name},
-                                             {"help", name},
                                              {"convert", "x.h5", name}}) {
     const ProcessOutcome outcome = run_percuss(words);
     EXPECT_NE(outcome.code, 0);
@@ -86,6 +85,26 @@ TEST(HiddenCharacters, AreEscapesOfJsonInDocuments) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   expect_visible(outcome);
   EXPECT_EQ(test::parse_json(outcome.out)["files"][0]["path"], path);
+}
+
+// A long document leaves in several pieces, between which a character may be divided.
+TEST(HiddenCharacters, DoNotChangeOtherCharacters) {
+  const test::ScratchFolder folder;
+  const std::string first = folder.file("r.csv");
+  test::write_small_test(first, R"("hits": 1)");
+  std::vector<std::string> words{"info", "--json"};
+  for (int i = 0; i < 300; ++i) {
+    std::string name = std::to_string(i);
+    for (int n = 0; n < 70; ++n) name += "°";
+    words.push_back(folder.file(name + ".csv"));
+    fs::create_hard_link(first, words.back());
+  }
+  const ProcessOutcome outcome = run_percuss(words);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_GT(outcome.out.size(), 150'000U);
+  const auto files = test::parse_json(outcome.out)["files"];
+  ASSERT_EQ(files.size(), 300U);
+  for (std::size_t i = 0; i < files.size(); ++i) EXPECT_EQ(files[i]["path"], words[i + 2]);
 }
 
 TEST(Formulas, AreNoFormulasInTablesOfBatsAndComeBackAsTheyWere) {

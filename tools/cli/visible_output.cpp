@@ -27,26 +27,34 @@ std::size_t begun_bytes(std::string_view text) {
 VisibleOutput::VisibleOutput(std::ostream& stream) : stream_(stream), to_(stream.rdbuf(this)) {}
 
 VisibleOutput::~VisibleOutput() {
-  write(begun_);
+  copy(visible_text(begun_));
   const auto state = stream_.rdstate();
   stream_.rdbuf(to_);
   if (state != std::ios::goodbit) stream_.setstate(state);
 }
 
-bool VisibleOutput::write(std::string_view text) {
-  const std::string shown = visible_text(text);
-  return to_->sputn(shown.data(), static_cast<std::streamsize>(shown.size())) ==
-         static_cast<std::streamsize>(shown.size());
+// Needs no memory: the message of a lack of memory takes this way.
+bool VisibleOutput::copy(std::string_view text) {
+  const auto count = static_cast<std::streamsize>(text.size());
+  return to_->sputn(text.data(), count) == count;
+}
+
+bool VisibleOutput::show(std::string_view text) {
+  begun_ += text;
+  const std::size_t whole = begun_.size() - begun_bytes(begun_);
+  const std::string shown = visible_text(std::string_view(begun_).substr(0, whole));
+  begun_.erase(0, whole);
+  return copy(shown);
 }
 
 std::streamsize VisibleOutput::xsputn(const char* bytes, std::streamsize count) {
-  for (std::string_view rest(bytes, static_cast<std::size_t>(count)); !rest.empty();) {
-    const std::string_view piece = rest.substr(0, kPiece_bytes);
+  std::string_view rest(bytes, static_cast<std::size_t>(count));
+  while (!rest.empty()) {
+    const auto plain = static_cast<std::size_t>(std::find_if_not(rest.begin(), rest.end(), is_plain) - rest.begin());
+    const bool copied = begun_.empty() && plain > 0;
+    const std::string_view piece = rest.substr(0, copied ? plain : kPiece_bytes);
     rest.remove_prefix(piece.size());
-    begun_ += piece;
-    const std::size_t whole = begun_.size() - begun_bytes(begun_);
-    if (!write(std::string_view(begun_).substr(0, whole))) return 0;
-    begun_.erase(0, whole);
+    if (!(copied ? copy(piece) : show(piece))) return 0;
   }
   return count;
 }

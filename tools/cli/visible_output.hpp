@@ -2,6 +2,7 @@
 #include <ostream>
 #include <streambuf>
 #include <string>
+#include <string_view>
 
 namespace percuss::tools {
 
@@ -19,7 +20,8 @@ class VisibleOutput : private std::streambuf {
   std::streamsize xsputn(const char* bytes, std::streamsize count) override;
   int_type overflow(int_type character) override;
   int sync() override;
-  bool write(std::string_view text);
+  bool copy(std::string_view text);
+  bool show(std::string_view text);
 
   std::ostream& stream_;
   std::streambuf* const to_;
