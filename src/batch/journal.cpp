@@ -22,7 +22,6 @@ constexpr std::size_t kLongestLine_bytes = std::size_t{1} << 30U;  // holds the 
 constexpr std::size_t kDigits = 16;                                // of the digest, in hexadecimal
 constexpr char kBetweenRows = '\t';                                // rows do not contain it: JSON escapes it
 constexpr std::string_view kBegun = "begun ", kDone = "done ", kOpen = "open ";
-constexpr std::size_t kLongestReason_bytes = 1000;
 
 std::string digits_of(std::string_view rows) { return report::hexadecimal(report::sha256(rows)).substr(0, kDigits); }
 

@@ -59,6 +59,8 @@ class Journal {
   bool incomplete_ = false;  // the file ends with a line that could not be written whole
 };
 
+inline constexpr std::size_t kLongestReason_bytes = 1000;  // of a record left open
+
 /// Removes the journal of a finished shard, as a process leaves it that is killed at the end. Another process's journal
 /// stays. errors  InputError: the file is not a journal
 void remove_abandoned_journal(const std::string& path);

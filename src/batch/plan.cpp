@@ -12,9 +12,9 @@
 #include <system_error>
 
 #include "acquire/format_registry.hpp"
+#include "batch/sha256_file.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
-#include "report/text/digest.hpp"
 
 namespace percuss::batch {
 namespace {
@@ -131,7 +131,7 @@ std::vector<BatchRecord> records_of_files(const std::vector<std::string>& paths,
     if (!is_utf8(path)) throw InputError("the file's name is not UTF-8", path, "rename it");
     BatchRecord record{.id = fs::path(path).stem().string(), .path = path_from(path, folder)};
     record.bytes = fs::file_size(path);
-    if (hashed) record.sha256 = report::sha256_of_file(path);
+    if (hashed) record.sha256 = sha256_of_record(path);
     if (by_path.emplace(record.path, record).second) ++times[record.id];
   }
   std::vector<BatchRecord> records;

@@ -11,12 +11,12 @@
 
 #include "acquire/open_measurement.hpp"
 #include "batch/serialized_frf.hpp"
+#include "batch/sha256_file.hpp"
 #include "core/budget.hpp"
 #include "core/error.hpp"
 #include "pipeline/run_analyses.hpp"
 #include "report/frf_files.hpp"
 #include "report/text/analysis_text.hpp"
-#include "report/text/digest.hpp"
 
 namespace percuss::batch {
 namespace {
@@ -36,7 +36,7 @@ void require_unchanged(const BatchRecord& record) {
     throw InputError(fmt::format("the file has {} bytes; it had {} when the batch was planned", bytes, record.bytes),
                      record.path, "restore it, or plan the batch again");
   }
-  if (!record.sha256.empty() && report::sha256_of_file(record.path) != record.sha256) {
+  if (!record.sha256.empty() && sha256_of_record(record.path) != record.sha256) {
     throw InputError("the file changed after the batch was planned: its SHA-256 differs", record.path,
                      "restore it, or plan the batch again");
   }

@@ -8,6 +8,9 @@
 
 namespace percuss::batch {
 
+/// The SHA-256 of a record's bytes. errors  InputError: the file cannot be opened; MachineFault: it cannot be read
+std::string sha256_of_record(const std::string& path);
+
 /// Writes a text file in pieces and computes its length and SHA-256. errors  InputError as AtomicFile
 class Sha256File {
  public:
