@@ -19,8 +19,8 @@ struct ShardJob {
   std::size_t threads = 0;  // each record uses one thread
   bool force = false;       // discard existing results
   /// Waits before a record is tried again after a fault of the machine.
-  std::vector<std::chrono::milliseconds> waits{std::chrono::milliseconds(100), std::chrono::seconds(1),
-                                               std::chrono::seconds(4)};
+  std::vector<std::chrono::milliseconds> waits{std::chrono::milliseconds(100), std::chrono::milliseconds(500),
+                                               std::chrono::seconds(2)};
   std::function<void()> advance;  // any thread calls it after each record; may be empty
 };
 

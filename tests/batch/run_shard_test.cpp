@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "batch/merge.hpp"
+#include "batch/part_file.hpp"
 #include "batch/status.hpp"
 #include "core/error.hpp"
 #include "report/text/version.hpp"
@@ -191,6 +192,13 @@ TEST_F(RunShard, RefusesFilesOfOthersInPlaceOfParts) {
     fs::remove(path);
   }
   EXPECT_EQ(run_shard(job()).part.records, 1U);
+}
+
+TEST_F(RunShard, LeavesNoTemporaryFilesOfKilledProcesses) {
+  for (const char* name : {".part-0.jsonl.percuss-99999999", ".part-7.ok.percuss-99999999-2", ".part-notes", ".x"})
+    write_bytes(out_ + "/" + name, "");
+  remove_abandoned_parts(out_);
+  EXPECT_EQ(files(), 2U);
 }
 
 TEST_F(RunShard, RemovesTheJournalThatAKillAtTheEndLeaves) {

@@ -187,19 +187,16 @@ TEST_F(BatchFaults, OfProcessesLeaveTheRecordOpen) {
 }
 
 TEST_F(BatchFaults, OfTheDiskAreNeverRows) {
-  int failures = 0;
-  for (long n = 1; n < 60; n += 1 + n / 8) {
+  // The journal's label, a begun record, its rows, the part, its synchronisation.
+  for (const long n : {1, 2, 5, 8, 9}) {
     SCOPED_TRACE(n);
     const std::string out = "out" + std::to_string(n);
     const ProcessOutcome outcome = run_batch(out, "WRITE=" + std::to_string(n));
     ASSERT_EQ(outcome.signal, 0);
-    if (outcome.code == 6) break;
-    ++failures;
     ASSERT_EQ(outcome.code, 7) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("No space left on device"));
     expect_same_rows_later(out);
   }
-  EXPECT_GE(failures, 4);
 }
 
 }  // namespace percuss::faults_test
