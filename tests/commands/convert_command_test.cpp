@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "support/json.hpp"
@@ -90,6 +91,18 @@ TEST_F(ConvertCommand, ListsLostInformation) {
   EXPECT_EQ(convert("bat.h5", "k.uff").err, "");
   EXPECT_THAT(convert("bat.h5", "k.csv").err, HasSubstr("not kept: the sensors' angles"));
   EXPECT_EQ(convert("bat.h5", "k.csv", {"--quiet"}).err, "");
+}
+
+TEST_F(ConvertCommand, RemovesTheLeftoversOfAKilledWriterOfAnyFormat) {
+  for (const std::string kind : {"h5", "mat", "uff", "csv", "wav", "w64"}) {
+    const std::string leftover = file(".left." + kind + ".percuss-99999999");
+    for (const char* from : {"bat.h5", "frf.h5"}) {
+      if (from == std::string("frf.h5") && kind.starts_with('w')) continue;  // sound files hold records only
+      test::write_bytes(leftover, "");
+      ASSERT_EQ(convert(from, "left." + kind).code, 0) << kind;
+      EXPECT_FALSE(std::filesystem::exists(leftover)) << kind;
+    }
+  }
 }
 
 TEST_F(ConvertCommand, ReportsErrorsInOneLine) {
