@@ -71,7 +71,8 @@ std::string bytes_at(int descriptor, std::uint64_t offset, std::size_t count, co
   while (done < count) {
     const ssize_t got = ::pread(descriptor, out.data() + done, count - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) throw InputError("the file changed while it was read", path, "run again without changing it");
+    if (got < 0) throw_system_error("reading failed", errno, path, "check the disk or network");
+    if (got == 0) throw InputError("the file changed while it was read", path, "run again without changing it");
     done += static_cast<std::size_t>(got);
   }
   return out;

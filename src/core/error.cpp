@@ -30,7 +30,7 @@ std::string one_line(std::string_view text, std::size_t limit) {
 }
 
 bool is_machine_fault(int error) {
-  constexpr std::array kFaults{EAGAIN, ENOMEM, EMFILE, ENFILE, ENOBUFS, ENOSPC, EDQUOT, EIO, ESTALE, ETIMEDOUT};
+  constexpr std::array kFaults{EAGAIN, ENOMEM, EMFILE, ENFILE, ENOBUFS, ENOSPC, EDQUOT, EFBIG, EIO, ESTALE, ETIMEDOUT};
   return std::find(kFaults.begin(), kFaults.end(), error) != kFaults.end();
 }
 
