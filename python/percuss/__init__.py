@@ -39,8 +39,9 @@ Functions:
     example                    return example input files
 
 Keywords are the options of the command line with underscores (`--accel-channel` is accel_channel), with the same
-defaults and checks. Bands are tuples, lists are sequences. help(percuss.analyze) lists the keywords of analyze. Unusable
-data raise percuss.InputError, a ValueError with the attributes problem, where, remedy and options.
+defaults and checks. A band is a tuple (low, high). A keyword with several values takes a sequence.
+help(percuss.analyze) lists the keywords of analyze. Unusable data raise percuss.InputError, a ValueError with the
+attributes problem, where, remedy and options.
 
 Functions release Python's lock and may be called by several threads. MAT, HDF5 and sound files are read in sandboxed
 processes, so a hostile file cannot harm this one.

@@ -61,7 +61,7 @@ study = _make(
 def mac(a: Any, b: Any = None) -> np.ndarray:
     """Modal assurance criterion |aᴴb|² / (aᴴa · bᴴb): 1 for the same shape, 0 for orthogonal ones.
 
-    a, b  (modes, places), real or complex; both of the same places in the same order. b is a unless given.
+    a, b  (modes, places), real or complex; both of the same places in the same order. Without b, compares a with itself.
 
     Returns an array (modes of a, modes of b), independent of the scale of each shape; 0 if a shape is zero everywhere.
     Raises InputError for arrays of other dimensions, empty arrays, NaN and infinity; TypeError for values that are not
@@ -76,7 +76,7 @@ def mac(a: Any, b: Any = None) -> np.ndarray:
 
 
 def _shapes(values: Any, name: str) -> np.ndarray:
-    """(modes, places), each shape scaled to a largest part of 1. MAC is independent of scale, and squares cannot overflow."""
+    """(modes, places), each shape divided by its largest real or imaginary part: squares cannot overflow, and MAC does not change."""
     try:
         array = np.atleast_2d(np.asarray(values))
     except ValueError:

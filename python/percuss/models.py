@@ -1,7 +1,8 @@
 """Models of beams, bats and barrels, and of a ball that strikes them.
 
 Each function takes the options of `percuss model NAME` as keywords, in SI units unless the name of a keyword states
-another unit. It returns a Result with the keys of the document; table holds the columns of the .csv.
+another unit. It returns a Result with the keys of the document. The attribute table holds the columns of the command's
+.csv.
 
 >>> import percuss
 >>> beam = percuss.models.beam(support="free", length=0.84, modes=4)
@@ -27,7 +28,7 @@ bat = _make(
     "model bat",
     _Result,
     _RETURNS.format(keys="frequency_hz (modes,), node_m, mass_kg, curve")
-    + " profile may be an array (slices, 2): far end from the knob and diameter, in the units of profile_unit.",
+    + " profile may be an array (slices, 2): the position of each slice's far end, from the knob, and the diameter, in the units of profile_unit.",
     "",
     [],
 )

@@ -39,22 +39,22 @@ class SkippedWorkList {
       add("channels", "all accelerations", "only the force was demanded", all, all);
       return;
     }
-    std::size_t out = 0;
+    std::size_t rejected_hits = 0;
     const std::size_t block = ran_.contains("fft") ? analysis_.lines().samples : 0;
     for (const AnalysedHit& hit : analysis_.force_hits()) {
       const auto samples = static_cast<double>(hit.hit.samples);
       within += samples;
       if (!hit.accepted) {
         rejected += samples;
-        ++out;
+        ++rejected_hits;
       } else if (block > 0 && block < hit.hit.samples) {
         tails += static_cast<double>(hit.hit.samples - block);
       }
     }
     add("silence", "accelerations between the hits", "no hit is there", all - within, all);
     add("rejected", "accelerations of hits that cannot be used",
-        fmt::format("{} of {} hits are rejected by their force alone", out, analysis_.force_hits().size()), rejected,
-        all);
+        fmt::format("{} of {} hits are rejected by their force alone", rejected_hits, analysis_.force_hits().size()),
+        rejected, all);
     add("tail", "accelerations after the decay", "they are noise, or beyond the end of the shortest row", tails, all);
   }
 

@@ -86,7 +86,7 @@ TEST_F(AnalyzeChoices, FitsAtTheGivenFrequencies) {
   EXPECT_NEAR(document["modes"][1]["frequency_hz"], 700, 0.05);
 }
 
-TEST_F(AnalyzeChoices, FitsAFrequencyGivenTwiceOnce) {
+TEST_F(AnalyzeChoices, FitsOneModeToARepeatedFrequency) {
   EXPECT_EQ(document_of({"--start", "702,199,702"})["modes"].size(), 2U);
 }
 

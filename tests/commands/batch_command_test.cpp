@@ -58,7 +58,7 @@ class BatchCommand : public testing::Test {
     words.insert(words.end(), more.begin(), more.end());
     return batch(words, std::move(environment));
   }
-  /// All rows as JSON lines, in the file of that name.
+  /// Merges all rows into the file `name`; returns its bytes.
   std::string merged(const std::string& name, const std::string& folder = "out") {
     const auto outcome = batch({"merge", "--manifest", "m.jsonl", folder, "-o", name});
     EXPECT_EQ(outcome.code, 6) << outcome.err;
@@ -104,15 +104,15 @@ TEST_F(BatchCommand, ReportsABadRecordAsAnalyzeDoes) {
   plan();
   ASSERT_EQ(run().code, 6);
   const auto rows = lines_of(merged("r.jsonl"));
-  const auto no_hit = test::parse_json(rows.at(4)), none = test::parse_json(rows.at(5));
+  const auto no_hit = test::parse_json(rows.at(4)), invalid = test::parse_json(rows.at(5));
   EXPECT_EQ(no_hit["code"], 4);
   const auto analysis = percuss({"analyze", "recs/b.csv"});
   EXPECT_EQ(analysis.code, 4);
   const std::string unwrapped = std::regex_replace(analysis.out, std::regex("\n  "), " ");
   EXPECT_THAT(unwrapped, HasSubstr(no_hit["reason"].get<std::string>()));
   EXPECT_THAT(no_hit["findings"], ElementsAre("no_pulse"));
-  EXPECT_EQ(none["code"], 3);
-  EXPECT_EQ("percuss: " + none["reason"].get<std::string>() + "\n", percuss({"analyze", "recs/c.csv"}).err);
+  EXPECT_EQ(invalid["code"], 3);
+  EXPECT_EQ("percuss: " + invalid["reason"].get<std::string>() + "\n", percuss({"analyze", "recs/c.csv"}).err);
 }
 
 TEST_F(BatchCommand, GivesTheSameBytesForAnyNumberOfShards) {
@@ -189,7 +189,7 @@ TEST_F(BatchCommand, DetectsAChangedRecord) {
   EXPECT_THAT(merged("t.jsonl"), HasSubstr("no such file (x.csv); check the path"));
 }
 
-TEST_F(BatchCommand, MovesWithItsManifest) {
+TEST_F(BatchCommand, FindsRecordsRelativeToItsManifest) {
   fs::create_directories(folder_.file("here/recs"));
   fs::copy(folder_.file("recs/a.h5"), folder_.file("here/recs/a.h5"));
   ASSERT_EQ(batch({"plan", "here/recs", "-o", "here/m.jsonl"}).code, 0);

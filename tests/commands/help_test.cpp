@@ -29,7 +29,7 @@ std::string explanation(const std::string& help, const std::string& option) {
   return text;
 }
 
-/// The extensions in a text, ".json".
+/// The file extensions that a text names, such as ".json", sorted.
 std::vector<std::string> kinds_in(const std::string& text) {
   const std::regex kind(R"( (\.[a-z0-9]+)\b)");
   std::vector<std::string> kinds;

@@ -63,9 +63,9 @@ Complex mode_accelerance(const identify::Pole& pole, Complex s) {
   return s * s / (s * s + 2 * pole.damping_ratio * omega * s + omega * omega);
 }
 
-void add_mode(identify::FrfDataset& set, std::size_t output, const identify::Pole& pole, Complex residue) {
+void add_mode(identify::FrfDataset& set, std::size_t channel, const identify::Pole& pole, Complex residue) {
   for (std::size_t k = 0; k < set.lines.count; ++k)
-    set.channels[output].frf[k] += residue * mode_accelerance(pole, Complex(0, kTwoPi * set.lines.freq_Hz(k)));
+    set.channels[channel].frf[k] += residue * mode_accelerance(pole, Complex(0, kTwoPi * set.lines.freq_Hz(k)));
 }
 
 void add_frf_noise(identify::FrfDataset& set, double deviation, std::uint64_t seed) {

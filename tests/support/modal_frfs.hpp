@@ -7,19 +7,21 @@
 
 namespace percuss::test {
 
-/// H1 estimates of all channels of a record with one hit per row, by point, at the spectral lines from low to high. The
-/// force is exact, without a force window or baseline. `decay_per_s` is the decay of an exponential window.
+/// H1 estimates of each point and channel, at the spectral lines from low_Hz to high_Hz. Each row of the record is one
+/// hit. The force is exact, without a force window or baseline. `decay_per_s` is the decay of an exponential window.
 identify::FrfDataset frf_set_of(const acquire::Record& record, double low_Hz, double high_Hz, double decay_per_s = 0);
 
 /// FRFs of zeros for one point and `channels` FRF channels, from a force of one sample. `samples` is the length of the
-/// record and sets the line spacing. A mode with a half-power bandwidth of 5 lines decays to 2e-7 within the record.
+/// record and sets the line spacing. add_mode adds FRFs of complete decays: a mode with a half-power bandwidth of 5
+/// lines decays to 2e-7 within the record.
 identify::FrfDataset empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels);
 
 /// The FRF of one mode, by its definition.
 Complex mode_accelerance(const identify::Pole& pole, Complex s);
 
-/// Adds the FRF of a mode to an output, and white noise whose real and imaginary parts have this standard deviation.
-void add_mode(identify::FrfDataset& set, std::size_t output, const identify::Pole& pole, Complex residue);
+/// Adds the FRF of a mode to set.channels[channel].
+void add_mode(identify::FrfDataset& set, std::size_t channel, const identify::Pole& pole, Complex residue);
+/// Adds white noise to all FRFs. `deviation` is the standard deviation of its real and of its imaginary part.
 void add_frf_noise(identify::FrfDataset& set, double deviation, std::uint64_t seed);
 
 /// A bat test without noise: these modes, rows of this many seconds, accelerometers at 0° and 90°.

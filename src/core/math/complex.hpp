@@ -4,7 +4,8 @@
 namespace percuss {
 inline namespace core {
 
-// The product and quotient of std::complex handle infinities: ten times the work, and loops that do not vectorise.
+// Products and quotients for finite numbers. The operators of std::complex also handle infinities. This takes ten times
+// the work and keeps loops from being vectorised.
 
 inline std::complex<double> times(std::complex<double> a, std::complex<double> b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};

@@ -25,7 +25,7 @@ using Eigen::VectorXcd;
 
 constexpr int kMaxAberthSteps = 60;
 constexpr int kMaxBrentSteps = 60;
-constexpr double kMaximumTolerance = 1e-8;  // of the range: within it a smooth maximum is flat to rounding
+constexpr double kToleranceOfMaximum = 1e-8;  // of the range: within it a smooth maximum is flat to rounding
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 struct Sample {
@@ -123,7 +123,7 @@ MaximumPoint bracketed_maximum(const RealFunction& f, const std::vector<double>&
   for (int i = 0; i < kMaxBrentSteps; ++i) {
     if (gsl_min_fminimizer_iterate(brent.get()) != 0) break;
     const double width = gsl_min_fminimizer_x_upper(brent.get()) - gsl_min_fminimizer_x_lower(brent.get());
-    if (width < kMaximumTolerance * (x.back() - x.front())) break;
+    if (width < kToleranceOfMaximum * (x.back() - x.front())) break;
   }
   return {.x = gsl_min_fminimizer_x_minimum(brent.get()), .y = -gsl_min_fminimizer_f_minimum(brent.get())};
 }

@@ -85,7 +85,7 @@ Eigen::VectorXd BatImpact::amplitudes_at(double time_s) {
 BatRebound BatImpact::run() {
   BatRebound result;
   for (result.contacts = 0;; ++result.contacts) {
-    const double touch_by_s = time_s_ + 2 * free_.step_s;  // without compression by then, the touch was rounding
+    const double touch_by_s = time_s_ + 2 * free_.step_s;  // a touch without compression by then is a rounding error
     do {
       step();
     } while (u_m_ > 0 || (largest_m_ == 0 && time_s_ < touch_by_s));
@@ -97,8 +97,8 @@ BatRebound BatImpact::run() {
   result.largest_m = deepest_m_;
   result.exit_speed_mps = swing_mps_ - ball_mps_;
   const double ball_J = ball_.mass_kg / 2 * closing_mps_ * closing_mps_;
-  const double shared_mass = contact_.phi.head(kRigidMotions).square().sum();  // 1/M_e
-  const double collision_J = ball_J / (1 + ball_.mass_kg * shared_mass);
+  const double inverse_mass_per_kg = contact_.phi.head(kRigidMotions).square().sum();  // 1/M_e
+  const double collision_J = ball_J / (1 + ball_.mass_kg * inverse_mass_per_kg);
   const Eigen::ArrayXd energy_J = (bat_.rate.square() + (omega_ * bat_.q).square()) / 2;
   result.mode_share = (energy_J.tail(count_) / collision_J).matrix();
   result.ball_share = (ball_J - ball_.mass_kg / 2 * ball_mps_ * ball_mps_ - energy_J.sum()) / collision_J;

@@ -8,7 +8,8 @@
 
 namespace percuss::model {
 
-/// The unknowns of an element: w (m) and θ (rad) at its start, of its bubble functions, and at its end.
+/// The unknowns of an element: w (m) and θ (rad) at its start, the amplitudes of the bubble functions of w and θ, then
+/// w and θ at its end.
 using ElementVector = Eigen::Matrix<double, 6, 1>;
 
 /// An element with a constant section.

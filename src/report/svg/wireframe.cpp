@@ -8,7 +8,7 @@
 namespace percuss::report {
 namespace {
 
-// The points with known coordinates: index in the drawing, by number.
+// Maps the number of each point with known coordinates to its index in the drawing.
 std::map<int, std::size_t> drawn_points(const pipeline::Survey& survey) {
   std::map<int, std::size_t> out;
   for (const identify::ShapePlace& place : survey.shapes().front().places) {

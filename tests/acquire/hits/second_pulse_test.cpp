@@ -25,8 +25,9 @@ std::vector<double> two_pulses(double width, double delay, double ratio, double 
   return x;
 }
 
-/// Each peak is up to half a sample off: 1 − cos² of π/2 over the width. The 0.01 allows for the ringing of one pulse
-/// in the other, and for the phase dependence of the 5-sample mean.
+/// The largest sample lies up to half a sample from the peak. It is lower than the peak by 1 − cos²(π/(2 width)), about
+/// (π/(2 width))². The 0.01 allows for the ringing of one pulse in the other, and for the phase dependence of the
+/// 5-sample mean.
 double ratio_slack(double width) { return std::pow(std::numbers::pi / 2 / width, 2) + 0.01; }
 
 TEST(SecondPulse, IsFoundWithItsDelayAndRatio) {
@@ -97,9 +98,11 @@ TEST(SecondPulse, IsFoundInNoise) {
     test::add_noise(x, 0.005, seed);
     const auto second = second_in(x, 0.005);
     ASSERT_TRUE(second);
-    // A pulse of 0.1 falls by the noise of 0.005 within two samples of its top.
+    // Within two samples of its peak, a pulse of 0.1 falls by more than the noise of 0.005, so noise rarely
+    // moves the largest sample further.
     EXPECT_LE(std::abs(second->delay_samples - 400), 3);
-    EXPECT_LE(std::abs(second->ratio - 0.1), 0.02);  // four deviations and the phases of the tops
+    // Four standard deviations of the noise, and the offset of the largest sample from each peak.
+    EXPECT_LE(std::abs(second->ratio - 0.1), 0.02);
   }
 }
 
@@ -122,7 +125,7 @@ TEST(SecondPulse, IsFoundInTheUndershootOfAnAcCoupledChannel) {
   EXPECT_LE(std::abs(second->delay_samples - 200), 1);
 }
 
-TEST(SecondPulse, IsNoneInThePulseAlone) {
+TEST(SecondPulse, IsNotFoundBesideALonePulse) {
   for (const std::vector<double>& x : {std::vector<double>{5}, {5, 4}, {0, 5}, {0, 0, 5}, {5, 0, 0}, {1, 5, 1}}) {
     EXPECT_FALSE(second_in(x));
   }
