@@ -172,9 +172,9 @@ class BatchFaults : public Faults {
 
 TEST_F(BatchFaults, OfProcessesLeaveTheRecordOpen) {
   const ProcessOutcome none = run_batch("none", "FORK=1");  // not even the process that forks readers
-  EXPECT_EQ(none.code, 7) << none.err;
+  EXPECT_EQ(none.code, 6) << none.err;
   const ProcessOutcome outcome = run_batch("some", "FORK=2");
-  EXPECT_EQ(outcome.code, 7);
+  EXPECT_EQ(outcome.code, 6);
   EXPECT_THAT(outcome.err, HasSubstr("a is left open: cannot start a process that reads the file (a.h5)"));
   EXPECT_THAT(outcome.out, HasSubstr("\"open\": 1"));
   EXPECT_FALSE(fs::exists(folder_.file("some/part-0.ok")));
@@ -193,7 +193,7 @@ TEST_F(BatchFaults, OfTheDiskAreNeverRows) {
     const std::string out = "out" + std::to_string(n);
     const ProcessOutcome outcome = run_batch(out, "WRITE=" + std::to_string(n));
     ASSERT_EQ(outcome.signal, 0);
-    ASSERT_EQ(outcome.code, 7) << outcome.err;
+    ASSERT_EQ(outcome.code, 6) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("No space left on device"));
     expect_same_rows_later(out);
   }

@@ -10,8 +10,7 @@ enum ExitCode {
   kBadInput = 3,
   kImpossible = 4,
   kQualityGate = 5,
-  kPartial = 6,
-  kUnfinished = 7
+  kPartial = 6
 };
 
 }  // namespace percuss::tools

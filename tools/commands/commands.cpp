@@ -13,8 +13,7 @@ void add_exit_codes(CommandLine& line) {
   line.exit_code(kBadInput, "unusable input");
   line.exit_code(kImpossible, "the analysis is impossible (no hit can be used)");
   line.exit_code(kQualityGate, "a quality gate failed (the bat exceeds its limit)");
-  line.exit_code(kPartial, "some records of a batch failed");
-  line.exit_code(kUnfinished, "the machine failed at some records of a batch; run it again");
+  line.exit_code(kPartial, "some records of a batch failed, or are open because the machine failed: run it again");
 }
 
 struct NamedCommand {

@@ -192,7 +192,7 @@ int run_shards(const RunFlags& flags) {
   progress.stop();
   print(flags, outcomes);
   print_open_records(manifest, outcomes);
-  return open > 0 ? kUnfinished : failed > 0 ? kPartial : kOk;
+  return open > 0 || failed > 0 ? kPartial : kOk;
 }
 
 int run(const RunFlags& flags) {
@@ -200,7 +200,7 @@ int run(const RunFlags& flags) {
     return run_shards(flags);
   } catch (const MachineFault& fault) {
     std::cerr << "percuss: " << fault.written(flag_of) << '\n';
-    return kUnfinished;
+    return kPartial;
   }
 }
 
@@ -216,7 +216,7 @@ void add_batch_run(CommandLine& line) {
       "the shard; without a scheduler all shards run. Finished records are stored at once: a run that was killed "
       "continues where it stopped. A record that cannot be analysed becomes a row with the reason, and the exit code "
       "is 6. A fault of the machine (no process, memory or descriptor, a full disk) is no result: the record is tried "
-      "again, then left open for the next run, and the exit code is 7.");
+      "again, then left open for the next run, and the exit code is 6.");
   command.example("percuss batch plan bat.h5 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl -o results",
                   "Analyse all records on all processors of this machine");
   command.example(
