@@ -61,6 +61,7 @@ std::vector<char*> c_strings(std::vector<std::string>& texts) {
     ready = ready && ::setrlimit(RLIMIT_AS, &limit) == 0;
   }
   if (options.ordinary_user && ::geteuid() == 0) ready = ready && give_up_root_rights();
+  if (options.prepare) options.prepare();
   if (ready) ::fexecve(program, arguments, environment);
   ::_exit(127);
 }
