@@ -25,7 +25,9 @@ void keep_only_descriptors(std::initializer_list<int> kept) {
   const auto count = static_cast<int>(kept.size());
   std::vector<int> copies;
   for (const int descriptor : kept) copies.push_back(::fcntl(descriptor, F_DUPFD, count));
-  for (int i = 0; i < count; ++i) ::dup2(copies[static_cast<std::size_t>(i)], i);
+  for (int i = 0; i < count; ++i) {
+    if (::dup2(copies[static_cast<std::size_t>(i)], i) != i) ::_exit(1);  // too many descriptors
+  }
   ::closefrom(count);
 }
 

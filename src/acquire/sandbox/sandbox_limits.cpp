@@ -49,9 +49,10 @@ void release_reserved_heap() {
 }
 
 std::uint64_t memory_now_bytes() {
+  constexpr std::uint64_t kWithoutProc_bytes = std::uint64_t{1} << 30U;
   std::uint64_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  return pages == 0 ? kWithoutProc_bytes : pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ SandboxProcess::SandboxProcess(std::string path, std::shared_ptr<ForkServer> for
   begin([&](const ReaderDescriptors& descriptors) { return fork_server_->start(path_, descriptors); });
 }
 
-// The parent's map is not inherited: a reader must not change the numbers of another one.
+// Other children do not inherit the parent's map: a reader must not change the numbers of another one.
 bool SandboxProcess::create_descriptors(ReaderDescriptors& of_child) {
   std::array<int, 2> ends{-1, -1};
   of_child.memory = ::memfd_create("percuss", MFD_CLOEXEC);
@@ -93,11 +93,17 @@ void SandboxProcess::close_descriptors() {
   if (shared_ != nullptr) ::munmap(shared_, kSharedNumbers_bytes);
 }
 
+bool SandboxProcess::is_owner() const { return owner_ == ::getpid(); }
+
 int SandboxProcess::ended(int& status) const {
   return fork_server_ != nullptr ? fork_server_->ended(child_, status) : ::waitpid(child_, &status, WNOHANG);
 }
 
 SandboxProcess::~SandboxProcess() {
+  if (!is_owner()) {  // the reader serves the process that started it
+    shared_ = nullptr;
+    child_ = -1;
+  }
   if (fork_server_ != nullptr && child_ > 0) fork_server_->release(std::exchange(child_, -1));
   kill_child();
   close_descriptors();
@@ -212,6 +218,8 @@ void SandboxProcess::report_contradiction() const {
 }
 
 void SandboxProcess::read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
+  if (!is_owner())
+    throw InputError("the file was opened by another process", path_, "open it in the process that reads it");
   const std::lock_guard lock(mutex_);
   for (std::size_t done = 0; done < out.size();) {
     const std::size_t count = std::min(kSharedNumbers, out.size() - done);

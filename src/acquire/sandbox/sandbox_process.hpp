@@ -1,4 +1,6 @@
 #pragma once
+#include <unistd.h>
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -46,7 +48,7 @@ class SandboxProcess {
   std::uint64_t file_bytes() const { return file_bytes_; }
   const std::string& description() const { return description_; }
   /// Copies numbers from the child, as SandboxService::read. Several threads may call at the same time.
-  /// errors  InputError: as above
+  /// errors  InputError: as above; a process other than the one that created the object calls, after a fork
   void read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out);
   /// Throws the InputError for an impossible description.
   [[noreturn]] void report_contradiction() const;
@@ -56,6 +58,7 @@ class SandboxProcess {
   /// returns a process number.
   void begin(const std::function<int(const ReaderDescriptors&)>& start);
   bool create_descriptors(ReaderDescriptors& of_child);
+  bool is_owner() const;
   int ended(int& status) const;  // as ForkServer::ended
   void receive_outcome(std::string& payload);
   void close_descriptors();
@@ -74,6 +77,7 @@ class SandboxProcess {
   std::mutex mutex_;
   double* shared_ = nullptr;  // the child writes numbers here
   int descriptor_ = -1, pipe_ = -1;
+  int owner_ = ::getpid();
   int child_ = -1;                           // process number; with a fork server, the server's number of the reader
   std::shared_ptr<ForkServer> fork_server_;  // parent of the child; nullptr: this process
 };

@@ -16,6 +16,7 @@
 #include <csignal>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 
 #include "acquire/sandbox/sandbox_measurement.hpp"
@@ -168,6 +169,24 @@ TEST_F(EnterSandbox, ClosesDescriptorsOfTheParent) {
                {"write to standard error", [] { return ::write(2, "", 0); }},
                {"read standard error", [&] { return ::read(2, &read_byte, 0); }},
                {"ioctl", [] { return call(SYS_ioctl, 0, 0x5412L, "x"); }}});
+}
+
+// The memory in which another reader hands over its numbers.
+TEST_F(EnterSandbox, DoesNotInheritTheNumbersOfOtherReaders) {
+  const auto maps = [](const std::string& of) {
+    std::size_t count = 0;
+    std::ifstream lines("/proc/" + of + "/maps");
+    for (std::string line; std::getline(lines, line);) count += line.find("memfd:percuss") != std::string::npos ? 1 : 0;
+    return count;
+  };
+  if (!test::has_seccomp()) return;
+  const SandboxProcess first(path_, [] { return SandboxService{.description = "d", .read = {}}; });
+  const pid_t other = ::fork();
+  if (other == 0) ::_exit(static_cast<int>(maps("self")));
+  int status = -1;
+  ::waitpid(other, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  if (std::filesystem::exists("/proc/self/maps")) EXPECT_EQ(maps("self"), 1u);
 }
 
 TEST_F(EnterSandbox, ChangesNeitherFilesNorItsLimits) {

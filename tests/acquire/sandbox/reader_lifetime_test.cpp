@@ -14,12 +14,19 @@
 #include "acquire/sandbox/sandbox_process.hpp"
 #include "core/error.hpp"
 #include "support/confinement.hpp"
+#include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
 // A sandboxed reader ends with the process that started it, whatever the reader does.
 namespace percuss::acquire::reader_lifetime_test {
 
 using Number = std::atomic<int>;
+
+SandboxService counting() {
+  return {.description = "d", .read = [](std::size_t, std::size_t, std::size_t first, std::span<double> out) {
+            out[0] = static_cast<double>(first);
+          }};
+}
 
 class ReaderLifetime : public testing::Test {
  protected:
@@ -87,15 +94,29 @@ TEST_F(ReaderLifetime, EndsWithTheParentOfItsForkServer) {
 TEST_F(ReaderLifetime, OutlivesTheThreadThatStartedIt) {
   if (!test::has_seccomp()) return;
   std::unique_ptr<SandboxProcess> process;
-  std::thread([&] {
-    process = std::make_unique<SandboxProcess>(path_, [] {
-      return SandboxService{.description = "d",
-                            .read = [](std::size_t, std::size_t, std::size_t first, std::span<double> out) {
-                              out[0] = static_cast<double>(first);
-                            }};
-    });
-  }).join();
+  std::thread([&] { process = std::make_unique<SandboxProcess>(path_, counting); }).join();
   ::usleep(50'000);
+  std::array<double, 1> out{};
+  process->read(0, 0, 7, out);
+  EXPECT_EQ(out[0], 7);
+}
+
+// Two processes that share a socket would receive each other's numbers.
+TEST_F(ReaderLifetime, ServesOnlyTheProcessThatStartedIt) {
+  if (!test::has_seccomp()) return;
+  auto process = std::make_unique<SandboxProcess>(path_, counting);
+  const pid_t other = ::fork();
+  if (other == 0) {
+    const std::string message = test::input_error_of([&] {
+      std::array<double, 1> out{};
+      process->read(0, 0, 7, out);
+    });
+    process.reset();
+    ::_exit(message.find("opened by another process") == std::string::npos ? 1 : 0);
+  }
+  int status = -1;
+  ::waitpid(other, &status, 0);
+  EXPECT_EQ(status, 0);
   std::array<double, 1> out{};
   process->read(0, 0, 7, out);
   EXPECT_EQ(out[0], 7);
