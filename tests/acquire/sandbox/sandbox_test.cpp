@@ -1,6 +1,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -128,7 +129,11 @@ TEST_F(Sandbox, PassesTheFieldsOfAnErrorOn) {
 }
 
 TEST_F(Sandbox, ReportsACrashInOneLine) {
-  EXPECT_THAT(message_when([] { std::raise(SIGSEGV); }), AllOf(HasSubstr("crash"), HasSubstr(path_)));
+  EXPECT_THAT(message_when([] {
+                void* const page = ::mmap(nullptr, 1, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+                *static_cast<volatile char*>(page) = 1;
+              }),
+              AllOf(HasSubstr("crash"), HasSubstr(path_)));
   EXPECT_THAT(message_when([] { ::_exit(7); }), HasSubstr("crash"));
   const Record record = sandboxed([] {
     Record bad = small_record();
