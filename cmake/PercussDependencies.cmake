@@ -13,5 +13,7 @@ pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile>=1.2)
 add_library(SNDFILE::sndfile ALIAS PkgConfig::SNDFILE)
 pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto>=3.0)
 add_library(CRYPTO::crypto ALIAS PkgConfig::CRYPTO)
+pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp>=2.5)
+add_library(SECCOMP::seccomp ALIAS PkgConfig::SECCOMP)
 
 include(PercussHdf5)

@@ -4,6 +4,8 @@
 #include <matio.h>
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 namespace percuss::test {
 namespace {
@@ -42,6 +44,16 @@ MatBuilder& MatBuilder::singles(const std::string& name, const std::vector<std::
   matvar_t* const variable = Mat_VarCreate(name.c_str(), MAT_C_SINGLE, MAT_T_SINGLE, static_cast<int>(dims.size()),
                                            dims.data(), const_cast<float*>(values.data()), 0);
   EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(variable);
+  return *this;
+}
+
+MatBuilder& MatBuilder::bytes_of_zero(const std::string& name, std::size_t count) {
+  std::vector<std::uint8_t> zeros(count);
+  std::array<std::size_t, 2> dims{1, count};
+  matvar_t* const variable =
+      Mat_VarCreate(name.c_str(), MAT_C_UINT8, MAT_T_UINT8, 2, dims.data(), zeros.data(), MAT_F_DONT_COPY_DATA);
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, packed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
   Mat_VarFree(variable);
   return *this;
 }

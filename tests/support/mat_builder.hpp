@@ -19,6 +19,8 @@ class MatBuilder {
   MatBuilder& numbers(const std::string& name, const std::vector<std::size_t>& shape,
                       const std::vector<double>& values);
   MatBuilder& singles(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<float>& values);
+  /// A row vector of zeros of 8 bits.
+  MatBuilder& bytes_of_zero(const std::string& name, std::size_t count);
   MatBuilder& complex(const std::string& name, const std::vector<std::size_t>& shape,
                       const std::vector<std::complex<double>>& values);
   MatBuilder& text(const std::string& name, const std::string& text);

@@ -62,6 +62,7 @@ std::vector<char*> c_strings(std::vector<std::string>& texts) {
     ready = ready && ::setrlimit(RLIMIT_AS, &limit) == 0;
   }
   if (options.ordinary_user && ::geteuid() == 0) ready = ready && give_up_root_rights();
+  if (options.prepare) options.prepare();
   if (ready) ::fexecve(program, arguments, environment);
   ::_exit(127);
 }
@@ -110,6 +111,10 @@ ProcessOutcome run_percuss(const std::vector<std::string>& arguments, const Proc
   outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   outcome.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   outcome.peak_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  outcome.processor_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   return outcome;
 }
 

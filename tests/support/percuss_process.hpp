@@ -1,6 +1,7 @@
 #pragma once
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct ProcessOptions {
   std::string folder;                      // working folder; empty: the current one
   std::vector<std::string> environment{};  // NAME=VALUE, in addition to the current environment
   bool ordinary_user = false;              // drop root's privileges first
+  std::function<void()> prepare{};         // runs in the new process before the program
   std::size_t max_address_bytes = 0;       // limit of the address space; 0: the current limit
   std::chrono::seconds limit{110};         // sanitizers make programs twenty times slower
 };
@@ -22,7 +24,8 @@ struct ProcessOutcome {
   int code = -1;               // exit code; −1 if a signal ended the process
   int signal = 0;              // the signal, or 0
   bool timed_out = false;      // killed after the time limit
-  std::size_t peak_bytes = 0;  // peak of the resident memory
+  std::size_t peak_bytes = 0;  // peak of the resident memory, of this process or one that it started
+  double processor_s = 0;      // processor time, with the processes that it started
   std::string out, err;
 };
 

@@ -3,6 +3,7 @@
 #include <sys/socket.h>
 #include <sys/uio.h>
 
+#include <array>
 #include <cerrno>
 #include <climits>
 #include <cstring>
@@ -10,13 +11,13 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kDescriptors = std::tuple_size_v<decltype(ForkRequest::descriptors)>;
+constexpr std::size_t kDescriptor_bytes = sizeof(ReaderDescriptors);
 constexpr std::size_t kLongestPath = PATH_MAX;
 
 // The arguments of sendmsg and recvmsg, with room for the descriptors.
 struct SocketMessage {
   std::array<iovec, 2> parts{};
-  alignas(cmsghdr) std::array<char, CMSG_SPACE(kDescriptors * sizeof(int))> control{};
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(kDescriptor_bytes)> control{};
   msghdr header{};
 
   SocketMessage(ForkCommand& command, char* path, std::size_t path_bytes) {
@@ -38,13 +39,13 @@ bool send_fork_request(int socket, const ForkRequest& request) {
   if (request.path.size() > kLongestPath) return false;
   ForkRequest copy = request;
   SocketMessage message(copy.command, copy.path.data(), copy.path.size());
-  if (copy.descriptors.front() >= 0) {
+  if (copy.descriptors.socket >= 0) {
     message.attach_control_buffer();
     cmsghdr* const first = CMSG_FIRSTHDR(&message.header);
     first->cmsg_level = SOL_SOCKET;
     first->cmsg_type = SCM_RIGHTS;
-    first->cmsg_len = CMSG_LEN(kDescriptors * sizeof(int));
-    std::memcpy(CMSG_DATA(first), copy.descriptors.data(), kDescriptors * sizeof(int));
+    first->cmsg_len = CMSG_LEN(kDescriptor_bytes);
+    std::memcpy(CMSG_DATA(first), &copy.descriptors, kDescriptor_bytes);
   }
   return ::sendmsg(socket, &message.header, MSG_NOSIGNAL) >= 0;
 }
@@ -60,8 +61,8 @@ std::optional<ForkRequest> receive_fork_request(int socket) {
   if (got < static_cast<ssize_t>(sizeof request.command)) return std::nullopt;
   request.path.resize(static_cast<std::size_t>(got) - sizeof request.command);
   const cmsghdr* const first = CMSG_FIRSTHDR(&message.header);
-  if (first != nullptr && first->cmsg_len == CMSG_LEN(kDescriptors * sizeof(int)))
-    std::memcpy(request.descriptors.data(), CMSG_DATA(first), kDescriptors * sizeof(int));
+  if (first != nullptr && first->cmsg_len == CMSG_LEN(kDescriptor_bytes))
+    std::memcpy(&request.descriptors, CMSG_DATA(first), kDescriptor_bytes);
   return request;
 }
 

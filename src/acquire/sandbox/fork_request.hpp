@@ -1,7 +1,8 @@
 #pragma once
-#include <array>
 #include <optional>
 #include <string>
+
+#include "acquire/sandbox/sandbox_process.hpp"
 
 namespace percuss::acquire {
 
@@ -22,7 +23,7 @@ struct ForkReply {
 struct ForkRequest {
   ForkCommand command;
   std::string path;
-  std::array<int, 2> descriptors{-1, -1};  // for the reader: socket and shared memory
+  ReaderDescriptors descriptors{};
 };
 
 /// False when sending fails. The receiver gets copies of the descriptors.

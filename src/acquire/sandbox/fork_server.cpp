@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 
+#include "acquire/sandbox/child_process.hpp"
 #include "acquire/sandbox/fork_request.hpp"
 #include "acquire/sandbox/fork_server_process.hpp"
 #include "core/error.hpp"
@@ -17,11 +18,11 @@ namespace percuss::acquire {
 ForkServer::ForkServer(const Open& open) {
   std::array<int, 2> ends{};
   const bool paired = ::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) == 0;
-  process_ = paired ? ::fork() : -1;
+  process_ = paired ? fork_child() : -1;
   if (process_ == 0) {
-    ::close(ends[0]);
     try {
-      run_fork_server(ends[1], open);
+      keep_only_descriptors({ends[1]});
+      run_fork_server(0, open);
     } catch (...) {
       ::_exit(1);
     }
@@ -40,11 +41,11 @@ ForkServer::~ForkServer() {
   ::waitpid(process_, nullptr, 0);
 }
 
-int ForkServer::start(const std::string& path, int descriptor, int memory) {
+int ForkServer::start(const std::string& path, const ReaderDescriptors& descriptors) {
   const int reader = ++readers_;
   const bool sent = send({.command = {.kind = kStartReader, .reader = reader, .cpu = ::sched_getcpu()},
                           .path = path,
-                          .descriptors = {descriptor, memory}});
+                          .descriptors = descriptors});
   return sent ? reader : -1;
 }
 

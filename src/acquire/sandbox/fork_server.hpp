@@ -25,9 +25,9 @@ class ForkServer {
   ForkServer& operator=(const ForkServer&) = delete;
 
   // For SandboxProcess. Several threads may call at the same time.
-  /// Requests a reader and does not wait for it. The reader gets copies of the descriptors: its end of a socket, and
-  /// the shared memory. Returns the reader's number; −1 when the server has ended.
-  int start(const std::string& path, int descriptor, int memory);
+  /// Requests a reader and does not wait for it. The reader gets copies of the descriptors. Returns the reader's
+  /// number; −1 when the server has ended.
+  int start(const std::string& path, const ReaderDescriptors& descriptors);
   /// The reader's number when it has ended, with its status as from waitpid; 0 while it runs; −1 for an unknown reader,
   /// and when the server has ended.
   int ended(int reader, int& status);

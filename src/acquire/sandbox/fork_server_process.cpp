@@ -1,9 +1,7 @@
 #include "acquire/sandbox/fork_server_process.hpp"
 
 #include <sched.h>
-#include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,18 +10,12 @@
 #include <set>
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
+#include "acquire/sandbox/child_process.hpp"
 #include "acquire/sandbox/fork_request.hpp"
+#include "acquire/sandbox/serve_in_sandbox.hpp"
 
 namespace percuss::acquire {
 namespace {
-
-int run_reader(const ForkServer::Open& open, const std::string& path, int descriptor, int memory) {
-  struct stat status {};
-  const std::uint64_t bytes = ::stat(path.c_str(), &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
-  void* const shared = ::mmap(nullptr, kSharedNumbers * sizeof(double), PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0);
-  if (shared == MAP_FAILED) return 1;
-  return serve_in_sandbox(descriptor, static_cast<double*>(shared), bytes, [&] { return open(path); });
-}
 
 // Pins this process and the children that it forks to `cpu` while the object lives. The requesting thread sleeps until
 // its reader answers, so its processor is free. Without pinning, the kernel often starts the reader on a busy
@@ -51,15 +43,14 @@ class CpuPinning {
 // The readers of the server. Released readers are reaped before the next start: waiting for them would delay requests.
 class Readers {
  public:
-  Readers(int socket, const ForkServer::Open& open) : socket_(socket), open_(open) {}
+  explicit Readers(const ForkServer::Open& open) : open_(open) {}
 
   void start(const ForkRequest& request) {
     reap();
     const int process = fork_on_cpu(request.command.cpu);
     if (process > 0) processes_[request.command.reader] = process;
     if (process != 0) return;
-    ::close(socket_);
-    ::_exit(run_reader(open_, request.path, request.descriptors[0], request.descriptors[1]));
+    ::_exit(serve_in_sandbox(request.descriptors, request.path, [&] { return open_(request.path); }));
   }
 
   ForkReply ended(int reader, int flags) {
@@ -87,7 +78,7 @@ class Readers {
  private:
   static int fork_on_cpu(int cpu) {
     const CpuPinning pinning(cpu);
-    return ::fork();
+    return fork_child();
   }
   // A reader in `processes_` has not been reaped, so its process number is still its own.
   void kill(int reader) {
@@ -98,7 +89,6 @@ class Readers {
     std::erase_if(released_, [&](int reader) { return ended(reader, WNOHANG).reader != 0; });
   }
 
-  int socket_;  // only the server uses it: readers close their copy
   const ForkServer::Open& open_;
   std::map<int, int> processes_;  // of readers that have not been reaped
   std::set<int> released_;
@@ -109,12 +99,13 @@ class Readers {
 void run_fork_server(int socket, const ForkServer::Open& open) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);  // the parent handles them
   hdf5::start_library();                                                            // once, for all readers
-  Readers readers(socket, open);
+  Readers readers(open);
   while (const auto request = receive_fork_request(socket)) {
     const ForkCommand& command = request->command;
-    const bool has_descriptors = request->descriptors.front() >= 0;
+    const ReaderDescriptors& descriptors = request->descriptors;
+    const bool has_descriptors = descriptors.socket >= 0;
     if (command.kind == kStartReader && has_descriptors) readers.start(*request);
-    for (const int descriptor : request->descriptors) {
+    for (const int descriptor : {descriptors.socket, descriptors.memory, descriptors.parent_pipe}) {
       if (has_descriptors) ::close(descriptor);
     }
     if (command.kind == kRelease) readers.release(command.reader);

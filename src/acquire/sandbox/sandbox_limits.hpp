@@ -3,16 +3,21 @@
 
 namespace percuss::acquire {
 
-/// Restricts this process permanently to what the reader of a foreign file needs: reading files, allocating memory and
-/// writing to `descriptor`. It can neither write elsewhere nor use the network nor start processes.
-///   memory     the larger of 2 GiB and 4 times the file's size, beyond the present use
-///   processor  20 s, and 1 s more per 50 MB of the file
-///   files      64 open ones
-/// A sanitizer needs terabytes of address space, so a sanitized build has no limit of memory. On a system without
-/// seccomp, only these limits apply.
-void enter_sandbox(int descriptor, std::uint64_t file_bytes);
+/// The memory that the reader of a file of `file_bytes` may allocate: 256 MiB, and 64 times the file.
+std::uint64_t memory_limit_bytes(std::uint64_t file_bytes);
 
-/// The processor time allowed to the reader of a file of `file_bytes`.
+/// The processor time that it may use for each answer: 2 s, and 1 s per 5 MB of the file. Sanitizers slow programs down
+/// twenty times, and their time limits are as much longer.
 unsigned processor_limit_s(std::uint64_t file_bytes);
+
+/// Limits this process permanently to the memory above, to few descriptors, and to writing no files. Lower limits
+/// remain. A sanitizer needs terabytes of address space, so a sanitized build has no limit of memory.
+void limit_resources(std::uint64_t file_bytes);
+
+/// Starts the processor time of an answer. The signal SIGPROF ends a process that exceeds it.
+void start_processor_limit(std::uint64_t file_bytes);
+
+/// Descriptors of a sandboxed process are less than this number.
+inline constexpr int kSandboxDescriptors = 64;
 
 }  // namespace percuss::acquire

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "acquire/sandbox/file_access.hpp"
 #include "acquire/sandbox/sandbox_record.hpp"
 #include "core/error.hpp"
 
@@ -74,6 +75,11 @@ bool plausible_frfs(const FrfRecord& record) {
   return valid && record.frfs.size() % record.accel.size() == 0;
 }
 
+void note_missing_confinement(std::vector<Message>& notes) {
+  if (can_restrict_files()) return;
+  notes.emplace_back("this system (no Landlock) does not keep the reader of the file from opening other files");
+}
+
 }  // namespace
 
 SandboxService measurement_service(Measurement opened) {
@@ -92,8 +98,14 @@ SandboxService measurement_service(Measurement opened) {
 Measurement sandboxed_measurement(const std::shared_ptr<SandboxProcess>& process) {
   Deserializer in(process->description());
   try {
-    if (in.get<MeasurementKind>() == MeasurementKind::record) return sandboxed_record(in, process);
+    if (in.get<MeasurementKind>() == MeasurementKind::record) {
+      Record record = sandboxed_record(in, process);
+      note_missing_confinement(record.notes);
+      return record;
+    }
     FrfRecord frfs = deserialize_frf_record(in);
+    frfs.files.front() = {.path = process->path(), .bytes = process->file_bytes()};
+    note_missing_confinement(frfs.notes);
     if (plausible_frfs(frfs)) return frfs;
   } catch (const std::out_of_range&) {
   }

@@ -1,126 +1,112 @@
 #include "acquire/sandbox/sandbox_process.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <csignal>
-#include <new>
 #include <utility>
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
+#include "acquire/sandbox/child_process.hpp"
 #include "acquire/sandbox/fork_server.hpp"
 #include "acquire/sandbox/sandbox_limits.hpp"
 #include "acquire/sandbox/sandbox_protocol.hpp"
+#include "acquire/sandbox/serve_in_sandbox.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire {
 namespace {
 
-constexpr int kNoMemoryExit = 11, kFailedExit = 12;
 constexpr const char* kDamaged = "is the file damaged? Save it again";
 constexpr const char* kDamagedOrTrusted = "is the file damaged? If not, trust the input";
 
 // Holds the lock across the fork: otherwise the child could inherit the library while another thread changes it.
 int fork_with_libraries_idle() {
   const hdf5::ExclusiveAccess access;
-  return ::fork();
-}
-
-void serve(int descriptor, double* shared, std::uint64_t file_bytes, const std::function<SandboxService()>& open) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
-  std::signal(SIGPIPE, SIG_IGN);
-  enter_sandbox(descriptor, file_bytes);
-  SandboxService service;
-  const bool connected = run_and_send_outcome(descriptor, [&] {
-    service = open();
-    return service.description;
-  });
-  SandboxRequest request;
-  while (connected && service.read && receive_bytes(descriptor, &request, sizeof request)) {
-    const auto out = std::span(shared, std::min<std::size_t>(request.count, kSharedNumbers));
-    const bool sent = run_and_send_outcome(descriptor, [&] {
-      service.read(request.row, request.signal, request.first, out);
-      return std::string();
-    });
-    if (!sent) return;
-  }
+  return fork_child();
 }
 
 }  // namespace
 
-// No exception may leave the child: the callers are the parent's code.
-int serve_in_sandbox(int descriptor, double* shared, std::uint64_t file_bytes,
-                     const std::function<SandboxService()>& open) {
-  try {
-    serve(descriptor, shared, file_bytes, open);
-    return 0;
-  } catch (const std::bad_alloc&) {
-    return kNoMemoryExit;
-  } catch (...) {
-    return kFailedExit;
-  }
-}
-
 SandboxProcess::SandboxProcess(std::string path, const std::function<SandboxService()>& open,
                                std::optional<unsigned> timeout_s)
     : path_(std::move(path)), timeout_s_(timeout_s.value_or(0)) {
-  begin([&](int descriptor, int /*memory*/) {
+  begin([&](const ReaderDescriptors& descriptors) {
     const int process = fork_with_libraries_idle();
     if (process != 0) return process;
-    ::close(descriptor_);
-    ::_exit(serve_in_sandbox(descriptor, shared_, file_bytes_, open));
+    ::_exit(serve_in_sandbox(descriptors, path_, open));
   });
 }
 
 SandboxProcess::SandboxProcess(std::string path, std::shared_ptr<ForkServer> fork_server)
     : path_(std::move(path)), fork_server_(std::move(fork_server)) {
-  begin([&](int descriptor, int memory) { return fork_server_->start(path_, descriptor, memory); });
+  begin([&](const ReaderDescriptors& descriptors) { return fork_server_->start(path_, descriptors); });
 }
 
-void SandboxProcess::begin(const std::function<int(int descriptor, int memory)>& start) {
-  constexpr unsigned kWallPerCpuTime = 3;  // the child waits for the disk and for other programs as well
-  constexpr std::size_t kSharedBytes = kSharedNumbers * sizeof(double);
-  struct stat status {};
-  if (::stat(path_.c_str(), &status) == 0) file_bytes_ = static_cast<std::uint64_t>(status.st_size);
-  if (timeout_s_ == 0) timeout_s_ = kWallPerCpuTime * processor_limit_s(file_bytes_);
+// Other children do not inherit the parent's map: a reader must not change the numbers of another one.
+bool SandboxProcess::create_descriptors(ReaderDescriptors& of_child) {
   std::array<int, 2> ends{-1, -1};
-  const int memory = ::memfd_create("percuss", MFD_CLOEXEC);
-  const bool sized = memory >= 0 && ::ftruncate(memory, kSharedBytes) == 0;
-  void* const shared =
-      sized ? ::mmap(nullptr, kSharedBytes, PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0) : MAP_FAILED;
-  const bool paired = shared != MAP_FAILED && ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
-  shared_ = static_cast<double*>(shared);
+  of_child.memory = ::memfd_create("percuss", MFD_CLOEXEC);
+  if (of_child.memory < 0 || ::ftruncate(of_child.memory, kSharedNumbers_bytes) != 0) return false;
+  shared_ = map_shared_numbers(of_child.memory);
+  if (shared_ == nullptr || ::madvise(shared_, kSharedNumbers_bytes, MADV_DONTFORK) != 0) return false;
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+  of_child.parent_pipe = ends[0];
+  pipe_ = ends[1];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return false;
   descriptor_ = ends[0];
-  if (paired) child_ = start(ends[1], memory);
-  if (memory >= 0) ::close(memory);
-  if (paired) ::close(ends[1]);
+  of_child.socket = ends[1];
+  return true;
+}
+
+void SandboxProcess::begin(const std::function<int(const ReaderDescriptors&)>& start) {
+  file_bytes_ = regular_file_bytes(path_);
+  // The child waits for the disk and for other programs as well.
+  constexpr unsigned kWallPerCpuTime = 3, kMinTimeout_s = 60;
+  if (timeout_s_ == 0) timeout_s_ = std::max(kMinTimeout_s, kWallPerCpuTime * processor_limit_s(file_bytes_));
+  ReaderDescriptors of_child;
+  if (create_descriptors(of_child)) child_ = start(of_child);
+  for (const int descriptor : {of_child.socket, of_child.memory, of_child.parent_pipe}) {
+    if (descriptor >= 0) ::close(descriptor);
+  }
   try {
     if (child_ < 0) report_no_process();
     receive_outcome(description_);
   } catch (...) {
-    if (paired) ::close(descriptor_);
+    close_descriptors();
     kill_child();
-    if (shared != MAP_FAILED) ::munmap(shared_, kSharedBytes);
     throw;
   }
 }
+
+void SandboxProcess::close_descriptors() {
+  for (const int descriptor : {descriptor_, pipe_}) {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+  if (shared_ != nullptr) ::munmap(shared_, kSharedNumbers_bytes);
+}
+
+bool SandboxProcess::is_owner() const { return owner_ == ::getpid(); }
 
 int SandboxProcess::ended(int& status) const {
   return fork_server_ != nullptr ? fork_server_->ended(child_, status) : ::waitpid(child_, &status, WNOHANG);
 }
 
 SandboxProcess::~SandboxProcess() {
-  ::close(descriptor_);
+  if (!is_owner()) {  // the reader serves the process that started it
+    shared_ = nullptr;
+    child_ = -1;
+  }
   if (fork_server_ != nullptr && child_ > 0) fork_server_->release(std::exchange(child_, -1));
   kill_child();
-  ::munmap(shared_, kSharedNumbers * sizeof(double));
+  close_descriptors();
 }
 
 // A damaged file can make the child wait for ever, hence the timeout. It counts only seconds in which this process
@@ -151,8 +137,7 @@ int SandboxProcess::kill_child() {
 void SandboxProcess::receive_outcome(std::string& payload) {
   std::array<std::uint64_t, 2> head{};
   receive(head.data(), sizeof head);
-  const std::uint64_t limit = (std::uint64_t{64} << 20U) + 64 * file_bytes_;
-  if (head[1] > limit) report_contradiction();
+  if (head[1] > claim_limit_bytes(file_bytes_)) report_contradiction();
   std::string bytes;
   constexpr std::size_t kStep = std::size_t{1} << 24U;  // memory grows with the bytes received, not the size claimed
   while (bytes.size() < head[1]) {
@@ -192,12 +177,20 @@ void SandboxProcess::report_no_process() const {
 }
 
 void SandboxProcess::report_timeout() const {
-  throw InputError("reading takes longer than any file of this size should", path_, kDamagedOrTrusted, {"trust_input"});
+  throw InputError(fmt::format("reading takes longer than {} s, the limit for a file of this size", timeout_s_), path_,
+                   kDamagedOrTrusted, {"trust_input"});
+}
+
+void SandboxProcess::report_processor_time() const {
+  throw InputError(fmt::format("reading takes more than {} s of processor time, the limit for a file of this size",
+                               processor_limit_s(file_bytes_)),
+                   path_, kDamagedOrTrusted, {"trust_input"});
 }
 
 void SandboxProcess::report_no_memory() const {
-  throw InputError("reading needs more than 2 GiB of memory and more than four times the file's size", path_,
-                   kDamagedOrTrusted, {"trust_input"});
+  throw InputError(fmt::format("reading needs more memory than {} MiB, the limit for a file of this size",
+                               memory_limit_bytes(file_bytes_) >> 20U),
+                   path_, kDamagedOrTrusted, {"trust_input"});
 }
 
 void SandboxProcess::report_crash() {
@@ -214,8 +207,8 @@ void SandboxProcess::report_crash() {
   if (reaped != child_) status = kill_child();
   child_ = -1;
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU || signal == SIGKILL) report_timeout();
-  if (signal == 0 && WEXITSTATUS(status) == kNoMemoryExit) report_no_memory();
+  if (signal == SIGPROF || signal == SIGXCPU) report_processor_time();
+  if (signal == 0 && WEXITSTATUS(status) == kNoMemoryExitCode) report_no_memory();
   const std::string how =
       signal != 0 ? fmt::format("signal {}", signal) : fmt::format("exit code {}", WEXITSTATUS(status));
   throw InputError("the file crashes the library that reads it (" + how + ")", path_,
@@ -227,6 +220,8 @@ void SandboxProcess::report_contradiction() const {
 }
 
 void SandboxProcess::read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
+  if (!is_owner())
+    throw InputError("the file was opened by another process", path_, "open it in the process that reads it");
   const std::lock_guard lock(mutex_);
   for (std::size_t done = 0; done < out.size();) {
     const std::size_t count = std::min(kSharedNumbers, out.size() - done);

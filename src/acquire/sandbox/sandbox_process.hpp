@@ -1,4 +1,6 @@
 #pragma once
+#include <unistd.h>
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -16,6 +18,12 @@ struct SandboxService {
   std::string description;
   /// Numbers first … first + out.size() − 1 of a row's signal. The opener defines the meaning of `signal`.
   std::function<void(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out)> read;
+};
+
+/// The descriptors that a reader needs: its end of a socket, the memory for numbers, and a pipe whose other end closes
+/// when the parent ends.
+struct ReaderDescriptors {
+  int socket = -1, memory = -1, parent_pipe = -1;
 };
 
 class ForkServer;
@@ -36,23 +44,29 @@ class SandboxProcess {
   SandboxProcess(const SandboxProcess&) = delete;
   SandboxProcess& operator=(const SandboxProcess&) = delete;
 
+  const std::string& path() const { return path_; }
+  std::uint64_t file_bytes() const { return file_bytes_; }
   const std::string& description() const { return description_; }
   /// Copies numbers from the child, as SandboxService::read. Several threads may call at the same time.
-  /// errors  InputError: as above
+  /// errors  InputError: as above; a process other than the one that created the object calls, after a fork
   void read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out);
   /// Throws the InputError for an impossible description.
   [[noreturn]] void report_contradiction() const;
 
  private:
-  /// Creates the socket and the shared memory, starts the child and receives its description. start(descriptor, memory)
-  /// gets the child's end of the socket and returns a process number.
-  void begin(const std::function<int(int descriptor, int memory)>& start);
+  /// Creates the descriptors, starts the child and receives its description. `start` gets the child's descriptors and
+  /// returns a process number.
+  void begin(const std::function<int(const ReaderDescriptors&)>& start);
+  bool create_descriptors(ReaderDescriptors& of_child);
+  bool is_owner() const;
   int ended(int& status) const;  // as ForkServer::ended
   void receive_outcome(std::string& payload);
+  void close_descriptors();
   int kill_child();  // returns the child's status as from waitpid; 0 without a child
   [[noreturn]] void report_crash();
   [[noreturn]] void report_no_process() const;
   [[noreturn]] void report_timeout() const;
+  [[noreturn]] void report_processor_time() const;
   [[noreturn]] void report_no_memory() const;
   [[noreturn]] void rethrow(SandboxOutcome outcome, const std::string& payload) const;
   void receive(void* to, std::size_t bytes);
@@ -62,14 +76,10 @@ class SandboxProcess {
   unsigned timeout_s_ = 0;
   std::mutex mutex_;
   double* shared_ = nullptr;  // the child writes numbers here
-  int descriptor_ = -1;
+  int descriptor_ = -1, pipe_ = -1;
+  int owner_ = ::getpid();
   int child_ = -1;                           // process number; with a fork server, the server's number of the reader
   std::shared_ptr<ForkServer> fork_server_;  // parent of the child; nullptr: this process
 };
-
-/// Runs in the child until the parent closes its end, and returns the exit code. `shared` holds kSharedNumbers numbers.
-int serve_in_sandbox(int descriptor, double* shared, std::uint64_t file_bytes,
-                     const std::function<SandboxService()>& open);
-inline constexpr std::size_t kSharedNumbers = std::size_t{1} << 17U;  // transferred at once: 1 MiB
 
 }  // namespace percuss::acquire

@@ -1,10 +1,12 @@
 #include "acquire/sandbox/sandbox_record.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 #include "acquire/record/contiguous_samples.hpp"
+#include "acquire/record/sample_limits.hpp"
 #include "acquire/sandbox/sandbox_protocol.hpp"
 #include "core/error.hpp"
 
@@ -57,11 +59,38 @@ Record deserialize_description(Deserializer& in) {
   return record;
 }
 
+// Whether `signals` signals with these rows fit into the file. The child may be compromised, so nothing is multiplied
+// before it is known to be small.
+bool fits(const std::vector<RowInfo>& rows, std::size_t signals, std::uint64_t file_bytes) {
+  std::uint64_t left = claim_limit_bytes(file_bytes) / sizeof(double) / std::max<std::size_t>(signals, 1);
+  for (const RowInfo& row : rows) {
+    if (row.samples > left) return false;
+    left -= row.samples;
+  }
+  return true;
+}
+
+// Whether all rows of the signal lie within the file.
+bool fits(const std::vector<RowInfo>& rows, const ContiguousSignal& signal, std::uint64_t file_bytes) {
+  if (signal.number_bytes != sizeof(float) && signal.number_bytes != sizeof(double)) return false;
+  if (signal.offset_bytes > file_bytes) return false;
+  std::uint64_t left = file_bytes - signal.offset_bytes;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (rows[row].samples > left / signal.number_bytes) return false;
+    if (row + 1 == rows.size()) break;
+    if (signal.row_step_bytes > left) return false;
+    left -= signal.row_step_bytes;
+  }
+  return true;
+}
+
 // The invariants that the other layers rely on. The child may be compromised.
-bool plausible(const Record& record) {
-  bool valid = record.fs_Hz > 0 && std::isfinite(record.fs_Hz) && !record.rows.empty() && !record.accel.empty();
-  for (const RowInfo& row : record.rows)
-    valid = valid && row.samples >= 2 && (row.file == 0 || row.file < record.files.size());
+bool plausible(const Record& record, std::uint64_t file_bytes) {
+  bool valid = record.fs_Hz > 0 && std::isfinite(record.fs_Hz) && !record.rows.empty() && !record.accel.empty() &&
+               record.files.size() <= 1 && fits(record.rows, 1, file_bytes) &&
+               fits(record.rows, record.accel.size(), file_bytes);
+  for (const RowInfo& row : record.rows) valid = valid && row.samples >= 2 && row.file == 0;
+  for (const ContiguousSignal& signal : record.contiguous) valid = valid && fits(record.rows, signal, file_bytes);
   return valid;
 }
 
@@ -136,7 +165,9 @@ Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>&
   } catch (const std::out_of_range&) {
     process->report_contradiction();
   }
-  if (!plausible(record)) process->report_contradiction();
+  if (!plausible(record, process->file_bytes())) process->report_contradiction();
+  // This process opens the file by this path.
+  for (InputFile& file : record.files) file = {.path = process->path(), .bytes = process->file_bytes()};
   record.read_force_N = [process](std::size_t row, std::size_t first, std::span<double> out) {
     process->read(row, 0, first, out);
   };

@@ -1,11 +1,13 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
+#include <ctime>
 #include <fstream>
 #include <future>
 #include <random>
@@ -127,7 +129,11 @@ TEST_F(Sandbox, PassesTheFieldsOfAnErrorOn) {
 }
 
 TEST_F(Sandbox, ReportsACrashInOneLine) {
-  EXPECT_THAT(message_when([] { std::raise(SIGSEGV); }), AllOf(HasSubstr("crash"), HasSubstr(path_)));
+  EXPECT_THAT(message_when([] {
+                void* const page = ::mmap(nullptr, 1, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+                *static_cast<volatile char*>(page) = 1;
+              }),
+              AllOf(HasSubstr("crash"), HasSubstr(path_)));
   EXPECT_THAT(message_when([] { ::_exit(7); }), HasSubstr("crash"));
   const Record record = sandboxed([] {
     Record bad = small_record();
@@ -169,6 +175,20 @@ TEST_F(Sandbox, EndsAReaderThatWaitsForEver) {
   EXPECT_THAT(input_error_of([&] { served.read(0, 0, 0, out); }), HasSubstr("takes longer"));
 }
 
+double processor_time_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+TEST_F(Sandbox, LimitsTheProcessorTimeOfEachAnswer) {
+  const auto work = [](std::size_t, std::size_t, std::size_t first, std::span<double>) {
+    const double wanted_s = first == 0 ? 1.2 : 1000;
+    for (const double start_s = processor_time_s(); processor_time_s() - start_s < wanted_s;) {
+    }
+  };
+  SandboxProcess served(path_, [&] { return SandboxService{.description = "d", .read = work}; });
+  std::vector<double> out(3);
+  for (int answer = 0; answer < 2; ++answer) served.read(0, 0, 0, out);  // 2.4 s in total
+  EXPECT_THAT(input_error_of([&] { served.read(0, 0, 1, out); }), HasSubstr("s of processor time"));
+}
+
 // Another thread uses the library while this one forks.
 TEST_F(Sandbox, ForksWithLibrariesIdle) {
   std::atomic<bool> stop = false;
@@ -190,10 +210,10 @@ TEST_F(Sandbox, ForksWithLibrariesIdle) {
     !defined(__clang__)  // sanitizers reserve terabytes
 TEST_F(Sandbox, LimitsMemory) {
   EXPECT_THAT(message_when([] {
-                const std::vector<char> much(std::size_t{3} << 30U);
+                const std::vector<char> much(std::size_t{300} << 20U);
                 throw InputError(std::to_string(much.size()), "was", "there");
               }),
-              HasSubstr("more memory"));
+              HasSubstr("more memory than 256 MiB, the limit for a file of this size"));
 }
 #endif
 

@@ -7,14 +7,12 @@
 #include <optional>
 
 #include "acquire/formats/hdf5/hdf5_input.hpp"
+#include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire::hdf5 {
 namespace {
 
-// Limit of the uncompressed size that a file may claim: 64 times its own size plus 64 MiB. gzip rarely compresses
-// measured samples better than 4:1; a small file with a larger claim could fill the memory.
-constexpr std::uint64_t kMaxClaimPerFileByte = 64, kMaxClaimExtra_bytes = std::uint64_t{64} << 20;
 constexpr std::size_t kDefaultCacheBytes = std::size_t{1} << 20, kMaxCache_bytes = std::size_t{64} << 20;
 constexpr std::uint64_t kMaxCountedChunks = 200'000;  // more are not counted: counting walks an index
 constexpr int kMaxDimensions = 3;
@@ -149,10 +147,11 @@ void InputDataSet::check_storage(const InputHdf5& file, const std::string& name)
     throw InputError("its samples are in other files", where_, "store them in this file");
   }
   const std::uint64_t claimed = times(elements_, element_bytes_);
-  const std::uint64_t claim_limit = times(file_bytes, kMaxClaimPerFileByte) + kMaxClaimExtra_bytes;
+  const std::uint64_t decoded = times(elements_, std::max(element_bytes_, sizeof(double)));
+  const std::uint64_t claim_limit = claim_limit_bytes(file_bytes);
   const bool compressed = H5Pget_nfilters(creation.get()) > 0;
   const std::uint64_t stored = H5Dget_storage_size(set_.get());
-  if (compressed ? claimed > claim_limit || (stored == 0 && claimed > 0) : claimed > stored || claimed > file_bytes) {
+  if (compressed ? decoded > claim_limit || (stored == 0 && claimed > 0) : claimed > stored || claimed > file_bytes) {
     throw InputError("claims " + std::to_string(claimed) + " bytes, the file holds " +
                          std::to_string(compressed ? file_bytes : std::min(stored, file_bytes)),
                      where_, kWriteAnew);

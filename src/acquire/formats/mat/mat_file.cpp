@@ -8,7 +8,10 @@
 #include <memory>
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
+#include "acquire/formats/hdf5/hdf5_self_contained.hpp"
+#include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "acquire/formats/mat/mat_completeness.hpp"
+#include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
 #include "core/io/input_file.hpp"
@@ -16,8 +19,6 @@
 namespace percuss::acquire {
 namespace {
 
-// Limit of the uncompressed size that a file may claim: 64 times its own size plus 64 MiB.
-constexpr std::uint64_t kMaxClaimPerMatByte = 64, kMaxMatClaimExtra_bytes = std::uint64_t{64} << 20U;
 constexpr std::size_t kMaxVariables = 10'000, kMaxDepth = 8, kMaxElements = 4096;
 constexpr std::size_t kMaxMatDimensions = 8, kNameShown = 63;
 
@@ -84,7 +85,9 @@ class Flattener {
       for (std::uint64_t i = 0; children != nullptr && i < count * fields; ++i) check_claim(children[i], depth + 1);
       return;
     }
-    spend(count, static_cast<std::uint64_t>(std::max(variable->data_size, 1)) * (variable->isComplex != 0 ? 2 : 1));
+    const bool numbers = is_number_class(variable->class_type);  // become doubles
+    const std::uint64_t each_bytes = numbers ? sizeof(double) : static_cast<std::uint64_t>(variable->data_size);
+    spend(count, std::max<std::uint64_t>(each_bytes, 1) * (variable->isComplex != 0 ? 2 : 1));
   }
 
   void add(const std::string& name, const matvar_t* variable) {
@@ -222,12 +225,13 @@ MatFile read_mat_file(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) == 0) out.bytes = static_cast<std::uint64_t>(status.st_size);
   const hdf5::Lock lock;  // level 7.3 is HDF5; the lock also guards matio's global state
+  if (is_hdf5(path)) hdf5::require_self_contained(path);
   Mat_LogInitFunc("percuss", ignore_log);
   const std::unique_ptr<mat_t, CloseMat> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!file) throw InputError("the MAT file cannot be read", path, "is it damaged? Save it again");
   if (Mat_GetVersion(file.get()) == MAT_FT_MAT5) require_complete_mat(path, MatLevel::v5);
   if (Mat_GetVersion(file.get()) == MAT_FT_MAT4) require_complete_mat(path, MatLevel::v4);
-  Flattener flatten(out, kMaxClaimPerMatByte * out.bytes + kMaxMatClaimExtra_bytes);
+  Flattener flatten(out, claim_limit_bytes(out.bytes));
   while (true) {
     const std::unique_ptr<matvar_t, FreeMat> variable(Mat_VarReadNextInfo(file.get()));
     if (!variable) break;

@@ -35,7 +35,7 @@ bool is_mat(std::string_view head);
 /// Reads all variables of numbers and texts; fields of structures and cells become variables. In a structure array or
 /// cell array, fields that are vectors of equal length become a matrix [elements, length]. The notes name sparse
 /// arrays, functions and objects.
-/// errors  InputError: damaged, or more numbers than the file can hold (64 times its size plus 64 MiB).
+/// errors  InputError: damaged; data or links in other files; more numbers than claim_limit_bytes allows.
 MatFile read_mat_file(const std::string& path);
 
 /// The variable of this name (letter case aside), else nullptr.

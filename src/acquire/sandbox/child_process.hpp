@@ -1,0 +1,20 @@
+#pragma once
+#include <cstddef>
+#include <initializer_list>
+
+namespace percuss::acquire {
+
+/// As fork(). A child of the process's first thread is killed when the process ends. The kernel counts the end of the
+/// thread that forks, so a child of another thread needs end_with_parent.
+int fork_child();
+
+/// Closes all descriptors of this process but these, which become 0, 1, ….
+void keep_only_descriptors(std::initializer_list<int> kept);
+
+/// The kernel kills this process once the write end of this pipe is closed in all processes. Only the parent holds it.
+void end_with_parent(int parent_pipe);
+
+/// Sets all signals to their default action, except SIGPIPE, which is ignored.
+void reset_signals();
+
+}  // namespace percuss::acquire

@@ -1,0 +1,16 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace percuss::acquire {
+
+/// The descriptors that a sandboxed process keeps. It cannot close them.
+inline constexpr int kSandboxSocket = 0, kSandboxParentPipe = 1;
+
+/// Restricts this process permanently to reading the file `path`, allocating memory within limit_resources, and writing
+/// to kSandboxSocket. Where the system has Landlock, no other file can be opened. Its other descriptors are closed
+/// already.
+/// errors  InputError: the system has no filters of system calls (seccomp)
+void enter_sandbox(const std::string& path, std::uint64_t file_bytes);
+
+}  // namespace percuss::acquire

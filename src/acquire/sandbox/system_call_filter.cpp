@@ -1,0 +1,110 @@
+#include "acquire/sandbox/system_call_filter.hpp"
+
+#include <fcntl.h>
+#include <seccomp.h>
+#include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <initializer_list>
+
+#include "acquire/sandbox/enter_sandbox.hpp"
+#include "acquire/sandbox/sandbox_limits.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+// The kernel ignores the upper half of an argument of 32 bits. Comparisons see 64 bits, so each rule requires the upper
+// half to be zero.
+constexpr scmp_datum_t kAllBits = ~scmp_datum_t{0};
+
+scmp_datum_t bits(int flags) { return static_cast<scmp_datum_t>(static_cast<unsigned>(flags)); }
+
+scmp_arg_cmp equals(unsigned argument, int value) {
+  return {.arg = argument, .op = SCMP_CMP_EQ, .datum_a = bits(value), .datum_b = 0};
+}
+// Among the bits of `mask`, exactly those of `value` are set.
+scmp_arg_cmp has_bits(unsigned argument, scmp_datum_t mask, int value) {
+  return {.arg = argument, .op = SCMP_CMP_MASKED_EQ, .datum_a = mask, .datum_b = bits(value)};
+}
+
+class Filter {
+ public:
+  Filter() : context_(seccomp_init(SCMP_ACT_ERRNO(EPERM))) {}
+  ~Filter() { seccomp_release(context_); }
+  Filter(const Filter&) = delete;
+  Filter& operator=(const Filter&) = delete;
+
+  void allow(int call, std::initializer_list<scmp_arg_cmp> arguments = {}) {
+    const auto count = static_cast<unsigned>(arguments.size());
+    // EDOM: this architecture does not have the call.
+    const int result = seccomp_rule_add_array(context_, SCMP_ACT_ALLOW, call, count, arguments.begin());
+    complete_ = complete_ && (result == 0 || result == -EDOM);
+  }
+  bool load() { return complete_ && seccomp_load(context_) == 0; }
+
+ private:
+  scmp_filter_ctx context_;
+  bool complete_ = true;
+};
+
+// The C library, matio, HDF5 and libsndfile need these to read a file.
+void allow_always(Filter& filter) {
+  for (const int call :
+       {SCMP_SYS(read),         SCMP_SYS(pread64),        SCMP_SYS(readv),         SCMP_SYS(preadv),
+        SCMP_SYS(lseek),        SCMP_SYS(fstat),          SCMP_SYS(newfstatat),    SCMP_SYS(statx),
+        SCMP_SYS(stat),         SCMP_SYS(munmap),         SCMP_SYS(mremap),        SCMP_SYS(brk),
+        SCMP_SYS(madvise),      SCMP_SYS(futex),          SCMP_SYS(exit),          SCMP_SYS(exit_group),
+        SCMP_SYS(rt_sigaction), SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn),  SCMP_SYS(sigaltstack),
+        SCMP_SYS(getpid),       SCMP_SYS(gettid),         SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday),
+        SCMP_SYS(getrandom),    SCMP_SYS(sched_yield),    SCMP_SYS(uname),         SCMP_SYS(sysinfo),
+        SCMP_SYS(fadvise64),    SCMP_SYS(getuid),         SCMP_SYS(geteuid),       SCMP_SYS(restart_syscall)})
+    filter.allow(call);
+}
+
+void allow_reading_files(Filter& filter) {
+  constexpr int kHarmless = O_CLOEXEC | O_NONBLOCK | O_NOCTTY | O_NOFOLLOW;
+  const scmp_datum_t others = kAllBits & ~bits(kHarmless);
+  filter.allow(SCMP_SYS(open), {has_bits(1, others, O_RDONLY)});
+  filter.allow(SCMP_SYS(openat), {has_bits(2, others, O_RDONLY)});
+  for (const int command : {F_GETFD, F_SETFD, F_GETFL}) filter.allow(SCMP_SYS(fcntl), {equals(1, command)});
+  for (const int lock : {LOCK_SH | LOCK_NB, LOCK_UN}) filter.allow(SCMP_SYS(flock), {equals(1, lock)});
+}
+
+// Memory that other processes see would be a way to write, executable memory a way to bring in a program.
+void allow_private_memory(Filter& filter) {
+  constexpr int kSharingMask = 0x0F;  // of MAP_SHARED, MAP_PRIVATE and MAP_SHARED_VALIDATE
+  const scmp_datum_t execution = bits(PROT_EXEC);
+  filter.allow(SCMP_SYS(mmap), {has_bits(2, execution, 0), has_bits(3, bits(kSharingMask), MAP_PRIVATE)});
+  filter.allow(SCMP_SYS(mprotect), {has_bits(2, execution, 0)});
+}
+
+// All descriptors that the process may have but the two that it keeps. A comparison with them would overlook the upper
+// half of the argument, so each rule covers the numbers in which a bit above the lowest one is set.
+void allow_closing(Filter& filter) {
+  static_assert(kSandboxSocket < 2 && kSandboxParentPipe < 2);
+  const scmp_datum_t beyond = kAllBits & ~bits(kSandboxDescriptors - 1);
+  for (int bit = 2; bit < kSandboxDescriptors; bit *= 2)
+    filter.allow(SCMP_SYS(close), {has_bits(0, beyond | bits(bit), bit)});
+}
+
+}  // namespace
+
+bool filter_system_calls() {
+  Filter filter;
+  allow_always(filter);
+  allow_reading_files(filter);
+  allow_private_memory(filter);
+  allow_closing(filter);
+  filter.allow(SCMP_SYS(write), {equals(0, kSandboxSocket)});
+  // abort() signals this process.
+  filter.allow(SCMP_SYS(tgkill), {equals(0, ::getpid()), equals(2, SIGABRT)});
+  // The processor time for each answer.
+  filter.allow(SCMP_SYS(setitimer), {equals(0, ITIMER_PROF)});
+  return filter.load();
+}
+
+}  // namespace percuss::acquire
