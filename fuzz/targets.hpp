@@ -7,6 +7,7 @@
 #include "acquire/record/record.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "mutators.hpp"
 
 namespace percuss::fuzz {
 
@@ -15,6 +16,7 @@ namespace percuss::fuzz {
 struct Target {
   const char* name;  // also the folder of its corpus, and part of the program name percuss_fuzz_NAME
   void (*run)(std::string_view bytes);
+  void (*mutate)(std::string& bytes, Random& random) = nullptr;  // changes the structure of an input (mutators.hpp)
 };
 
 std::span<const Target> targets();

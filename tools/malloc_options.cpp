@@ -2,8 +2,10 @@
 
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -16,6 +18,7 @@ namespace {
 constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21U;
 constexpr std::uintptr_t kThreadHeap = std::uintptr_t{1} << 26U;  // size and alignment of a thread's heap in glibc
 constexpr int kMainHeap = 1 << 29;                                // bytes of addresses; memory follows page by page
+constexpr int kSmallestHeap = 1 << 26;                            // below this, large pages do not pay
 
 // Each step of an analysis allocates what the previous one freed. Fetching the pages from the system again would take
 // longer than many steps.
@@ -34,16 +37,30 @@ void request_large_pages(char* first, const char* end) {
 
 char* heap_end() { return static_cast<char*>(::sbrk(0)); }
 
-// A page is large only where the heap already owns its addresses, so the heap must not grow in small steps. False where
-// a limit denies so many addresses.
+// At most a quarter of the addresses that `ulimit -v` or `ulimit -d` allow: threads, files and large arrays need
+// theirs.
+int largest_heap() {
+  rlim_t least = RLIM_INFINITY;
+  for (const auto resource : {RLIMIT_AS, RLIMIT_DATA}) {
+    rlimit limit{};
+    if (::getrlimit(resource, &limit) == 0) least = std::min(least, limit.rlim_cur);
+  }
+  return least / 4 > kMainHeap ? kMainHeap : static_cast<int>(least / 4);
+}
+
+// A page is large only where the heap already owns its addresses, so the heap must not grow in small steps. Asks for
+// less where the system denies so many addresses. False where it denies the least useful number.
 bool enlarge_main_heap() {
   constexpr std::size_t kBeyondFirstHeap = std::size_t{1} << 20U;
   constexpr int kDefaultTopPad = 1 << 17;
   char* const before = heap_end();
-  ::mallopt(M_TOP_PAD, kMainHeap);
-  void* volatile const block = std::malloc(kBeyondFirstHeap);  // volatile: otherwise the compiler removes the call
-  std::free(block);
-  const bool grown = heap_end() - before > kMainHeap;
+  bool grown = false;
+  for (int heap = largest_heap(); heap >= kSmallestHeap && !grown; heap /= 2) {
+    ::mallopt(M_TOP_PAD, heap);
+    void* volatile const block = std::malloc(kBeyondFirstHeap);  // volatile: otherwise the compiler removes the call
+    std::free(block);
+    grown = heap_end() - before > heap;
+  }
   ::mallopt(M_TOP_PAD, grown ? static_cast<int>(kThreadHeap) : kDefaultTopPad);
   if (grown) request_large_pages(before, heap_end());
   return grown;

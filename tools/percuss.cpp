@@ -1,6 +1,3 @@
-#include <sys/resource.h>
-
-#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -15,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/io/temporary_files.hpp"
 #include "malloc_options.hpp"
+#include "process_setup.hpp"
 #include "report/text/version.hpp"
 
 namespace {
@@ -53,26 +51,12 @@ int parse_and_run(int argc, char** argv) {
   std::abort();
 }
 
-// An analysis of many files keeps files and the connections to their sandboxes open.
-static void allow_many_files() {
-  rlimit files{};
-  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
-  files.rlim_cur = files.rlim_max;
-  ::setrlimit(RLIMIT_NOFILE, &files);
+// FFTW reports a failed allocation here. Its own function prints a line of its own before it calls abort().
+extern "C" [[noreturn]] void fftw_assertion_failed(const char* /*condition*/, int /*line*/, const char* /*file*/) {
+  std::abort();
 }
 
-extern "C" void clean_up_and_die(int signal) {
-  percuss::remove_temporary_files();  // async-signal-safe
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
-int main(int argc, char** argv) {
-  const VisibleOutput output(std::cout), messages(std::cerr);
-  std::set_terminate(end_at_once);
-  allow_many_files();
-  percuss::tools::configure_malloc();
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, clean_up_and_die);
+static int run_guarded(int argc, char** argv) {
   try {
     return parse_and_run(argc, argv);
   } catch (const OptionError& e) {
@@ -90,4 +74,12 @@ int main(int argc, char** argv) {
   } catch (const std::exception& e) {
     return print_error(e.what(), kInternalError);
   }
+}
+
+int main(int argc, char** argv) {
+  percuss::tools::set_up_process();
+  const VisibleOutput output(std::cout), messages(std::cerr);
+  std::set_terminate(end_at_once);
+  percuss::tools::configure_malloc();
+  return percuss::tools::run_with_enough_stack(run_guarded, argc, argv);
 }

@@ -31,7 +31,7 @@ struct WriteOptions {
   /// Of .svg: "magnitude", "phase", "coherence", "shapes", …; default: the first three, for a survey "shapes".
   std::vector<std::string> picture{};
   std::string produced_by = "percuss (C++)";  // stated in .html
-  std::string produced_at{};                  // stated in .html; default: now, UTC, "2026-11-22 21:45"
+  std::string produced_at{};  // stated in .html, UTC, "2026-11-22 21:45"; default: SOURCE_DATE_EPOCH or now
 };
 
 /// errors (of all)  InputError: the file exists, or cannot be written; the extension is not known, or its format cannot

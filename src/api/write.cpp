@@ -1,6 +1,7 @@
 #include "percuss/write.hpp"
 
-#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -13,6 +14,7 @@
 #include "report/deflection_report.hpp"
 #include "report/frf_files.hpp"
 #include "report/html/analysis_page.hpp"
+#include "report/html/creation_time.hpp"
 #include "report/html/survey_page.hpp"
 #include "report/json/analysis_json.hpp"
 #include "report/json/survey_json.hpp"
@@ -49,8 +51,8 @@ std::string checked_extension(const std::string& path, const std::vector<std::st
 bool is_uff(const std::string& extension) { return extension == ".uff" || extension == ".unv"; }
 
 report::Provenance provenance(const WriteOptions& options) {
-  const std::string now = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(std::time(nullptr)));
-  return {.command = options.produced_by, .made_at = options.produced_at.empty() ? now : options.produced_at};
+  return {.command = options.produced_by,
+          .made_at = options.produced_at.empty() ? report::creation_time() : options.produced_at};
 }
 
 std::vector<std::string> pictures(const WriteOptions& options, const std::vector<std::string>& known,

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <complex>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -220,6 +221,15 @@ TEST_F(PublicResults, SpecsGiveTheTestTheyDescribe) {
   const std::vector<Mode> modes = Analysis(test.record, {.band_Hz = Band{60, 1000}, .effort = Effort::quick}).modes();
   ASSERT_EQ(modes.size(), 1U);
   EXPECT_NEAR(modes[0].freq_Hz, test.modes.at(0).freq_Hz, 6 * modes[0].freq_std_Hz);
+}
+
+// The page of the C++ interface stated the present time.
+TEST_F(PublicResults, PagesStateTheTimeOfSourceDateEpoch) {
+  const Analysis analysis(synthesise_preset("wood-bat").record, {.band_Hz = kBand});
+  ASSERT_EQ(::setenv("SOURCE_DATE_EPOCH", "86400", 1), 0);
+  write(folder_.file("a.html"), analysis);
+  ASSERT_EQ(::unsetenv("SOURCE_DATE_EPOCH"), 0);
+  EXPECT_THAT(test::bytes_of(folder_.file("a.html")), testing::HasSubstr("1970-01-02 00:00 UTC"));
 }
 
 }  // namespace percuss::api_results_test

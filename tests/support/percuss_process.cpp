@@ -61,6 +61,11 @@ std::vector<char*> c_strings(std::vector<std::string>& texts) {
     const rlimit limit{.rlim_cur = options.max_address_bytes, .rlim_max = options.max_address_bytes};
     ready = ready && ::setrlimit(RLIMIT_AS, &limit) == 0;
   }
+  for (const ProcessLimit& one : options.limits) {
+    const rlimit limit{.rlim_cur = one.value, .rlim_max = one.value};
+    ready = ready && ::setrlimit(one.resource, &limit) == 0;
+  }
+  for (const int stream : options.closed) ::close(stream);
   if (options.ordinary_user && ::geteuid() == 0) ready = ready && give_up_root_rights();
   if (options.prepare) options.prepare();
   if (ready) ::fexecve(program, arguments, environment);

@@ -7,6 +7,12 @@
 
 namespace percuss::test {
 
+/// A limit of resources, as `ulimit` sets one: {RLIMIT_FSIZE, 4096}.
+struct ProcessLimit {
+  int resource = 0;
+  std::size_t value = 0;
+};
+
 /// How to run the percuss program.
 struct ProcessOptions {
   std::string input;                       // file for standard input; empty: /dev/null
@@ -16,6 +22,8 @@ struct ProcessOptions {
   bool ordinary_user = false;              // drop root's privileges first
   std::function<void()> prepare{};         // runs in the new process before the program
   std::size_t max_address_bytes = 0;       // limit of the address space; 0: the current limit
+  std::vector<ProcessLimit> limits{};      // further limits
+  std::vector<int> closed{};               // standard streams that are closed: {0, 1}
   std::chrono::seconds limit{110};         // sanitizers make programs twenty times slower
 };
 

@@ -1,19 +1,13 @@
 #include "cli/provenance.hpp"
 
-#include <fmt/chrono.h>
-
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <string_view>
-#include <system_error>
 
-#include "core/error.hpp"
+#include "report/html/creation_time.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -31,18 +25,6 @@ std::string command_line() {
   return out;
 }
 
-std::time_t now() {
-  const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
-  if (fixed == nullptr) return std::time(nullptr);
-  constexpr std::time_t kLast = 253402300799;  // 9999-12-31
-  const std::string_view text = fixed;
-  std::time_t value = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc{} && end == text.data() + text.size();
-  if (whole && value >= 0 && value <= kLast) return value;
-  throw UsageError("SOURCE_DATE_EPOCH is not a time", "give seconds since 1970, or unset it");
-}
-
 }  // namespace
 
 std::string shell_quoted_argument(const std::string& word) {
@@ -57,7 +39,7 @@ std::string shell_quoted_argument(const std::string& word) {
 
 report::Provenance provenance_now(const OutputFlags& flags) {
   return {.command = flags.equivalent_command.empty() ? command_line() : flags.equivalent_command,
-          .made_at = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(now()))};
+          .made_at = report::creation_time()};
 }
 
 }  // namespace percuss::tools

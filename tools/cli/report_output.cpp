@@ -45,7 +45,9 @@ int show_report(const report::CommandReport& report, const OutputFlags& flags, c
   std::vector<std::string> inputs;
   inputs.reserve(paths.size());
   for (const std::string& path : paths) inputs.push_back(with_display_names(flags.host, path));
+  OutputGroup outputs;
   for (const std::string& path : flags.paths) write_report(path, report, inputs, flags);
+  outputs.commit();
   print_report(report, flags);
   if (flags.host != nullptr) {
     flags.host->outcome.save = [report, inputs, output = captured_output(flags)](const std::string& path, bool force) {

@@ -85,6 +85,7 @@ std::string text_of(const AnalyzeResults& results, std::size_t width, bool sketc
 
 void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
   const pipeline::Analysis& analysis = *results.tests.front().analysis;
+  OutputGroup outputs;
   for (const std::string& path : flags.output.paths) {
     if (is_json(path)) {
       write_file(path, results.document, flags.output.force);
@@ -102,6 +103,7 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
       report::write_frfs(path, report::frf_record_of(analysis), acquire::FrfKind::accelerance, flags.output.force);
     }
   }
+  outputs.commit();
 }
 
 void give_to_host(const OutputFlags& output, const std::shared_ptr<const AnalyzeResults>& results) {

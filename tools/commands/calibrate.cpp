@@ -75,7 +75,9 @@ int calibrate_file(const CalibrateFlags& flags) {
   const acquire::Calibration calibration = acquire::calibrate(record, flags.mass_kg, {.trigger_N = flags.trigger});
   const std::string document =
       json_of(flags, record, calibration).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  OutputGroup outputs;
   for (const std::string& path : flags.output.paths) write_file(path, document, flags.output.force);
+  outputs.commit();
   print(flags.output, flags.output.json ? document : text_of(flags, record, calibration));
   return kOk;
 }

@@ -51,6 +51,7 @@ void check_deflection_outputs(const OutputFlags& output) {
 void write_deflection(const OutputFlags& output, report::CommandReport report, const pipeline::Analysis& analysis,
                       const pipeline::ImpactTest& test) {
   if (writes_charts(output)) report.charts = {report::deflection_chart(analysis, test)};
+  OutputGroup outputs;
   for (const std::string& path : output.paths) {
     const std::string kind = extension_of(path);
     if (kind == ".h5" && !test.hits.empty()) {
@@ -61,6 +62,7 @@ void write_deflection(const OutputFlags& output, report::CommandReport report, c
       write_report(path, report, inputs_of(analysis), output);
     }
   }
+  outputs.commit();
 }
 
 int deflect_files(const DeflectFlags& flags) {

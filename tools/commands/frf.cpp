@@ -42,6 +42,7 @@ void check_frf_outputs(const OutputFlags& output) {
 
 void write_frf_outputs(const OutputFlags& output, const pipeline::Analysis& analysis, acquire::FrfKind kind,
                        const std::string& summary) {
+  OutputGroup outputs;
   for (const std::string& path : output.paths) {
     if (extension_of(path) == ".json") {
       write_file(path, summary, output.force);
@@ -54,6 +55,7 @@ void write_frf_outputs(const OutputFlags& output, const pipeline::Analysis& anal
       report::write_frfs(path, report::frf_record_of(analysis), kind, output.force);
     }
   }
+  outputs.commit();
 }
 
 void give_to_host(const OutputFlags& output, const std::shared_ptr<const pipeline::Analysis>& analysis,

@@ -147,7 +147,9 @@ std::string columns_text(const std::string& path, const acquire::AmbiguousColumn
 }
 
 void write_outputs(const OutputFlags& output, const std::string& document) {
+  OutputGroup outputs;
   for (const auto& path : output.paths) write_file(path, document, output.force);
+  outputs.commit();
 }
 
 int run_info(const InfoFlags& flags) {

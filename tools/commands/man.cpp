@@ -33,8 +33,10 @@ void write_pages(const Declaration& all, const ManFlags& flags) {
   std::error_code failed;
   std::filesystem::create_directories(flags.folder, failed);
   if (failed) throw InputError("cannot create the folder: " + failed.message(), flags.folder, "name another");
+  OutputGroup outputs;
   for (const DeclaredCommand& command : all.commands)
     write_file(flags.folder + "/" + page_name(all, command) + ".1", man_page(all, command), flags.force);
+  outputs.commit();
 }
 
 int print_page(const Declaration& all, const ManFlags& flags) {

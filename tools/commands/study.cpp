@@ -64,6 +64,7 @@ int run_study(const StudyFlags& flags) {
   metrics::StudyRows rows;
   for (const std::string& path : flags.inputs) rows.add(text_at(path), input_name(path));
   std::vector<metrics::StudyBat> bats = rows.bats();
+  OutputGroup outputs;
   const CsvFormulas formulas = csv_formulas(flags.keep_formulas);
   if (!flags.key.empty()) write_file(flags.key, metrics::anonymise_bats(bats, formulas), flags.output.force);
   if (!flags.table.empty()) write_file(flags.table, metrics::study_table_csv(bats, formulas), flags.output.force);
@@ -72,7 +73,9 @@ int run_study(const StudyFlags& flags) {
   if (!flags.curve.empty()) curve = metrics::parse_study_curve(text_at(flags.curve), input_name(flags.curve));
   const report::CommandReport report = report::study_report(study, curve, formulas);
   write_figures(flags, study, report, curve);
-  return show_report(report, flags.output, flags.inputs);
+  const int code = show_report(report, flags.output, flags.inputs);
+  outputs.commit();
+  return code;
 }
 
 }  // namespace

@@ -91,6 +91,7 @@ void check_survey_outputs(const OutputFlags& output) {
 }
 
 void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, const std::string& document) {
+  OutputGroup outputs;
   for (const std::string& path : flags.output.paths) {
     const std::string kind = extension_of(path);
     if (kind == ".json") {
@@ -111,6 +112,7 @@ void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, con
       report::write_survey_hdf5(path, survey, flags.output.force);
     }
   }
+  outputs.commit();
 }
 
 // A survey and the analysis that it refers to.

@@ -66,11 +66,13 @@ void check_outputs(const SynthFlags& flags) {
 
 void write_outputs(const SynthFlags& flags, const synth::SyntheticTest& test, const std::string& truth) {
   std::set<std::string> truths;
+  OutputGroup outputs;
   for (const std::string& output : flags.outputs) {
     acquire::write_record(output, test.record, flags.force);
     truths.insert(truth_path(output));
   }
   for (const std::string& path : truths) write_file(path, truth, flags.force);
+  outputs.commit();
 }
 
 void print_summary(const SynthFlags& flags, const synth::Truth& truth, const acquire::Record& record) {

@@ -26,14 +26,13 @@ constexpr std::size_t kMaxChannels = 4096;
 constexpr std::array<std::string_view, 9> kSetupKeys = {
     "name", "role", "sign", "direction", "angle_deg", "position_m", "sensitivity", "sensitivity_unit", "unit"};
 
-Json parse_json(std::string_view text, const std::string& where) {
+Json entries_of(std::string_view text, const std::string& where) {
   if (text.size() > kMaxSetup_bytes) throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
-  check_json({.text = text,
-              .where = where,
-              .remedy = "compare it with a valid example",
-              .options = {"info.example"},
-              .max_depth = kMaxDepth});
-  return Json::parse(text.begin(), text.end());
+  return parse_json({.text = text,
+                     .where = where,
+                     .remedy = "compare it with a valid example",
+                     .options = {"info.example"},
+                     .max_depth = kMaxDepth});
 }
 
 // One entry, and its place in messages: "[2].sign".
@@ -155,7 +154,7 @@ ChannelSetup read_entry(const Json& json, std::size_t index, const std::string& 
 }  // namespace
 
 std::vector<ChannelSetup> parse_channel_setup(std::string_view json, const std::string& where) {
-  const Json document = parse_json(json, where);
+  const Json document = entries_of(json, where);
   if (!document.is_array() || document.empty())
     throw InputError("not an array of channels", where, "write [{\"name\": ...}, ...]");
   if (document.size() > kMaxChannels)

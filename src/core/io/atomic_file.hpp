@@ -1,12 +1,13 @@
 #pragma once
-#include <optional>
+#include <memory>
 #include <string>
 #include <string_view>
-
-#include "core/io/temporary_files.hpp"
+#include <vector>
 
 namespace percuss {
 inline namespace core {
+
+class PendingFile;
 
 /// A file that appears under its name only when it is complete. It is written under a temporary name in the same
 /// folder, synchronised to the disk, then renamed. A killed writer leaves the old file, or none.
@@ -35,20 +36,35 @@ class AtomicFile {
   void write(std::string_view bytes);
   /// The path of the temporary file until commit(), for libraries that need a name. Use Temporary::named for libraries
   /// that do not accept /proc/self/fd/N.
-  const std::string& temporary_path() const { return temporary_path_; }
-  /// Renames the file to its path, with mode 0644 less the umask. Call it once.
+  const std::string& temporary_path() const;
+  /// Renames the file to its path, with mode 0644 less the umask; within an OutputGroup, later. Call it once.
   void commit();
 
  private:
-  void open_unnamed(const std::string& folder);
-  void open_named();
-  void link_name();
-  [[noreturn]] void fail(std::string_view problem) const;
+  std::unique_ptr<PendingFile> file_;
+};
 
-  std::string path_, target_, temporary_path_;
-  bool force_, unnamed_ = false, committed_ = false;
-  int descriptor_ = -1;
-  std::optional<TemporaryFile> named_;
+/// The outputs of one command: all files appear, or none. While the group exists, commit() of an AtomicFile on this
+/// thread completes its temporary file; commit() of the group renames all of them.
+///   OutputGroup outputs;
+///   write_file("a.json", …);
+///   write_file("b.html", …);
+///   outputs.commit();
+/// A group within a group leaves its files to the outer one. When a rename fails, the files that are new are removed
+/// again; a file that was already replaced stays replaced.
+class OutputGroup {
+ public:
+  OutputGroup();
+  ~OutputGroup();
+  OutputGroup(const OutputGroup&) = delete;
+  OutputGroup& operator=(const OutputGroup&) = delete;
+  /// errors  InputError: as AtomicFile::commit
+  void commit();
+
+ private:
+  friend class AtomicFile;
+  std::vector<std::unique_ptr<PendingFile>> files_;
+  OutputGroup* outer_;
 };
 
 /// Writes a whole file.

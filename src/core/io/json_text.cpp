@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace percuss {
@@ -12,26 +14,50 @@ namespace {
 
 using nlohmann::json;
 
-// The callbacks of json::parse could do the same, but search a whole list again at the end of each object in it.
-class JsonValidator : public nlohmann::json_sax<json> {
- public:
-  explicit JsonValidator(const JsonText& input) : input_(input) {}
+constexpr std::size_t kMaxKeys = 10'000;                    // of one object
+constexpr std::size_t kFreeBytes = std::size_t{16} << 20U;  // of values, for a text of any length
+constexpr std::size_t kBytesPerTwo = 15;                    // of values, for two bytes of the text
+// What values take, with the allocations: of an item, in a list that doubles its room and leaves the former ones free;
+// of a list or object; of a key with its value. A longer text than kLongText has an allocation of its own.
+constexpr std::size_t kItemBytes = 64, kContainerBytes = 64, kKeyBytes = 96, kAllocationBytes = 16, kLongText = 15;
 
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
+std::size_t text_bytes(const std::string& text) { return text.size() > kLongText ? text.size() + kAllocationBytes : 0; }
+
+// Checks a text and builds its values. The callbacks of json::parse could do the same, but search a whole list again at
+// the end of each object in it.
+class JsonBuilder : public nlohmann::json_sax<json> {
+ public:
+  JsonBuilder(const JsonText& input, WantedKeys wanted)
+      : input_(input), wanted_(wanted), free_bytes_(kFreeBytes + kBytesPerTwo * (input.text.size() / 2)) {}
+
+  json take() { return std::move(root_); }
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool string(string_t& value) override {
+    if (keeps_next()) charge(kContainerBytes + text_bytes(value));
+    return add(std::move(value));
+  }
   bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return open(); }
+  bool start_object(std::size_t) override { return open(json::object()); }
   bool end_object() override { return close(); }
-  bool start_array(std::size_t) override { return open(); }
+  bool start_array(std::size_t) override { return open(json::array()); }
   bool end_array() override { return close(); }
 
   bool key(string_t& name) override {
-    if (keys_.back().insert(name).second) return true;
-    throw InputError(fmt::format("key \"{}\" is given twice", one_line(name, 60)), input_.where, "keep one of them");
+    Level& level = levels_.back();
+    if (level.keys.size() >= kMaxKeys)
+      throw InputError(fmt::format("more than {} keys in one object", kMaxKeys), input_.where, "use a list");
+    if (!level.keys.insert(name).second)
+      throw InputError(fmt::format("key \"{}\" is given twice", one_line(name, 60)), input_.where, "keep one of them");
+    level.keeps_next =
+        level.value != nullptr && (wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), name) != wanted_.end());
+    if (level.keeps_next) charge(kKeyBytes + text_bytes(name));
+    key_ = std::move(name);
+    return true;
   }
 
   bool parse_error(std::size_t byte, const std::string&, const json::exception& problem) override {
@@ -41,28 +67,77 @@ class JsonValidator : public nlohmann::json_sax<json> {
   }
 
  private:
-  bool open() {
-    if (keys_.size() >= static_cast<std::size_t>(input_.max_depth)) {
+  // An open list or object.
+  struct Level {
+    json* value;  // null: not kept
+    bool keeps_next;
+    std::set<std::string> keys{};
+  };
+
+  bool keeps_next() const { return levels_.empty() || levels_.back().keeps_next; }
+
+  void charge(std::size_t bytes) {
+    if (bytes > free_bytes_) {
+      throw InputError("its values need more memory than a document of its size may take", input_.where, input_.remedy,
+                       input_.options);
+    }
+    free_bytes_ -= bytes;
+  }
+
+  // The stored value; null when it is not kept.
+  json* put(json&& value) {
+    if (levels_.empty()) return &(root_ = std::move(value));
+    const Level& level = levels_.back();
+    if (!level.keeps_next) return nullptr;
+    if (level.value->is_object()) return &((*level.value)[key_] = std::move(value));
+    charge(kItemBytes);
+    level.value->push_back(std::move(value));
+    return &level.value->back();
+  }
+
+  template <class Value>
+  bool add(Value&& value) {
+    if (keeps_next()) put(json(std::forward<Value>(value)));
+    return true;
+  }
+
+  bool open(json&& empty) {
+    if (levels_.size() >= static_cast<std::size_t>(input_.max_depth)) {
       throw InputError(fmt::format("lists or objects nested deeper than {}", input_.max_depth), input_.where,
                        input_.remedy, input_.options);
     }
-    keys_.emplace_back();
+    if (keeps_next()) charge(kContainerBytes);
+    json* const value = put(std::move(empty));
+    levels_.push_back({.value = value, .keeps_next = value != nullptr});
     return true;
   }
   bool close() {
-    keys_.pop_back();
+    levels_.pop_back();
     return true;
   }
 
   const JsonText& input_;
-  std::vector<std::set<std::string>> keys_;  // of each open list and object
+  WantedKeys wanted_;
+  std::size_t free_bytes_;
+  json root_;
+  std::string key_;
+  std::vector<Level> levels_;
 };
 
 }  // namespace
 
-void check_json(const JsonText& input) {
-  JsonValidator validator(input);
-  json::sax_parse(input.text.begin(), input.text.end(), &validator, json::input_format_t::json, true, input.comments);
+json parse_json(const JsonText& input, WantedKeys wanted) {
+  JsonBuilder builder(input, wanted);
+  json::sax_parse(input.text.begin(), input.text.end(), &builder, json::input_format_t::json, true, input.comments);
+  return builder.take();
+}
+
+json json_if_valid(std::string_view text, WantedKeys wanted) {
+  try {
+    return parse_json({.text = text, .where = "", .remedy = "", .max_depth = kMaxDocumentDepth}, wanted);
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 }  // namespace core

@@ -88,13 +88,12 @@ void append_numbers(const json& value, std::vector<double>& to, const StrictObje
 }
 
 json json_of(const StrictText& input) {
-  check_json({.text = input.text,
-              .where = input.where,
-              .remedy = input.remedy,
-              .options = input.options,
-              .max_depth = input.max_depth,
-              .comments = true});
-  return json::parse(input.text.begin(), input.text.end(), nullptr, true, true);
+  return parse_json({.text = input.text,
+                     .where = input.where,
+                     .remedy = input.remedy,
+                     .options = input.options,
+                     .max_depth = input.max_depth,
+                     .comments = true});
 }
 
 }  // namespace

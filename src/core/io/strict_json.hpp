@@ -87,7 +87,6 @@ bool looks_like_json(std::string_view text);
 /// Whether the lists and objects of a JSON text are nested more than `depth` times, which would take unbounded memory
 /// to read. For texts without comments.
 bool nests_deeper_than(std::string_view text, int depth);
-inline constexpr int kMaxDocumentDepth = 16;  // documents of percuss nest far less
 
 }  // namespace core
 }  // namespace percuss

@@ -6,7 +6,10 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <shared_mutex>
+
+#include "core/library_call.hpp"
 
 namespace percuss {
 inline namespace core {
@@ -14,8 +17,12 @@ namespace {
 
 fftw_complex* as_fftw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
 
+// What FFTW allocates for a plan of n values, generously.
+std::size_t plan_bytes(std::size_t n) { return 64 * n + (std::size_t{1} << 18U); }
+
 struct Buffers {
   explicit Buffers(std::size_t n) : real(fftw_alloc_real(n)), complex(fftw_alloc_complex(n / 2 + 1)) {}
+  bool allocated() const { return real != nullptr && complex != nullptr; }
   Buffers(const Buffers&) = delete;
   Buffers& operator=(const Buffers&) = delete;
   ~Buffers() {
@@ -30,14 +37,15 @@ struct Buffers {
 // existing plan does not wait for a plan in the making.
 class Plans {
  public:
-  explicit Plans(fftw_plan (*make)(std::size_t)) : make_(make) {}
+  using Make = fftw_plan (*)(std::size_t, const Buffers&);
+  explicit Plans(Make function) : make_(function) {}
 
   fftw_plan get(std::size_t n) {
     if (fftw_plan plan = made(n)) return plan;
     static std::mutex planner;
     const std::scoped_lock lock(planner);
     if (fftw_plan plan = made(n)) return plan;
-    fftw_plan plan = make_(n);
+    fftw_plan plan = make(n);
     const std::scoped_lock write(mutex_);
     return plans_[n] = plan;
   }
@@ -49,15 +57,24 @@ class Plans {
     return at == plans_.end() ? nullptr : at->second;
   }
 
-  fftw_plan (*make_)(std::size_t);
+  // FFTW ends the program when memory runs out within its planner.
+  fftw_plan make(std::size_t n) const {
+    const Buffers buffers(n);
+    if (!buffers.allocated()) throw std::bad_alloc();
+    const LibraryCall call(plan_bytes(n));
+    fftw_plan plan = make_(n, buffers);
+    if (plan == nullptr) throw std::bad_alloc();
+    return plan;
+  }
+
+  Make make_;
   std::shared_mutex mutex_;
   std::map<std::size_t, fftw_plan> plans_;
 };
 
 // std::vector guarantees only 16-byte alignment, and plans assume no more. UNALIGNED would disable vector instructions.
 fftw_plan forward_plan(std::size_t n) {
-  static auto& plans = *new Plans([](std::size_t length) {
-    const Buffers buffers(length);
+  static auto& plans = *new Plans([](std::size_t length, const Buffers& buffers) {
     return fftw_plan_dft_r2c_1d(static_cast<int>(length), buffers.real, buffers.complex,
                                 FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
   });
@@ -65,8 +82,7 @@ fftw_plan forward_plan(std::size_t n) {
 }
 
 fftw_plan inverse_plan(std::size_t n) {
-  static auto& plans = *new Plans([](std::size_t length) {
-    const Buffers buffers(length);
+  static auto& plans = *new Plans([](std::size_t length, const Buffers& buffers) {
     return fftw_plan_dft_c2r_1d(static_cast<int>(length), buffers.complex, buffers.real, FFTW_ESTIMATE);
   });
   return plans.get(n);
@@ -108,7 +124,9 @@ std::span<const Complex> real_dft_in_scratch(std::span<const double> x) {
   thread_local std::size_t room = 0;
   const std::size_t lines = x.size() / 2 + 1;
   if (room < lines) {
+    room = 0;
     scratch.reset(reinterpret_cast<Complex*>(fftw_alloc_complex(lines)));
+    if (!scratch) throw std::bad_alloc();
     room = lines;
   }
   const std::span out(scratch.get(), lines);

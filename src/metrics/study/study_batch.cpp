@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/io/json_text.hpp"
 #include "core/io/strict_json.hpp"
 #include "metrics/study/batch_columns.hpp"
 
@@ -46,14 +48,14 @@ void take_line(const Json& row, std::vector<BatProperties>& bats) {
 
 std::vector<BatProperties> bats_of_lines(std::string_view text, const std::string& where) {
   constexpr int kRowDepth = 2;
+  constexpr std::array<std::string_view, 5> kWanted{"row", "id", "order", "family", "frequency_hz"};
   std::vector<BatProperties> bats;
   std::size_t number = 1;
   for (text.remove_prefix(std::min(first_line(text).size() + 1, text.size())); !text.empty(); ++number) {
     const std::string_view line = first_line(text);
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     try {
-      if (nests_deeper_than(line, kRowDepth)) throw std::out_of_range("deep");
-      take_line(Json::parse(line), bats);
+      take_line(parse_json({.text = line, .where = where, .remedy = "", .max_depth = kRowDepth}, kWanted), bats);
     } catch (const std::exception&) {
       throw InputError("not a row of a batch", fmt::format("{}, line {}", where, number + 1), "merge the batch again");
     }
@@ -72,8 +74,9 @@ void add_frequency(BatProperties& bat, const std::string& family, std::int64_t o
 bool holds_batch(std::string_view text) {
   const std::string_view line = first_line(text);
   if (line.starts_with("row,id,")) return true;
-  if (!line.starts_with('{') || nests_deeper_than(line, kMaxDocumentDepth)) return false;
-  const Json head = Json::parse(line.begin(), line.end(), nullptr, false);
+  if (!line.starts_with('{')) return false;
+  constexpr std::array<std::string_view, 1> kWanted{"schema"};
+  const Json head = json_if_valid(line, kWanted);
   const auto schema = head.is_object() ? head.find("schema") : head.end();
   return head.is_object() && schema != head.end() && *schema == kBatchSchema;
 }

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "core/io/strict_json.hpp"
+#include "core/io/json_text.hpp"
 
 namespace percuss::metrics {
 namespace {
@@ -22,8 +23,8 @@ const char* material_word(BarrelMaterial material) {
 }  // namespace
 
 StudyCurve parse_study_curve(std::string_view text, const std::string& where) {
-  const Json document =
-      nests_deeper_than(text, kMaxDocumentDepth) ? Json() : Json::parse(text.begin(), text.end(), nullptr, false);
+  constexpr std::array<std::string_view, 4> kWanted{"schema", "curve", "hoop_hz", "cor"};
+  const Json document = json_if_valid(text, kWanted);
   const bool object = document.is_object() && document.contains("curve") && document["curve"].is_array();
   if (!object || document.value("schema", Json()) != "percuss/model-trampoline/1") {
     throw InputError("no curve over the hoop frequency", where, "give the JSON document of a trampoline model",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +17,33 @@ namespace {
 constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20U;
 constexpr int kMaxDepth = 16;
 
+// All keys that are read below.
+constexpr std::array<std::string_view, 25> kWantedKeys = {"schema",
+                                                          "runs",
+                                                          "deflection",
+                                                          "points",
+                                                          "point",
+                                                          "peak_m",
+                                                          "peak_std_m",
+                                                          "forward_m",
+                                                          "forward_std_m",
+                                                          "position_m",
+                                                          "modes",
+                                                          "frequency_hz",
+                                                          "frequency_std_hz",
+                                                          "family",
+                                                          "double_peak",
+                                                          "first",
+                                                          "residues",
+                                                          "channel",
+                                                          "re",
+                                                          "im",
+                                                          "std",
+                                                          "sweep",
+                                                          "at",
+                                                          "peak_deflection_m",
+                                                          "flugge_hz"};
+
 // A value of a document, and its location for messages.
 class Part {
  public:
@@ -26,12 +54,11 @@ class Part {
     if (!has(key)) throw InputError(fmt::format("no \"{}\"", key), where_, "read a document that percuss wrote");
     return {value_[key], where_ + ", " + key};
   }
-  std::vector<Part> list() const {
+  template <class Visit>
+  void for_each(const Visit& visit) const {
     if (!value_.is_array()) throw InputError("not a list", where_, "read a document that percuss wrote");
-    std::vector<Part> parts;
-    parts.reserve(value_.size());
-    for (const nlohmann::json& item : value_) parts.emplace_back(item, fmt::format("{}[{}]", where_, parts.size()));
-    return parts;
+    std::size_t i = 0;
+    for (const nlohmann::json& item : value_) visit(Part(item, fmt::format("{}[{}]", where_, i++)));
   }
   double number() const {
     const double number = value_.is_number() ? value_.get<double>() : std::nan("");
@@ -59,23 +86,24 @@ metrics::ComparedMode mode_in(const Part& part) {
                              .shape = {}};
   mode.second = part.has("double_peak") && part.at("double_peak").is_false("first");
   if (!part.has("residues")) return mode;
-  for (const Part& residue : part.at("residues").list()) {
+  part.at("residues").for_each([&](const Part& residue) {
     const std::pair place{whole(residue.at("point").number()), whole(residue.at("channel").number())};
     mode.shape[place] = {.value = {residue.at("re").number(), residue.number_or("im", 0)},
                          .std = residue.number_or("std", 0)};
-  }
+  });
   return mode;
 }
 
 std::vector<metrics::ComparedMode> frequencies_in(const Part& list, const char* family) {
   std::vector<metrics::ComparedMode> modes;
-  for (const Part& value : list.list()) modes.push_back({.freq_Hz = value.number(), .family = family, .shape = {}});
+  list.for_each(
+      [&](const Part& value) { modes.push_back({.freq_Hz = value.number(), .family = family, .shape = {}}); });
   return modes;
 }
 
 void add_deflections(const Part& part, metrics::ComparedDocument& document) {
-  for (const Part& point : part.at("points").list()) {
-    if (!point.has("peak_m")) continue;  // no deflection above the noise
+  part.at("points").for_each([&](const Part& point) {
+    if (!point.has("peak_m")) return;  // no deflection above the noise
     metrics::ComparedDeflection d{.point = whole(point.at("point").number()),
                                   .peak_m = point.at("peak_m").number(),
                                   .std_m = point.number_or("peak_std_m", 0),
@@ -83,7 +111,7 @@ void add_deflections(const Part& part, metrics::ComparedDocument& document) {
                                   .forward_std_m = point.number_or("forward_std_m", 0)};
     if (point.has("position_m")) d.position_m = point.at("position_m").number();
     document.deflections.push_back(d);
-  }
+  });
 }
 
 metrics::ComparedDocument analysis_in(const Part& part, std::string name, std::string schema) {
@@ -91,19 +119,19 @@ metrics::ComparedDocument analysis_in(const Part& part, std::string name, std::s
       .name = std::move(name), .schema = std::move(schema), .modes = {}, .deflections = {}};
   if (part.has("deflection")) add_deflections(part.at("deflection"), document);
   if (!part.has("modes")) return document;
-  for (const Part& mode : part.at("modes").list()) document.modes.push_back(mode_in(mode));
+  part.at("modes").for_each([&](const Part& mode) { document.modes.push_back(mode_in(mode)); });
   return document;
 }
 
 void add_impacts(const Part& part, metrics::ComparedDocument& document) {
   document.modes = frequencies_in(part.at("frequency_hz"), "bending");
   if (!part.has("sweep")) return;
-  for (const Part& impact : part.at("sweep").list()) {
+  part.at("sweep").for_each([&](const Part& impact) {
     if (impact.has("at") && impact.has("peak_deflection_m")) {
       document.deflections.push_back(
           {.position_m = impact.at("at").number(), .peak_m = impact.at("peak_deflection_m").number()});
     }
-  }
+  });
 }
 
 }  // namespace
@@ -114,16 +142,17 @@ std::vector<metrics::ComparedDocument> read_documents(const std::string& path) {
 
 std::vector<metrics::ComparedDocument> parse_documents(std::string_view text, const std::string& where) {
   if (text.empty()) throw InputError("the file is empty", where, "write it again");
-  check_json(
-      {.text = text, .where = where, .remedy = "read a JSON document that percuss wrote", .max_depth = kMaxDepth});
-  const nlohmann::json value = nlohmann::json::parse(text.begin(), text.end());
+  const nlohmann::json value = parse_json(
+      {.text = text, .where = where, .remedy = "read a JSON document that percuss wrote", .max_depth = kMaxDepth},
+      kWantedKeys);
   const Part top(value, where);
   const std::string schema = top.at("schema").text();
   if (schema == "percuss/analysis/1") {
     if (!top.has("runs")) return {analysis_in(top, where, schema)};
     std::vector<metrics::ComparedDocument> documents;
-    for (const Part& run : top.at("runs").list())
+    top.at("runs").for_each([&](const Part& run) {
       documents.push_back(analysis_in(run, fmt::format("{} run {}", where, documents.size()), schema));
+    });
     return documents;
   }
   metrics::ComparedDocument document{.name = where, .schema = schema, .model = true, .modes = {}, .deflections = {}};

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "core/io/temporary_files.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -196,6 +197,82 @@ TEST_P(AtomicFileTest, ReportsAFullDisk) {
             }),
             W_EXITCODE(7, 0));
   EXPECT_THAT(files(), IsEmpty());
+}
+
+/// The files of a group, with the same two kinds of temporary file.
+class OutputGroupTest : public AtomicFileTest {
+ protected:
+  void write_as(const std::string& name, const std::string& bytes, bool force) const {
+    AtomicFile file(folder_.file(name), force, GetParam());
+    file.write(bytes);
+    file.commit();
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, OutputGroupTest, testing::Values(Temporary::unnamed_if_possible, Temporary::named),
+                         [](const auto& one) { return one.param == Temporary::named ? "Named" : "Nameless"; });
+
+TEST_P(OutputGroupTest, AppearsAsAWhole) {
+  test::write_bytes(folder_.file("b"), "old");
+  {
+    OutputGroup outputs;
+    write_as("a", "new a", true);
+    write_as("b", "new b", true);
+    EXPECT_FALSE(fs::exists(folder_.file("a")));
+    EXPECT_EQ(test::bytes_of(folder_.file("b")), "old");
+    outputs.commit();
+  }
+  EXPECT_THAT(files(), testing::UnorderedElementsAre("a", "b"));
+  EXPECT_EQ(test::bytes_of(folder_.file("a")), "new a");
+  EXPECT_EQ(test::bytes_of(folder_.file("b")), "new b");
+  write_as("c", "alone again", false);
+  EXPECT_EQ(test::bytes_of(folder_.file("c")), "alone again");
+}
+
+TEST_P(OutputGroupTest, VanishesWhenOneFails) {
+  EXPECT_THAT(input_error_of([&] {
+                OutputGroup outputs;
+                write_as("a", "new", false);
+                write_as("missing/b", "new", false);
+                outputs.commit();
+              }),
+              HasSubstr("missing/b"));
+  EXPECT_THAT(files(), IsEmpty());
+  // Both would be new, but a file appears at the last moment.
+  EXPECT_THAT(input_error_of([&] {
+                OutputGroup outputs;
+                write_as("a", "new", false);
+                write_as("b", "new", false);
+                test::write_bytes(folder_.file("b"), "other");
+                outputs.commit();
+              }),
+              HasSubstr("file exists"));
+  EXPECT_THAT(files(), ElementsAre("b"));
+  EXPECT_EQ(test::bytes_of(folder_.file("b")), "other");
+}
+
+TEST_P(OutputGroupTest, IsWithdrawnWhenARenameFails) {
+  EXPECT_NE(input_error_of([&] {
+              OutputGroup outputs;
+              write_as("a", "new", true);
+              write_as("b", "new", true);
+              fs::create_directory(folder_.file("b"));  // cannot be replaced by a file
+              outputs.commit();
+            }),
+            "");
+  EXPECT_THAT(files(), ElementsAre("b"));
+}
+
+TEST_P(OutputGroupTest, LeavesItsFilesToTheOuterGroup) {
+  OutputGroup outer;
+  {
+    OutputGroup inner;
+    write_as("a", "new", false);
+    inner.commit();
+  }
+  EXPECT_FALSE(fs::exists(folder_.file("a")));
+  outer.commit();
+  EXPECT_THAT(files(), ElementsAre("a"));
 }
 
 TEST(WriteFile, WritesAllAtOnce) {

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
+#include <nlohmann/json.hpp>
 
 #include "support/input_error.hpp"
 
@@ -13,7 +15,7 @@ using test::input_error_of;
 using testing::HasSubstr;
 
 void check(const std::string& text, bool comments = false) {
-  check_json({.text = text, .where = "x.json", .remedy = "write it again", .max_depth = 3, .comments = comments});
+  parse_json({.text = text, .where = "x.json", .remedy = "write it again", .max_depth = 3, .comments = comments});
 }
 std::string refusal(const std::string& text) {
   return input_error_of([&] { check(text); });
@@ -47,6 +49,32 @@ TEST(JsonText, TakesTimeProportionalToItsLength) {
   seconds(20000);  // without the time of a first call
   // Ten times the length takes about ten times as long; the square would take a hundred times.
   EXPECT_LT(seconds(400000), 40 * (seconds(40000) + 1e-3));
+}
+
+TEST(JsonText, KeepsOnlyTheWantedKeys) {
+  constexpr std::array<std::string_view, 2> kWanted{"a", "b"};
+  const auto kept = parse_json(
+      {.text = R"({"x": {"a": 1}, "a": [1, {"b": "text", "c": [2]}, [3]], "b": null})", .where = "", .remedy = ""},
+      kWanted);
+  EXPECT_EQ(kept.dump(), R"({"a":[1,{"b":"text"},[3]],"b":null})");
+  EXPECT_TRUE(json_if_valid("[1,]", kWanted).is_null());
+}
+
+// Each of these texts took 20 to 50 times its size as a JSON value.
+TEST(JsonText, TakesMemoryAsItsLength) {
+  constexpr std::size_t kItems = 4'000'000;
+  for (const std::string& item : {std::string("{}"), std::string("0"), std::string("[]")}) {
+    std::string text = "[" + item;
+    text.reserve((item.size() + 1) * kItems);
+    for (std::size_t i = 1; i < kItems; ++i) text.append(",").append(item);
+    EXPECT_THAT(refusal(text + "]"), HasSubstr("more memory than")) << item;
+    constexpr std::array<std::string_view, 1> kWanted{"a"};
+    EXPECT_EQ(parse_json({.text = std::string(R"({"b":)") + text + "]}", .where = "", .remedy = ""}, kWanted).dump(),
+              "{}");
+  }
+  std::string keys = "{\"0\":0";
+  for (std::size_t i = 1; i <= 10'000; ++i) keys += ",\"" + std::to_string(i) + "\":0";
+  EXPECT_THAT(refusal(keys + "}"), HasSubstr("more than 10000 keys"));
 }
 
 }  // namespace percuss::json_text_test

@@ -12,6 +12,7 @@
 #include "cli/progress.hpp"
 #include "commands/batch/batch_commands.hpp"
 #include "core/error.hpp"
+#include "core/io/atomic_file.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::tools {
@@ -46,9 +47,11 @@ int merge(const ResultFlags& flags) {
     throw OptionError({}, "no output is given", "name a file that ends in .jsonl, .csv or .h5", {"output"});
   const batch::Manifest manifest(flags.manifest);
   const Progress progress("merging", flags.output.quiet);
+  OutputGroup outputs;
   const batch::MergedBatch merged =
       batch::merge_batch(manifest, flags.folder, flags.output.paths,
                          {.force = flags.output.force, .formulas = csv_formulas(flags.keep_formulas)});
+  outputs.commit();
   progress.stop();
   if (flags.output.json) {
     const nlohmann::ordered_json json{{"schema", "percuss/batch-merge/1"},

@@ -5,9 +5,18 @@
 #include <cassert>
 
 #include "core/error.hpp"
+#include "core/library_call.hpp"
 
 namespace percuss::acquire::hdf5 {
 namespace {
+
+constexpr std::size_t kWorkingBytes = std::size_t{4} << 20U;  // that one call of the library allocates, generously
+
+// HDF5 crashes when memory runs out while it writes.
+struct WriteLock {
+  Lock lock{};
+  LibraryCall call{kWorkingBytes};
+};
 
 Handle complex_type(Id part) {
   Handle type(H5Tcreate(H5T_COMPOUND, 2 * H5Tget_size(part)));
@@ -25,7 +34,7 @@ Handle file_type(Stored type) {
 
 OutputHdf5::OutputHdf5(const std::string& path, bool force)
     : path_(path), atomic_file_(path, force, AtomicFile::Temporary::named) {
-  const Lock lock;
+  const WriteLock lock;
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_file_locking(access.get(), false, true);  // as for reading; no other process knows this file yet
   file_ = Handle(H5Fcreate(atomic_file_.temporary_path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()));
@@ -34,12 +43,13 @@ OutputHdf5::OutputHdf5(const std::string& path, bool force)
 
 OutputHdf5::~OutputHdf5() {
   const Lock lock;
+  const LibraryCall call;
   sets_.clear();
   file_.close();
 }
 
 void OutputHdf5::create_group(const std::string& name) {
-  const Lock lock;
+  const WriteLock lock;
   const Handle links(H5Pcreate(H5P_LINK_CREATE)), creation(H5Pcreate(H5P_GROUP_CREATE));
   H5Pset_create_intermediate_group(links.get(), 1);
   H5Pset_obj_track_times(creation.get(), false);
@@ -49,7 +59,7 @@ void OutputHdf5::create_group(const std::string& name) {
 }
 
 void OutputHdf5::create_set(const std::string& name, std::span<const std::size_t> shape, Stored type) {
-  const Lock lock;
+  const WriteLock lock;
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
   const Handle space(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr));
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
@@ -69,14 +79,14 @@ void OutputHdf5::write(const std::string& set, std::span<const std::size_t> at, 
 
 void OutputHdf5::write(const std::string& set, std::span<const std::size_t> at, std::size_t first,
                        std::span<const std::complex<double>> values) {
-  const Lock lock;
+  const WriteLock lock;
   const Handle type = complex_type(H5T_NATIVE_DOUBLE);
   write_as(type.get(), set, at, first, values.size(), values.data());
 }
 
 void OutputHdf5::write_as(Id memory_type, const std::string& set, std::span<const std::size_t> at, std::size_t first,
                           std::size_t count, const void* values) {
-  const Lock lock;
+  const WriteLock lock;
   std::vector<hsize_t> start(at.begin(), at.end()), counts(at.size(), 1);
   start.push_back(first);
   counts.push_back(count);
@@ -91,7 +101,7 @@ void OutputHdf5::write_as(Id memory_type, const std::string& set, std::span<cons
 void OutputHdf5::set_numbers(const std::string& set, const std::string& name, std::span<const double> values,
                              bool array) {
   assert(array || values.size() == 1);
-  const Lock lock;
+  const WriteLock lock;
   const hsize_t length = values.size();
   const Handle space(array ? H5Screate_simple(1, &length, nullptr) : H5Screate(H5S_SCALAR));
   const Handle attribute(H5Acreate2(object(set), name.c_str(), H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT));
@@ -99,7 +109,7 @@ void OutputHdf5::set_numbers(const std::string& set, const std::string& name, st
 }
 
 void OutputHdf5::set_text(const std::string& set, const std::string& name, const std::string& text) {
-  const Lock lock;
+  const WriteLock lock;
   // Variable length: h5py and MATLAB show such a text as text, but a text of fixed length as bytes.
   const Handle type(H5Tcopy(H5T_C_S1));
   H5Tset_size(type.get(), H5T_VARIABLE);
@@ -111,7 +121,7 @@ void OutputHdf5::set_text(const std::string& set, const std::string& name, const
 }
 
 void OutputHdf5::close_sets() {
-  const Lock lock;
+  const WriteLock lock;
   bool done = true;
   for (auto& [name, set] : sets_) done = set.close() && done;
   sets_.clear();
@@ -120,7 +130,7 @@ void OutputHdf5::close_sets() {
 
 void OutputHdf5::commit() {
   {
-    const Lock lock;
+    const WriteLock lock;
     const bool flushed = H5Fflush(file_.get(), H5F_SCOPE_LOCAL) >= 0;
     close_sets();
     check(file_.close() && flushed);

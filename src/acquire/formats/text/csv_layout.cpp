@@ -18,6 +18,7 @@ CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content) {
   require_text(text.substr(0, std::size_t{1} << 16U), file);
   CsvLayout layout;
   const char line_end = find_line_end(text);
+  require_short_lines(text, line_end, file);
   const auto probes = probe_lines(text, line_end);
   layout.dialect = find_dialect(probes, line_end);
   if (has_two_kinds_of_comma(text, probes, layout.dialect)) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "acquire/channels/signal_table.hpp"
+#include "acquire/formats/text/text_check.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_dialect.hpp"
 #include "core/io/csv_header.hpp"
@@ -172,6 +173,7 @@ bool is_lvm(std::string_view head) {
 }
 
 Record open_lvm(const FileBytes& file, const ReadOptions& options) {
+  require_short_lines(file.view(), '\n', input_name(file.path));
   const auto segments = std::make_shared<const std::vector<Segment>>(LvmParser(file).parse());
   const std::string name = input_name(file.path);
   if (segments->empty()) throw InputError("no segment of data", name, "export the file again");

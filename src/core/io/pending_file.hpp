@@ -1,0 +1,48 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/io/temporary_files.hpp"
+
+namespace percuss {
+inline namespace core {
+
+/// A file under a temporary name in its folder, or without a name. The implementation of AtomicFile.
+/// errors  InputError from every member, as AtomicFile
+class PendingFile {
+ public:
+  /// `follows_links`: a symbolic link at the path is followed and abandoned files are removed; else it is an error.
+  PendingFile(std::string path, bool force, bool unnamed_if_possible, bool follows_links);
+  ~PendingFile();
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+
+  void write(std::string_view bytes) const;
+  /// Synchronises the bytes to the disk.
+  void complete() const;
+  /// Refuses a file that meanwhile exists and may not be replaced.
+  void check_absent() const;
+  /// Gives the file its name: one or two system calls.
+  void publish();
+  /// Removes a published file, unless it replaced another one.
+  void withdraw() const;
+  /// Synchronises the folder.
+  void sync_folder() const;
+
+  const std::string& temporary_path() const { return temporary_path_; }
+
+ private:
+  void check_target(bool follows_links);
+  void open_unnamed();
+  void open_named();
+  [[noreturn]] void fail(std::string_view problem) const;
+
+  std::string path_, target_, temporary_path_;
+  bool force_, unnamed_ = false, replaces_ = false, published_ = false;
+  int descriptor_ = -1;
+  std::optional<TemporaryFile> named_;
+};
+
+}  // namespace core
+}  // namespace percuss

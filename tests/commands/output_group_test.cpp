@@ -1,0 +1,60 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+// A command with several outputs writes all or none. Each wrote the files before the one that failed.
+namespace percuss::output_group_test {
+
+namespace fs = std::filesystem;
+using test::run_percuss;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+class OutputGroups : public testing::Test {
+ protected:
+  OutputGroups() {
+    test::write_small_test(record_);
+    std::ofstream(bats_) << run_percuss({"study", "--example"}).out;
+  }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) names.push_back(entry.path().filename());
+    return names;
+  }
+
+  test::ScratchFolder inputs_, folder_;
+  std::string record_ = inputs_.file("bat.h5"), bats_ = inputs_.file("bats.csv");
+  std::string missing_ = folder_.file("missing/z.json");  // in a folder that does not exist
+};
+
+TEST_F(OutputGroups, AreAbsentWhenOneFails) {
+  const std::vector<std::vector<std::string>> commands{
+      {"analyze", record_, "-o", folder_.file("a.html"), "-o", folder_.file("a.h5"), "-o", missing_},
+      {"frf", record_, "-o", folder_.file("f.csv"), "-o", folder_.file("f.mat"), "-o", missing_},
+      {"survey", record_, "-o", folder_.file("s.uff"), "-o", folder_.file("s.h5"), "-o", missing_},
+      {"deflect", record_, "-o", folder_.file("d.csv"), "-o", folder_.file("d.h5"), "-o", missing_},
+      {"info", record_, "-o", folder_.file("i.json"), "-o", missing_},
+      {"model", "beam", "-o", folder_.file("b.csv"), "-o", folder_.file("b.svg"), "-o", missing_},
+      {"study", bats_, "--table", folder_.file("t.csv"), "--blind", folder_.file("k.csv"), "-o", missing_},
+      {"synth", "wood-bat", "-o", folder_.file("y.h5"), "-o", folder_.file("missing/y.csv")}};
+  for (const auto& command : commands) {
+    const auto outcome = run_percuss(command);
+    EXPECT_EQ(outcome.code, 3) << testing::PrintToString(command) << outcome.err;
+    EXPECT_THAT(files(), IsEmpty()) << testing::PrintToString(command);
+  }
+}
+
+TEST_F(OutputGroups, AppearTogether) {
+  const auto outcome = run_percuss({"analyze", record_, "--quiet", "-o", folder_.file("a.json"), "-o",
+                                    folder_.file("a.h5"), "-o", folder_.file("a.csv")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(files(), UnorderedElementsAre("a.json", "a.h5", "a.csv"));
+}
+
+}  // namespace percuss::output_group_test

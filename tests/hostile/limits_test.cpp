@@ -1,0 +1,198 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+// Limits of the shell (ulimit) and closed standard streams: success, or one line and the documented exit code.
+namespace percuss::limits_test {
+
+namespace fs = std::filesystem;
+using test::ProcessOutcome;
+using test::run_percuss;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Limits : public testing::Test {
+ protected:
+  Limits() {
+    test::write_small_test(inputs_.file("record.csv"));
+    test::write_small_test(inputs_.file("record.h5"));
+  }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) names.push_back(entry.path().filename());
+    return names;
+  }
+  /// Success, or one line, one of the exit codes for faults and no file.
+  void expect_clean(const ProcessOutcome& outcome) const {
+    ASSERT_EQ(outcome.signal, 0) << outcome.err;
+    if (outcome.code == 0) return;
+    EXPECT_THAT(outcome.code, AnyOf(1, 3, 4)) << outcome.err;
+    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_THAT(outcome.err, testing::StartsWith("percuss: "));
+    EXPECT_THAT(files(), IsEmpty());
+  }
+  void clear() const {
+    for (const std::string& name : files()) fs::remove(folder_.file(name));
+  }
+  std::vector<std::vector<std::string>> commands() const {
+    std::vector<std::vector<std::string>> all{
+        {"analyze", inputs_.file("record.csv"), "--quiet", "-o", folder_.file("a.json"), "-o", folder_.file("a.uff")},
+        {"deflect", inputs_.file("record.h5"), "--quiet", "-o", folder_.file("d.h5")},
+        {"survey", inputs_.file("record.h5"), "--quiet", "-o", folder_.file("s.h5")},
+        {"frf", inputs_.file("record.h5"), "--quiet", "-o", folder_.file("f.h5")},
+        {"synth", "wood-bat", "--quiet", "-o", folder_.file("y.h5")}};
+    for (const char* kind : {".csv", ".h5", ".uff", ".mat", ".wav"})
+      all.push_back({"convert", inputs_.file("record.csv"), folder_.file(std::string("c") + kind), "--quiet"});
+    return all;
+  }
+
+  test::ScratchFolder inputs_, folder_;
+};
+
+#ifndef PERCUSS_SANITIZED  // the sanitizers need terabytes of addresses
+// FFTW ended the program (SIGABRT), and HDF5 crashed while it wrote (SIGSEGV).
+TEST_F(Limits, OfAddressesGiveOneLine) {
+  for (const auto& command : commands()) {
+    int failures = 0, in_a_row = 0;
+    for (std::size_t max_MiB = 30; max_MiB <= 200 && in_a_row < 6; ++max_MiB) {
+      SCOPED_TRACE(testing::PrintToString(command) + " " + std::to_string(max_MiB) + " MiB");
+      clear();
+      const ProcessOutcome outcome = run_percuss(command, {.max_address_bytes = max_MiB << 20U});
+      if (outcome.code == 127) continue;  // the dynamic linker had no room for the libraries
+      expect_clean(outcome);
+      if (HasFatalFailure()) return;
+      failures += outcome.code == 0 ? 0 : 1;
+      in_a_row = outcome.code == 0 ? in_a_row + 1 : 0;
+    }
+    EXPECT_EQ(in_a_row, 6) << testing::PrintToString(command);
+    EXPECT_GT(failures, 0) << testing::PrintToString(command);
+  }
+}
+
+// Below 192 KiB the program crashed.
+TEST_F(Limits, OfTheStackChangeNothing) {
+  const std::vector<std::string> command{"analyze", inputs_.file("record.csv"), "--json"};
+  const std::string expected = run_percuss(command).out;
+  for (const std::size_t kiB : {48U, 64U, 128U, 512U, 8192U}) {
+    const ProcessOutcome outcome = run_percuss(command, {.limits = {{RLIMIT_STACK, kiB << 10U}}});
+    EXPECT_EQ(outcome.code, 0) << kiB << " KiB: " << outcome.err;
+    EXPECT_TRUE(outcome.out == expected) << kiB << " KiB";
+  }
+}
+#endif
+
+// SIGXFSZ ended the program.
+TEST_F(Limits, OfFileSizesGiveOneLine) {
+  for (const auto& command : commands()) {
+    for (const std::size_t bytes : {0U, 1U, 4096U, 20000U}) {
+      SCOPED_TRACE(testing::PrintToString(command) + " " + std::to_string(bytes) + " bytes");
+      clear();
+      const ProcessOutcome outcome = run_percuss(command, {.limits = {{RLIMIT_FSIZE, bytes}}});
+      expect_clean(outcome);
+      EXPECT_TRUE(outcome.code == 0 || outcome.code == 3) << outcome.code << outcome.err;
+    }
+  }
+}
+
+TEST_F(Limits, OfOpenFilesGiveOneLine) {
+  for (const auto& command : commands()) {
+    int failures = 0;
+    for (std::size_t files = 3; files < 20; ++files) {
+      SCOPED_TRACE(testing::PrintToString(command) + " " + std::to_string(files) + " files");
+      clear();
+      const ProcessOutcome outcome = run_percuss(command, {.limits = {{RLIMIT_NOFILE, files}}});
+      if (outcome.code == 127) continue;  // the dynamic linker could not open the libraries
+      expect_clean(outcome);
+      failures += outcome.code == 0 ? 0 : 1;
+    }
+    EXPECT_GT(failures, 0) << testing::PrintToString(command);
+  }
+}
+
+// A file got the number of a closed stream, and messages were written into it.
+TEST_F(Limits, OfClosedStreamsSpoilNoFile) {
+  const std::string output = folder_.file("c.h5");
+  const std::vector<std::string> command{"convert", inputs_.file("record.csv"), output};
+  ASSERT_EQ(run_percuss(command).code, 0);
+  const std::string expected = test::bytes_of(output);
+  for (const std::vector<int>& closed : {std::vector{0}, {1}, {2}, {0, 1}, {1, 2}, {0, 1, 2}}) {
+    clear();
+    EXPECT_EQ(run_percuss(command, {.closed = closed}).code, 0);
+    EXPECT_TRUE(test::bytes_of(output) == expected) << testing::PrintToString(closed);
+    const ProcessOutcome printed = run_percuss({"analyze", inputs_.file("record.h5"), "--json"}, {.closed = closed});
+    const bool can_print = std::find(closed.begin(), closed.end(), 1) == closed.end();
+    EXPECT_EQ(printed.signal, 0) << testing::PrintToString(closed);
+    EXPECT_EQ(printed.code, can_print ? 0 : 3) << testing::PrintToString(closed) << printed.err;
+  }
+  const ProcessOutcome no_input = run_percuss({"info", "-"}, {.closed = {0}});
+  EXPECT_EQ(no_input.code, 3);
+  EXPECT_THAT(no_input.err, HasSubstr("standard input"));
+}
+
+class LongInput : public testing::Test {
+ protected:
+  static constexpr std::size_t kLength = 28'000'000;
+  std::string document(const std::string& head, const std::string& item, const std::string& tail) const {
+    std::string text = head + item;
+    text.reserve(kLength + 1000);
+    while (text.size() < kLength) text.append(",").append(item);
+    const std::string path = folder_.file("long.json");
+    test::write_bytes(path, text + tail);
+    return path;
+  }
+  test::ScratchFolder folder_;
+};
+
+// 1.5 GB for lists of empty objects or numbers, 1.1 GB for values that nobody reads.
+TEST_F(LongInput, OfJsonTakesMemoryAsItsSize) {
+  const std::string head = R"({"schema":"percuss/analysis/1","modes":[)";
+  const std::string residue = R"({"point":1,"channel":1,"re":1.25e-3,"im":2.5e-4,"std":1e-5})";
+  const std::vector<std::vector<std::string>> parts{
+      {head, "{}", "]}"},
+      {head, "0", "]}"},
+      {head + R"(],"x":[)", "{}", "]}"},
+      {head + R"({"frequency_hz":9,"residues":[)", residue, "]}]}"},
+  };
+#ifdef PERCUSS_SANITIZED
+  constexpr std::size_t kPerByte = 40;
+#else
+  constexpr std::size_t kPerByte = 10;
+#endif
+  for (const auto& part : parts) {
+    const std::string path = document(part[0], part[1], part[2]);
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"compare", path, path}, {"study", path}}) {
+      const ProcessOutcome outcome = run_percuss(command, {.environment = {"ASAN_OPTIONS=quarantine_size_mb=1"}});
+      EXPECT_THAT(outcome.code, AnyOf(0, 3)) << part[1] << outcome.err;
+      EXPECT_LT(outcome.peak_bytes, kPerByte * kLength) << command.front() << " " << part[1];
+    }
+  }
+}
+
+// The first and last line of the text are short; a line of 300 MB is between them.
+TEST_F(LongInput, OfOneLineIsRefusedInSeconds) {
+  const std::string path = folder_.file("long.csv");
+  {
+    std::ofstream out(path, std::ios::binary);
+    std::string block;
+    while (block.size() < 1'000'000) block += "1.25,2.5,\" ,";
+    out << "time,force,accel\n0,1,2\n1,2,3\n";
+    for (int i = 0; i < 300; ++i) out << block;
+    out << "\n2,3,4\n";
+  }
+  const auto began = std::chrono::steady_clock::now();
+  const ProcessOutcome outcome = run_percuss({"info", path});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("a line of more than 1 MiB"));
+  EXPECT_THAT(outcome.err, HasSubstr("line 4"));
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
+}
+
+}  // namespace percuss::limits_test
