@@ -58,7 +58,7 @@ class RunShard : public testing::Test {
   void SetUp() override {
     fs::create_directory(out_);
     options_.analysis.threads = 1;
-    options_.analysis.effort = identify::Effort::quick;
+    options_.analysis.modes.effort = identify::Effort::quick;
   }
   void plan(std::size_t count) {
     std::vector<BatchRecord> records;

@@ -45,9 +45,12 @@ TEST_P(ReaderLimits, HoldForSmallFiles) {
   const auto run = test::run_percuss({"info", kForeign + GetParam()});
   EXPECT_THAT(run.code, AnyOf(0, 3)) << run.err;
   EXPECT_LT(run.processor_s, kMaxTime_s);
-  if (kLimitsMemory) EXPECT_LT(run.peak_bytes, kMaxMemory_bytes);
-  if (kLimitsMemory && test::has_seccomp() && std::string_view(GetParam()) == "slow_structure.mat")
+  if (kLimitsMemory) {
+    EXPECT_LT(run.peak_bytes, kMaxMemory_bytes);
+  }
+  if (kLimitsMemory && test::has_seccomp() && std::string_view(GetParam()) == "slow_structure.mat") {
     EXPECT_THAT(run.err, HasSubstr("more than 2 s of processor time, the limit for a file of this size"));
+  }
 }
 
 // A megabyte that gzip expanded to 100 million numbers of one byte each: 800 MB as numbers of 8 bytes.

@@ -176,7 +176,7 @@ TEST_F(EnterSandbox, DoesNotInheritTheNumbersOfOtherReaders) {
   const auto maps = [](const std::string& of) {
     std::size_t count = 0;
     std::ifstream lines("/proc/" + of + "/maps");
-    for (std::string line; std::getline(lines, line);) count += line.find("memfd:percuss") != std::string::npos ? 1 : 0;
+    for (std::string line; std::getline(lines, line);) count += line.find("memfd:percuss") != std::string::npos ? 1U : 0U;
     return count;
   };
   if (!test::has_seccomp()) return;
@@ -186,7 +186,9 @@ TEST_F(EnterSandbox, DoesNotInheritTheNumbersOfOtherReaders) {
   int status = -1;
   ::waitpid(other, &status, 0);
   EXPECT_EQ(WEXITSTATUS(status), 0);
-  if (std::filesystem::exists("/proc/self/maps")) EXPECT_EQ(maps("self"), 1u);
+  if (std::filesystem::exists("/proc/self/maps")) {
+    EXPECT_EQ(maps("self"), 1U);
+  }
 }
 
 TEST_F(EnterSandbox, ChangesNeitherFilesNorItsLimits) {
