@@ -34,14 +34,14 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Limits the descriptors of this process to those in use and a few more.
+/// Leaves this process no descriptor to open.
 class DescriptorLimit {
  public:
-  explicit DescriptorLimit(int more) {
+  DescriptorLimit() {
     ::getrlimit(RLIMIT_NOFILE, &before_);
     const int next = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
     ::close(next);
-    const rlimit few{.rlim_cur = static_cast<rlim_t>(next + more), .rlim_max = before_.rlim_max};
+    const rlimit few{.rlim_cur = static_cast<rlim_t>(next), .rlim_max = before_.rlim_max};
     ::setrlimit(RLIMIT_NOFILE, &few);
   }
   ~DescriptorLimit() { ::setrlimit(RLIMIT_NOFILE, &before_); }
@@ -89,51 +89,67 @@ class RunShard : public testing::Test {
 };
 
 TEST_F(RunShard, LeavesRecordsOpenWhileThereAreNoDescriptors) {
-  plan(2);
-  {
-    const DescriptorLimit limit(1);  // for the journal
-    const ShardOutcome outcome = run_shard(job());
-    ASSERT_THAT(outcome.open, SizeIs(2));
-    EXPECT_THAT(outcome.open[0].reason, HasSubstr("Too many open files"));
-    EXPECT_EQ(outcome.analysed, 0U);
-  }
+  plan(3);
+  std::optional<DescriptorLimit> limit;
+  ShardJob three = job();
+  three.advance = [&] { limit.emplace(); };  // after the first record
+  const ShardOutcome outcome = run_shard(three);
+  limit.reset();
+  ASSERT_THAT(outcome.open, SizeIs(2));
+  EXPECT_EQ(outcome.open[0].index, 1U);
+  EXPECT_THAT(outcome.open[0].reason, HasSubstr("Too many open files"));
+  EXPECT_EQ(outcome.analysed, 1U);
   EXPECT_FALSE(fs::exists(out_ + "/part-0.ok"));
   const BatchStatus status = batch_status(*manifest_, out_);
-  EXPECT_EQ(status.finished, 0U);
+  EXPECT_EQ(status.finished, 1U);
   EXPECT_THAT(status.missing, testing::ElementsAre(0U));
   EXPECT_THAT(status.open, SizeIs(2));
   EXPECT_THAT(status.stuck, IsEmpty());
   const ShardOutcome later = run_shard(job());
   EXPECT_THAT(later.open, IsEmpty());
   EXPECT_EQ(later.analysed, 2U);
+  EXPECT_EQ(later.part.records, 3U);
   EXPECT_EQ(later.part.failed, 0U);
   EXPECT_THAT(batch_status(*manifest_, out_).open, IsEmpty());
 }
 
 TEST_F(RunShard, TriesARecordAgainAfterAPassingFault) {
-  plan(1);
-  ShardJob one = job();
-  one.waits = {std::chrono::milliseconds(1), std::chrono::milliseconds(500), std::chrono::seconds(20)};
-  auto limit = std::make_unique<DescriptorLimit>(1);
-  std::thread relief([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    limit.reset();
-  });
-  const ShardOutcome outcome = run_shard(one);
+  plan(2);
+  ShardJob two = job();
+  two.waits = {std::chrono::milliseconds(1), std::chrono::milliseconds(500), std::chrono::seconds(20)};
+  std::optional<DescriptorLimit> limit;
+  std::thread relief;
+  two.advance = [&] {
+    if (relief.joinable()) return;
+    limit.emplace();
+    relief = std::thread([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      limit.reset();
+    });
+  };
+  const ShardOutcome outcome = run_shard(two);
   relief.join();
   EXPECT_THAT(outcome.open, IsEmpty());
   EXPECT_EQ(outcome.part.failed, 0U);
-  EXPECT_EQ(outcome.part.records, 1U);
+  EXPECT_EQ(outcome.part.records, 2U);
 }
 
 TEST_F(RunShard, WaitsForALastingFaultOnce) {
-  plan(6);
-  ShardJob six = job();
-  six.waits = {std::chrono::milliseconds(300)};
-  const DescriptorLimit limit(1);
-  const auto start = std::chrono::steady_clock::now();
-  EXPECT_THAT(run_shard(six).open, SizeIs(6));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(1500));
+  plan(7);
+  ShardJob seven = job();
+  seven.waits = {std::chrono::milliseconds(400)};
+  std::optional<DescriptorLimit> limit;
+  std::chrono::steady_clock::time_point start;
+  seven.advance = [&] {
+    limit.emplace();
+    start = std::chrono::steady_clock::now();
+  };
+  const ShardOutcome outcome = run_shard(seven);
+  const auto took = std::chrono::steady_clock::now() - start;
+  limit.reset();
+  EXPECT_THAT(outcome.open, SizeIs(6));
+  EXPECT_GE(took, std::chrono::milliseconds(400));
+  EXPECT_LT(took, std::chrono::milliseconds(2000));
 }
 
 TEST_F(RunShard, WritesNoFilesForShardsWithoutRecords) {

@@ -52,7 +52,6 @@ TEST(HiddenCharacters, AreEscapesInErrorsAboutPathsAndWords) {
                                              {name},
                                              {"--" + name},
                                              {"analyze", "x.h5", "--" + name},
-                                             {"analyze", "x.h5", "--band", name},
                                              {"convert", "x.h5", name}}) {
     const ProcessOutcome outcome = run_percuss(words);
     EXPECT_NE(outcome.code, 0);
@@ -127,9 +126,7 @@ TEST(Formulas, AreNoFormulasInTablesOfBatsAndComeBackAsTheyWere) {
 
 TEST(Formulas, AreNoFormulasInTheKeyAndInTheTablesOfFigures) {
   const test::ScratchFolder folder;
-  const ProcessOutcome example = run_percuss({"study", "--example"}, {.output = folder.file("bats.csv")});
-  ASSERT_EQ(example.code, 0);
-  std::string bats = bytes_of(folder.file("bats.csv"));
+  std::string bats = run_percuss({"study", "--example"}).out;
   for (std::size_t at = bats.find("\nS"); at != std::string::npos; at = bats.find("\nS", at))
     bats.replace(at, 2, "\n=S");
   write_bytes(folder.file("bats.csv"), bats);
