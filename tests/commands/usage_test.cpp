@@ -111,7 +111,7 @@ TEST(Usage, StatesTheRuleForAValue) {
        {{"calibrate", "x.csv", "--mass", "1kg"}, "--mass cannot be '1kg'; give a number above 0"},
        {{"calibrate", "x.csv", "--mass", "nan"}, "--mass cannot be 'nan'; give a number above 0"},
        {{"model", "beam", "--length", ""}, "--length cannot be ''; give a number above 0"},
-       {{"model", "beam", "--length", "1\n2"}, "--length cannot be '1?2'; give a number above 0"},
+       {{"model", "beam", "--length", "1\n2"}, "--length cannot be '1\\u000a2'; give a number above 0"},
        {{"model", "beam", "--modes", "201"}, "--modes cannot be '201'; give a whole number from 1 to 200"},
        {{"metrics", "--period-s", "1.2,0"}, "--period-s cannot be '0'; give a number above 0"},
        {{"synth", "x", "--seed", "-4"}, "--seed cannot be '-4'; give a whole number from 0 up"},

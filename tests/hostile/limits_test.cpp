@@ -60,8 +60,9 @@ class Limits : public testing::Test {
 #ifndef PERCUSS_SANITIZED  // the sanitizers need terabytes of addresses
 // FFTW ended the program (SIGABRT), and HDF5 crashed while it wrote (SIGSEGV).
 TEST_F(Limits, OfAddressesGiveOneLine) {
+  int failures = 0;  // of all commands: the small ones may work in 30 MiB
   for (const auto& command : commands()) {
-    int failures = 0, in_a_row = 0;
+    int in_a_row = 0;
     for (std::size_t max_MiB = 30; max_MiB <= 200 && in_a_row < 6; ++max_MiB) {
       SCOPED_TRACE(testing::PrintToString(command) + " " + std::to_string(max_MiB) + " MiB");
       clear();
@@ -73,8 +74,8 @@ TEST_F(Limits, OfAddressesGiveOneLine) {
       in_a_row = outcome.code == 0 ? in_a_row + 1 : 0;
     }
     EXPECT_EQ(in_a_row, 6) << testing::PrintToString(command);
-    EXPECT_GT(failures, 0) << testing::PrintToString(command);
   }
+  EXPECT_GT(failures, 0);
 }
 
 // Below 192 KiB the program crashed.
@@ -103,8 +104,8 @@ TEST_F(Limits, OfFileSizesGiveOneLine) {
 }
 
 TEST_F(Limits, OfOpenFilesGiveOneLine) {
+  int failures = 0;  // of all commands: some need no file beside the standard streams
   for (const auto& command : commands()) {
-    int failures = 0;
     for (std::size_t files = 3; files < 20; ++files) {
       SCOPED_TRACE(testing::PrintToString(command) + " " + std::to_string(files) + " files");
       clear();
@@ -113,8 +114,8 @@ TEST_F(Limits, OfOpenFilesGiveOneLine) {
       expect_clean(outcome);
       failures += outcome.code == 0 ? 0 : 1;
     }
-    EXPECT_GT(failures, 0) << testing::PrintToString(command);
   }
+  EXPECT_GT(failures, 0);
 }
 
 // A file got the number of a closed stream, and messages were written into it.

@@ -3,9 +3,14 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <system_error>
 #include <vector>
 
 namespace percuss::acquire {
@@ -21,14 +26,40 @@ int fork_child() {
   return child;
 }
 
-void keep_only_descriptors(std::initializer_list<int> kept) {
+namespace {
+
+// The numbers, from `first` on, under which this process has the file open. None without /proc.
+std::set<int> descriptors_of(const std::string& path, int first) {
+  std::set<int> found;
+  struct stat file {}, open_file {};
+  if (path.empty() || ::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode)) return found;
+  std::error_code absent;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", absent)) {
+    const int number = std::atoi(entry.path().filename().c_str());  // NOLINT(cert-err34-c): names are numbers
+    const bool same = number >= first && ::fstat(number, &open_file) == 0 && open_file.st_dev == file.st_dev &&
+                      open_file.st_ino == file.st_ino;
+    if (same) found.insert(number);
+  }
+  return found;
+}
+
+}  // namespace
+
+void keep_only_descriptors(std::initializer_list<int> kept, const std::string& path) {
   const auto count = static_cast<int>(kept.size());
   std::vector<int> copies;
   for (const int descriptor : kept) copies.push_back(::fcntl(descriptor, F_DUPFD, count));
   for (int i = 0; i < count; ++i) {
     if (::dup2(copies[static_cast<std::size_t>(i)], i) != i) ::_exit(1);  // too many descriptors
   }
-  ::closefrom(count);
+  int next = count;
+  for (const int number : descriptors_of(path, count)) {
+    const int reopened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (reopened != number && (::dup2(reopened, number) != number || ::close(reopened) != 0)) ::_exit(1);
+    if (number > next) ::close_range(static_cast<unsigned>(next), static_cast<unsigned>(number - 1), 0);
+    next = number + 1;
+  }
+  ::closefrom(next);
 }
 
 void end_with_parent(int parent_pipe) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <initializer_list>
+#include <string>
 
 namespace percuss::acquire {
 
@@ -8,8 +9,9 @@ namespace percuss::acquire {
 /// thread that forks, so a child of another thread needs end_with_parent.
 int fork_child();
 
-/// Closes all descriptors of this process but these, which become 0, 1, ….
-void keep_only_descriptors(std::initializer_list<int> kept);
+/// Closes all descriptors of this process but these, which become 0, 1, …. Descriptors of the file `path` remain under
+/// their numbers, read-only: HDF5 reads a file that this process had open before the fork through its old descriptor.
+void keep_only_descriptors(std::initializer_list<int> kept, const std::string& path = {});
 
 /// The kernel kills this process once the write end of this pipe is closed in all processes. Only the parent holds it.
 void end_with_parent(int parent_pipe);

@@ -67,6 +67,7 @@ bool SandboxProcess::create_descriptors(ReaderDescriptors& of_child) {
 }
 
 void SandboxProcess::begin(const std::function<int(const ReaderDescriptors&)>& start) {
+  owner_ = ::getpid();
   file_bytes_ = regular_file_bytes(path_);
   // The child waits for the disk and for other programs as well.
   constexpr unsigned kWallPerCpuTime = 3, kMinTimeout_s = 60;

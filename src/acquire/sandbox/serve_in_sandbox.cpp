@@ -20,7 +20,7 @@ void serve(const ReaderDescriptors& descriptors, const std::string& path, const 
   reset_signals();
   double* const shared = map_shared_numbers(descriptors.memory);
   if (shared == nullptr) throw std::bad_alloc();
-  keep_only_descriptors({descriptors.socket, descriptors.parent_pipe});
+  keep_only_descriptors({descriptors.socket, descriptors.parent_pipe}, path);
   const std::uint64_t file_bytes = regular_file_bytes(path);
   SandboxService service;
   const bool connected = run_and_send_outcome(kSandboxSocket, [&] {

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <initializer_list>
+#include <new>
 
 #include "acquire/sandbox/enter_sandbox.hpp"
 #include "acquire/sandbox/sandbox_limits.hpp"
@@ -33,7 +34,9 @@ scmp_arg_cmp has_bits(unsigned argument, scmp_datum_t mask, int value) {
 
 class Filter {
  public:
-  Filter() : context_(seccomp_init(SCMP_ACT_ERRNO(EPERM))) {}
+  Filter() : context_(seccomp_init(SCMP_ACT_ERRNO(EPERM))) {
+    if (context_ == nullptr) throw std::bad_alloc();
+  }
   ~Filter() { seccomp_release(context_); }
   Filter(const Filter&) = delete;
   Filter& operator=(const Filter&) = delete;
@@ -42,11 +45,16 @@ class Filter {
     const auto count = static_cast<unsigned>(arguments.size());
     // EDOM: this architecture does not have the call.
     const int result = seccomp_rule_add_array(context_, SCMP_ACT_ALLOW, call, count, arguments.begin());
-    complete_ = complete_ && (result == 0 || result == -EDOM);
+    complete_ = complete_ && (result == -EDOM || succeeded(result));
   }
-  bool load() { return complete_ && seccomp_load(context_) == 0; }
+  bool load() { return complete_ && succeeded(seccomp_load(context_)); }
 
  private:
+  static bool succeeded(int result) {
+    if (result == -ENOMEM || result == -EFAULT) throw std::bad_alloc();  // the library reports either
+    return result == 0;
+  }
+
   scmp_filter_ctx context_;
   bool complete_ = true;
 };
@@ -61,7 +69,9 @@ void allow_always(Filter& filter) {
         SCMP_SYS(rt_sigaction), SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn),  SCMP_SYS(sigaltstack),
         SCMP_SYS(getpid),       SCMP_SYS(gettid),         SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday),
         SCMP_SYS(getrandom),    SCMP_SYS(sched_yield),    SCMP_SYS(uname),         SCMP_SYS(sysinfo),
-        SCMP_SYS(fadvise64),    SCMP_SYS(getuid),         SCMP_SYS(geteuid),       SCMP_SYS(restart_syscall)})
+        SCMP_SYS(fadvise64),    SCMP_SYS(getuid),         SCMP_SYS(geteuid),       SCMP_SYS(restart_syscall),
+        // HDF5 resolves the symbolic links of the file's path.
+        SCMP_SYS(lstat),        SCMP_SYS(readlink),       SCMP_SYS(readlinkat),    SCMP_SYS(getcwd)})
     filter.allow(call);
 }
 
