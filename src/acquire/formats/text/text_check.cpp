@@ -41,10 +41,10 @@ void require_text(std::string_view head, const std::string& name) {
 }
 
 void require_short_lines(std::string_view text, char line_end, const std::string& name) {
-  constexpr std::size_t kMaxLine_bytes = std::size_t{1} << 20U;
+  constexpr std::size_t kLineLimit_bytes = std::size_t{1} << 20U;
   // Finds the last end of a line in each window, so that short lines are hardly looked at.
-  for (std::string_view rest = text; rest.size() > kMaxLine_bytes;) {
-    const std::size_t last = rest.substr(0, kMaxLine_bytes + 1).rfind(line_end);
+  for (std::string_view rest = text; rest.size() > kLineLimit_bytes;) {
+    const std::size_t last = rest.substr(0, kLineLimit_bytes + 1).rfind(line_end);
     if (last == std::string_view::npos) {
       const auto line = 1 + std::count(text.data(), rest.data(), line_end);
       throw InputError("a line of more than 1 MiB", name + ": line " + std::to_string(line), "save one line per sample");
