@@ -68,7 +68,7 @@ TEST(ForkServer, ReportsUnknownReaders) {
   ForkServer fork_server(counting);
   int status = 0;
   EXPECT_EQ(fork_server.ended(1, status), -1);
-  fork_server.end(1, status);
+  fork_server.kill_and_wait(1, status);
   fork_server.release(1);
   EXPECT_EQ(fork_server.ended(1, status), -1);
   EXPECT_FALSE(fork_server.lost());
