@@ -87,6 +87,7 @@ std::string text_of(const std::vector<Element>& elements) {
 }
 
 void collect(std::vector<Element>& elements, std::vector<std::vector<Element>*>& lists) {
+  if (elements.empty()) return;
   lists.push_back(&elements);
   for (Element& element : elements) collect(element.parts, lists);
 }
@@ -116,8 +117,8 @@ void mutate_mat(std::string& bytes, Random& random) {
   std::vector<Element> all = elements_of(std::string_view(bytes).substr(kHeaderBytes), kDepth);
   std::vector<std::vector<Element>*> lists;
   collect(all, lists);
+  if (lists.empty()) return;
   std::vector<Element>& list = *lists[below(random, lists.size())];
-  if (list.empty()) return;
   const std::size_t at = below(random, list.size());
   Element& element = list[at];
   switch (random() % 9) {

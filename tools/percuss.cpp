@@ -1,7 +1,11 @@
+#include <cxxabi.h>
+
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string_view>
+#include <typeinfo>
 
 #include "acquire/calibrate.hpp"
 #include "cli/option_error.hpp"
@@ -20,7 +24,7 @@ namespace {
 using namespace percuss;
 using namespace percuss::tools;
 
-int print_error(const std::string& what, int code) {
+int print_error(std::string_view what, int code) {
   std::cerr << "percuss: " << what << '\n';
   return code;
 }
@@ -38,14 +42,16 @@ int parse_and_run(int argc, char** argv) {
 
 }  // namespace
 
-// Memory may run out where no exception may escape: in the JSON library, or during stack unwinding.
+// An exception may arise where none may escape: in the JSON library, in oneTBB, or during stack unwinding.
 [[noreturn]] static void end_at_once() {
   percuss::remove_temporary_files();
+  const std::type_info* const type = abi::__cxa_current_exception_type();
+  // Looked at without rethrowing, which takes memory.
+  if (type != nullptr && *type == typeid(std::bad_alloc)) std::_Exit(print_error(kOutOfMemoryMessage, kInternalError));
   try {
-    if (const auto error = std::current_exception()) std::rethrow_exception(error);
-  } catch (const std::bad_alloc&) {
-    std::cerr << "percuss: " << percuss::kOutOfMemoryMessage << '\n';
-    std::_Exit(kInternalError);
+    if (type != nullptr) throw;
+  } catch (const std::exception& e) {
+    std::_Exit(print_error(e.what(), kInternalError));
   } catch (...) {
   }
   std::abort();

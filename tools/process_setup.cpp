@@ -72,8 +72,7 @@ void catch_library_crashes() {
       ::mmap(nullptr, 2 * kNeeded_bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (same_size == MAP_FAILED) return;
   ::munmap(same_size, 2 * kNeeded_bytes);
-  [[maybe_unused]] volatile char room[kNeeded_bytes];  // NOLINT(modernize-avoid-c-arrays): on the stack
-  room[0] = 0;
+  *static_cast<volatile char*>(__builtin_alloca(kNeeded_bytes)) = 0;
 }
 
 struct Call {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <random>
 
@@ -59,6 +60,21 @@ TEST_P(FuzzCorpus, IsReadOrRejected) {
     SCOPED_TRACE(path);
     GetParam().run(bytes_of(path));
   }
+}
+
+// What the fuzzers found, reduced to inputs that reach different code.
+TEST_P(FuzzCorpus, IsReadOrRejectedWhenMinimised) {
+  const test::ScratchFolder folder;
+  const std::string archive = PERCUSS_SOURCE_DIR "/fuzz/minimised.tar.gz", name = GetParam().name;
+  const std::string command = "tar -C '" + folder.path() + "' -xzf '" + archive + "' minimised/" + name;
+  if (std::system(command.c_str()) != 0) GTEST_FAIL() << command;
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(folder.file("minimised/" + name))) {
+    SCOPED_TRACE(entry.path());
+    GetParam().run(bytes_of(entry.path()));
+    ++count;
+  }
+  EXPECT_GT(count, 0U);
 }
 
 TEST_P(FuzzCorpus, IsReadOrRejectedWhenMutated) {
