@@ -61,7 +61,8 @@ class Faults : public testing::Test {
       ++failures;
       without = 0;
       ASSERT_THAT(outcome.code, AnyOf(1, 3)) << outcome.err;
-      ASSERT_THAT(outcome.err, HasSubstr("memory"));
+      // libseccomp does not report each failed allocation: the filter of a sandboxed reader then lacks a permission.
+      ASSERT_THAT(outcome.err, AnyOf(HasSubstr("memory"), HasSubstr("Operation not permitted")));
       ASSERT_THAT(files(), IsEmpty());
     }
     EXPECT_GT(failures, 10);
