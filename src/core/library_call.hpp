@@ -4,7 +4,7 @@
 namespace percuss {
 inline namespace core {
 
-/// Marks a call of a library that crashes when memory runs out within it: FFTW's planner, HDF5 while it writes. The
+/// Marks a call of a library that crashes when memory runs out within it: FFTW, and HDF5 while it writes. The
 /// command-line tool turns such a crash into its message for missing memory.
 class LibraryCall {
  public:

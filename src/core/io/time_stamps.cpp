@@ -178,6 +178,10 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
   StampedRate rate{.fs_Hz = steps / length_s,
                    .lowest_Hz = steps / (length_s + length_error_s),
                    .highest_Hz = steps / (length_s - length_error_s)};
+  if (!(rate.fs_Hz > 0 && std::isfinite(rate.highest_Hz))) {
+    problem.text = "time stamps that are not finite, or too close to each other";
+    return std::nullopt;
+  }
   // Sums of doubles have rounding errors even where the digits are exact.
   rate.lowest_Hz *= 1 - 1e-12;
   rate.highest_Hz *= 1 + 1e-12;

@@ -17,7 +17,7 @@ namespace {
 
 fftw_complex* as_fftw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
 
-// What FFTW allocates for a plan of n values, generously.
+// What FFTW allocates for a plan of n values, or while it executes one, generously.
 std::size_t plan_bytes(std::size_t n) { return 64 * n + (std::size_t{1} << 18U); }
 
 struct Buffers {
@@ -103,6 +103,7 @@ void real_dft(std::span<const double> x, std::span<Complex> out) {
   assert(!x.empty() && out.size() == x.size() / 2 + 1);
   fftw_plan plan = forward_plan(x.size());
   auto* in = const_cast<double*>(x.data());  // PRESERVE_INPUT: read only
+  const LibraryCall call(plan_bytes(x.size()));
   if (fftw_alignment_of(in) == 0 && fftw_alignment_of(reinterpret_cast<double*>(out.data())) == 0) {
     fftw_execute_dft_r2c(plan, in, as_fftw(out.data()));
     return;
@@ -138,7 +139,9 @@ std::vector<double> inverse_real_dft(std::span<const Complex> lines, std::size_t
   assert(samples >= 1 && lines.size() == samples / 2 + 1);
   std::vector<Complex> scratch(lines.begin(), lines.end());  // the c2r transform destroys its input
   std::vector<double> out(samples);
-  fftw_execute_dft_c2r(inverse_plan(samples), as_fftw(scratch.data()), out.data());
+  fftw_plan plan = inverse_plan(samples);
+  const LibraryCall call(plan_bytes(samples));
+  fftw_execute_dft_c2r(plan, as_fftw(scratch.data()), out.data());
   for (double& value : out) value /= static_cast<double>(samples);
   return out;
 }

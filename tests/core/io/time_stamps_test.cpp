@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <cmath>
 #include <random>
 
@@ -113,6 +115,16 @@ TEST(RoundestBetween, HasTheFewestDigits) {
     const double low = std::pow(10, exponent(random)), high = low * (1 + width(random));
     const double round = roundest_between(low, high);
     EXPECT_TRUE(low <= round && round <= high) << low << ' ' << high << ' ' << round;
+  }
+}
+
+// A fuzzer found that the rate was rounded to the range of int.
+TEST(TimeStamps, MustBeFinite) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  for (const std::vector<double>& time_s : {std::vector{38, kInfinite}, {0, 5e-324}}) {
+    StampProblem problem;
+    EXPECT_FALSE(rate_of_time_stamps(std::vector<TimeStamps>{{time_s, 0}}, problem));
+    EXPECT_NE(problem.text, "");
   }
 }
 
