@@ -177,4 +177,30 @@ TEST(Pages, HaveLinesOfAtMost120Characters) {
   }
 }
 
+/// The names of all C++ tests: "Suite.Name".
+std::string test_names() {
+  static const std::regex kTest(R"(TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+))");
+  std::string out = "\n";
+  for (const auto& entry : fs::recursive_directory_iterator(PERCUSS_SOURCE_DIR "/tests")) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string text = test::bytes_of(entry.path().string());
+    for (std::sregex_iterator at(text.begin(), text.end(), kTest), end; at != end; ++at)
+      out += at->str(1) + "." + at->str(2) + "\n";
+  }
+  return out;
+}
+
+// `Suite.Name`, `Suite.*` or `Suite.Beginning*`.
+TEST(Pages, OfSecurityNameTestsThatExist) {
+  static const std::regex kNamed(R"(`([A-Z]\w+\.\w*)\*?`)");
+  const std::string names = test_names();
+  const std::string page = test::bytes_of(PERCUSS_SOURCE_DIR "/docs/project/security.md");
+  std::size_t count = 0;
+  for (std::sregex_iterator at(page.begin(), page.end(), kNamed), end; at != end; ++at, ++count) {
+    const bool whole = at->str()[at->str().size() - 2] != '*';
+    EXPECT_NE(names.find("\n" + at->str(1) + (whole ? "\n" : "")), std::string::npos) << at->str();
+  }
+  EXPECT_GT(count, 30U);
+}
+
 }  // namespace percuss::pages_test
