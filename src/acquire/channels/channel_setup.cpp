@@ -28,11 +28,11 @@ constexpr std::array<std::string_view, 9> kSetupKeys = {
 
 Json entries_of(std::string_view text, const std::string& where) {
   if (text.size() > kMaxSetup_bytes) throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
-  return parse_json({.text = text,
-                     .where = where,
-                     .remedy = "compare it with a valid example",
-                     .options = {"info.example"},
-                     .max_depth = kMaxDepth});
+  return parse_json<nlohmann::json>({.text = text,
+                                     .where = where,
+                                     .remedy = "compare it with a valid example",
+                                     .options = {"info.example"},
+                                     .max_depth = kMaxDepth});
 }
 
 // One entry, and its place in messages: "[2].sign".

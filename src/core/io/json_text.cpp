@@ -126,15 +126,17 @@ class JsonBuilder : public nlohmann::json_sax<json> {
 
 }  // namespace
 
-json parse_json(const JsonText& input, WantedKeys wanted) {
+template <>
+json parse_json<json>(const JsonText& input, WantedKeys wanted) {
   JsonBuilder builder(input, wanted);
   json::sax_parse(input.text.begin(), input.text.end(), &builder, json::input_format_t::json, true, input.comments);
   return builder.take();
 }
 
-json json_if_valid(std::string_view text, WantedKeys wanted) {
+template <>
+json json_if_valid<json>(std::string_view text, WantedKeys wanted) {
   try {
-    return parse_json({.text = text, .where = "", .remedy = "", .max_depth = kMaxDocumentDepth}, wanted);
+    return parse_json<json>({.text = text, .where = "", .remedy = "", .max_depth = kMaxDocumentDepth}, wanted);
   } catch (const InputError&) {
     return {};
   }

@@ -1,5 +1,4 @@
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,11 +26,13 @@ using WantedKeys = std::span<const std::string_view>;
 /// kept. The values take at most 6.5 times the memory of the text, and 48 MiB.
 /// errors  InputError: not JSON, nested too deep, a key given twice, more than 10000 keys in one object, a number
 /// beyond the range of double, values that need more memory
-nlohmann::json parse_json(const JsonText& input, WantedKeys wanted = {});
+template <class Json>  // nlohmann::json, which headers do not include
+Json parse_json(const JsonText& input, WantedKeys wanted = {});
 
 /// The wanted keys of a text without comments; null where parse_json would throw.
 inline constexpr int kMaxDocumentDepth = 16;  // documents of percuss nest far less
-nlohmann::json json_if_valid(std::string_view text, WantedKeys wanted);
+template <class Json>
+Json json_if_valid(std::string_view text, WantedKeys wanted);
 
 }  // namespace core
 }  // namespace percuss

@@ -88,12 +88,12 @@ void append_numbers(const json& value, std::vector<double>& to, const StrictObje
 }
 
 json json_of(const StrictText& input) {
-  return parse_json({.text = input.text,
-                     .where = input.where,
-                     .remedy = input.remedy,
-                     .options = input.options,
-                     .max_depth = input.max_depth,
-                     .comments = true});
+  return parse_json<nlohmann::json>({.text = input.text,
+                                     .where = input.where,
+                                     .remedy = input.remedy,
+                                     .options = input.options,
+                                     .max_depth = input.max_depth,
+                                     .comments = true});
 }
 
 }  // namespace

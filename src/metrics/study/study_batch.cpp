@@ -55,7 +55,9 @@ std::vector<BatProperties> bats_of_lines(std::string_view text, const std::strin
     const std::string_view line = first_line(text);
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     try {
-      take_line(parse_json({.text = line, .where = where, .remedy = "", .max_depth = kRowDepth}, kWanted), bats);
+      take_line(
+          parse_json<nlohmann::json>({.text = line, .where = where, .remedy = "", .max_depth = kRowDepth}, kWanted),
+          bats);
     } catch (const std::exception&) {
       throw InputError("not a row of a batch", fmt::format("{}, line {}", where, number + 1), "merge the batch again");
     }
@@ -76,7 +78,7 @@ bool holds_batch(std::string_view text) {
   if (line.starts_with("row,id,")) return true;
   if (!line.starts_with('{')) return false;
   constexpr std::array<std::string_view, 1> kWanted{"schema"};
-  const Json head = json_if_valid(line, kWanted);
+  const Json head = json_if_valid<nlohmann::json>(line, kWanted);
   const auto schema = head.is_object() ? head.find("schema") : head.end();
   return head.is_object() && schema != head.end() && *schema == kBatchSchema;
 }

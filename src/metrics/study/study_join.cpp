@@ -24,7 +24,7 @@ const char* material_word(BarrelMaterial material) {
 
 StudyCurve parse_study_curve(std::string_view text, const std::string& where) {
   constexpr std::array<std::string_view, 4> kWanted{"schema", "curve", "hoop_hz", "cor"};
-  const Json document = json_if_valid(text, kWanted);
+  const Json document = json_if_valid<nlohmann::json>(text, kWanted);
   const bool object = document.is_object() && document.contains("curve") && document["curve"].is_array();
   if (!object || document.value("schema", Json()) != "percuss/model-trampoline/1") {
     throw InputError("no curve over the hoop frequency", where, "give the JSON document of a trampoline model",

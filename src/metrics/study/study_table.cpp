@@ -187,7 +187,7 @@ void StudyRows::add(std::string_view text, const std::string& where) {
     return;
   }
   if (looks_like_json(text)) {
-    const Json document = json_if_valid(text, wanted_keys());
+    const Json document = json_if_valid<nlohmann::json>(text, wanted_keys());
     const auto schema = document.is_object() ? document.find("schema") : document.end();
     if (document.is_object() && schema != document.end() && *schema == "percuss/analysis/1") {
       const auto runs = document.find("runs");

@@ -15,7 +15,8 @@ using test::input_error_of;
 using testing::HasSubstr;
 
 void check(const std::string& text, bool comments = false) {
-  parse_json({.text = text, .where = "x.json", .remedy = "write it again", .max_depth = 3, .comments = comments});
+  parse_json<nlohmann::json>(
+      {.text = text, .where = "x.json", .remedy = "write it again", .max_depth = 3, .comments = comments});
 }
 std::string refusal(const std::string& text) {
   return input_error_of([&] { check(text); });
@@ -53,11 +54,11 @@ TEST(JsonText, TakesTimeProportionalToItsLength) {
 
 TEST(JsonText, KeepsOnlyTheWantedKeys) {
   constexpr std::array<std::string_view, 2> kWanted{"a", "b"};
-  const auto kept = parse_json(
+  const auto kept = parse_json<nlohmann::json>(
       {.text = R"({"x": {"a": 1}, "a": [1, {"b": "text", "c": [2]}, [3]], "b": null})", .where = "", .remedy = ""},
       kWanted);
   EXPECT_EQ(kept.dump(), R"({"a":[1,{"b":"text"},[3]],"b":null})");
-  EXPECT_TRUE(json_if_valid("[1,]", kWanted).is_null());
+  EXPECT_TRUE(json_if_valid<nlohmann::json>("[1,]", kWanted).is_null());
 }
 
 // Each of these texts took 20 to 50 times its size as a JSON value.
@@ -69,8 +70,10 @@ TEST(JsonText, TakesMemoryAsItsLength) {
     for (std::size_t i = 1; i < kItems; ++i) text.append(",").append(item);
     EXPECT_THAT(refusal(text + "]"), HasSubstr("more memory than")) << item;
     constexpr std::array<std::string_view, 1> kWanted{"a"};
-    EXPECT_EQ(parse_json({.text = std::string(R"({"b":)") + text + "]}", .where = "", .remedy = ""}, kWanted).dump(),
-              "{}");
+    EXPECT_EQ(
+        parse_json<nlohmann::json>({.text = std::string(R"({"b":)") + text + "]}", .where = "", .remedy = ""}, kWanted)
+            .dump(),
+        "{}");
   }
   std::string keys = "{\"0\":0";
   for (std::size_t i = 1; i <= 10'000; ++i) keys += ",\"" + std::to_string(i) + "\":0";
