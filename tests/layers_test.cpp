@@ -254,7 +254,8 @@ TEST(Layers, IncludeFftwInOneFile) {
   EXPECT_THAT(files, ElementsAre("src/core/math/fft.cpp"));
 }
 
-// A layer is a namespace. Two types of one name in it violate the one-definition rule, which the linker does not report.
+// A layer is a namespace. Two types of one name in it violate the one-definition rule, which the linker does not
+// report.
 TEST(Layers, DefineEachTypeNameOnce) {
   std::map<std::string, std::string> path_of;
   std::vector<std::string> twice;

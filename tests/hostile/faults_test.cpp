@@ -61,8 +61,9 @@ class Faults : public testing::Test {
       ++failures;
       without = 0;
       ASSERT_THAT(outcome.code, AnyOf(1, 3)) << outcome.err;
-      // libseccomp does not report each failed allocation: the filter of a sandboxed reader then lacks a permission.
-      ASSERT_THAT(outcome.err, AnyOf(HasSubstr("memory"), HasSubstr("Operation not permitted")));
+      // libseccomp does not report each failed allocation: it may drop a comparison of a rule, or never end.
+      ASSERT_THAT(outcome.err, AnyOf(HasSubstr("memory"), HasSubstr("Operation not permitted"),
+                                     HasSubstr("limit for a file of this size")));
       ASSERT_THAT(files(), IsEmpty());
     }
     EXPECT_GT(failures, 10);

@@ -31,7 +31,8 @@ namespace {
 // The numbers, from `first` on, under which this process has the file open. None without /proc.
 std::set<int> descriptors_of(const std::string& path, int first) {
   std::set<int> found;
-  struct stat file {}, open_file {};
+  struct stat file {
+  }, open_file{};
   if (path.empty() || ::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode)) return found;
   std::error_code absent;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", absent)) {

@@ -33,7 +33,7 @@ ForkServer::ForkServer(const Open& open) {
   if (process_ > 0) return;
   if (paired) ::close(descriptor_);
   throw MachineFault("cannot start a process that reads files", "batch", "close other programs, or trust the input",
-                   {"trust_input"});
+                     {"trust_input"});
 }
 
 ForkServer::~ForkServer() {

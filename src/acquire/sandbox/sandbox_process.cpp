@@ -174,7 +174,7 @@ void SandboxProcess::rethrow(SandboxOutcome outcome, const std::string& payload)
 
 void SandboxProcess::report_no_process() const {
   throw MachineFault("cannot start a process that reads the file", path_, "close other programs, or trust the input",
-                   {"trust_input"});
+                     {"trust_input"});
 }
 
 void SandboxProcess::report_timeout() const {

@@ -75,7 +75,7 @@ class SandboxProcess {
   std::mutex mutex_;
   double* shared_ = nullptr;  // the child writes numbers here
   int descriptor_ = -1, pipe_ = -1;
-  int owner_ = -1;  // the process that opened the file
+  int owner_ = -1;                           // the process that opened the file
   int child_ = -1;                           // process number; with a fork server, the server's number of the reader
   std::shared_ptr<ForkServer> fork_server_;  // parent of the child; nullptr: this process
 };

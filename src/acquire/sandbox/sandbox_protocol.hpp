@@ -20,7 +20,14 @@ struct SandboxRequest {
 };
 
 /// The result of a request. It is sent as this number, the payload's length and the payload.
-enum class SandboxOutcome : std::uint64_t { good, input_error, ambiguous_columns, no_memory, other_error, machine_fault };
+enum class SandboxOutcome : std::uint64_t {
+  good,
+  input_error,
+  ambiguous_columns,
+  no_memory,
+  other_error,
+  machine_fault
+};
 
 /// Transfers all bytes. False when the other process has closed its end.
 bool send_bytes(int descriptor, const void* from, std::size_t bytes);

@@ -24,8 +24,8 @@ void serve(const ReaderDescriptors& descriptors, const std::string& path, const 
   const std::uint64_t file_bytes = regular_file_bytes(path);
   SandboxService service;
   const bool connected = run_and_send_outcome(kSandboxSocket, [&] {
+    start_processor_limit(file_bytes);  // first: libseccomp never ends when certain allocations fail
     enter_sandbox(path, file_bytes);
-    start_processor_limit(file_bytes);
     service = open();
     return service.description;
   });

@@ -1,16 +1,21 @@
 #include "acquire/sandbox/system_call_filter.hpp"
 
 #include <fcntl.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <seccomp.h>
 #include <sys/file.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <initializer_list>
 #include <new>
+#include <vector>
 
 #include "acquire/sandbox/enter_sandbox.hpp"
 #include "acquire/sandbox/sandbox_limits.hpp"
@@ -46,32 +51,55 @@ class Filter {
     // EDOM: this architecture does not have the call.
     const int result = seccomp_rule_add_array(context_, SCMP_ACT_ALLOW, call, count, arguments.begin());
     complete_ = complete_ && (result == -EDOM || succeeded(result));
+    if (result == 0 && call >= 0) calls_.push_back(static_cast<unsigned>(call));
   }
-  bool load() { return complete_ && succeeded(seccomp_load(context_)); }
+  bool load() {
+    if (!complete_) return false;
+    std::vector<sock_filter> program = instructions();
+    const sock_fprog filter{.len = static_cast<unsigned short>(program.size()), .filter = program.data()};
+    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+  }
 
  private:
+  // When an allocation fails, libseccomp may leave out a rule without an error. A call that the reader needs would then
+  // be refused, and the reader could wait for ever. So each call must appear in the program. Throws std::bad_alloc.
+  std::vector<sock_filter> instructions() const {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0) throw std::bad_alloc();
+    std::vector<sock_filter> program(BPF_MAXINSNS);  // 32 kB; a pipe holds 64 kB
+    const bool exported = seccomp_export_bpf(context_, ends[1]) == 0;
+    const ssize_t size = ::read(ends[0], program.data(), program.size() * sizeof(sock_filter));
+    for (const int end : ends) ::close(end);
+    if (!exported || size < 0) throw std::bad_alloc();
+    program.resize(static_cast<std::size_t>(size) / sizeof(sock_filter));
+    if (!std::ranges::all_of(calls_, [&](unsigned call) { return names(program, call); })) throw std::bad_alloc();
+    return program;
+  }
+  static bool names(const std::vector<sock_filter>& program, unsigned call) {
+    return std::ranges::any_of(
+        program, [&](const sock_filter& step) { return step.code == (BPF_JMP | BPF_JEQ | BPF_K) && step.k == call; });
+  }
   static bool succeeded(int result) {
     if (result == -ENOMEM || result == -EFAULT) throw std::bad_alloc();  // the library reports either
     return result == 0;
   }
 
   scmp_filter_ctx context_;
+  std::vector<unsigned> calls_;  // their numbers
   bool complete_ = true;
 };
 
 // The C library, matio, HDF5 and libsndfile need these to read a file.
 void allow_always(Filter& filter) {
   for (const int call :
-       {SCMP_SYS(read),         SCMP_SYS(pread64),        SCMP_SYS(readv),         SCMP_SYS(preadv),
-        SCMP_SYS(lseek),        SCMP_SYS(fstat),          SCMP_SYS(newfstatat),    SCMP_SYS(statx),
-        SCMP_SYS(stat),         SCMP_SYS(munmap),         SCMP_SYS(mremap),        SCMP_SYS(brk),
-        SCMP_SYS(madvise),      SCMP_SYS(futex),          SCMP_SYS(exit),          SCMP_SYS(exit_group),
-        SCMP_SYS(rt_sigaction), SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn),  SCMP_SYS(sigaltstack),
-        SCMP_SYS(getpid),       SCMP_SYS(gettid),         SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday),
-        SCMP_SYS(getrandom),    SCMP_SYS(sched_yield),    SCMP_SYS(uname),         SCMP_SYS(sysinfo),
-        SCMP_SYS(fadvise64),    SCMP_SYS(getuid),         SCMP_SYS(geteuid),       SCMP_SYS(restart_syscall),
+       {SCMP_SYS(read), SCMP_SYS(pread64), SCMP_SYS(readv), SCMP_SYS(preadv), SCMP_SYS(lseek), SCMP_SYS(fstat),
+        SCMP_SYS(newfstatat), SCMP_SYS(statx), SCMP_SYS(stat), SCMP_SYS(munmap), SCMP_SYS(mremap), SCMP_SYS(brk),
+        SCMP_SYS(madvise), SCMP_SYS(futex), SCMP_SYS(exit), SCMP_SYS(exit_group), SCMP_SYS(rt_sigaction),
+        SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn), SCMP_SYS(sigaltstack), SCMP_SYS(getpid), SCMP_SYS(gettid),
+        SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday), SCMP_SYS(getrandom), SCMP_SYS(sched_yield), SCMP_SYS(uname),
+        SCMP_SYS(sysinfo), SCMP_SYS(fadvise64), SCMP_SYS(getuid), SCMP_SYS(geteuid), SCMP_SYS(restart_syscall),
         // HDF5 resolves the symbolic links of the file's path.
-        SCMP_SYS(lstat),        SCMP_SYS(readlink),       SCMP_SYS(readlinkat),    SCMP_SYS(getcwd)})
+        SCMP_SYS(lstat), SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(getcwd)})
     filter.allow(call);
 }
 

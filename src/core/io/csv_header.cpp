@@ -89,7 +89,7 @@ Cells split_blank_separated(std::string_view line, std::size_t wanted) {
                                static_cast<std::size_t>(wide.back().data() - wide.front().data()) + wide.back().size());
   Cells cells;
   for (const auto cell : split_cells(whole, {.delimiter = ' '})) {
-    const bool unit = !cells.empty() && (cell.front() == '(' || cell.front() == '[');
+    const bool unit = !cells.empty() && (cell.starts_with('(') || cell.starts_with('['));
     if (unit) {
       cells.back() = {cells.back().data(), static_cast<std::size_t>(cell.data() - cells.back().data()) + cell.size()};
     } else {

@@ -176,7 +176,8 @@ TEST_F(EnterSandbox, DoesNotInheritTheNumbersOfOtherReaders) {
   const auto maps = [](const std::string& of) {
     std::size_t count = 0;
     std::ifstream lines("/proc/" + of + "/maps");
-    for (std::string line; std::getline(lines, line);) count += line.find("memfd:percuss") != std::string::npos ? 1U : 0U;
+    for (std::string line; std::getline(lines, line);)
+      count += line.find("memfd:percuss") != std::string::npos ? 1U : 0U;
     return count;
   };
   if (!test::has_seccomp()) return;

@@ -78,6 +78,11 @@ TEST(CsvHeader, ReadsNamesWithBlanksInAlignedText) {
               ElementsAre("Time (s)|s", "Force (N)|N", "Acc (g)|g"));
 }
 
+TEST(CsvHeader, NumbersColumnsWhenANameIsEmptyInBlankSeparatedText) {
+  EXPECT_THAT(names_of(header_of("t \"\" a\n0 1 2\n1 2 3\n2 3 4\n")),
+              ElementsAre("column 1|", "column 2|", "column 3|"));
+}
+
 TEST(CsvHeader, NumbersUnnamedColumns) {
   const auto header = header_of("0,1\n1,2\n");
   EXPECT_FALSE(header.named);

@@ -47,7 +47,8 @@ void require_short_lines(std::string_view text, char line_end, const std::string
     const std::size_t last = rest.substr(0, kLineLimit_bytes + 1).rfind(line_end);
     if (last == std::string_view::npos) {
       const auto line = 1 + std::count(text.data(), rest.data(), line_end);
-      throw InputError("a line of more than 1 MiB", name + ": line " + std::to_string(line), "save one line per sample");
+      throw InputError("a line of more than 1 MiB", name + ": line " + std::to_string(line),
+                       "save one line per sample");
     }
     rest.remove_prefix(last + 1);
   }
