@@ -48,6 +48,13 @@ void release_reserved_heap() {
   ::malloc_trim(0);
 }
 
+std::uint64_t heap_before_bytes = 0;  // of limit_resources
+
+std::uint64_t heap_bytes() {
+  const struct mallinfo2 heap = ::mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
 std::uint64_t memory_now_bytes() {
   constexpr std::uint64_t kWithoutProc_bytes = std::uint64_t{1} << 30U;
   std::uint64_t pages = 0;
@@ -64,6 +71,7 @@ unsigned processor_limit_s(std::uint64_t file_bytes) {
 }
 
 void limit_resources(std::uint64_t file_bytes) {
+  heap_before_bytes = heap_bytes();
   if (!kSanitized) {
     release_reserved_heap();
     limit(RLIMIT_AS, memory_now_bytes() + memory_limit_bytes(file_bytes));
@@ -73,6 +81,8 @@ void limit_resources(std::uint64_t file_bytes) {
   for (const auto resource : {RLIMIT_FSIZE, RLIMIT_NPROC, RLIMIT_CORE, RLIMIT_MEMLOCK, RLIMIT_MSGQUEUE})
     limit(resource, 0);
 }
+
+std::uint64_t heap_growth_bytes() { return std::max(heap_bytes(), heap_before_bytes) - heap_before_bytes; }
 
 void start_processor_limit(std::uint64_t file_bytes) {
   const itimerval once{.it_interval = {}, .it_value = {.tv_sec = processor_limit_s(file_bytes), .tv_usec = 0}};

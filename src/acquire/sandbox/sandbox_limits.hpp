@@ -14,6 +14,9 @@ unsigned processor_limit_s(std::uint64_t file_bytes);
 /// remain. A sanitizer needs terabytes of address space, so a sanitized build has no limit of memory.
 void limit_resources(std::uint64_t file_bytes);
 
+/// The heap memory that this process has taken since limit_resources; 0 in a sanitized build.
+std::uint64_t heap_growth_bytes();
+
 /// Starts the processor time of an answer. The signal SIGPROF ends a process that exceeds it.
 void start_processor_limit(std::uint64_t file_bytes);
 

@@ -16,6 +16,7 @@
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
 #include "acquire/sandbox/child_process.hpp"
 #include "acquire/sandbox/fork_server.hpp"
+#include "acquire/sandbox/readers_memory.hpp"
 #include "acquire/sandbox/sandbox_limits.hpp"
 #include "acquire/sandbox/sandbox_protocol.hpp"
 #include "acquire/sandbox/serve_in_sandbox.hpp"
@@ -69,8 +70,7 @@ bool SandboxProcess::create_descriptors(ReaderDescriptors& of_child) {
 void SandboxProcess::begin(const std::function<int(const ReaderDescriptors&)>& start) {
   owner_ = ::getpid();
   file_bytes_ = regular_file_bytes(path_);
-  // The child waits for the disk and for other programs as well.
-  constexpr unsigned kWallPerCpuTime = 3, kMinTimeout_s = 60;
+  constexpr unsigned kWallPerCpuTime = 3, kMinTimeout_s = 60;  // it waits for the disk and other programs as well
   if (timeout_s_ == 0) timeout_s_ = std::max(kMinTimeout_s, kWallPerCpuTime * processor_limit_s(file_bytes_));
   ReaderDescriptors of_child;
   if (create_descriptors(of_child)) child_ = start(of_child);
@@ -81,6 +81,7 @@ void SandboxProcess::begin(const std::function<int(const ReaderDescriptors&)>& s
     if (child_ < 0) report_no_process();
     receive_outcome(description_);
   } catch (...) {
+    readers_memory().remove(this);
     close_descriptors();
     kill_child();
     throw;
@@ -88,9 +89,8 @@ void SandboxProcess::begin(const std::function<int(const ReaderDescriptors&)>& s
 }
 
 void SandboxProcess::close_descriptors() {
-  for (const int descriptor : {descriptor_, pipe_}) {
+  for (const int descriptor : {descriptor_, pipe_})
     if (descriptor >= 0) ::close(descriptor);
-  }
   if (shared_ != nullptr) ::munmap(shared_, kSharedNumbers_bytes);
 }
 
@@ -101,6 +101,7 @@ int SandboxProcess::ended(int& status) const {
 }
 
 SandboxProcess::~SandboxProcess() {
+  readers_memory().remove(this);
   if (!is_owner()) {  // the reader serves the process that started it
     shared_ = nullptr;
     child_ = -1;
@@ -136,24 +137,27 @@ int SandboxProcess::kill_child() {
 }
 
 void SandboxProcess::receive_outcome(std::string& payload) {
-  std::array<std::uint64_t, 2> head{};
-  receive(head.data(), sizeof head);
-  if (head[1] > claim_limit_bytes(file_bytes_)) report_contradiction();
+  SandboxOutcomeHead head;
+  receive(&head, sizeof head);
+  if (head.payload_bytes > claim_limit_bytes(file_bytes_)) report_contradiction();
+  // A compromised reader can state any number, but cannot take more memory than its own limit.
+  const std::uint64_t taken_bytes = std::min(head.memory_bytes, memory_limit_bytes(file_bytes_));
+  if (!readers_memory().store(this, file_bytes_, taken_bytes)) report_no_memory_for_all();
   std::string bytes;
   constexpr std::size_t kStep = std::size_t{1} << 24U;  // memory grows with the bytes received, not the size claimed
-  while (bytes.size() < head[1]) {
-    const std::size_t received = bytes.size(), next = std::min<std::size_t>(kStep, head[1] - received);
+  while (bytes.size() < head.payload_bytes) {
+    const std::size_t received = bytes.size(), next = std::min<std::size_t>(kStep, head.payload_bytes - received);
     bytes.resize(received + next);
     receive(bytes.data() + received, next);
   }
-  switch (static_cast<SandboxOutcome>(head[0])) {
+  switch (head.outcome) {
     case SandboxOutcome::good:
       payload = std::move(bytes);
       return;
     case SandboxOutcome::input_error:
     case SandboxOutcome::machine_fault:
     case SandboxOutcome::ambiguous_columns:
-      rethrow(static_cast<SandboxOutcome>(head[0]), bytes);
+      rethrow(head.outcome, bytes);
     case SandboxOutcome::no_memory:
       report_no_memory();
     case SandboxOutcome::other_error:
@@ -192,6 +196,12 @@ void SandboxProcess::report_no_memory() const {
   throw InputError(fmt::format("reading needs more memory than {} MiB, the limit for a file of this size",
                                memory_limit_bytes(file_bytes_) >> 20U),
                    path_, kDamagedOrTrusted, {"trust_input"});
+}
+
+void SandboxProcess::report_no_memory_for_all() const {
+  throw InputError(fmt::format("all files together need more memory than {} MiB, the limit for files of their sizes",
+                               readers_memory().limit_bytes() >> 20U),
+                   path_, "open fewer files, or trust the input", {"trust_input"});
 }
 
 void SandboxProcess::report_crash() {

@@ -66,6 +66,7 @@ class SandboxProcess {
   [[noreturn]] void report_timeout() const;
   [[noreturn]] void report_processor_time() const;
   [[noreturn]] void report_no_memory() const;
+  [[noreturn]] void report_no_memory_for_all() const;
   [[noreturn]] void rethrow(SandboxOutcome outcome, const std::string& payload) const;
   void receive(void* to, std::size_t bytes);
 

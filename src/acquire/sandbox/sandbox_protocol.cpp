@@ -3,11 +3,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <new>
 #include <stdexcept>
 #include <utility>
+
+#include "acquire/sandbox/sandbox_limits.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -15,8 +16,8 @@ namespace {
 constexpr std::size_t kMaxOptions = 16, kMaxOption_bytes = 60;
 
 bool send_outcome(int descriptor, SandboxOutcome outcome, const std::string& payload) {
-  const std::array<std::uint64_t, 2> head{static_cast<std::uint64_t>(outcome), payload.size()};
-  return send_bytes(descriptor, head.data(), sizeof head) && send_bytes(descriptor, payload.data(), payload.size());
+  const SandboxOutcomeHead head{outcome, payload.size(), heap_growth_bytes()};
+  return send_bytes(descriptor, &head, sizeof head) && send_bytes(descriptor, payload.data(), payload.size());
 }
 
 void serialize_error(Serializer& out, const InputError& error) {

@@ -19,7 +19,7 @@ struct SandboxRequest {
   std::uint64_t row = 0, signal = 0, first = 0, count = 0;
 };
 
-/// The result of a request. It is sent as this number, the payload's length and the payload.
+/// The result of a request.
 enum class SandboxOutcome : std::uint64_t {
   good,
   input_error,
@@ -27,6 +27,13 @@ enum class SandboxOutcome : std::uint64_t {
   no_memory,
   other_error,
   machine_fault
+};
+
+/// Precedes the payload of an outcome.
+struct SandboxOutcomeHead {
+  SandboxOutcome outcome = SandboxOutcome::good;
+  std::uint64_t payload_bytes = 0;
+  std::uint64_t memory_bytes = 0;  // that the process has taken
 };
 
 /// Transfers all bytes. False when the other process has closed its end.
