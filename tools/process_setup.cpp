@@ -44,7 +44,7 @@ extern "C" void clean_up_and_die(int signal) {
   std::raise(signal);
 }
 
-// Outside of such calls, the fault occurs again on return and ends the process: the handler is used once.
+// Outside of a LibraryCall, the fault occurs again on return and ends the process: the handler is used once.
 extern "C" void report_library_crash(int /*signal*/) {
   constexpr std::string_view kMessage = "percuss: not enough memory (a library call); analyse fewer rows or channels\n";
   if (!LibraryCall::running()) return;

@@ -146,8 +146,8 @@ not exist in the structure.
 
 {}
 {}
-- `best`, the default, reaches {} times the bound in frequency and {} times in damping. From the shortest record to the
-  longest it stays at {} times: a record that ends before the decay only costs the missing information.
+- `best`, the default, reaches {} times the bound in frequency and {} times in damping. With shorter and longer
+  records it stays at {} times: a record that ends before the decay only costs the missing information.
 - `standard` ({}) and `quick` ({}) fit each mode over its own lines, with a free phase of its residue and a free
   background. The phase alone costs a factor of 1.4 to 2, and the background the rest. `quick` uses fewer lines, and
   does not search for modes without a peak. Both stay because they are faster than every more accurate method: `quick`

@@ -94,8 +94,8 @@ TEST(Calibrate, LiesWithinItsStandardDeviation) {
   const std::vector<double> peaks(20, 300);
   const Calibration found = calibrate(free_mass({.noise = 0.01, .peaks_N = peaks}), kMass_kg);
   // Both channels have the same noise. 15 samples of each hit exceed half of the peak; their mean square is at least
-  // 0.6 of the peak's square. Each offset is a mean of 8 samples. Its weight 1/0.75 is about the square of the mean of
-  // the 15 samples over the square of their mean square.
+  // 0.6 of the peak's square. Each offset is a mean of 8 samples. An offset changes the
+  // scale by its own size times Σx/Σx² of the 15 samples, hence the factor (mean x)²/(mean x²)², about 1/0.75.
   const double expected = 0.01 * std::sqrt(2 * (1 / (15 * 0.6) + 1 / (8 * 0.75))) / std::sqrt(20.0);
   EXPECT_LE(std::abs(found.scale / 0.0102 - 1), 5 * expected);
   constexpr double kFactor = 1.8;  // 1 + 5 · 0.16: the standard deviation of 20 hits is known to 16 %

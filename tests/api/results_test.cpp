@@ -223,7 +223,6 @@ TEST_F(PublicResults, SpecsGiveTheTestTheyDescribe) {
   EXPECT_NEAR(modes[0].freq_Hz, test.modes.at(0).freq_Hz, 6 * modes[0].freq_std_Hz);
 }
 
-// The page of the C++ interface stated the present time.
 TEST_F(PublicResults, PagesStateTheTimeOfSourceDateEpoch) {
   const Analysis analysis(synthesise_preset("wood-bat").record, {.band_Hz = kBand});
   ASSERT_EQ(::setenv("SOURCE_DATE_EPOCH", "86400", 1), 0);

@@ -48,7 +48,7 @@ TEST(LeaveOneOutError, IsTheEnergyOfTheDifferenceFromTheOtherHitsFrf) {
 TEST(LeaveOneOutError, WeighsChannelsAndLinesByTheirEnergy) {
   const std::vector<Lines> alike(2, Lines{1.0, 1.0});
   const auto left = unexplained(alike, {{{1.0, 2.0}, {0.0, 3.0}}, {{1.0, 2.0}, {4.0, 3.0}}});
-  EXPECT_DOUBLE_EQ(left[0], 16.0 / 14);  // only the line of 4 has energy in the other hit, over 1 + 4 + 9
+  EXPECT_DOUBLE_EQ(left[0], 16.0 / 14);  // the hits differ in one line, by 4; the energy of hit 0 is 1 + 4 + 9
   EXPECT_DOUBLE_EQ(left[1], 16.0 / 30);
 }
 

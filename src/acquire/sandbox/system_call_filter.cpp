@@ -120,8 +120,9 @@ void allow_private_memory(Filter& filter) {
   filter.allow(SCMP_SYS(mprotect), {has_bits(2, execution, 0)});
 }
 
-// All descriptors that the process may have but the two that it keeps. A comparison with them would overlook the upper
-// half of the argument, so each rule covers the numbers in which a bit above the lowest one is set.
+// All descriptors that the process may have but 0 and 1, which it keeps. The kernel ignores the upper half of the
+// argument: a rule "not 0" would let a number pass whose lower half is 0. So each rule requires one of the bits 1 to 5,
+// and zeros above them.
 void allow_closing(Filter& filter) {
   static_assert(kSandboxSocket < 2 && kSandboxParentPipe < 2);
   const scmp_datum_t beyond = kAllBits & ~bits(kSandboxDescriptors - 1);

@@ -41,8 +41,8 @@ struct LevenbergMarquardtOptions {
   double max_damping = std::numeric_limits<double>::infinity();    // the search stops above it
   double max_step_size = std::numeric_limits<double>::infinity();  // a larger step counts as outside the limits
   double step_tolerance = 1e-12;                                   // a step below this size ends the search
-  double cost_tolerance =
-      0;  // an expected decrease below this fraction of the cost ends the search too, at initial_damping or less
+  // While the damping is at most initial_damping, an expected decrease below this fraction of the cost ends the search.
+  double cost_tolerance = 0;
 };
 
 /// Why the search ended.

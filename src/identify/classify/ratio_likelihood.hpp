@@ -15,7 +15,7 @@ struct RatioAngle {
 /// Density of a wrapped Gaussian of standard deviation `std` with period 180°, per radian.
 double wrapped_density(double difference_rad, double std_rad);
 
-/// Set-up errors by hand: standard deviations of one sensor's angle and of one channel's gain.
+/// Errors of a set-up made by hand: the standard deviations of one sensor's angle and of one channel's gain.
 struct SetUpError {
   double angle_rad = 0.035;  // 2°
   double gain = 0.03;

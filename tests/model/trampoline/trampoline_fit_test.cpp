@@ -37,8 +37,8 @@ TEST(TrampolineFit, RecoversTheExponents) {
   EXPECT_EQ(fit.beyond_std, 0U);
 }
 
-// At these speeds a and b change the COR almost alike. An error of 0.004 in COR leaves a undetermined, but determines
-// b for a given a.
+// At these speeds a and b change the COR almost alike. An error of 0.004 in COR leaves the exponent a undetermined,
+// but determines b for a given a.
 TEST(TrampolineFit, StatesTheCorrelationOfTheExponents) {
   const ExponentFit fit = fit_exponents(baseball_on_barrel(), exact());
   EXPECT_GT(fit.stiffness_exponent_std, 1);

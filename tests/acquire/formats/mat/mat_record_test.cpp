@@ -156,7 +156,12 @@ TEST_F(MatRecord, ReadsVariablesThatOptionsName) {
 }
 
 TEST_F(MatRecord, RefusesContradictions) {
-  MatBuilder(path_, MatLevel::v5).numbers("fs", {1, 1}, {1000}).numbers("dt", {1, 1}, {0.5});
+  MatBuilder(path_, MatLevel::v5)
+      .numbers("fs", {1, 1}, {1000})
+      .numbers("dt", {1, 1}, {0.5})
+      .numbers("force", {3, 1}, {1, 2, 3})
+      .numbers("accel", {3, 1}, {1, 2, 3});
+  EXPECT_THAT(input_error_of([&] { opened(); }), HasSubstr("0.5 s between samples"));
   MatBuilder(path_, MatLevel::v5).numbers("force", {3, 1}, {1, 2, 3}).numbers("accel", {3, 1}, {1, 2, 3});
   EXPECT_THAT(input_error_of([&] { opened(); }), HasSubstr("no sampling rate"));
   MatBuilder(path_, MatLevel::v5)
