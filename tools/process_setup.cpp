@@ -21,7 +21,8 @@ namespace {
 
 constexpr rlim_t kStack_bytes = rlim_t{8} << 20U, kEnoughStack_bytes = rlim_t{2} << 20U;
 
-// Standard input is opened for writing only, the outputs for reading only.
+// Opened for the wrong direction, so that their use stays an error: standard input for writing, the outputs for
+// reading.
 void reopen_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) != -1) continue;
@@ -68,10 +69,10 @@ void catch_library_crashes() {
 // end of what is needed reserves its addresses.
 [[gnu::noinline]] void reserve_stack() {
   constexpr std::size_t kNeeded_bytes = std::size_t{1} << 20U;
-  void* const same_size =
+  void* const probe =
       ::mmap(nullptr, 2 * kNeeded_bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (same_size == MAP_FAILED) return;
-  ::munmap(same_size, 2 * kNeeded_bytes);
+  if (probe == MAP_FAILED) return;  // the addresses are not there
+  ::munmap(probe, 2 * kNeeded_bytes);
   *static_cast<volatile char*>(__builtin_alloca(kNeeded_bytes)) = 0;
 }
 

@@ -178,7 +178,7 @@ deflections. For `modal` it includes the identification of the modes.
 {}
 - The bound assumes a known force and a known number of modes, but unknown modal parameters, bias and drift.
   `drift-free` ({}) uses neither force nor modes, hence its distance from the bound. `modal` ({}) uses both.
-- With less noise the error of both stays above 0.003 %: the largest deflection is stated at a sample, and the true
+- With less noise the error of both stays near 0.003 %: the largest deflection is stated at a sample, and the true
   maximum lies between two samples. The stated standard deviation does not include this: with 0.01 % of noise the
   coverage of `drift-free` is only {} %. `modal` states too large a standard deviation (coverage {} % in the main case).
 - `small-interval` integrates the bias together with the signal, and `frequency` omits all motion below its lowest line.

@@ -209,7 +209,7 @@ std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, co
     if (found.size() != before && completed.from_records()) complete(completed, components, few, found);
   }
   const std::vector<Pole> poles = poles_of(found);
-  bool scatters = false;  // the refinement runs in parallel: the test seldom discards it
+  bool scatters = false;  // any_pair_is_scatter seldom holds, so the refinement runs beside it
   parallel_for_cost(2, kMinFlops, [&](std::size_t task) {
     if (task == 0) scatters = any_pair_is_scatter(completed.set(), poles);
     if (task == 1 && options.effort == Effort::best) refine_jointly(few, found);

@@ -22,10 +22,10 @@ using Nodes = std::map<int, Vector>;  // by label
 constexpr int kComplexSingle = 5, kNodeColour = 11, kTranslations = 2, kComplexModes = 3, kDisplacement = 8;
 
 Nodes nodes_of(const identify::ModeShape& shape, const pipeline::Survey* survey, const pipeline::Analysis& analysis,
-               bool sensors, int offset) {
+               bool at_sensors, int offset) {
   Nodes out;
   for (const identify::ShapePlace& place : shape.places) {
-    const auto normal = outward_normal(survey, analysis, place.point, place.channel, sensors);
+    const auto normal = outward_normal(survey, analysis, place.point, place.channel, at_sensors);
     Vector& value = out[static_cast<int>(place.point) + offset];
     for (std::size_t i = 0; i < 3; ++i) value[i] += place.value * normal[i];
   }

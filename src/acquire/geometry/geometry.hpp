@@ -40,7 +40,7 @@ std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>
 
 /// Fills position, angle and radius of points whose coordinates lie in rings around an axis parallel to x, y or z
 /// through their mean. The position is the coordinate along the axis. The angle counts from the next axis (y for x, z
-/// for y, x for z) towards the one after. Changes nothing otherwise.
+/// for y, x for z) towards the one after. Changes nothing where they do not lie in rings.
 void tube_from_coordinates(Geometry& geometry);
 
 /// An example: a grid on a barrel.

@@ -32,8 +32,8 @@ using SampleWindow = std::function<std::span<const double>(std::size_t first, st
 
 /// The number of samples after which a response holds only a steady background. The response stays within twice its
 /// final level from some time after the hit on; the length is twice that time. It is all `samples` in two cases: the
-/// response still falls at the end, or the decay is too small to distinguish ringing from a background that the
-/// pre-trigger does not show. Reads a 64th of the samples at a time.
+/// response still falls at the end; or it falls only a little, to a level that the samples before the hit do not have,
+/// so that the end may be ringing. Reads a 64th of the samples at a time.
 std::size_t decayed_length(const Hit& hit, std::size_t samples, const SampleWindow& accel_mps2);
 
 /// Adds `truncated_decay` and `overload` of the worst channel to the findings of the hit.

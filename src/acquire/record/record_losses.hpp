@@ -7,10 +7,11 @@
 
 namespace percuss::acquire {
 
-// Parts of a record that a format may have no place for. Each function adds an entry where the record has the part.
+// Parts of a record that a format may be unable to hold. Each function adds an entry where the record has the part.
 
 /// Trace lines, when the file keeps only `kept` of them.
 void add_lost_lines(const Record& record, std::size_t kept, std::vector<std::string>& losses);
+/// The sensors' angles and positions.
 void add_lost_places(const Record& record, std::vector<std::string>& losses);
 /// Names other than "accel 1", "accel 2", …
 void add_lost_names(const Record& record, std::vector<std::string>& losses);

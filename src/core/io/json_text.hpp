@@ -23,7 +23,7 @@ struct JsonText {
 using WantedKeys = std::span<const std::string_view>;
 
 /// Parses a text, in time proportional to its length. Values of other keys than the wanted ones are checked but not
-/// kept. The values take at most 6.5 times the memory of the text, and 48 MiB.
+/// kept. The values take at most 48 MiB plus 6.5 times the memory of the text.
 /// errors  InputError: not JSON, nested too deep, a key given twice, more than 10000 keys in one object, a number
 /// beyond the range of double, values that need more memory
 template <class Json>  // nlohmann::json, which headers do not include

@@ -13,7 +13,7 @@ using std::numbers::pi;
 constexpr std::size_t kPlanes = 45;     // 2° apart over 90°: the plane at right angles belongs to the bat as well
 constexpr double kPairKnown = 0.9;      // prior probability that a close pair is one mode in two planes
 constexpr double kPairAngle_rad = 0.1;  // standard deviation of the angle between a mode's two planes from 90°
-constexpr double kBroader = 2;          // width of the size ratio of unrelated modes, over that of tan λ
+constexpr double kBroader = 2;          // width of the size ratio of unrelated modes, over that of a pair's members
 constexpr double kMinHoop_Hz = 1000;    // lowest hoop frequency of barrels
 
 // Prior probabilities of the types. A bat's lowest mode is a bending mode at 100 to 300 Hz. Where the lowest mode found
@@ -57,7 +57,8 @@ ModeTable table_of(const TypeEvidence& mode, const RatioLikelihood& likelihood) 
   return table;
 }
 
-// Density of the logarithm of two sizes' ratio: of tan λ for the members of a pair, broader for unrelated modes.
+// Density of the logarithm of two sizes' ratio. The members of a pair share one motion at a random angle λ, so their
+// ratio is tan λ; for unrelated modes the density is broader.
 double sech(double x) { return 1 / std::cosh(std::min(std::abs(x), 300.0)); }
 double pair_density(double log_ratio) { return sech(log_ratio) / pi; }
 double independent_density(double log_ratio) { return sech(log_ratio / kBroader) / (kBroader * pi); }

@@ -38,13 +38,13 @@ double love_Hz(const TubeShell& shell, std::size_t n);
 ///   S11 = λ² + (1 − ν)/2 n²(1 + k)          S12 = −(1 + ν)/2 nλ
 ///   S13 = −νλ − k(λ³ − (1 − ν)/2 n²λ)       S22 = n² + (1 − ν)/2 λ²(1 + 3k)
 ///   S23 = n + k (3 − ν)/2 λ²n               S33 = 1 + k((λ² + n²)² − 2n² + 1)                   (4)
-/// For a long tube (4) becomes (2). It exceeds three-dimensional elasticity by 0.5 % (n = 2) and 1 % (n = 3) for a wall
-/// of R/13, and by a quarter of these for half that wall.
+/// For a long tube (4) becomes (2). It exceeds three-dimensional elasticity by 0.4 to 0.5 % (n = 2) and 1 % (n = 3)
+/// for a wall of R/13, and by a quarter to a half of these for half that wall.
 /// source  [15] in docs/theory/sources.md
 /// theory (13.4)
 double flugge_Hz(const TubeShell& shell, std::size_t n, std::size_t m);
 
-/// The mass of the tube, ρ π (D − h) h L. The source uses it as the barrel's effective mass m₂.
+/// The mass of the tube, ρ π (D − h) h L. Source [8] uses it as the barrel's effective mass m₂.
 double tube_mass_kg(const TubeShell& shell);
 
 }  // namespace percuss::model

@@ -118,7 +118,7 @@ TEST(RoundestBetween, HasTheFewestDigits) {
   }
 }
 
-// A fuzzer found that the rate was rounded to the range of int.
+// A rate rounded to int would be undefined here.
 TEST(TimeStamps, MustBeFinite) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   for (const std::vector<double>& time_s : {std::vector{38, kInfinite}, {0, 5e-324}}) {

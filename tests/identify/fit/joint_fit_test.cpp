@@ -37,8 +37,8 @@ TEST(FitJointly, IsExactOnLinesWithoutNoise) {
   EXPECT_LE(std::abs(fit.residues(1, 2) + 0.3), 1e3 * kTolerance);
 }
 
-// Mean squares of the errors in reported standard deviations, over many realisations of the noise: of all poles, and of
-// one residue. Also the number of modes with a complex residue.
+// Mean squares of the errors, in units of the reported standard deviations, over many realisations of the noise: of all
+// poles, and of one residue. Also the number of modes with a complex residue.
 struct Scatter {
   double freq = 0, damping = 0, residue = 0;
   int complex_modes = 0;

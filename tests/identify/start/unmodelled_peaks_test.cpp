@@ -54,7 +54,8 @@ TEST(UnmodelledPeaks, AreLimitedToTheForcesBandwidthAndTheRange) {
   EXPECT_EQ(unmodelled_peaks(set, {}, 1).size(), 1U);
 }
 
-// A peak of six standard deviations: on a flank, noise can raise one line and lower its neighbour.
+// A peak must exceed six standard deviations of the noise, because on a flank noise can raise one line and lower its
+// neighbour.
 TEST(UnmodelledPeaks, AreNotNoiseOnAFlank) {
   constexpr double kNoise = 0.5;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

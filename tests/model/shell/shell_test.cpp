@@ -29,7 +29,8 @@ TEST(Shell, ReproducesIndependentFigures) {
 }
 
 // Three-dimensional elasticity of the tube between diaphragms: Ritz's method with ten Legendre polynomials through the
-// wall, cos nθ and sin mπx/L exact (numpy and scipy's eigh). Flügge's equations leave out terms of the order h²/R².
+// wall, cos nθ and sin mπx/L exact (numpy and scipy's eigh). Flügge's equations leave out terms that vanish with h/R:
+// the excess falls from 0.52 % (n = 2) and 1 % (n = 3) to 0.021 % and 0.04 % for a tenth of the wall.
 TEST(Shell, IsNearThreeDimensionalElasticity) {
   struct Known {
     std::size_t n, m;
@@ -46,7 +47,7 @@ TEST(Shell, IsNearThreeDimensionalElasticity) {
   }
   TubeShell thin = kAluminium;
   thin.wall_m /= 10;
-  EXPECT_NEAR(flugge_Hz(thin, 2, 1), 552.1615915, 3e-4 * 552);  // a hundredth of the excess above, and rounding
+  EXPECT_NEAR(flugge_Hz(thin, 2, 1), 552.1615915, 3e-4 * 552);  // a twentieth of the excess above is 2.6e-4
   EXPECT_NEAR(flugge_Hz(thin, 3, 1), 505.8012237, 5e-4 * 506);
 }
 

@@ -9,7 +9,7 @@
 
 namespace percuss::tools {
 
-/// The options of percuss analyze that change the rows of a record.
+/// The options of percuss analyze that change the results of a record.
 struct BatchOptions {
   ReadFlags read;
   AnalysisFlags analysis;

@@ -10,7 +10,7 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kRowsAtOnce = 8192;  // a block's text is written in one call
+constexpr std::size_t kLinesAtOnce = 8192;  // a block's text is written in one call
 
 template <class Number>
 void append(std::string& text, Number number) {
@@ -45,8 +45,8 @@ void write_row(AtomicFile& file, const Record& record, std::size_t row) {
   const std::string start = std::to_string(row) + ",", end = row_end(record, record.rows[row]);
   std::vector<std::vector<double>> columns(1 + record.accel.size());
   std::string text;
-  for (std::size_t first = 0; first < samples; first += kRowsAtOnce) {
-    const std::size_t count = std::min(kRowsAtOnce, samples - first);
+  for (std::size_t first = 0; first < samples; first += kLinesAtOnce) {
+    const std::size_t count = std::min(kLinesAtOnce, samples - first);
     for (std::size_t c = 0; c < columns.size(); ++c) {
       columns[c].resize(count);
       if (c == 0) {
