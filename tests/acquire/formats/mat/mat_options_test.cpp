@@ -50,9 +50,9 @@ std::string refusal_of(const MatFile& file, const ReadOptions& options = {}) {
 TEST(MatOptions, NameColumnsOfMatricesOnly) {
   const MatFile file = file_of({numbers("data", {3, 2}, {7, 8, 9, 10, 11, 12}), text("label", "abcdef"),
                                 numbers("cube", {2, 2, 2}, {1, 2, 3, 4, 5, 6, 7, 8})});
-  const Record record = open_mat(file, {.force_channel = "data(:,1)",
-                                        .accel_channels = {"data(:,2)"},
-                                        .setup = {{.name = "data(:,1)", .sign = -1}}});
+  const Record record = open_mat(
+      file,
+      {.force_channel = "data(:,1)", .accel_channels = {"data(:,2)"}, .setup = {{.name = "data(:,1)", .sign = -1}}});
   EXPECT_THAT(force_N(record), ElementsAre(-7, -8, -9));
   EXPECT_THAT(accel_mps2(record), ElementsAre(10, 11, 12));
   for (const char* name : {"label(:,1)", "cube(:,1)", "none(:,1)", "data(:,0)", "data(:,3)"}) {
@@ -74,9 +74,9 @@ TEST(MatOptions, IgnoreAndChooseChannels) {
   const Record second = open_mat(example(), {.setup = {{.name = "accel 1", .role = "ignore"}}});
   ASSERT_EQ(second.accel.size(), 1U);
   EXPECT_THAT(accel_mps2(second), ElementsAre(7, 8, 9));
-  EXPECT_THAT(refusal_of(example(), {.setup = {{.name = "ACCEL 1", .role = "ignore"},
-                                               {.name = "accel 2", .role = "ignore"}}}),
-              HasSubstr("every acceleration is ignored"));
+  EXPECT_THAT(
+      refusal_of(example(), {.setup = {{.name = "ACCEL 1", .role = "ignore"}, {.name = "accel 2", .role = "ignore"}}}),
+      HasSubstr("every acceleration is ignored"));
   EXPECT_THAT(refusal_of(example(), {.accel_channels = {"1", "accel 1"}}), HasSubstr("requested twice"));
   EXPECT_THAT(refusal_of(example(), {.accel_channels = {"3"}}),
               HasSubstr("channel \"3\" does not exist or is requested twice, among 2 channels"));
@@ -105,8 +105,7 @@ TEST(MatOptions, NumberHitsByWholeNumbers) {
   EXPECT_EQ(open_mat(example({text("point", "7")}), {}).rows[0].point, 0);
   for (const MatVariable& point : {numbers("point", {1, 1}, {1.5}), numbers("point", {1, 1}, {3e9}),
                                    numbers("point", {1, 1}, {NAN}), numbers("point", {2, 1}, {1, 2})}) {
-    EXPECT_EQ(refusal_of(example({point})),
-              "x.mat: point: not one whole number for each of 1 hits; store one per hit");
+    EXPECT_EQ(refusal_of(example({point})), "x.mat: point: not one whole number for each of 1 hits; store one per hit");
   }
 }
 

@@ -28,7 +28,8 @@ std::string number(std::uint32_t value, std::size_t bytes) {
 
 // Two channels of 8 bits, and chunks behind the samples.
 std::string wav(const std::string& samples, const std::string& behind = "") {
-  const std::string format = number(1, 2) + number(2, 2) + number(1000, 4) + number(2000, 4) + number(2, 2) + number(8, 2);
+  const std::string format =
+      number(1, 2) + number(2, 2) + number(1000, 4) + number(2000, 4) + number(2, 2) + number(8, 2);
   const std::string body = "WAVEfmt " + number(16, 4) + format + "data" +
                            number(static_cast<std::uint32_t>(samples.size()), 4) + samples + behind;
   return "RIFF" + number(static_cast<std::uint32_t>(body.size()), 4) + body;
@@ -75,9 +76,8 @@ TEST_F(SoundLimits, ChunksThatClaimMoreThanTheFileAreRefused) {
               path_ + ": a custom chunk that is too long; export the file again");
   }
   const std::uint32_t large = (16U << 20U) + 2;
-  EXPECT_THAT(
-      input_error_of([&] { opened(wav(samples_, "CAL1" + number(large, 4) + std::string(large, ' ')), {}); }),
-      HasSubstr("a custom chunk that is too long"));
+  EXPECT_THAT(input_error_of([&] { opened(wav(samples_, "CAL1" + number(large, 4) + std::string(large, ' ')), {}); }),
+              HasSubstr("a custom chunk that is too long"));
 }
 
 TEST_F(SoundLimits, OtherFilesAndRangesAreRefused) {
@@ -129,8 +129,8 @@ TEST(SoundCalibrationText, IsRefusedWithThePlace) {
     EXPECT_EQ(refusal(R"(, "geometry_m": [0, 1, 2, 3, 4, 5], "points": 3, "geometry_points": )" + std::string(numbers)),
               not_rising);
   }
-  const SoundCalibration read = parse_calibration(
-      R"({"signals": [], "geometry_m": [0, 1, 2], "points": 3, "geometry_points": [1]})", "x");
+  const SoundCalibration read =
+      parse_calibration(R"({"signals": [], "geometry_m": [0, 1, 2], "points": 3, "geometry_points": [1]})", "x");
   ASSERT_EQ(read.geometry.size(), 3U);
   EXPECT_THAT(read.geometry[1], ElementsAre(0, 1, 2));
   EXPECT_TRUE(std::isnan(read.geometry[0][0]) && std::isnan(read.geometry[2][2]));
