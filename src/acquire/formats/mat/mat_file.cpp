@@ -187,6 +187,7 @@ class Flattener {
 
   // Adds one field of several elements: as one matrix if the fields are vectors of equal length, else one by one.
   void add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open, char close) {
+    if (elements_of.empty()) return;
     if (elements_of.size() == 1) return add(name, elements_of.front());
     if (elements_of.size() > kMaxElements) refuse("more than 4096 elements in " + one_line(name, kNameShown));
     MatFile parts{.path = out_.path};

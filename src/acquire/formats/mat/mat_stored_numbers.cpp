@@ -16,6 +16,7 @@
 #include "core/error.hpp"
 
 namespace percuss::acquire {
+namespace level5 {
 namespace {
 
 constexpr std::uint64_t kHeader_bytes = 128, kVersion_at = 124, kTag_bytes = 8;
@@ -106,7 +107,7 @@ class Bytes {
         stream_.avail_in = static_cast<uInt>(count);
       }
       const int result = inflate(&stream_, Z_NO_FLUSH);
-      if (result != Z_OK && stream_.avail_out > 0) refuse("its compressed data are damaged", file_.path());
+      if (result != Z_OK && stream_.avail_out > 0) refuse("a compressed variable is damaged", file_.path());
     }
   }
 
@@ -216,9 +217,7 @@ class Variable {
   const std::string& path_;
 };
 
-}  // namespace
-
-void require_stored_numbers(const std::string& path) {
+void check_file(const std::string& path) {
   const File file(path);
   std::array<std::uint32_t, 2> tag{};
   file.read(kVersion_at, tag.data(), sizeof tag[0]);
@@ -240,5 +239,10 @@ void require_stored_numbers(const std::string& path) {
     }
   }
 }
+
+}  // namespace
+}  // namespace level5
+
+void require_stored_numbers(const std::string& path) { level5::check_file(path); }
 
 }  // namespace percuss::acquire

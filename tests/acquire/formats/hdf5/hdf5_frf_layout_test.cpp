@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
 #include "acquire/formats/hdf5/read_frf_hdf5.hpp"
@@ -18,7 +20,8 @@ using test::Hdf5Builder;
 using test::input_error_of;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
 
 // The names and the number type of a complex number's members.
 struct Complexes {
@@ -57,7 +60,9 @@ class Hdf5FrfLayout : public testing::Test {
     {
       Hdf5Builder file(path_);
       add_frf(file.id(), shape, of);
-      if (!shape.empty()) file.ramp("frequency_hz", {shape.back()});
+      std::vector<double> freq_Hz(shape.empty() ? 0 : shape.back());
+      std::iota(freq_Hz.begin(), freq_Hz.end(), 0);
+      if (!shape.empty()) file.values("frequency_hz", {shape.back()}, freq_Hz);
       add(file);
     }
     return read_frf_hdf5(path_).value();
@@ -104,19 +109,17 @@ TEST_F(Hdf5FrfLayout, HasComplexNumbersOfThreeSpellings) {
 }
 
 TEST_F(Hdf5FrfLayout, IsRefusedWhenEmptyOrTooLarge) {
-  EXPECT_THAT(refusal({}), HasSubstr("/frf: empty"));
-  EXPECT_THAT(refusal({0, 2}), HasSubstr("/frf: empty"));
+  EXPECT_THAT(refusal({}), HasSubstr("empty (" + path_ + ": /frf)"));
+  EXPECT_THAT(refusal({0, 2}), HasSubstr("empty (" + path_ + ": /frf)"));
   EXPECT_THAT(refusal({1'000'001, 1, 1}, {.number = H5T_STD_I8LE}), HasSubstr("more than a million FRFs"));
-  Hdf5Builder file(path_);
-  add_frf(file.id(), {2});
+  add_frf(Hdf5Builder(path_).id(), {2});
   EXPECT_THAT(input_error_of([&] { read_frf_hdf5(path_); }), HasSubstr("no data set /frequency_hz"));
 }
 
 TEST_F(Hdf5FrfLayout, YieldsToARecord) {
-  Hdf5Builder file(path_);
+  Hdf5Builder(path_).values("force", {2}, {1, 2});
   EXPECT_FALSE(read_frf_hdf5(path_).has_value());
-  add_frf(file.id(), {2});
-  file.values("force", {2}, {1, 2});
+  add_frf(Hdf5Builder(path_).values("force", {2}, {1, 2}).id(), {2});
   EXPECT_FALSE(read_frf_hdf5(path_).has_value());
 }
 
@@ -135,25 +138,25 @@ TEST_F(Hdf5FrfLayout, HasStandardDeviationsAndCoherence) {
   EXPECT_THAT(refusal_with([](auto& file) {
                 file.values("frf_std", {2, 2}, {0, 1, 2, 3});
               }),
-              HasSubstr("/frf_std: shape [2, 2] for FRFs [2, 2, 2]; store one number per line"));
+              HasSubstr("shape [2, 2] for FRFs [2, 2, 2] (" + path_ + ": /frf_std); store one number per line"));
   EXPECT_THAT(refusal_with([](auto& file) {
-                file.values("coherence", {2, 2, 2}, {0, 1, 1, 1, 1, 1, 1, NAN});
+                file.values("coherence", {2, 2, 2}, {0, 1, 1, 1, 1, 1, 1, kNaN});
               }),
-              HasSubstr("/coherence: not a finite number"));
+              HasSubstr("not a finite number (" + path_ + ": /coherence)"));
 }
 
 TEST_F(Hdf5FrfLayout, RefusesPointsThatAreNoWholeNumbers) {
-  for (const double number : {0.5, 2e9, -2e9, double{NAN}}) {
+  for (const double number : {0.5, 2e9, -2e9, kNaN}) {
     EXPECT_THAT(refusal_with([&](auto& file) {
                   file.values("point", {2}, {0, number});
                 }),
-                HasSubstr("/point: not a whole number"));
+                HasSubstr("not a whole number (" + path_ + ": /point)"));
   }
 }
 
 TEST_F(Hdf5FrfLayout, KnowsTheSensorsThatAreStated) {
   const StoredFrfs frfs = read({2, 2, 2}, [](auto& file) {
-    file.numbers("frf", "angle_deg", {180}).numbers("frf", "position_m", {NAN, 0.25});
+    file.numbers("frf", "angle_deg", {180}).numbers("frf", "position_m", {kNaN, 0.25});
   });
   ASSERT_EQ(frfs.record.accel.size(), 2U);
   EXPECT_DOUBLE_EQ(frfs.record.accel[0].angle_rad.value(), std::acos(-1));
@@ -161,7 +164,7 @@ TEST_F(Hdf5FrfLayout, KnowsTheSensorsThatAreStated) {
   EXPECT_FALSE(frfs.record.accel[0].position_m.has_value());
   EXPECT_EQ(frfs.record.accel[1].position_m, 0.25);
   const StoredFrfs others = read({2, 2, 2}, [](auto& file) {
-    file.numbers("frf", "angle_deg", {NAN, 180}).numbers("frf", "position_m", {0.5});
+    file.numbers("frf", "angle_deg", {kNaN, 180}).numbers("frf", "position_m", {0.5});
   });
   EXPECT_FALSE(others.record.accel[0].angle_rad.has_value());
   EXPECT_EQ(others.record.accel[0].position_m, 0.5);
@@ -169,11 +172,11 @@ TEST_F(Hdf5FrfLayout, KnowsTheSensorsThatAreStated) {
 }
 
 TEST_F(Hdf5FrfLayout, ChecksDecayAndAverages) {
-  for (const double decay : {-1.0, double{NAN}, double{INFINITY}}) {
+  for (const double decay : {-1.0, kNaN, kInfinity}) {
     EXPECT_THAT(refusal_with([&](auto& file) { file.numbers("", "decay_per_s", {decay}); }),
                 HasSubstr("decay_per_s is not a decay"));
   }
-  for (const double count : {-1.0, 2e9, double{NAN}}) {
+  for (const double count : {-1.0, 2e9, kNaN}) {
     EXPECT_EQ(read({2}, [&](auto& file) { file.numbers("", "averages", {count}); }).frfs[0].averages, 0U);
   }
 }
@@ -183,10 +186,10 @@ TEST_F(Hdf5FrfLayout, RefusesNumbersThatAreNotFinite) {
     EXPECT_THAT(refusal_with([&](auto& file) {
                   const Handle set(H5Dopen2(file.id(), "frf", H5P_DEFAULT)), memory = compound({}, H5T_NATIVE_DOUBLE);
                   std::array<double, 16> values{};
-                  values.at(imaginary ? 3 : 2) = NAN;
+                  values.at(imaginary ? 3 : 2) = kNaN;
                   H5Dwrite(set.get(), memory.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
                 }),
-                HasSubstr("/frf: not a finite number"));
+                HasSubstr("not a finite number (" + path_ + ": /frf)"));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "acquire/formats/mat/mat_completeness.hpp"
 #include "acquire/formats/mat/mat_file.hpp"
@@ -21,6 +22,8 @@ using test::input_error_of;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 MatVariable numbers(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<double>& real) {
   return {.name = name, .shape = shape, .real = real};
@@ -94,7 +97,7 @@ TEST(MatOptions, TakeDescriptionsOfTheRightShapeOnly) {
   for (const MatVariable& other : {text("geometry", "0011"), numbers("geometry", {2, 1, 2}, corners),
                                    numbers("geometry", {4, 1}, corners), numbers("geometry", {1, 4}, corners)})
     EXPECT_THAT(open_mat(example({other}), {}).geometry, IsEmpty());
-  const Record angles = open_mat(example({numbers("angle_deg", {1, 2}, {180, NAN}), text("position_m", "ab")}), {});
+  const Record angles = open_mat(example({numbers("angle_deg", {1, 2}, {180, kNaN}), text("position_m", "ab")}), {});
   EXPECT_DOUBLE_EQ(angles.accel[0].angle_rad.value(), std::acos(-1));
   EXPECT_FALSE(angles.accel[1].angle_rad.has_value());
   EXPECT_FALSE(angles.accel[0].position_m.has_value());
@@ -104,8 +107,9 @@ TEST(MatOptions, NumberHitsByWholeNumbers) {
   EXPECT_EQ(open_mat(example({numbers("point", {1, 1}, {-3})}), {}).rows[0].point, -3);
   EXPECT_EQ(open_mat(example({text("point", "7")}), {}).rows[0].point, 0);
   for (const MatVariable& point : {numbers("point", {1, 1}, {1.5}), numbers("point", {1, 1}, {3e9}),
-                                   numbers("point", {1, 1}, {NAN}), numbers("point", {2, 1}, {1, 2})}) {
-    EXPECT_EQ(refusal_of(example({point})), "x.mat: point: not one whole number for each of 1 hits; store one per hit");
+                                   numbers("point", {1, 1}, {kNaN}), numbers("point", {2, 1}, {1, 2})}) {
+    EXPECT_EQ(refusal_of(example({point})),
+              "not one whole number for each of 1 hits (x.mat: point); store one per hit");
   }
 }
 
@@ -118,7 +122,7 @@ TEST(MatOptions, NameTheRate) {
   MatVariable complex = numbers("speed", {1, 1}, {500});
   complex.imaginary = {1};
   for (const MatVariable& other : {text("speed", "500"), complex, numbers("speed", {0, 0}, {})})
-    EXPECT_THAT(input_error_of([&] { rate_Hz(other); }), HasSubstr("x.mat: speed: not a number"));
+    EXPECT_THAT(input_error_of([&] { rate_Hz(other); }), HasSubstr("not a number (x.mat: speed)"));
 }
 
 std::string words(const std::vector<std::uint32_t>& values, bool swapped) {

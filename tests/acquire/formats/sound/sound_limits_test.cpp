@@ -73,7 +73,7 @@ TEST_F(SoundLimits, AnyScaleOptionAnswersTheNoteOnFullScale) {
 TEST_F(SoundLimits, ChunksThatClaimMoreThanTheFileAreRefused) {
   for (const std::uint32_t claimed : {100'000U, 0x7FFFFFF0U}) {
     EXPECT_EQ(input_error_of([&] { opened(wav(samples_, "CAL1" + number(claimed, 4) + "{}  "), {}); }),
-              path_ + ": a custom chunk that is too long; export the file again");
+              "a custom chunk that is too long (" + path_ + "); export the file again");
   }
   const std::uint32_t large = (16U << 20U) + 2;
   EXPECT_THAT(input_error_of([&] { opened(wav(samples_, "CAL1" + number(large, 4) + std::string(large, ' ')), {}); }),
@@ -113,18 +113,18 @@ TEST(SoundCalibrationText, IsRefusedWithThePlace) {
     return input_error_of([&] { parse_calibration(R"({"signals": [])" + members + "}", "x"); });
   };
   EXPECT_EQ(refusal(R"(, "rows": [{"samples": 2, "point": 1.5}])"),
-            "x, rows[0].point: not a whole number; write a whole number");
+            "not a whole number (x, rows[0].point); write a whole number");
   const std::string not_coordinates =
-      "x, geometry_m: not 2 or 3 coordinates for every point; write them point by point";
+      "not 2 or 3 coordinates for every point (x, geometry_m); write them point by point";
   EXPECT_EQ(refusal(R"(, "geometry_m": [0, 1, 2, 3])"), not_coordinates);
   EXPECT_EQ(refusal(R"(, "geometry_m": [0, 1], "coordinates": 1)"), not_coordinates);
   EXPECT_EQ(refusal(R"(, "geometry_m": [0, 1, 2, 3], "coordinates": 4)"), not_coordinates);
   EXPECT_EQ(refusal(R"(, "geometry_m": [0, 1, 2], "geometry_points": [0, 1])"),
-            "x, geometry_points: not one number for every point; write one each");
+            "not one number for every point (x, geometry_points); write one each");
   EXPECT_EQ(refusal(R"(, "geometry_m": [0, 1, 2], "points": 2000, "geometry_points": [0])"),
-            "x, points: points numbered too far apart; number them from 0");
+            "points numbered too far apart (x, points); number them from 0");
   const std::string not_rising =
-      "x, geometry_points: point numbers that do not rise, or are not below \"points\"; number points from 0";
+      "point numbers that do not rise, or are not below \"points\" (x, geometry_points); number points from 0";
   for (const char* numbers : {"[1, 1]", "[0, 5]", "[0, 1.5]", "[-1, 0]"}) {
     EXPECT_EQ(refusal(R"(, "geometry_m": [0, 1, 2, 3, 4, 5], "points": 3, "geometry_points": )" + std::string(numbers)),
               not_rising);
