@@ -231,11 +231,11 @@ void check_file(const std::string& path) {
     Variable variable(bytes, swapped, path);
     if (type == kMatrix) variable.check(length, 0);
     if (type == kCompressed) {
-      const auto inner = variable.next_tag(kTag_bytes);
-      if (!inner || inner->type != kMatrix) continue;
-      if (inner->bytes > left_bytes) refuse("the file claims more numbers than it can hold", path);
-      left_bytes -= inner->bytes;
-      variable.check(inner->bytes, 0);
+      const Tag inner = variable.next_tag(kTag_bytes).value();
+      if (inner.type != kMatrix) continue;
+      if (inner.bytes > left_bytes) refuse("the file claims more numbers than it can hold", path);
+      left_bytes -= inner.bytes;
+      variable.check(inner.bytes, 0);
     }
   }
 }

@@ -171,6 +171,13 @@ TEST_F(Hdf5FrfLayout, KnowsTheSensorsThatAreStated) {
   EXPECT_FALSE(others.record.accel[1].position_m.has_value());
 }
 
+TEST_F(Hdf5FrfLayout, RefusesMoreAnglesThanChannels) {
+  EXPECT_EQ(refusal_with([](auto& file) {
+              file.numbers("frf", "angle_deg", {0, 90, 180});
+            }),
+            "attribute angle_deg holds 3 numbers (" + path_ + ": /frf); store one per channel");
+}
+
 TEST_F(Hdf5FrfLayout, ChecksDecayAndAverages) {
   for (const double decay : {-1.0, kNaN, kInfinity}) {
     EXPECT_THAT(refusal_with([&](auto& file) { file.numbers("", "decay_per_s", {decay}); }),

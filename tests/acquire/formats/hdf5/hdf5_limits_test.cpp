@@ -161,6 +161,16 @@ TEST_F(Hdf5Limits, PointsAndTraceLinesHaveTheirShapes) {
   EXPECT_THAT(lines({10'000'001, 2}), HasSubstr("shape [10000001, 2]"));
 }
 
+TEST_F(Hdf5Limits, EmptySetsAreRead) {
+  write([](auto& file) { file.ramp("geometry", {0, 3}).ramp("trace_lines", {0, 2}, {.chunk = {1, 2}, .gzip = 1}); });
+  EXPECT_THAT(open_hdf5(path_).geometry, testing::IsEmpty());
+  const auto null_set = [](auto& file) {
+    const Handle none(H5Screate(H5S_NULL));
+    Handle(H5Dcreate2(file.id(), "point", H5T_IEEE_F64LE, none.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)).close();
+  };
+  EXPECT_THAT(refusal_with(null_set), HasSubstr("shape of one number for 1 hits"));
+}
+
 TEST_F(Hdf5Limits, AttributesMayBeIntegersAndBlankTexts) {
   {
     Hdf5Builder file(path_);

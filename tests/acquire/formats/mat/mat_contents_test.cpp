@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "acquire/formats/mat/mat_file.hpp"
+#include "acquire/formats/mat/mat_stored_numbers.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 #include "support/scratch_folder.hpp"
@@ -61,10 +62,13 @@ std::string structure(const std::string& name, const std::string& arrays, std::u
 
 class MatContents : public testing::Test {
  protected:
-  MatFile read(const std::string& variables) const {
+  void write(const std::string& variables) const {
     std::string header = "MATLAB 5.0 MAT-file";
     header.resize(124, ' ');
     test::write_bytes(path_, header + std::string("\x00\x01IM", 4) + variables);
+  }
+  MatFile read(const std::string& variables) const {
+    write(variables);
     return read_mat_file(path_);
   }
   std::string refusal(const std::string& variables) const {
@@ -127,6 +131,29 @@ TEST_F(MatContents, StayWithinTheirLengths) {
       words({15, static_cast<std::uint32_t>(packed.size() - 20)}) + packed.substr(8, packed.size() - 20);
   EXPECT_THAT(refusal(cut), HasSubstr("a compressed variable is damaged"));
   EXPECT_THAT(refusal(compressed(plain, 0x10000000U)), HasSubstr("the file claims more numbers than it can hold"));
+}
+
+// The library refuses or skips them.
+TEST_F(MatContents, OfUnexpectedFormAreLeftToTheLibrary) {
+  const std::string flags = element(6, words({kDouble, 0})), shape = element(5, words({1, 9})), name = element(1, "x");
+  const std::string fields = words({0x00040005U, 8}), short_one = array(flags + shape + name + doubles({1}));
+  std::string nested = short_one;
+  for (int level = 0; level < 16; ++level) nested = array(head(kCell, {1, 1}, "") + nested);
+  for (const std::string& variable :
+       {array("1234"), array(element(5, words({kDouble, 0})) + shape + name),
+        array(element(6, words({kDouble, 0, 0, 0})) + shape + name), array(flags), array(flags + shape),
+        array(flags + element(6, words({1, 9})) + name), array(flags + words({0x00040005U, 9}) + name),
+        array(flags + element(5, "12345") + name), array(flags + element(5, words(std::vector(65, 1U))) + name),
+        array(flags + element(5, words({1, 1, 0})) + name), array(head(kStruct, {1, 1}, "s")),
+        array(head(kStruct, {1, 1}, "s") + element(5, words({8}))), array(head(kStruct, {1, 1}, "s") + fields),
+        array(head(kStruct, {1, 1}, "s") + words({0x00040005U, 0}) + element(1, "a")), array(head(kCell, {1, 2}, "c")),
+        array(head(kCell, {1, 1}, "c") + doubles({1})), nested, element(9, "12345678")}) {
+    write(variable);
+    EXPECT_NO_THROW(require_stored_numbers(path_));
+  }
+  EXPECT_THAT(refusal(short_one), HasSubstr("an array stores fewer numbers than it states"));
+  test::write_bytes(path_, std::string(126, ' '));
+  EXPECT_THAT(input_error_of([&] { require_stored_numbers(path_); }), HasSubstr("reading failed"));
 }
 
 TEST_F(MatContents, NameWhatIsNotRead) {
