@@ -114,6 +114,16 @@ TEST_F(SelfContained, AreNotReferencesToRegionsOrDamagedOnes) {
       HasSubstr("damaged references (" + path_ + ": /y)"));
 }
 
+// Links to one object count as well: the last one may lead elsewhere.
+TEST_F(SelfContained, HaveAHundredThousandLinksInAGroupAtMost) {
+  EXPECT_THAT(refusal([](hid_t file) {
+                for (int n = 0; n < 100'000; ++n)
+                  H5Lcreate_hard(file, "x", file, std::to_string(n).c_str(), H5P_DEFAULT, H5P_DEFAULT);
+                H5Lcreate_soft("/x", file, "z", H5P_DEFAULT, H5P_DEFAULT);
+              }),
+              HasSubstr("more than 100000 links in a group"));
+}
+
 TEST_F(SelfContained, HaveLimits) {
   EXPECT_THAT(refusal([](hid_t file) { add_references(file, std::vector<hobj_ref_t>(100'001, 0)); }),
               HasSubstr("more than 100000 references"));
