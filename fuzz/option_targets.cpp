@@ -1,5 +1,4 @@
 #include "acquire/channels/channel_setup.hpp"
-#include "acquire/formats/sound/sound_calibration.hpp"
 #include "acquire/geometry/geometry.hpp"
 #include "core/io/number_table.hpp"
 #include "metrics/protocol/abi_log.hpp"
@@ -11,14 +10,6 @@
 #include "targets.hpp"
 
 namespace percuss::fuzz {
-
-void run_sound_calibration(std::string_view bytes) {
-  accepted([&] {
-    const acquire::SoundCalibration first = acquire::parse_calibration(bytes, "fuzzed");
-    const std::string text = acquire::calibration_text(first);
-    if (acquire::calibration_text(acquire::parse_calibration(text, "again")) != text) std::abort();
-  });
-}
 
 void run_channel_setup(std::string_view bytes) {
   accepted([&] { acquire::parse_channel_setup(bytes, "fuzzed"); });

@@ -14,16 +14,15 @@ constexpr std::size_t kTextBytes = 4096;  // longer texts are not units
 
 /// The attribute; invalid when the object does not have it.
 Handle open_attribute(hid_t object, const std::string& name, const std::string& where) {
-  const htri_t exists = H5Aexists(object, name.c_str());
-  if (exists == 0) return Handle();
-  Handle attribute(exists > 0 ? H5Aopen(object, name.c_str(), H5P_DEFAULT) : H5I_INVALID_HID);
+  if (H5Aexists(object, name.c_str()) == 0) return Handle();
+  Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT));
   if (!attribute) throw InputError("damaged attribute " + name, where, "write the file anew");
   return attribute;
 }
 
 std::size_t element_count(const Handle& attribute) {
   const Handle space(H5Aget_space(attribute.get()));
-  const hssize_t count = space ? H5Sget_simple_extent_npoints(space.get()) : 0;
+  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
   return count > 0 ? static_cast<std::size_t>(count) : 0;
 }
 
@@ -76,7 +75,7 @@ std::optional<std::string> text_attribute(hid_t object, const std::string& name,
   const Handle attribute = open_attribute(object, name, where);
   if (!attribute) return std::nullopt;
   const Handle type(H5Aget_type(attribute.get()));
-  const bool one_text = type && H5Tget_class(type.get()) == H5T_STRING && element_count(attribute) == 1;
+  const bool one_text = H5Tget_class(type.get()) == H5T_STRING && element_count(attribute) == 1;
   std::optional<std::string> text;
   if (one_text) {
     text = H5Tis_variable_str(type.get()) > 0 ? read_variable_text(attribute, type) : read_fixed_text(attribute, type);

@@ -13,6 +13,7 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
+// A call that gets an invalid identifier from a failed call fails itself, so that only the last of them is checked.
 constexpr std::size_t kDefaultCacheBytes = std::size_t{1} << 20, kMaxCache_bytes = std::size_t{64} << 20;
 constexpr std::uint64_t kMaxCountedChunks = 200'000;  // more are not counted: counting walks an index
 constexpr int kMaxDimensions = 3;
@@ -64,7 +65,7 @@ std::optional<std::array<std::string, 2>> complex_members(hid_t type) {
   std::array<std::string, 2> names;
   for (unsigned i = 0; i < 2; ++i) {
     const Handle member(H5Tget_member_type(type, i));
-    if (!member || !is_plain_number(member.get())) return std::nullopt;
+    if (!is_plain_number(member.get())) return std::nullopt;
     names.at(i) = member_name(type, i);
   }
   const bool known = (names[0] == "r" && names[1] == "i") || (names[0] == "re" && names[1] == "im") ||
@@ -112,18 +113,18 @@ void InputDataSet::open(const InputHdf5& file, const std::string& name) {
 void InputDataSet::check_type(Elements elements) const {
   const Handle type(H5Dget_type(set_.get()));
   if (elements == Elements::complex) {
-    if (type && complex_members(type.get())) return;
+    if (complex_members(type.get())) return;
     throw InputError("not an array of complex numbers", where_,
                      "store compounds of two floats r and i, as h5py does with complex128");
   }
-  if (!type || !is_plain_number(type.get())) {
+  if (!is_plain_number(type.get())) {
     throw InputError("not an array of integers or floats of 32 or 64 bits", where_, "store float32 or float64");
   }
 }
 
 void InputDataSet::read_shape() {
   const Handle space(H5Dget_space(set_.get()));
-  const int dimensions = space ? H5Sget_simple_extent_ndims(space.get()) : -1;
+  const int dimensions = H5Sget_simple_extent_ndims(space.get());
   if (dimensions < 0) damaged();
   if (dimensions > kMaxDimensions) {
     throw InputError("has " + std::to_string(dimensions) + " dimensions", where_, "store three or fewer");
@@ -191,7 +192,7 @@ void InputDataSet::check_chunks(const InputHdf5& file, const std::string& name, 
 
 std::optional<InputDataSet::ContiguousStorage> InputDataSet::contiguous() const {
   const Handle creation(H5Dget_create_plist(set_.get())), type(H5Dget_type(set_.get()));
-  if (!creation || !type || H5Pget_layout(creation.get()) != H5D_CONTIGUOUS) return std::nullopt;
+  if (H5Pget_layout(creation.get()) != H5D_CONTIGUOUS) return std::nullopt;
   const bool known = H5Tequal(type.get(), H5T_IEEE_F64LE) > 0 || H5Tequal(type.get(), H5T_IEEE_F32LE) > 0;
   const haddr_t offset = H5Dget_offset(set_.get());
   return known && offset != HADDR_UNDEF ? std::optional(ContiguousStorage{offset, element_bytes_}) : std::nullopt;
@@ -203,7 +204,7 @@ void InputDataSet::read(std::span<const std::size_t> at, std::size_t first, std:
 
 void InputDataSet::read(std::span<const std::size_t> at, std::size_t first, std::span<std::complex<double>> out) const {
   const Handle stored(H5Dget_type(set_.get()));
-  const auto members = stored ? complex_members(stored.get()) : std::nullopt;
+  const auto members = complex_members(stored.get());
   if (!members) damaged();
   const Handle type(H5Tcreate(H5T_COMPOUND, sizeof(std::complex<double>)));
   H5Tinsert(type.get(), (*members)[0].c_str(), 0, H5T_NATIVE_DOUBLE);
@@ -224,8 +225,7 @@ void InputDataSet::read_as(hid_t memory_type, std::span<const std::size_t> at, s
   const hsize_t length = count_last;
   const Handle file_space(H5Dget_space(set_.get()));
   const Handle memory_space(H5Screate_simple(1, &length, nullptr));
-  if (!file_space || !memory_space ||
-      H5Sselect_hyperslab(file_space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) < 0 ||
+  if (H5Sselect_hyperslab(file_space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) < 0 ||
       H5Dread(set_.get(), memory_type, memory_space.get(), file_space.get(), H5P_DEFAULT, out) < 0) {
     damaged();
   }

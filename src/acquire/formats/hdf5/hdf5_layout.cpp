@@ -40,7 +40,6 @@ void check_accel_shape(const InputDataSet& accel, const InputHdf5& file) {
 Layout layout_of(const InputDataSet& accel, const InputHdf5& file) {
   check_accel_shape(accel, file);
   const auto& a = accel.shape();
-  if (a.size() > 3) throw InputError("shape " + shape_text(a), file.where("accel"), "store [hits, channels, samples]");
   return {.rows = a.size() == 3 ? a[0] : 1,
           .channels = a.size() == 1 ? 1 : a[a.size() - 2],
           .samples = a.back(),

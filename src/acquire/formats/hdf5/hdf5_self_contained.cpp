@@ -77,6 +77,8 @@ class ObjectWalk {
     // In the order in which matio looks at them.
     if (H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, &next, append_member, &members) < 0)
       refuse("damaged group", place.name, "copy or record it again");
+    if (members.size() > kMaxObjects)
+      refuse("more than 100000 links in a group", place.name, "save fewer variables in a file");
     for (const Member& member : members) {
       const std::string name = place.name + "/" + one_line(member.name, kNameShown);
       if (member.kind != H5L_TYPE_HARD) refuse(problem_of(member.kind), name);
@@ -97,7 +99,7 @@ class ObjectWalk {
   // A reference is the position of an object in this file, which no group needs to list.
   void add_referenced(hid_t set, const Place& place) {
     const Handle space(H5Dget_space(set));
-    const hssize_t count = space ? H5Sget_simple_extent_npoints(space.get()) : -1;
+    const hssize_t count = H5Sget_simple_extent_npoints(space.get());
     if (count < 0) refuse("damaged data set", place.name, "copy or record it again");
     if (static_cast<std::size_t>(count) > kMaxObjects)
       refuse("more than 100000 references", place.name, "save fewer variables in a file");

@@ -11,6 +11,7 @@
 #include "acquire/formats/hdf5/hdf5_self_contained.hpp"
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "acquire/formats/mat/mat_completeness.hpp"
+#include "acquire/formats/mat/mat_stored_numbers.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
@@ -186,6 +187,7 @@ class Flattener {
 
   // Adds one field of several elements: as one matrix if the fields are vectors of equal length, else one by one.
   void add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open, char close) {
+    if (elements_of.empty()) return;
     if (elements_of.size() == 1) return add(name, elements_of.front());
     if (elements_of.size() > kMaxElements) refuse("more than 4096 elements in " + one_line(name, kNameShown));
     MatFile parts{.path = out_.path};
@@ -229,7 +231,10 @@ MatFile read_mat_file(const std::string& path) {
   Mat_LogInitFunc("percuss", ignore_log);
   const std::unique_ptr<mat_t, CloseMat> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!file) throw InputError("the MAT file cannot be read", path, "is it damaged? Save it again");
-  if (Mat_GetVersion(file.get()) == MAT_FT_MAT5) require_complete_mat(path, MatLevel::v5);
+  if (Mat_GetVersion(file.get()) == MAT_FT_MAT5) {
+    require_complete_mat(path, MatLevel::v5);
+    require_stored_numbers(path);
+  }
   if (Mat_GetVersion(file.get()) == MAT_FT_MAT4) require_complete_mat(path, MatLevel::v4);
   Flattener flatten(out, claim_limit_bytes(out.bytes));
   while (true) {

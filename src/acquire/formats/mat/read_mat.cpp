@@ -62,11 +62,14 @@ void add_named_columns(MatFile& file, const ReadOptions& options) {
     if (bracket == std::string::npos || find_variable(file, name) != nullptr) continue;
     const MatVariable* const matrix = find_variable(file, name.substr(0, bracket));
     const std::size_t column = std::strtoul(name.c_str() + bracket + 3, nullptr, 10);
-    if (matrix == nullptr || matrix->shape.size() != 2 || column < 1 || column > matrix->shape[1]) continue;
+    const bool has_columns = matrix != nullptr && !matrix->is_text && matrix->shape.size() == 2;
+    if (!has_columns || column < 1 || column > matrix->shape[1]) continue;
     MatVariable taken{.name = name, .shape = {matrix->shape[0], 1}};
     const auto first = static_cast<std::ptrdiff_t>((column - 1) * matrix->shape[0]);
     const auto count = static_cast<std::ptrdiff_t>(matrix->shape[0]);
     taken.real.assign(matrix->real.begin() + first, matrix->real.begin() + first + count);
+    if (matrix->is_complex())
+      taken.imaginary.assign(matrix->imaginary.begin() + first, matrix->imaginary.begin() + first + count);
     file.variables.push_back(std::move(taken));
   }
 }
@@ -101,11 +104,12 @@ std::vector<std::optional<double>> per_channel(const MatFile& file, const char* 
 int whole_number(const MatFile& file, const char* name, std::size_t row, std::size_t rows) {
   const MatVariable* const given = find_variable(file, name);
   if (given == nullptr || given->is_text) return 0;
-  if (given->size() != rows || !(std::abs(given->real[row]) <= std::numeric_limits<int>::max())) {
+  const auto is_whole = [](double x) { return std::abs(x) <= std::numeric_limits<int>::max() && std::rint(x) == x; };
+  if (given->size() != rows || !is_whole(given->real[row])) {
     throw InputError(fmt::format("not one whole number for each of {} hits", rows), file.path + ": " + name,
                      "store one per hit");
   }
-  return static_cast<int>(std::lround(given->real[row]));
+  return static_cast<int>(given->real[row]);
 }
 
 std::vector<std::vector<double>> geometry_in(const MatFile& file) {
@@ -135,14 +139,21 @@ void take_trace_lines(const MatFile& file, SignalTable& table) {
   }
 }
 
+void require_real(const MatVariable& variable, const std::string& file) {
+  if (variable.is_complex())
+    throw InputError(one_line(variable.name, 63) + " is complex", file, "save the samples of a record as real numbers");
+}
+
 // Signal 0 is the force; the channels of each acceleration follow.
 void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index, SignalTable& table) {
   const MatVariable& force = open.file.variables[index[roles.force]];
+  require_real(force, open.file.path);
   const MatLayout layout = force_layout(force, open.file.path);
   std::vector<TableSignal> signals{table.signals[roles.force]};
   open.sources.push_back({index[roles.force], layout.signal});
   for (const std::size_t role : roles.accel) {
     const MatVariable& variable = open.file.variables[index[role]];
+    require_real(variable, open.file.path);
     const auto channels = accel_layout(variable, layout, open.file.path);
     const std::string unit = table.signals[role].unit;
     for (std::size_t c = 0; c < channels.size(); ++c) {

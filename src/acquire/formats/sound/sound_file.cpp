@@ -21,8 +21,7 @@ constexpr std::size_t kFramesAtOnce = 16384;
 // Bytes of a stored sample; 0 for compressed formats.
 std::size_t sample_bytes(int format) {
   switch (format & SF_FORMAT_SUBMASK) {
-    case SF_FORMAT_PCM_U8:
-    case SF_FORMAT_PCM_S8:
+    case SF_FORMAT_PCM_U8:  // these containers hold no signed bytes
       return 1;
     case SF_FORMAT_PCM_16:
       return 2;
@@ -73,9 +72,9 @@ SoundInput::SoundInput(const std::string& path) : impl_(std::make_unique<Impl>()
   std::string problem;
   if (bytes == 0) {
     problem = "compressed samples, neither PCM nor floating point";
-  } else if (i.info.channels < 1 || i.info.frames < 0 || i.info.samplerate < 1 ||
-             static_cast<std::uintmax_t>(i.info.frames) >
-                 std::filesystem::file_size(path) / bytes / static_cast<std::uintmax_t>(i.info.channels)) {
+  } else if (static_cast<std::uintmax_t>(i.info.frames) >
+             std::filesystem::file_size(path) / bytes / static_cast<std::uintmax_t>(i.info.channels)) {
+    // sf_open refuses fewer channels than one, a rate below 1 Hz and a negative number of frames.
     problem = "more samples than the file has bytes for";
   }
   if (problem.empty()) return;

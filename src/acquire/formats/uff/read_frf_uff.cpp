@@ -49,18 +49,17 @@ Grid grid_of(const Functions& frfs) {
   return grid;
 }
 
-// The factor of the response to SI. Sets `kind`; sets `known` if the axis states the kind.
+// The factor of the response to SI. Sets `kind` and whether the axis states it (`known`).
 double response_factor(const UffAxis& axis, const UffContents& contents, FrfKind& kind, bool& known) {
-  std::string unit = axis.unit;
   if (axis.quantity == Uff58::acceleration) kind = FrfKind::accelerance;
   if (axis.quantity == Uff58::velocity) kind = FrfKind::mobility;
   if (axis.quantity == Uff58::displacement) kind = FrfKind::receptance;
-  known = known || axis.quantity == Uff58::acceleration || axis.quantity == Uff58::velocity ||
-          axis.quantity == Uff58::displacement;
+  known =
+      axis.quantity == Uff58::acceleration || axis.quantity == Uff58::velocity || axis.quantity == Uff58::displacement;
   // The text of the unit may name the response only ("m/s^2") or the quotient ("m/s^2/N").
-  for (const std::string& text : {unit, unit + "/N"}) {
+  for (const std::string& text : {axis.unit, axis.unit + "/N"}) {
     const auto parsed = parse_frf_unit(text);
-    if (!parsed || unit.empty()) continue;
+    if (!parsed) continue;
     kind = parsed->kind;
     known = true;
     return parsed->response_to_SI;
@@ -100,11 +99,19 @@ LineRange lines_of_function(const UffFunction& f, const std::string& where, std:
   return lines_from_frequencies(freq_Hz, where);
 }
 
+bool have_same_lines(const UffFunction& a, const UffFunction& b) {
+  if (a.count != b.count || a.even != b.even) return false;
+  if (a.even) return a.dx == b.dx && a.x0 == b.x0;
+  for (std::size_t k = 0; k < a.count; ++k) {
+    if (a.x(k) != b.x(k)) return false;
+  }
+  return true;
+}
+
 void require_same_lines(const Functions& frfs, const FileBytes& file) {
-  const UffFunction& first = *frfs.front();
   for (const UffFunction* f : frfs) {
-    const bool same = f->count == first.count && f->even == first.even && f->dx == first.dx && f->x0 == first.x0;
-    if (same && (f->complex || f->type != Uff58::frequency_response)) continue;
+    const bool same = have_same_lines(*f, *frfs.front());
+    if (same && f->complex) continue;
     throw InputError(same ? "an FRF that is not complex" : "FRFs with other lines than the first one",
                      uff_location(file, f->at), "export them with the same lines, as complex numbers");
   }
@@ -122,10 +129,12 @@ StoredFrf stored_frf(const UffFunction& f, int point, std::size_t channel) {
 }
 
 // Adds the coherence. If the number of averages is known, also adds the standard deviation of H1 computed from both.
-void add_coherence(const UffFunction& coherence, StoredFrf& frf) {
+void add_coherence(const UffFunction& coherence, const std::string& where, StoredFrf& frf) {
   if (coherence.count != frf.value.size() || coherence.complex) return;
   frf.coherence.resize(coherence.count);
   coherence.read(0, 0, frf.coherence);
+  if (!std::all_of(frf.coherence.begin(), frf.coherence.end(), [](double x) { return std::isfinite(x); }))
+    throw InputError("a coherence that is not a finite number", where, "correct or leave out the value");
   if (frf.averages < 2) return;
   const auto freedom = static_cast<double>(frf.averages - 1);
   for (std::size_t k = 0; k < frf.value.size(); ++k) {
@@ -200,7 +209,8 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
     const int node = (grid.sensor_roves ? f->response.node : f->reference.node) - stated.node_offset;
     out.frfs.push_back(stored_frf(*f, node, channel));
     const auto coherence = coherences.find({key_of(f->reference), key_of(f->response)});
-    if (coherence != coherences.end()) add_coherence(*coherence->second, out.frfs.back());
+    if (coherence != coherences.end())
+      add_coherence(*coherence->second, uff_location(file, coherence->second->at), out.frfs.back());
   }
   require_grid(out, name);
   return out;

@@ -56,14 +56,32 @@ std::vector<UffRow> rows_by_dof(const Functions& functions, const std::vector<bo
   return even && std::all_of(rows.begin(), rows.end(), fits) ? rows : std::vector<UffRow>{};
 }
 
+// The mean step of uneven times, and how far the rounding of the first and last time may change it.
+struct MeanStep {
+  double step_s, rounding_s;
+};
+
+MeanStep mean_step(const UffFunction& f) {
+  if (f.count < 2) return {0, 0};
+  constexpr double kTimeRounding = 1e-5;  // relative: times have five digits in a text
+  const double first_s = f.x(0), last_s = f.x(f.count - 1), steps = static_cast<double>(f.count - 1);
+  return {(last_s - first_s) / steps, kTimeRounding * (std::abs(first_s) + std::abs(last_s)) / steps};
+}
+
+bool has_same_step(const UffFunction& a, const UffFunction& b) {
+  if (a.even != b.even) return false;
+  if (a.even) return a.dx == b.dx || std::abs(a.dx / b.dx - 1) <= kSameStep;
+  const MeanStep one = mean_step(a), other = mean_step(b);
+  return !(std::abs(one.step_s - other.step_s) >
+           kSameStep * std::abs(other.step_s) + one.rounding_s + other.rounding_s);
+}
+
 void require_one_sampling(const std::vector<UffRow>& rows, const std::string& file) {
   const UffFunction& first = *rows.front().front();
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (const UffFunction* function : rows[r]) {
       const bool length = function->count == rows[r].front()->count;
-      const bool step = first.even && function->even ? std::abs(function->dx / first.dx - 1) <= kSameStep
-                                                     : function->even == first.even;
-      if (length && step) continue;
+      if (length && has_same_step(*function, first)) continue;
       throw InputError(fmt::format("functions of row {} differ in {}", r, length ? "their sampling rate" : "length"),
                        file, "export records that were sampled together");
     }

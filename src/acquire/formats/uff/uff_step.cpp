@@ -48,8 +48,8 @@ double uff_step(const UffFunction& function, bool frequency, std::string& note) 
   const double dx = function.dx;
   if (!(dx > 0) || !std::isfinite(dx)) return dx;
   const double half_unit = 0.5 * std::pow(10.0, -decimals_of(function.dx_text, false));
+  if (!(half_unit / dx < 1e-3)) return dx;  // too few digits to decide
   const double low = dx - half_unit, high = dx + half_unit;
-  if (!(low > 0) || !(half_unit / dx < 1e-3)) return dx;  // too few digits to decide
   const auto stated = uff_annotation(function).dx;
   if (stated && *stated >= low * (1 - kUnchanged) && *stated <= high * (1 + kUnchanged)) return *stated;
   const double inverse = roundest_between(1 / high, 1 / low), itself = roundest_between(low, high);

@@ -15,7 +15,6 @@
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 namespace percuss::acquire::sound_record_test {
 

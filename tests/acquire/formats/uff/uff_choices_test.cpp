@@ -1,0 +1,243 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "acquire/channels/stored_frfs.hpp"
+#include "acquire/formats/uff/read_frf_uff.hpp"
+#include "acquire/formats/uff/read_uff.hpp"
+#include "acquire/formats/uff/uff_contents.hpp"
+#include "core/units.hpp"
+#include "support/csv_text.hpp"
+#include "support/input_error.hpp"
+#include "support/uff_text.hpp"
+
+// What options and axes choose among functions of data set 58, and abscissas that cannot be used.
+namespace percuss::acquire::uff_choices_test {
+
+using test::accel_mps2;
+using test::csv_bytes;
+using test::force_N;
+using test::input_error_of;
+using test::UffText;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const UffText kForce{.response = "hammer", .ordinate = 13, .ordinate_unit = "N"};
+const UffText kAccel{.response = "acc", .ordinate = 12, .ordinate_unit = "m/s^2"};
+
+Record opened(const std::string& text, const ReadOptions& options = {}) { return open_uff(csv_bytes(text), options); }
+
+// A function of two numbers x and x + 1.
+std::string function_text(UffText set, double x) {
+  set.values = 2;
+  return set.text(fmt::format("{:13.5E}{:13.5E}\n", x, x + 1));
+}
+
+// A function of three numbers 1, 2, 3 at the times.
+std::string uneven_text(UffText set, const std::vector<double>& times_s) {
+  set.spacing = 0;
+  set.values = 3;
+  std::string numbers;
+  for (std::size_t i = 0; i < 3; ++i) numbers += fmt::format("{:13.5E}{:13.5E}", times_s[i], 1.0 + double(i));
+  return set.text(numbers + "\n");
+}
+
+TEST(UffChoices, TakeAReactionForceAsForce) {
+  UffText plate = kForce;
+  plate.response = "plate";
+  plate.ordinate = 9;
+  plate.ordinate_unit = "NONE";
+  const Record record = opened(function_text(plate, 1) + function_text(kAccel, 3));
+  EXPECT_EQ(record.force.name, "plate");
+  EXPECT_THAT(force_N(record), ElementsAre(1, 2));
+}
+
+TEST(UffChoices, TakeTheForceThatTheSetUpNames) {
+  UffText first = kAccel, second = kAccel;
+  first.response = "ch1";
+  second.response = "ch2";
+  first.ordinate = second.ordinate = 0;
+  first.ordinate_unit = second.ordinate_unit = "NONE";
+  const std::string text = function_text(second, 5) + function_text(first, 1);
+  const Record record =
+      opened(text, {.setup = {{.name = "ch1", .role = "acceleration"}, {.name = "ch2", .role = "force"}}});
+  EXPECT_EQ(record.force.name, "ch2");
+  EXPECT_THAT(force_N(record), ElementsAre(5, 6));
+  EXPECT_THAT(accel_mps2(record), ElementsAre(1, 2));
+}
+
+TEST(UffChoices, CallASensorRovingOnlyWhenItVisitsEachPointOnce) {
+  const auto points = [](const std::vector<std::pair<int, int>>& nodes) {
+    std::string text;
+    for (const auto& [struck, sensed] : nodes) {
+      UffText force = kForce, accel = kAccel;
+      accel.reference_node = struck;
+      accel.response_node = sensed;
+      text += function_text(force, 1) + function_text(accel, 3);
+    }
+    std::vector<int> out;
+    for (const RowInfo& row : opened(text).rows) out.push_back(row.point);
+    return out;
+  };
+  EXPECT_THAT(points({{1, 4}, {1, 9}, {1, 7}}), ElementsAre(4, 9, 7));
+  EXPECT_THAT(points({{1, 4}, {1, 9}, {1, 4}}), ElementsAre(1, 1, 1)) << "a sensed node that returns";
+  EXPECT_THAT(points({{2, 4}, {3, 9}, {4, 5}}), ElementsAre(2, 3, 4)) << "several struck nodes";
+}
+
+TEST(UffChoices, RefuseTimeStepsThatAreNotPositive) {
+  for (const auto& [dx, named] : {std::pair{"  0.00000E+00", "a time step of 0 s"},
+                                  {" -1.00000E-03", "a time step of -0.001 s"},
+                                  {"          inf", "a time step of inf s"}}) {
+    UffText force = kForce, accel = kAccel;
+    force.dx = accel.dx = dx;
+    const std::string text = function_text(force, 1) + function_text(accel, 3);
+    EXPECT_THAT(input_error_of([&] { opened(text); }), HasSubstr(named));
+    EXPECT_EQ(opened(text, {.fs_Hz = 500}).fs_Hz, 500);
+  }
+}
+
+TEST(UffChoices, KeepAStepOfTooFewDigits) {
+  UffText force = kForce, accel = kAccel;
+  force.dx = accel.dx = "       3.E-04";
+  EXPECT_EQ(opened(function_text(force, 1) + function_text(accel, 3)).fs_Hz, 1 / 3e-4);
+}
+
+TEST(UffChoices, RequireOneRateOfUnevenTimes) {
+  const std::vector<double> slow{0, 0.001, 0.002}, later{5, 5.001, 5.002}, fast{0, 0.0005, 0.001};
+  const Record record = opened(uneven_text(kForce, slow) + uneven_text(kAccel, slow) + uneven_text(kForce, later) +
+                               uneven_text(kAccel, later));
+  EXPECT_EQ(record.fs_Hz, 1000);
+  ASSERT_EQ(record.rows.size(), 2U);
+  EXPECT_THAT(accel_mps2(record, 0, 1), ElementsAre(1, 2, 3));
+  EXPECT_THAT(input_error_of([&] { opened(uneven_text(kForce, slow) + uneven_text(kAccel, fast)); }),
+              HasSubstr("functions of row 0 differ in their sampling rate"));
+  UffText even = kAccel;
+  even.values = 3;
+  EXPECT_THAT(input_error_of(
+                  [&] { opened(uneven_text(kForce, slow) + even.text("  1.00000E+00  2.00000E+00  3.00000E+00\n")); }),
+              HasSubstr("functions of row 0 differ in their sampling rate"));
+  EXPECT_THAT(input_error_of([&] {
+                opened(uneven_text(kForce, {0, 1, 5}) + uneven_text(kAccel, {0, 1, 5}));
+              }),
+              HasSubstr("state the sampling rate"));
+}
+
+TEST(UffChoices, ReadUnevenTimesOfBinarySets) {
+  std::string bytes;
+  for (const float number : {0.0F, 1.0F, 0.001F, 2.0F, 0.002F, 3.0F}) bytes += test::number_bytes(number);
+  UffText force = kForce, accel = kAccel;
+  for (UffText* set : {&force, &accel}) {
+    set->spacing = 0;
+    set->values = 3;
+  }
+  const Record record = opened(force.binary(bytes, 1, bytes.size()) + accel.binary(bytes, 1, bytes.size()));
+  EXPECT_NEAR(record.fs_Hz, 2 / static_cast<double>(0.002F), 1e-9);
+  EXPECT_THAT(force_N(record), ElementsAre(1, 2, 3));
+}
+
+TEST(UffChoices, TakeFunctionsOfUnknownTypeByTheirAbscissa) {
+  UffText complex{.type = 0, .ordinate_type = 5, .values = 1, .abscissa = 17};
+  const std::string numbers = "  1.00000E+00  2.00000E+00\n";
+  EXPECT_THAT(input_error_of([&] { opened(complex.text(numbers)); }), HasSubstr("no time records and no FRFs"));
+  complex.abscissa = 18;
+  EXPECT_THAT(input_error_of([&] { opened(complex.text(numbers)); }), HasSubstr("the file holds FRFs"));
+}
+
+TEST(UffChoices, NameDegreesOfFreedom) {
+  EXPECT_EQ(uff_dof_name({"tip", 5, 1}), "tip");
+  EXPECT_EQ(uff_dof_name({"", 5, -2}), "5-Y");
+  EXPECT_EQ(uff_dof_name({"", 5, 6}), "5+RZ");
+  EXPECT_EQ(uff_dof_name({"", 5, 7}), "node 5");
+  EXPECT_EQ(uff_dof_name({"", 5, 0}), "node 5");
+}
+
+// Two complex lines (x, −x) and (2x, 0) at 10 and 12 Hz.
+UffText frf(UffText set = {}) {
+  set.type = 4;
+  set.ordinate_type = 5;
+  set.values = 2;
+  set.abscissa = 18;
+  set.denominator = 13;
+  set.x0 = "  1.00000E+01";
+  set.dx = "  2.00000E+00";
+  return set;
+}
+std::string frf_text(const UffText& set, double x = 1) {
+  return set.text(fmt::format("{:13.5E}{:13.5E}{:13.5E}{:13.5E}\n", x, -x, 2 * x, 0.0));
+}
+std::string uneven_frf_text(UffText set, double first_Hz, double second_Hz) {
+  set.spacing = 0;
+  return set.text(
+      fmt::format("{:13.5E}{:13.5E}{:13.5E}{:13.5E}{:13.5E}{:13.5E}\n", first_Hz, 1.0, -1.0, second_Hz, 2.0, 0.0));
+}
+
+FrfRecord read(const std::string& text) {
+  const FileBytes bytes = csv_bytes(text);
+  auto stored = read_frf_uff(bytes, read_uff_contents(bytes), false);
+  EXPECT_TRUE(stored.has_value());
+  return to_accelerances(std::move(stored).value(), {});
+}
+
+TEST(UffFrfAxes, StateTheQuotientInTheOrdinateAlone) {
+  const FrfRecord quotient = read(frf_text(frf({.ordinate_unit = "g/lbf", .denominator_unit = "m"})));
+  EXPECT_DOUBLE_EQ(quotient.accel[0].to_SI, kStandardGravity_mps2 / kPoundForce_N);
+  const FrfRecord bare = read(frf_text(frf({.ordinate = 0})));
+  EXPECT_EQ(bare.accel[0].to_SI, 1);
+  EXPECT_THAT(bare.notes.at(0).text, HasSubstr("the kind of the FRFs is not stated"));
+}
+
+TEST(UffFrfAxes, StateEachFrequencyOfUnevenLines) {
+  const FrfRecord record = read(uneven_frf_text(frf(), 10, 12));
+  EXPECT_EQ(record.lines.first, 5U);
+  EXPECT_NEAR(record.lines.df_Hz(), 2, 1e-12);
+  EXPECT_EQ(record.frfs[0].frf.value[1], Complex(2, 0));
+  UffText second = frf();
+  second.response_node = 2;
+  EXPECT_EQ(read(uneven_frf_text(frf(), 10, 12) + uneven_frf_text(second, 10, 12)).frfs.size(), 2U);
+  EXPECT_THAT(input_error_of([&] { read(uneven_frf_text(frf(), 10, 12) + uneven_frf_text(second, 20, 24)); }),
+              HasSubstr("FRFs with other lines than the first one"));
+  EXPECT_THAT(input_error_of([&] { read(frf_text(frf()) + uneven_frf_text(second, 10, 12)); }),
+              HasSubstr("FRFs with other lines than the first one"));
+  second.x0 = "  1.20000E+01";
+  EXPECT_THAT(input_error_of([&] { read(frf_text(frf()) + frf_text(second)); }),
+              HasSubstr("FRFs with other lines than the first one"));
+}
+
+TEST(UffFrfAxes, RefuseLinesThatAreNoMultiplesOfTheirSpacing) {
+  const auto refusal = [](const std::string& x0, const std::string& dx) {
+    UffText set = frf();
+    set.x0 = x0;
+    set.dx = dx;
+    return input_error_of([&] { read(frf_text(set)); });
+  };
+  EXPECT_THAT(refusal("  1.00000E+01", "  0.00000E+00"), HasSubstr("2 lines from 10 Hz in steps of 0 Hz"));
+  EXPECT_THAT(refusal("  1.10000E+01", "  2.00000E+00"), HasSubstr("2 lines from 11 Hz in steps of 2 Hz"));
+  EXPECT_THAT(refusal(" -2.00000E+00", "  2.00000E+00"), HasSubstr("2 lines from -2 Hz in steps of 2 Hz"));
+  UffText one = frf();
+  one.values = 1;
+  EXPECT_THAT(input_error_of([&] { read(one.text("  1.00000E+00  2.00000E+00\n")); }),
+              HasSubstr("1 lines from 10 Hz in steps of 2 Hz"));
+}
+
+TEST(UffFrfAxes, RefuseFrfsThatAreNotComplex) {
+  UffText real = frf();
+  real.ordinate_type = 2;
+  EXPECT_THAT(input_error_of([&] { read(real.text("  1.00000E+00  2.00000E+00\n")); }),
+              HasSubstr("an FRF that is not complex"));
+}
+
+TEST(UffFrfAxes, RefuseACoherenceThatIsNotFinite) {
+  UffText coherence = frf();
+  coherence.type = 6;
+  coherence.ordinate_type = 2;
+  const auto with = [&](const std::string& numbers) { return frf_text(frf()) + coherence.text(numbers); };
+  EXPECT_THAT(read(with("  5.00000E-01  1.00000E+00\n")).frfs[0].frf.coherence, ElementsAre(0.5, 1));
+  EXPECT_THAT(input_error_of([&] { read(with("  5.00000E-01          nan\n")); }),
+              HasSubstr("a coherence that is not a finite number"));
+  coherence.ordinate_type = 5;
+  EXPECT_THAT(read(with("  5.00000E-01  0.00000E+00  5.00000E-01  0.00000E+00\n")).frfs[0].frf.coherence,
+              testing::IsEmpty());
+}
+
+}  // namespace percuss::acquire::uff_choices_test

@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "acquire/open_measurement.hpp"
+#include "support/scratch_folder.hpp"
+#include "targets.hpp"
+
+// The inputs of the target "foreign" in this process, because a sandboxed process may not write its coverage.
+namespace percuss::corpus_without_sandbox {
+
+namespace fs = std::filesystem;
+
+void read_folder(const std::string& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    SCOPED_TRACE(entry.path());
+    const std::string path = entry.path();
+    if (path.ends_with("/slow_structure.mat")) continue;  // minutes: the sandbox ends it
+    fuzz::accepted(
+        [&] { fuzz::read_all(acquire::open_measurement(path, {.read = {.sandboxed = false}, .kind = {}})); });
+  }
+}
+
+TEST(CorpusWithoutSandbox, IsReadOrRejected) { read_folder(PERCUSS_SOURCE_DIR "/fuzz/corpus/foreign"); }
+
+TEST(CorpusWithoutSandbox, IsReadOrRejectedWhenMinimised) {
+  const test::ScratchFolder folder;
+  const std::string command =
+      "tar -C '" + folder.path() + "' -xzf '" PERCUSS_SOURCE_DIR "/fuzz/minimised.tar.gz' minimised/foreign";
+  if (std::system(command.c_str()) != 0) GTEST_FAIL() << command;
+  read_folder(folder.file("minimised/foreign"));
+}
+
+}  // namespace percuss::corpus_without_sandbox
