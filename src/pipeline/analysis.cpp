@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "frf/windows.hpp"
+#include "pipeline/hits/gate_choice.hpp"
 #include "pipeline/hits/hit_consistency.hpp"
 #include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/source/frf_source.hpp"
@@ -86,9 +87,18 @@ const HitResponses& Analysis::responses() const {
                        [&] { return read_responses(record(), force_hits(), transform_options(), trace_); });
 }
 
+const std::vector<AnalysedHit>& Analysis::gated_hits() const {
+  if (given_frfs() != nullptr || !any_tail(force_hits())) return force_hits();
+  return within_budget(budget_, gated_hits_, [&] {
+    std::vector<AnalysedHit> out = force_hits();
+    choose_gate(out, responses(), transform_options());
+    return out;
+  });
+}
+
 const std::vector<frf::Spectrum>& Analysis::force_spectra() const {
   return within_budget(budget_, force_spectra_,
-                       [&] { return pipeline::force_spectra(force_hits(), transform_options(), trace_); });
+                       [&] { return pipeline::force_spectra(gated_hits(), transform_options(), trace_); });
 }
 
 const std::vector<AnalysedHit>& Analysis::hits() const {
@@ -96,7 +106,7 @@ const std::vector<AnalysedHit>& Analysis::hits() const {
 }
 
 std::vector<AnalysedHit> Analysis::compute_hits() const {
-  std::vector<AnalysedHit> out = force_hits();
+  std::vector<AnalysedHit> out = possible() ? gated_hits() : force_hits();
   if (!possible()) return out;
   grade_by_responses(out, responses());
   if (!any_accepted(out)) return out;

@@ -1,0 +1,54 @@
+#include "pipeline/hits/needed_hits.hpp"
+
+#include <algorithm>
+#include <map>
+#include <span>
+
+namespace percuss::pipeline {
+namespace {
+
+using acquire::Finding, acquire::FindingCode, acquire::Severity;
+
+constexpr std::size_t kMinHits = 2;  // that judge each other
+
+// Whether the hit was rejected for these reasons alone.
+bool rejected_only_for(const AnalysedHit& hit, std::span<const FindingCode> reasons) {
+  if (hit.accepted || hit.by_user || hit.hit.gated_N.empty()) return false;
+  return std::all_of(hit.hit.findings.begin(), hit.hit.findings.end(), [&](const Finding& finding) {
+    return finding.severity != Severity::reject ||
+           std::find(reasons.begin(), reasons.end(), finding.code) != reasons.end();
+  });
+}
+
+void accept(AnalysedHit& hit) {
+  hit.accepted = true;
+  for (Finding& finding : hit.hit.findings) {
+    if (finding.severity != Severity::reject) continue;
+    finding.severity = Severity::warn;
+    finding.message += finding.code == FindingCode::double_hit
+                           ? "; used, because its point has too few other hits and the force holds both contacts"
+                           : "; used, because its point has too few other hits: frequencies and damping hold, "
+                             "amplitudes do not";
+  }
+}
+
+void accept_at_point(std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& members) {
+  constexpr FindingCode kReasons[] = {FindingCode::double_hit, FindingCode::force_clipped};
+  for (const std::size_t reasons : {1, 2}) {
+    const auto used = std::count_if(members.begin(), members.end(), [&](std::size_t h) { return hits[h].accepted; });
+    if (static_cast<std::size_t>(used) >= kMinHits) return;
+    for (const std::size_t h : members) {
+      if (rejected_only_for(hits[h], std::span(kReasons).first(reasons))) accept(hits[h]);
+    }
+  }
+}
+
+}  // namespace
+
+void accept_needed_hits(std::vector<AnalysedHit>& hits) {
+  std::map<int, std::vector<std::size_t>> points;
+  for (std::size_t h = 0; h < hits.size(); ++h) points[hits[h].point].push_back(h);
+  for (const auto& [point, members] : points) accept_at_point(hits, members);
+}
+
+}  // namespace percuss::pipeline
