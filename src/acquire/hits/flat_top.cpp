@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "acquire/hits/pulse_shape.hpp"
+
 namespace percuss::acquire {
 namespace {
 
@@ -47,19 +49,20 @@ double length_above(const std::vector<double>& x, std::size_t peak, double level
   return static_cast<double>(last - first) - 2 + part(first + 1, first) + part(last - 1, last);
 }
 
+// The pulse above 5 % of its peak, and beside it the samples that its interpolation needs.
 std::vector<double> pulse_of(const Hit& hit) {
   const double sign = hit.peak_N < 0 ? -1 : 1;
-  const auto end = std::min(hit.gated_N.size(), hit.pulse_end - std::min(hit.pulse_end, hit.gate_first));
-  std::vector<double> x(kKernel, 0.0);
-  // From the end of the pulse back to its beginning: contacts before it are not part of it.
-  std::size_t begin = hit.peak - hit.gate_first;
-  while (begin > 0 && sign * hit.gated_N[begin - 1] > 0) --begin;
-  for (std::size_t n = begin; n < end; ++n) x.push_back(sign * hit.gated_N[n]);
-  x.insert(x.end(), kKernel, 0.0);
+  const PulseShape shape = shape_of_pulse(hit.gated_N, hit.peak - hit.gate_first);
+  const auto rise = static_cast<std::size_t>(shape.rise), fall = static_cast<std::size_t>(shape.fall) + 1;
+  std::vector<double> x;
+  for (std::size_t n = rise; n < fall + 2 * kKernel; ++n) {
+    const bool inside = n >= kKernel && n - kKernel < hit.gated_N.size();
+    x.push_back(inside ? sign * hit.gated_N[n - kKernel] : 0);
+  }
   return x;
 }
 
-bool overloaded(const Hit& hit) {
+bool has_overload(const Hit& hit) {
   return std::any_of(hit.findings.begin(), hit.findings.end(),
                      [](const Finding& f) { return f.code == FindingCode::overload; });
 }
@@ -77,7 +80,7 @@ double top_flatness(const Hit& hit) {
 
 void grade_flat_tops(std::vector<Hit>& hits) {
   for (Hit& hit : hits) {
-    if (std::abs(hit.peak_N) < kMinSignal * hit.noise_N || overloaded(hit)) continue;
+    if (std::abs(hit.peak_N) < kMinSignal * hit.noise_N || has_overload(hit)) continue;
     const double flatness = top_flatness(hit);
     if (flatness <= kMaxFlatness) continue;
     hit.findings.push_back(

@@ -16,11 +16,12 @@ constexpr double kMaxPause = 1.5;       // pulse lengths; after a longer pause t
 constexpr double kTailFraction = 0.1;   // of the peak: a larger push in the tail is a contact
 constexpr double kTwoSigned = 0.5;      // pull over push of ringing
 constexpr double kRingingReach = 2;     // pulse lengths around a push in which ringing pulls
+constexpr double kPushOverDip = 1.5;    // a smaller push is noise like the dips
 constexpr double kSoft = 3;             // times the length of the main pulse: softer than a contact of this hammer
 constexpr double kSpike = 0.5;          // of the length of the main pulse
 constexpr double kSpikeNoise = 10;      // standard deviations at which the length of a push can be measured
 constexpr double kGateReach = 1.25;     // pulse lengths on either side of a contact's peak
-constexpr std::size_t kNoiseSamples = 1024;
+constexpr std::size_t kSpreadSamples = 1024;
 
 // Running mean over 2h + 1 samples. It reduces the noise and the ringing near fs/2. Pulses as long as the main pulse
 // remain.
@@ -84,6 +85,7 @@ class ForceSearch {
     if (pulse_.rise > guard_) scan(out, 0, static_cast<std::size_t>(pulse_.rise - guard_), false);
     scan(out, std::min(guarded, force_.size()), force_.size(), true);
     if (out.end >= last_tail_ && last_tail_ < force_.size()) out.end = pulse_gate.end;
+    remove_noise(out);
     std::sort(out.contacts.begin(), out.contacts.end(),
               [](const SecondPulse& a, const SecondPulse& b) { return a.delay_samples < b.delay_samples; });
     return out;
@@ -101,7 +103,7 @@ class ForceSearch {
     length_ = static_cast<double>(end - first);
     // Hum and slow noise remain in the mean over a few samples, so the noise is measured there.
     const double white = noise_N_ / std::sqrt(static_cast<double>(2 * half_ + 1));
-    const double measured = spread_of(subsampled(x_, kNoiseSamples)).robust_std;
+    const double measured = spread_of(subsampled(x_, kSpreadSamples)).robust_std;
     threshold_ = std::max(kNoise * std::max(white, measured), kMinFraction * main_);
   }
 
@@ -118,25 +120,27 @@ class ForceSearch {
   // Finds the pushes that rise from a valley and fall to half.
   void scan(FurtherForce& out, std::size_t begin, std::size_t end, bool forward) const {
     double valley = std::numeric_limits<double>::infinity(), floor = 0;
-    std::optional<std::size_t> top;
+    std::size_t top = 0;
+    bool rising = false;
     for (std::size_t n = 0; n + begin < end; ++n) {
       const std::size_t i = forward ? begin + n : end - 1 - n;
-      if (top && x_[i] < floor + (x_[*top] - floor) / 2) {
-        judge(out, *top, floor);
-        top.reset();
+      if (rising && x_[i] < floor + (x_[top] - floor) / 2) {
+        judge(out, top, floor);
+        rising = false;
         valley = x_[i];
       }
       valley = std::min(valley, x_[i]);
-      if (top) {
-        if (x_[i] > x_[*top]) top = i;
+      if (rising) {
+        if (x_[i] > x_[top]) top = i;
         continue;
       }
       const double rise = x_[i] - std::max(valley, 0.0);
       if (rise < threshold_ || rise < 0.5 * x_[i]) continue;
       floor = std::max(valley, 0.0);
       top = i;
+      rising = true;
     }
-    if (top) judge(out, *top, floor);
+    if (rising) judge(out, top, floor);
   }
 
   void judge(FurtherForce& out, std::size_t top, double floor) const {
@@ -157,6 +161,30 @@ class ForceSearch {
     const auto lowest = std::min_element(x_.begin() + static_cast<std::ptrdiff_t>(first),
                                          x_.begin() + static_cast<std::ptrdiff_t>(end));
     return -*lowest > kTwoSigned * rise;
+  }
+
+  // Slow noise rises and falls over times longer than a contact, and dips as often as it pushes.
+  void remove_noise(FurtherForce& out) const {
+    const auto reach = static_cast<std::size_t>(kSoft * length_);
+    const double least = std::max(threshold_, kPushOverDip * largest_dip(out.end));
+    std::erase_if(out.contacts, [&](const SecondPulse& contact) {
+      const auto at = static_cast<std::size_t>(static_cast<double>(pulse_.peak) + contact.delay_samples);
+      const bool beside_pulse = at + reach + 1 > static_cast<std::size_t>(pulse_.rise) && at < out.end + reach;
+      if (beside_pulse || at < reach || at + reach >= x_.size()) return false;
+      return x_[at] - std::max(x_[at - reach], x_[at + reach]) < least;
+    });
+  }
+
+  // The deepest dip as short as a contact, beside the pulse and its tail. A hammer only pushes: a dip is noise.
+  double largest_dip(std::size_t tail_end) const {
+    const auto reach = static_cast<std::size_t>(kSoft * length_);
+    const auto before = static_cast<std::size_t>(std::max(0.0, pulse_.rise - guard_));
+    double deepest = 0;
+    for (std::size_t i = reach; i + reach < x_.size(); ++i) {
+      if (i + reach >= before && i < tail_end + reach) continue;
+      deepest = std::max(deepest, std::min(x_[i - reach], x_[i + reach]) - x_[i]);
+    }
+    return deepest;
   }
 
   // A soft push that begins soon after the pulse, compared with its own length, is the pulse's tail.

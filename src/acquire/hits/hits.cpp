@@ -24,9 +24,10 @@ constexpr double kLongestPulse_s = 0.05;  // no hammer tip makes longer pulses; 
 constexpr std::size_t kLongestPulse = 8;  // samples, for rates too low to resolve a pulse
 constexpr double kSecondScan_s = 0.25;    // second contacts follow within some tens of milliseconds
 constexpr std::size_t kMinRead = 256;     // samples: longer than the gate of any pulse
-constexpr double kMaxSecondRatio = 0.01;  // of the main pulse; a larger second pulse rejects the hit
-constexpr double kWeak = 0.2;             // of the median peak
-constexpr double kLateTrigger = 0.05;     // of the peak, at the first sample
+// Of the main pulse. The spectrum of both contacts falls by at most this share below that of the main one.
+constexpr double kMaxSecondRatio = 0.05;
+constexpr double kWeak = 0.2;          // of the median peak
+constexpr double kLateTrigger = 0.05;  // of the peak, at the first sample
 
 std::size_t samples_to_scan(double fs_Hz) { return static_cast<std::size_t>(kSecondScan_s * fs_Hz) + 1; }
 

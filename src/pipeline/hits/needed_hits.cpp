@@ -9,7 +9,7 @@ namespace {
 
 using acquire::Finding, acquire::FindingCode, acquire::Severity;
 
-constexpr std::size_t kMinHits = 2;  // that judge each other
+constexpr std::size_t kEnoughHits = 2;  // that judge each other
 
 // Whether the hit was rejected for these reasons alone.
 bool rejected_only_for(const AnalysedHit& hit, std::span<const FindingCode> reasons) {
@@ -20,7 +20,7 @@ bool rejected_only_for(const AnalysedHit& hit, std::span<const FindingCode> reas
   });
 }
 
-void accept(AnalysedHit& hit) {
+void accept_with_warning(AnalysedHit& hit) {
   hit.accepted = true;
   for (Finding& finding : hit.hit.findings) {
     if (finding.severity != Severity::reject) continue;
@@ -36,9 +36,9 @@ void accept_at_point(std::vector<AnalysedHit>& hits, const std::vector<std::size
   constexpr FindingCode kReasons[] = {FindingCode::double_hit, FindingCode::force_clipped};
   for (const std::size_t reasons : {1, 2}) {
     const auto used = std::count_if(members.begin(), members.end(), [&](std::size_t h) { return hits[h].accepted; });
-    if (static_cast<std::size_t>(used) >= kMinHits) return;
+    if (static_cast<std::size_t>(used) >= kEnoughHits) return;
     for (const std::size_t h : members) {
-      if (rejected_only_for(hits[h], std::span(kReasons).first(reasons))) accept(hits[h]);
+      if (rejected_only_for(hits[h], std::span(kReasons).first(reasons))) accept_with_warning(hits[h]);
     }
   }
 }
