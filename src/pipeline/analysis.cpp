@@ -14,6 +14,7 @@
 #include "pipeline/warnings/hit_warnings.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
 #include "pipeline/warnings/truncation_warnings.hpp"
+#include "pipeline/warnings/used_hit_warnings.hpp"
 
 namespace percuss::pipeline {
 
@@ -207,6 +208,7 @@ std::vector<Warning> Analysis::warnings() const {
   add(input_warnings(record()));
   if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
   add(hit_warnings(record(), graded));
+  if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
   add(channel_warnings(record(), graded));
   if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
   add(rest_warnings(graded));
