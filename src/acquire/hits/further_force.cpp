@@ -9,18 +9,21 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kNoise = 6;            // standard deviations of the smoothed force
-constexpr double kMinFraction = 0.001;  // of the peak: smaller contacts change an FRF by less than 0.01 dB
-constexpr std::size_t kMinGuard = 8;    // samples beside the pulse that belong to it
-constexpr double kMaxPause = 1.5;       // pulse lengths; after a longer pause the force is a contact of its own
-constexpr double kTailFraction = 0.1;   // of the peak: a larger push in the tail is a contact
-constexpr double kTwoSigned = 0.5;      // pull over push of ringing
-constexpr double kRingingReach = 2;     // pulse lengths around a push in which ringing pulls
-constexpr double kPushOverDip = 1.5;    // a smaller push is noise like the dips
-constexpr double kSoft = 3;             // times the length of the main pulse: softer than a contact of this hammer
-constexpr double kSpike = 0.5;          // of the length of the main pulse
-constexpr double kSpikeNoise = 10;      // standard deviations at which the length of a push can be measured
-constexpr double kGateReach = 1.25;     // pulse lengths on either side of a contact's peak
+constexpr double kNoise = 6;              // standard deviations of the smoothed force
+constexpr double kMinFraction = 0.001;    // of the peak: smaller contacts change an FRF by less than 0.01 dB
+constexpr std::size_t kMinGuard = 8;      // samples beside the pulse that belong to it
+constexpr double kMaxPause = 1.5;         // pulse lengths; after a longer pause the force is a contact of its own
+constexpr std::size_t kMaxPull = 3;       // pauses, of a pull between two pushes of ringing
+constexpr double kTailFraction = 0.1;     // of the peak: a larger push in the tail is a contact
+constexpr double kStandsOut = 5;          // times the tail before it: such a push is a contact, too
+constexpr std::size_t kPushesBefore = 2;  // pulse lengths of the tail before a push
+constexpr double kTwoSigned = 0.5;        // pull over push of ringing
+constexpr double kRingingReach = 2;       // pulse lengths around a push in which ringing pulls
+constexpr double kPushOverDip = 1.5;      // a smaller push is noise like the dips
+constexpr double kSoft = 3;               // times the length of the main pulse: softer than a contact of this hammer
+constexpr double kSpike = 0.5;            // of the length of the main pulse
+constexpr double kSpikeNoise = 10;        // standard deviations at which the length of a push can be measured
+constexpr double kGateReach = 1.25;       // pulse lengths on either side of a contact's peak
 constexpr std::size_t kSpreadSamples = 1024;
 
 // Running mean over 2h + 1 samples. It reduces the noise and the ringing near fs/2. Pulses as long as the main pulse
@@ -107,12 +110,15 @@ class ForceSearch {
     threshold_ = std::max(kNoise * std::max(white, measured), kMinFraction * main_);
   }
 
-  // The end of the force that continues from `end` without a pause.
+  // The end of the force that continues from `end` without a pause. Ringing pauses while it pulls. A long pull is the
+  // undershoot of an AC-coupled channel.
   std::size_t end_of_activity(std::size_t end) const {
     const auto pause = static_cast<std::size_t>(std::max(kMaxPause * width_, static_cast<double>(kMinGuard)));
     const double single = std::max(kNoise * noise_N_, threshold_);
-    for (std::size_t i = end; i < last_tail_ && i - end <= pause; ++i) {
-      if (x_[i] > threshold_ || sign_ * force_[i] > single) end = i + 1;
+    std::size_t active = end;
+    for (std::size_t i = end; i < last_tail_ && i - active <= pause && i - end <= kMaxPull * pause; ++i) {
+      if (x_[i] < -threshold_) active = i + 1;
+      if (x_[i] > threshold_ || sign_ * force_[i] > single) active = end = i + 1;
     }
     return end;
   }
@@ -150,9 +156,20 @@ class ForceSearch {
     const auto length = static_cast<double>(end - first);
     if (length > kSoft * length_ + 2) {
       extend_by_tail(out, first, end);
-    } else if (top >= out.end || top < pulse_.peak || rise > kTailFraction * main_) {
+    } else if (top >= out.end || top < pulse_.peak || rise > kTailFraction * main_ ||
+               rise > kStandsOut * before(first)) {
       out.contacts.push_back(contact(top, rise));
     }
+  }
+
+  // The largest force between the pulse and a push in its tail that begins at `first`.
+  double before(std::size_t first) const {
+    const auto guard = static_cast<std::size_t>(guard_);
+    const std::size_t end = first - std::min(first, guard / 2);
+    const std::size_t begin =
+        std::max(static_cast<std::size_t>(pulse_.fall) + guard / 2, end - std::min(end, kPushesBefore * guard));
+    if (begin >= end) return main_;
+    return extremes_of(std::span(x_).subspan(begin, end - begin)).max_distance_from(0);
   }
 
   bool pulls_beside(std::size_t top, double rise) const {

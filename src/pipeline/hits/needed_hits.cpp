@@ -34,7 +34,7 @@ void accept_with_warning(AnalysedHit& hit) {
 
 void accept_at_point(std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& members) {
   constexpr FindingCode kReasons[] = {FindingCode::double_hit, FindingCode::force_clipped};
-  for (const std::size_t reasons : {1, 2}) {
+  for (const std::size_t reasons : {1U, 2U}) {
     const auto used = std::count_if(members.begin(), members.end(), [&](std::size_t h) { return hits[h].accepted; });
     if (static_cast<std::size_t>(used) >= kEnoughHits) return;
     for (const std::size_t h : members) {
