@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "acquire/hits/push_shape.hpp"
 #include "core/math/statistics.hpp"
 
 namespace percuss::acquire {
@@ -26,40 +27,12 @@ constexpr double kSpikeNoise = 10;        // standard deviations at which the le
 constexpr double kGateReach = 1.25;       // pulse lengths on either side of a contact's peak
 constexpr std::size_t kSpreadSamples = 1024;
 
-// Running mean over 2h + 1 samples. It reduces the noise and the ringing near fs/2. Pulses as long as the main pulse
-// remain.
-std::vector<double> smoothed(std::span<const double> x, double sign, std::size_t h) {
-  std::vector<double> out(x.size());
-  const double share = 1 / static_cast<double>(2 * h + 1);
-  double sum = 0;
-  for (std::size_t i = 0; i < std::min(h, x.size()); ++i) sum += sign * x[i];
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (i + h < x.size()) sum += sign * x[i + h];
-    if (i > h) sum -= sign * x[i - h - 1];
-    if (i >= h && i + h < x.size()) {
-      out[i] = sum * share;
-    } else {
-      const std::size_t count = std::min(i + h, x.size() - 1) - (i > h ? i - h : 0) + 1;
-      out[i] = sum / static_cast<double>(count);
-    }
-  }
-  return out;
-}
-
 // The largest |force| at least `guard` samples outside the crossings of the pulse.
 double largest_outside(std::span<const double> x, const PulseShape& pulse, double guard) {
   const auto before = static_cast<std::size_t>(std::max(0.0, pulse.rise - guard));
   const auto after = std::min(x.size(), static_cast<std::size_t>(pulse.fall + guard));
   return std::max(extremes_of(x.first(before)).max_distance_from(0),
                   extremes_of(x.subspan(after)).max_distance_from(0));
-}
-
-// Samples around `peak` that stay above `level`.
-std::pair<std::size_t, std::size_t> above(std::span<const double> x, double sign, std::size_t peak, double level) {
-  std::size_t first = peak, end = peak + 1;
-  while (first > 0 && sign * x[first - 1] > level) --first;
-  while (end < x.size() && sign * x[end] > level) ++end;
-  return {first, end};
 }
 
 class ForceSearch {
@@ -229,19 +202,7 @@ class ForceSearch {
   bool is_spike(std::size_t peak) const {
     const double height = std::abs(force_[peak]);
     if (height < kSpikeNoise * noise_N_) return false;
-    const auto length = [&](std::size_t at) {
-      const double level = std::abs(force_[at]) / 2;
-      std::size_t before = at, after = at;
-      while (before > 0 && sign_ * force_[before] > level) --before;
-      while (after + 1 < force_.size() && sign_ * force_[after] > level) ++after;
-      const auto part = [&](std::size_t inner, std::size_t outer) {
-        const double inside = sign_ * force_[inner], outside = sign_ * force_[outer];
-        return inside > outside ? std::min(1.0, (inside - level) / (inside - outside)) : 0;
-      };
-      if (before == at || after == at) return 1.0;
-      return static_cast<double>(after - before - 2) + part(before + 1, before) + part(after - 1, after);
-    };
-    return length(peak) < kSpike * length(pulse_.peak);
+    return half_length(force_, sign_, peak) < kSpike * half_length(force_, sign_, pulse_.peak);
   }
 
   Gate gate_of(std::size_t peak) const {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "acquire/hits/clipping.hpp"
+#include "acquire/hits/contact_gate.hpp"
 #include "acquire/hits/flat_top.hpp"
 #include "acquire/hits/force_clipping.hpp"
 #include "acquire/hits/further_force.hpp"
@@ -24,10 +25,8 @@ constexpr double kLongestPulse_s = 0.05;  // no hammer tip makes longer pulses; 
 constexpr std::size_t kLongestPulse = 8;  // samples, for rates too low to resolve a pulse
 constexpr double kSecondScan_s = 0.25;    // second contacts follow within some tens of milliseconds
 constexpr std::size_t kMinRead = 256;     // samples: longer than the gate of any pulse
-// Of the main pulse. The spectrum of both contacts falls by at most this share below that of the main one.
-constexpr double kMaxSecondRatio = 0.05;
-constexpr double kWeak = 0.2;          // of the median peak
-constexpr double kLateTrigger = 0.05;  // of the peak, at the first sample
+constexpr double kWeak = 0.2;             // of the median peak
+constexpr double kLateTrigger = 0.05;     // of the peak, at the first sample
 
 std::size_t samples_to_scan(double fs_Hz) { return static_cast<std::size_t>(kSecondScan_s * fs_Hz) + 1; }
 
@@ -40,22 +39,6 @@ std::vector<double> force_between(const Record& record, std::size_t row, std::si
   record.read_force_N(row, first, x);
   for (double& value : x) value -= baseline;
   return x;
-}
-
-void grade_second_pulse(Hit& hit, const std::vector<SecondPulse>& contacts, double fs_Hz) {
-  const auto second = std::max_element(contacts.begin(), contacts.end(),
-                                       [](const SecondPulse& a, const SecondPulse& b) { return a.ratio < b.ratio; });
-  if (second == contacts.end()) return;
-  const double delay_s = std::abs(second->delay_samples) / fs_Hz;
-  const std::string when = second->delay_samples < 0 ? fmt::format("{:.2f} ms before the main one", delay_s * 1e3)
-                                                     : fmt::format("after {:.2f} ms", delay_s * 1e3);
-  const char* what = second->spike ? "spike or short second hit" : "second hit";
-  hit.findings.push_back({.code = FindingCode::double_hit,
-                          .severity = second->ratio > kMaxSecondRatio ? Severity::reject : Severity::info,
-                          .value = second->ratio,
-                          .message = fmt::format("{} {}, {:.{}f} % of the main one", what, when, second->ratio * 100,
-                                                 second->ratio < kMaxSecondRatio ? 2 : 1),
-                          .delay_s = delay_s});
 }
 
 void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse, bool starts_in_pulse) {
@@ -86,26 +69,6 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse, b
                             .message = "the force pulse is negative, but a hammer only pushes, so every FRF has the "
                                        "wrong sign; use a negative force scale",
                             .options = {"force_scale"}});
-  }
-}
-
-// Copies the pulse with its tail, and the contacts within the hit. The samples between them hold only noise.
-void gate_force(Hit& hit, std::span<const double> x, const Gate& pulse, const FurtherForce& further,
-                std::size_t offset) {
-  std::vector<Gate> parts{{.first = pulse.first, .end = std::max(pulse.end, further.end - offset)}};
-  for (const SecondPulse& contact : further.contacts) {
-    if (contact.spike || contact.gate.end <= offset) continue;
-    parts.push_back({.first = std::max(contact.gate.first, offset) - offset, .end = contact.gate.end - offset});
-  }
-  Gate all = parts.front();
-  for (const Gate& part : parts) all = {.first = std::min(all.first, part.first), .end = std::max(all.end, part.end)};
-  hit.gate_first = hit.first + all.first;
-  hit.pulse_end = hit.first + pulse.end;
-  hit.tail_end = hit.first + parts.front().end;
-  hit.gated_N.assign(all.end - all.first, 0.0);
-  for (const Gate& part : parts) {
-    const auto from = x.subspan(part.first, part.end - part.first);
-    std::copy(from.begin(), from.end(), hit.gated_N.begin() + static_cast<std::ptrdiff_t>(part.first - all.first));
   }
 }
 

@@ -1,0 +1,19 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "acquire/hits/further_force.hpp"
+#include "acquire/hits/hits.hpp"
+
+namespace percuss::acquire {
+
+/// Copies the pulse with its tail, and the contacts within the hit, into the hit's gate. The samples between them hold
+/// only noise. `x` are the samples of the hit; `further` was found in samples that begin `offset` earlier.
+void gate_force(Hit& hit, std::span<const double> x, const Gate& pulse, const FurtherForce& further,
+                std::size_t offset);
+
+/// Adds `double_hit` for the largest of the contacts.
+void grade_second_pulse(Hit& hit, const std::vector<SecondPulse>& contacts, double fs_Hz);
+
+}  // namespace percuss::acquire
