@@ -41,7 +41,7 @@ std::vector<AnalysedHit> grade_by_force(std::vector<acquire::Hit> found, const a
     hit.accepted = accept || (!reject && !acquire::rejects(hit.hit.findings));
     hits.push_back(std::move(hit));
   }
-  accept_needed_hits(hits);
+  accept_needed_hits(hits, record.fs_Hz);
   return hits;
 }
 

@@ -1,6 +1,7 @@
 #include "pipeline/hits/needed_hits.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <span>
 
@@ -11,12 +12,20 @@ using acquire::Finding, acquire::FindingCode, acquire::Severity;
 
 constexpr std::size_t kEnoughHits = 2;  // that judge each other
 
-// Whether the hit was rejected for these reasons alone.
-bool rejected_only_for(const AnalysedHit& hit, std::span<const FindingCode> reasons) {
+// Whether the gate reaches to the second contact. It leaves out spikes, and contacts before the samples of the hit.
+bool holds_second_contact(const acquire::Hit& hit, const Finding& finding, double fs_Hz) {
+  const double delay = std::floor(finding.delay_s.value_or(0) * fs_Hz), peak = static_cast<double>(hit.peak);
+  const auto first = static_cast<double>(hit.gate_first);
+  return first + delay <= peak || first + static_cast<double>(hit.gated_N.size()) >= peak + delay;
+}
+
+// Whether the hit was rejected for these reasons alone, and its force is whole.
+bool usable_in_spite_of(const AnalysedHit& hit, std::span<const FindingCode> reasons, double fs_Hz) {
   if (hit.accepted || hit.by_user || hit.hit.gated_N.empty()) return false;
   return std::all_of(hit.hit.findings.begin(), hit.hit.findings.end(), [&](const Finding& finding) {
     return finding.severity != Severity::reject ||
-           std::find(reasons.begin(), reasons.end(), finding.code) != reasons.end();
+           (std::find(reasons.begin(), reasons.end(), finding.code) != reasons.end() &&
+            holds_second_contact(hit.hit, finding, fs_Hz));
   });
 }
 
@@ -32,23 +41,23 @@ void accept_with_warning(AnalysedHit& hit) {
   }
 }
 
-void accept_at_point(std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& members) {
+void accept_at_point(std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& members, double fs_Hz) {
   constexpr FindingCode kReasons[] = {FindingCode::double_hit, FindingCode::force_clipped};
   for (const std::size_t reasons : {1U, 2U}) {
     const auto used = std::count_if(members.begin(), members.end(), [&](std::size_t h) { return hits[h].accepted; });
     if (static_cast<std::size_t>(used) >= kEnoughHits) return;
     for (const std::size_t h : members) {
-      if (rejected_only_for(hits[h], std::span(kReasons).first(reasons))) accept_with_warning(hits[h]);
+      if (usable_in_spite_of(hits[h], std::span(kReasons).first(reasons), fs_Hz)) accept_with_warning(hits[h]);
     }
   }
 }
 
 }  // namespace
 
-void accept_needed_hits(std::vector<AnalysedHit>& hits) {
+void accept_needed_hits(std::vector<AnalysedHit>& hits, double fs_Hz) {
   std::map<int, std::vector<std::size_t>> points;
   for (std::size_t h = 0; h < hits.size(); ++h) points[hits[h].point].push_back(h);
-  for (const auto& [point, members] : points) accept_at_point(hits, members);
+  for (const auto& [point, members] : points) accept_at_point(hits, members, fs_Hz);
 }
 
 }  // namespace percuss::pipeline

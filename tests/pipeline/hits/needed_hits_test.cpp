@@ -31,14 +31,14 @@ AnalysedHit good_hit(int point = 0) {
 
 TEST(NeededHits, StayRejectedWhereTwoOthersRemain) {
   std::vector<AnalysedHit> hits{good_hit(), hit_with(FindingCode::double_hit), good_hit()};
-  accept_needed_hits(hits);
+  accept_needed_hits(hits, 25600);
   EXPECT_FALSE(hits[1].accepted);
 }
 
 TEST(NeededHits, AreUsedWhereTheirPointHasTooFewOthers) {
   std::vector<AnalysedHit> hits{good_hit(1), good_hit(1), good_hit(2), hit_with(FindingCode::double_hit, 2),
                                 hit_with(FindingCode::overload, 2)};
-  accept_needed_hits(hits);
+  accept_needed_hits(hits, 25600);
   EXPECT_TRUE(hits[3].accepted);
   EXPECT_EQ(hits[3].hit.findings[0].severity, Severity::warn);
   EXPECT_FALSE(hits[4].accepted);
@@ -47,9 +47,19 @@ TEST(NeededHits, AreUsedWhereTheirPointHasTooFewOthers) {
 TEST(NeededHits, PreferSecondHitsToClippedForces) {
   std::vector<AnalysedHit> hits{hit_with(FindingCode::double_hit), hit_with(FindingCode::force_clipped),
                                 hit_with(FindingCode::double_hit)};
-  accept_needed_hits(hits);
+  accept_needed_hits(hits, 25600);
   EXPECT_TRUE(hits[0].accepted);
   EXPECT_FALSE(hits[1].accepted);
+}
+
+TEST(NeededHits, StayRejectedWhereTheForceLacksTheSecondContact) {
+  std::vector<AnalysedHit> hits{hit_with(FindingCode::double_hit), hit_with(FindingCode::double_hit)};
+  hits[0].hit.peak = hits[1].hit.peak = hits[0].hit.gate_first = hits[1].hit.gate_first = 500;
+  for (AnalysedHit& hit : hits) hit.hit.findings[0].delay_s = 0.01;
+  hits[1].hit.gated_N.resize(300);  // 11.7 ms
+  accept_needed_hits(hits, 25600);
+  EXPECT_FALSE(hits[0].accepted);
+  EXPECT_TRUE(hits[1].accepted);
 }
 
 // Exact poles and residues from hits that all have a second contact: the whole force is used.
