@@ -5,11 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/statistics.hpp"
+
 namespace percuss::acquire {
 namespace {
 
 // Of the main pulse. The spectrum of both contacts falls by at most this share below that of the main one.
 constexpr double kMaxSecondRatio = 0.05;
+// A hammer rings for some milliseconds, a structure for longer.
+constexpr double kRingsFrom_s = 0.025, kRingsTo_s = 0.05;
+constexpr double kRingsOn = 0.03;        // of the peak, the median of |force|
+constexpr std::size_t kMinRinging = 16;  // samples
 
 }  // namespace
 
@@ -46,6 +52,24 @@ void grade_second_pulse(Hit& hit, const std::vector<SecondPulse>& contacts, doub
                           .message = fmt::format("{} {}, {:.{}f} % of the main one", what, when, second->ratio * 100,
                                                  second->ratio < kMaxSecondRatio ? 2 : 1),
                           .delay_s = delay_s});
+}
+
+void grade_lasting_force(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz) {
+  const auto begin = peak + static_cast<std::size_t>(kRingsFrom_s * fs_Hz);
+  const auto end = peak + static_cast<std::size_t>(kRingsTo_s * fs_Hz);
+  if (end > x.size() || end - begin < kMinRinging) return;
+  std::vector<double> sizes;
+  for (const double value : x.subspan(begin, end - begin)) sizes.push_back(std::abs(value));
+  const double ratio = median(sizes) / std::abs(x[peak]);
+  if (ratio < kRingsOn) return;
+  hit.findings.push_back(
+      {.code = FindingCode::no_pulse,
+       .severity = Severity::reject,
+       .value = ratio,
+       .message = fmt::format("no hammer pulse: the force is still at {:.0f} % of its peak {:.0f} ms "
+                              "later; is this a response in the place of the force?",
+                              ratio * 100, kRingsFrom_s * 1e3),
+       .options = {"force_channel"}});
 }
 
 }  // namespace percuss::acquire

@@ -93,6 +93,7 @@ void measure_and_grade_pulse(Hit& hit, std::span<const double> all, std::size_t 
   gate_force(hit, x, gate, further, offset);
   grade_pulse(hit, x, pulse, gate.first == 0);
   grade_second_pulse(hit, further.contacts, fs_Hz);
+  grade_lasting_force(hit, x, peak, fs_Hz);
 }
 
 bool is_pulse(std::span<const double> x, std::size_t peak, double noise_N, double fs_Hz) {

@@ -99,6 +99,14 @@ TEST(FurtherForce, IsNoHumpDriftOrHum) {
   }
 }
 
+TEST(FurtherForce, RefusesAResponseInThePlaceOfTheForce) {
+  std::vector<double> row = pulse_row();
+  add_ringing(row, 37.3, 4000, 0.2 * kPeak_N);
+  const Hit hit = hit_of(row);
+  ASSERT_TRUE(rejects(hit.findings));
+  EXPECT_EQ(hit.findings.back().code, FindingCode::no_pulse);
+}
+
 TEST(FurtherForce, EndsNoRecordWithAHump) {
   std::vector<double> row(120000);
   for (const double onset : {5000.0, 60000.0}) test::add_filtered_haversine(row, onset, kWidth, kPeak_N);
