@@ -10,10 +10,14 @@ namespace {
 
 using acquire::Finding, acquire::FindingCode, acquire::Severity;
 
+// Of the main pulse. A larger contact is another blow, and more may follow; the force of two equal ones has zeros.
+constexpr double kMaxUsableRatio = 0.5;
 constexpr std::size_t kEnoughHits = 2;  // that judge each other
 
-// Whether the gate reaches to the second contact. It leaves out spikes, and contacts before the samples of the hit.
+// Whether the gate reaches to the second contact, and it is no blow of its own. The gate leaves out spikes, and
+// contacts before the samples of the hit.
 bool holds_second_contact(const acquire::Hit& hit, const Finding& finding, double fs_Hz) {
+  if (finding.code == FindingCode::double_hit && finding.value > kMaxUsableRatio) return false;
   const double delay = std::floor(finding.delay_s.value_or(0) * fs_Hz), peak = static_cast<double>(hit.peak);
   const auto first = static_cast<double>(hit.gate_first);
   return first + delay <= peak || first + static_cast<double>(hit.gated_N.size()) >= peak + delay;
