@@ -13,8 +13,9 @@ namespace {
 
 // No elastic contact is flatter than a half-sine, 0.51; measured pulses of hammers have 0.30 to 0.48.
 constexpr double kMaxFlatness = 0.54;
-constexpr double kHigh = 0.8, kLow = 0.3;  // of the peak
-constexpr double kMinSignal = 30;          // peak over noise: the noise changes the flatness by a few hundredths
+constexpr double kHigh = 0.8, kLow = 0.3;        // of the peak
+constexpr double kFlank = 0.2, kNothing = 0.01;  // of the peak, of neighbouring samples; a filtered flank is less steep
+constexpr double kMinSignal = 30;                // peak over noise: the noise changes the flatness by a few hundredths
 constexpr std::size_t kOversampling = 16, kKernel = 16;
 constexpr std::size_t kLongPulse = 32;  // samples, of a pulse that needs no interpolation
 
@@ -62,6 +63,17 @@ std::vector<double> pulse_of(const Hit& hit) {
   return x;
 }
 
+// Whether a flank is cut off, as by a force window of the recorder: its length is then not that of the contact.
+bool has_cut_flank(const Hit& hit) {
+  const double peak = std::abs(hit.peak_N);
+  const auto& x = hit.gated_N;
+  for (std::size_t n = 0; n <= x.size(); ++n) {
+    const double before = n > 0 ? std::abs(x[n - 1]) : 0, after = n < x.size() ? std::abs(x[n]) : 0;
+    if (std::max(before, after) > kFlank * peak && std::min(before, after) < kNothing * peak) return true;
+  }
+  return false;
+}
+
 bool has_overload(const Hit& hit) {
   return std::any_of(hit.findings.begin(), hit.findings.end(),
                      [](const Finding& f) { return f.code == FindingCode::overload; });
@@ -80,7 +92,7 @@ double top_flatness(const Hit& hit) {
 
 void grade_flat_tops(std::vector<Hit>& hits) {
   for (Hit& hit : hits) {
-    if (std::abs(hit.peak_N) < kMinSignal * hit.noise_N || has_overload(hit)) continue;
+    if (std::abs(hit.peak_N) < kMinSignal * hit.noise_N || has_overload(hit) || has_cut_flank(hit)) continue;
     const double flatness = top_flatness(hit);
     if (flatness <= kMaxFlatness) continue;
     hit.findings.push_back(
