@@ -14,7 +14,7 @@ namespace {
 // No elastic contact is flatter than a half-sine, 0.51; measured pulses of hammers have 0.30 to 0.48.
 constexpr double kMaxFlatness = 0.54;
 constexpr double kHigh = 0.8, kLow = 0.3;        // of the peak
-constexpr double kFlank = 0.2, kNothing = 0.01;  // of the peak, of neighbouring samples; a filtered flank is less steep
+constexpr double kFlank = 0.2, kNothing = 0.01;  // of the peak, of neighbouring samples
 constexpr double kMinSignal = 30;                // peak over noise: the noise changes the flatness by a few hundredths
 constexpr std::size_t kOversampling = 16, kKernel = 16;
 constexpr std::size_t kLongPulse = 32;  // samples, of a pulse that needs no interpolation
@@ -63,8 +63,10 @@ std::vector<double> pulse_of(const Hit& hit) {
   return x;
 }
 
-// Whether a flank is cut off, as by a force window of the recorder: its length is then not that of the contact.
+// Whether a flank is cut off by a force window of the recorder: its length is then not that of the contact. Such a
+// force is constant outside the window.
 bool has_cut_flank(const Hit& hit) {
+  if (hit.noise_N > 0) return false;
   const double peak = std::abs(hit.peak_N);
   const auto& x = hit.gated_N;
   for (std::size_t n = 0; n <= x.size(); ++n) {
