@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "frf/windows.hpp"
+#include "pipeline/hits/gate_choice.hpp"
 #include "pipeline/hits/hit_consistency.hpp"
 #include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/source/frf_source.hpp"
@@ -13,6 +14,7 @@
 #include "pipeline/warnings/hit_warnings.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
 #include "pipeline/warnings/truncation_warnings.hpp"
+#include "pipeline/warnings/used_hit_warnings.hpp"
 
 namespace percuss::pipeline {
 
@@ -86,9 +88,18 @@ const HitResponses& Analysis::responses() const {
                        [&] { return read_responses(record(), force_hits(), transform_options(), trace_); });
 }
 
+const std::vector<AnalysedHit>& Analysis::gated_hits() const {
+  if (given_frfs() != nullptr || !any_tail(force_hits())) return force_hits();
+  return within_budget(budget_, gated_hits_, [&] {
+    std::vector<AnalysedHit> out = force_hits();
+    choose_gate(out, responses(), transform_options());
+    return out;
+  });
+}
+
 const std::vector<frf::Spectrum>& Analysis::force_spectra() const {
   return within_budget(budget_, force_spectra_,
-                       [&] { return pipeline::force_spectra(force_hits(), transform_options(), trace_); });
+                       [&] { return pipeline::force_spectra(gated_hits(), transform_options(), trace_); });
 }
 
 const std::vector<AnalysedHit>& Analysis::hits() const {
@@ -96,7 +107,7 @@ const std::vector<AnalysedHit>& Analysis::hits() const {
 }
 
 std::vector<AnalysedHit> Analysis::compute_hits() const {
-  std::vector<AnalysedHit> out = force_hits();
+  std::vector<AnalysedHit> out = possible() ? gated_hits() : force_hits();
   if (!possible()) return out;
   grade_by_responses(out, responses());
   if (!any_accepted(out)) return out;
@@ -197,6 +208,7 @@ std::vector<Warning> Analysis::warnings() const {
   add(input_warnings(record()));
   if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
   add(hit_warnings(record(), graded));
+  if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
   add(channel_warnings(record(), graded));
   if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
   add(rest_warnings(graded));

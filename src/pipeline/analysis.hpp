@@ -75,6 +75,8 @@ class Analysis {
 
  private:
   TransformOptions transform_options() const;
+  // force_hits(), with the gate of the force that explains the responses better.
+  const std::vector<AnalysedHit>& gated_hits() const;
   const HitResponses& responses() const;
   const std::vector<frf::Spectrum>& force_spectra() const;
   TestSpectra spectra() const;
@@ -85,7 +87,7 @@ class Analysis {
   mutable Trace trace_;
   mutable BudgetMeter budget_;
   // Results refer neither to the analysis nor to each other.
-  Lazy<std::vector<AnalysedHit>> force_hits_, hits_;
+  Lazy<std::vector<AnalysedHit>> force_hits_, gated_hits_, hits_;
   Lazy<acquire::LineRange> lines_;
   Lazy<HitResponses> responses_;
   Lazy<std::vector<frf::Spectrum>> force_spectra_;

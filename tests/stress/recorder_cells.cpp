@@ -89,7 +89,7 @@ std::vector<Cell> wiring() {
   one.spec.faults = {{.hit = 1, .kind = synth::SynthFaultKind::reversed}};
   Cell sensor = cell_of("second sensor the wrong way round", {.demand = Demand::all});
   sensor.spec.sensors[1].sign = -1;
-  Cell swapped = cell_of("force and first response exchanged", {.exit_code = 4, .reason = "double_hit"});
+  Cell swapped = cell_of("force and first response exchanged", {.exit_code = 4, .reason = "no_pulse"});
   swapped.alter = swap_force_and_first_accel;
   Cell no_force = cell_of("force channel dead", {.exit_code = 4, .reason = "no_pulse"});
   no_force.alter = [](Samples& samples) { scale(samples, 0, 1); };

@@ -26,6 +26,8 @@ const char* name_of(FindingCode code) {
       return "outlier";
     case FindingCode::polarity:
       return "polarity";
+    case FindingCode::force_clipped:
+      return "force_clipped";
   }
   return "";
 }

@@ -17,7 +17,8 @@ enum class FindingCode {
   low_bandwidth,
   low_coherence,
   outlier,
-  polarity
+  polarity,
+  force_clipped
 };
 enum class Severity { info, warn, reject };
 

@@ -6,7 +6,10 @@
 #include <cmath>
 
 #include "acquire/hits/clipping.hpp"
+#include "acquire/hits/contact_gate.hpp"
+#include "acquire/hits/flat_top.hpp"
 #include "acquire/hits/force_clipping.hpp"
+#include "acquire/hits/further_force.hpp"
 #include "acquire/hits/pulse_shape.hpp"
 #include "acquire/hits/time_selection.hpp"
 #include "acquire/hits/trigger_scan.hpp"
@@ -22,7 +25,6 @@ constexpr double kLongestPulse_s = 0.05;  // no hammer tip makes longer pulses; 
 constexpr std::size_t kLongestPulse = 8;  // samples, for rates too low to resolve a pulse
 constexpr double kSecondScan_s = 0.25;    // second contacts follow within some tens of milliseconds
 constexpr std::size_t kMinRead = 256;     // samples: longer than the gate of any pulse
-constexpr double kMaxSecondRatio = 0.01;  // of the main pulse; a larger second pulse rejects the hit
 constexpr double kWeak = 0.2;             // of the median peak
 constexpr double kLateTrigger = 0.05;     // of the peak, at the first sample
 
@@ -39,25 +41,10 @@ std::vector<double> force_between(const Record& record, std::size_t row, std::si
   return x;
 }
 
-// `x` covers the search for a second pulse and may begin before the samples of the hit. `peak` is an index into x.
-void grade_second_pulse(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz) {
-  const auto end = std::min(x.size(), peak + samples_to_scan(fs_Hz));
-  const auto second = second_pulse(x.first(end), shape_of_pulse(x, peak), hit.noise_N);
-  if (!second) return;
-  const double delay_s = std::abs(second->delay_samples) / fs_Hz;
-  const std::string when = second->delay_samples < 0 ? fmt::format("{:.2f} ms before the main one", delay_s * 1e3)
-                                                     : fmt::format("after {:.2f} ms", delay_s * 1e3);
-  hit.findings.push_back({.code = FindingCode::double_hit,
-                          .severity = second->ratio > kMaxSecondRatio ? Severity::reject : Severity::info,
-                          .value = second->ratio,
-                          .message = fmt::format("second hit {}, {:.1f} % of the main one", when, second->ratio * 100),
-                          .delay_s = delay_s});
-}
-
-void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
+void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse, bool starts_in_pulse) {
   const double peak = std::abs(hit.peak_N);
   const double at_start = std::abs(x.front()) / peak;
-  if (hit.gate_first == hit.first && (!pulse.has_rise || at_start > kLateTrigger)) {
+  if (starts_in_pulse && (!pulse.has_rise || at_start > kLateTrigger)) {
     hit.findings.push_back({.code = FindingCode::late_trigger,
                             .severity = Severity::reject,
                             .value = at_start,
@@ -85,9 +72,11 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
   }
 }
 
-// `x` are the samples of the hit with the baseline removed. `peak` is the index of its largest sample.
-void measure_and_grade_pulse(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz,
+// `all` has the baseline removed and covers the search for further contacts; the samples of the hit begin at `offset`.
+// `peak` is the index of the largest sample of the hit.
+void measure_and_grade_pulse(Hit& hit, std::span<const double> all, std::size_t offset, std::size_t peak, double fs_Hz,
                              const HitOptions& options) {
+  const auto x = all.subspan(offset);
   const PulseShape pulse = shape_of_pulse(x, peak);
   hit.peak = hit.first + peak;
   hit.peak_N = x[peak];
@@ -95,11 +84,16 @@ void measure_and_grade_pulse(Hit& hit, std::span<const double> x, std::size_t pe
   hit.pulse_s = std::max(pulse.fall - pulse.rise, 1.0) / fs_Hz;
   const Gate gate = gate_around(x, pulse, hit.noise_N);
   if (!options.gate_force) hit.ungated_N.assign(x.begin(), x.end());
-  hit.gate_first = hit.first + gate.first;
-  hit.gated_N.assign(x.begin() + static_cast<std::ptrdiff_t>(gate.first),
-                     x.begin() + static_cast<std::ptrdiff_t>(gate.end));
-  hit.bandwidth_Hz = bandwidth_Hz(hit.gated_N, fs_Hz);
-  grade_pulse(hit, x, pulse);
+  hit.bandwidth_Hz = bandwidth_Hz(x.subspan(gate.first, gate.end - gate.first), fs_Hz);
+  const auto scanned = all.first(std::min(all.size(), offset + peak + samples_to_scan(fs_Hz)));
+  const Gate gate_in_all{.first = gate.first + offset, .end = std::min(gate.end + offset, scanned.size())};
+  const FurtherForce further =
+      further_force(scanned, shape_of_pulse(scanned, offset + peak), gate_in_all, hit.noise_N,
+                    {.max_tail = std::max(kMinRead, static_cast<std::size_t>(kLongestPulse_s * fs_Hz))});
+  gate_force(hit, x, gate, further, offset);
+  grade_pulse(hit, x, pulse, gate.first == 0);
+  grade_second_pulse(hit, further.contacts, fs_Hz);
+  grade_lasting_force(hit, x, peak, fs_Hz);
 }
 
 bool is_pulse(std::span<const double> x, std::size_t peak, double noise_N, double fs_Hz) {
@@ -149,8 +143,7 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
       std::max_element(at(trigger_scan.largest_first), at(trigger_scan.largest_end), smaller) - x.begin());
   if (!is_pulse(x, largest, trigger_scan.noise_N, record.fs_Hz))
     return hit_without_pulse(row, part, trigger_scan, options);
-  measure_and_grade_pulse(hit, x, largest, record.fs_Hz, options);
-  grade_second_pulse(hit, x, largest, record.fs_Hz);
+  measure_and_grade_pulse(hit, x, 0, largest, record.fs_Hz, options);
   const auto length = selected_length(record, options);
   if (length) hit.samples = std::min(hit.samples, std::max(*length, largest + 1));  // the pulse stays inside
   return hit;
@@ -175,10 +168,21 @@ std::size_t scan_begin(const TriggerScan& trigger_scan, std::size_t e, const Sam
   return std::max({part.first, free, trigger_scan.events[e] > scan ? trigger_scan.events[e] - scan : 0});
 }
 
+// Only a contact ends a record: a hump or drift of the force is no event.
+void keep_contacts(TriggerScan& scan, const Record& record, std::size_t row, const SampleRange& part) {
+  const auto reach = static_cast<std::size_t>(kLongestPulse_s * record.fs_Hz) + kLongestPulse;
+  std::erase_if(scan.events, [&](std::size_t event) {
+    const std::size_t begin = std::max(part.first, event > reach ? event - reach : 0);
+    const auto x = force_between(record, row, begin, std::min(part.last, event + reach + 1), scan.baseline_N);
+    return !is_pulse(x, event - begin, scan.noise_N, record.fs_Hz);
+  });
+}
+
 std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOptions& options) {
   const SampleRange part = select_time_range(record, row, options);
-  const TriggerScan trigger_scan =
+  TriggerScan trigger_scan =
       scan_for_triggers(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
+  keep_contacts(trigger_scan, record, row, part);
   const auto length = selected_length(record, options);
   std::vector<Hit> hits;
   for (std::size_t e = 0; e < trigger_scan.events.size(); ++e) {
@@ -192,8 +196,7 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
     const std::size_t peak = trigger_scan.events[e] - range.first;
     if (!is_pulse(x, peak, trigger_scan.noise_N, record.fs_Hz)) continue;
     Hit hit = unmeasured_hit(row, range, trigger_scan);
-    measure_and_grade_pulse(hit, x, peak, record.fs_Hz, options);
-    grade_second_pulse(hit, all, trigger_scan.events[e] - begin, record.fs_Hz);
+    measure_and_grade_pulse(hit, all, range.first - begin, peak, record.fs_Hz, options);
     hits.push_back(std::move(hit));
   }
   if (hits.empty()) hits.push_back(hit_without_pulse(row, part, trigger_scan, options));
@@ -231,6 +234,7 @@ std::vector<Hit> find_hits(const Record& record, const HitOptions& options) {
     hits.insert(hits.end(), std::move_iterator(row.begin()), std::move_iterator(row.end()));
   grade_weak(hits);
   grade_force_clipping(hits, record);
+  grade_flat_tops(hits);
   return hits;
 }
 

@@ -20,8 +20,11 @@ struct Hit {
   double bandwidth_Hz = 0;  // the force spectrum has fallen 20 dB below its largest line
   double noise_N = 0;       // standard deviation of the noise of the force channel
   double baseline_N = 0;
-  std::size_t gate_first = 0;     // first sample of `gated_N` in the row
-  std::vector<double> gated_N;    // the pulse with the anti-alias filter's ringing, baseline removed; zero outside
+  std::size_t gate_first = 0;  // first sample of `gated_N` in the row
+  std::size_t pulse_end = 0;   // end of the pulse with the anti-alias filter's ringing, a sample of the row
+  std::size_t tail_end = 0;    // end of the hammer's ringing or of the contact's tail; at least pulse_end
+  // The pulse, its tail, and further contacts, baseline removed; zero between them and outside.
+  std::vector<double> gated_N;
   std::vector<double> ungated_N;  // all samples, baseline removed; empty unless HitOptions::gate_force is off
   std::vector<Finding> findings;
 };
@@ -38,7 +41,7 @@ struct HitOptions {
 /// Finds and grades the hits of a record from its force. In a record of several rows, each row is one hit. A single
 /// row, or a record with `Record::continuous`, is searched for pulses. A row without a pulse yields a hit with
 /// `no_pulse`.
-/// Findings added: double_hit, overload (force), late_trigger, no_pulse, weak, polarity.
+/// Findings added: double_hit, overload (force), force_clipped, late_trigger, no_pulse, weak, polarity.
 /// errors  InputError: no samples between from_s and to_s
 std::vector<Hit> find_hits(const Record& record, const HitOptions& options = {});
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,13 +25,6 @@ struct Gate {
   std::size_t first = 0, end = 0;
 };
 Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
-
-/// A second pulse of the same sign: its distance from the main pulse, and its size relative to it.
-struct SecondPulse {
-  double delay_samples = 0;  // negative: before the main pulse
-  double ratio = 0;
-};
-std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
 
 /// Frequency at which the amplitude spectrum of a pulse first falls 20 dB below its largest line.
 /// theory (1.5)

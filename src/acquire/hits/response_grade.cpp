@@ -19,6 +19,8 @@ constexpr std::size_t kMinQuiet = 12;       // samples of the pre-trigger that g
 constexpr std::size_t kQuietSamples = 256;  // give a standard deviation to 7 %, enough for thresholds
 constexpr double kOnsetNoise = 6;           // standard deviations
 constexpr double kOnsetFraction = 0.02;     // of the largest response
+constexpr double kMaxTravel_s = 0.1;        // from the force to the response; sound crosses any structure by then
+constexpr std::size_t kMaxTravel = 16;      // samples, at low rates
 constexpr std::size_t kMinPush = 4;         // samples of the first motion
 constexpr double kMinOnsetVelocity = 0.25;  // of the largest velocity during two pulses
 // Of the largest velocity, in the opposite direction and earlier. Above this limit the modes cancel at first, and noise
@@ -108,7 +110,9 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
   if (!(level > 0)) return;
   const double onset = hit.onset_s * fs_Hz - static_cast<double>(hit.first);
   auto i = static_cast<std::size_t>(std::max(0.0, std::floor(onset) - 2));
-  while (i < accel.size() && std::abs(accel[i] - rest) < level) ++i;
+  const std::size_t last = i + std::max(kMaxTravel, static_cast<std::size_t>(kMaxTravel_s * fs_Hz));
+  while (i < std::min(accel.size(), last) && std::abs(accel[i] - rest) < level) ++i;
+  if (i >= std::min(accel.size(), last)) return;  // what moves later, the force did not move
   const auto push = static_cast<std::size_t>(std::ceil(2 * hit.pulse_s * fs_Hz));
   const std::size_t end = std::min(accel.size(), i + std::max(kMinPush, push));
   grade.polarity = initial_polarity(accel.subspan(i, end - i), rest, noise);

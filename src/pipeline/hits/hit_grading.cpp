@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "pipeline/hits/needed_hits.hpp"
 #include "pipeline/hits/response_clipping.hpp"
 
 namespace percuss::pipeline {
@@ -40,6 +41,7 @@ std::vector<AnalysedHit> grade_by_force(std::vector<acquire::Hit> found, const a
     hit.accepted = accept || (!reject && !acquire::rejects(hit.hit.findings));
     hits.push_back(std::move(hit));
   }
+  accept_needed_hits(hits, record.fs_Hz);
   return hits;
 }
 

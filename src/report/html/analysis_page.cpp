@@ -36,7 +36,7 @@ std::string hits_section(const pipeline::Analysis& analysis) {
   }
   return page_section("hits", "Hits",
                       shown + page_plot("force", "Force of the first hits over time.") +
-                          page_findings(analysis, {double_hit, overload, late_trigger, no_pulse, weak}) +
+                          page_findings(analysis, {double_hit, overload, force_clipped, late_trigger, no_pulse, weak}) +
                           page_plot("response", "Response of the first accelerometer to the pulses over time.") +
                           page_findings(analysis, {polarity}) +
                           page_plot("spectrum", "Spectrum of the force in decibels over frequency.") +

@@ -44,7 +44,7 @@ TEST(HitFindings, ReportASecondHitAfterOrBeforeTheMainOne) {
   constexpr double kDelayTolerance_s = 1 / kFs_Hz;  // each of the two peaks is found to half a sample
   constexpr double kRatioTolerance = 0.06;          // relative: peaks half a sample off, in pulses of 8 samples
   for (const double delay : {31.5, 256.0, 2560.4, -31.5, -400.2}) {
-    for (const double ratio : {0.05, 0.4}) {
+    for (const double ratio : {0.06, 0.4}) {
       auto row = good_row();
       test::add_filtered_haversine(row, 500.3 + delay, 8, 200 * ratio);
       const Hit hit = hit_of(row);
@@ -59,9 +59,9 @@ TEST(HitFindings, ReportASecondHitAfterOrBeforeTheMainOne) {
   }
 }
 
-TEST(HitFindings, RejectASecondHitOnlyAboveOnePercent) {
+TEST(HitFindings, RejectASecondHitOnlyAboveFivePercent) {
   auto row = good_row();
-  test::add_filtered_haversine(row, 900.3, 8, 200 * 0.008);
+  test::add_filtered_haversine(row, 900.3, 8, 200 * 0.04);
   const Hit hit = hit_of(row);
   ASSERT_NE(only(hit, FindingCode::double_hit), nullptr);
   EXPECT_EQ(hit.findings[0].severity, Severity::info);

@@ -215,6 +215,14 @@ TEST(GradeResponse, AcceptsPulsesAtTheVeryEndAndShortSignals) {
   EXPECT_EQ(none.polarity, 0);
 }
 
+TEST(GradeResponse, TakesNoLateNoiseForTheFirstMotion) {
+  auto x = ringing(600, 50, kOnset + 9000);  // 0.35 s after the force: it cannot be its effect
+  test::add_noise(x, 1e-3, 1);
+  EXPECT_FALSE(grade(x).delay_s);
+  EXPECT_EQ(grade(x).polarity, 0);
+  EXPECT_TRUE(grade(ringing(600, 50, kOnset + 500)).delay_s);  // 20 ms
+}
+
 TEST(DecayedLength, IsTwiceTheTimeToTheBackground) {
   constexpr double kTau = 300, kNoise = 0.05;
   auto x = ringing(kTau);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "acquire/hits/pulse_shape.hpp"
+#include "acquire/hits/further_force.hpp"
 #include "support/force_row.hpp"
 
 namespace percuss::acquire::second_pulse_test {

@@ -1,0 +1,23 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "acquire/hits/further_force.hpp"
+#include "acquire/hits/hits.hpp"
+
+namespace percuss::acquire {
+
+/// Copies the pulse with its tail, and the contacts within the hit, into the hit's gate. The samples between them hold
+/// only noise. `x` are the samples of the hit; `further` was found in samples that begin `offset` earlier.
+void gate_force(Hit& hit, std::span<const double> x, const Gate& pulse, const FurtherForce& further,
+                std::size_t offset);
+
+/// Adds `double_hit` for the largest of the contacts.
+void grade_second_pulse(Hit& hit, const std::vector<SecondPulse>& contacts, double fs_Hz);
+
+/// Adds `no_pulse` where the force rings on 25 to 50 ms after its peak: a response in the place of the force. `x` are
+/// the samples of the hit, `peak` the index of its peak.
+void grade_lasting_force(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz);
+
+}  // namespace percuss::acquire

@@ -1,0 +1,112 @@
+#include "acquire/hits/flat_top.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "acquire/hits/pulse_shape.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+// No elastic contact is flatter than a half-sine, 0.51; measured pulses of hammers have 0.30 to 0.48.
+constexpr double kMaxFlatness = 0.54;
+constexpr double kHigh = 0.8, kLow = 0.3;        // of the peak
+constexpr double kFlank = 0.2, kNothing = 0.01;  // of the peak, of neighbouring samples
+constexpr double kMinSignal = 30;                // peak over noise: the noise changes the flatness by a few hundredths
+constexpr std::size_t kOversampling = 16, kKernel = 16;
+constexpr std::size_t kLongPulse = 32;  // samples, of a pulse that needs no interpolation
+
+// Band-limited interpolation: a short pulse has few samples near its top.
+std::vector<double> interpolated(const std::vector<double>& x, std::size_t steps) {
+  std::vector<double> out((x.size() - 1) * steps + 1);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const std::size_t at = i / steps;
+    if (i % steps == 0) {
+      out[i] = x[at];
+      continue;
+    }
+    const double t = static_cast<double>(i) / static_cast<double>(steps);
+    const std::size_t first = at + 1 > kKernel ? at + 1 - kKernel : 0;
+    for (std::size_t n = first; n < std::min(x.size(), at + 1 + kKernel); ++n) {
+      const double away = t - static_cast<double>(n), turn = std::numbers::pi * away;
+      const double window = 0.5 + 0.5 * std::cos(turn / static_cast<double>(kKernel));
+      out[i] += x[n] * std::sin(turn) / turn * window;
+    }
+  }
+  return out;
+}
+
+double length_above(const std::vector<double>& x, std::size_t peak, double level) {
+  std::size_t first = peak, last = peak;
+  while (first > 0 && x[first] >= level) --first;
+  while (last + 1 < x.size() && x[last] >= level) ++last;
+  const auto part = [&](std::size_t inner, std::size_t outer) {
+    return x[inner] > x[outer] ? std::clamp((x[inner] - level) / (x[inner] - x[outer]), 0.0, 1.0) : 0.0;
+  };
+  if (last == first) return 0;
+  return static_cast<double>(last - first) - 2 + part(first + 1, first) + part(last - 1, last);
+}
+
+// The pulse above 5 % of its peak, and beside it the samples that its interpolation needs.
+std::vector<double> pulse_of(const Hit& hit) {
+  const double sign = hit.peak_N < 0 ? -1 : 1;
+  const PulseShape shape = shape_of_pulse(hit.gated_N, hit.peak - hit.gate_first);
+  const auto rise = static_cast<std::size_t>(shape.rise), fall = static_cast<std::size_t>(shape.fall) + 1;
+  std::vector<double> x;
+  for (std::size_t n = rise; n < fall + 2 * kKernel; ++n) {
+    const bool inside = n >= kKernel && n - kKernel < hit.gated_N.size();
+    x.push_back(inside ? sign * hit.gated_N[n - kKernel] : 0);
+  }
+  return x;
+}
+
+// Whether a flank is cut off by a force window of the recorder: its length is then not that of the contact. Such a
+// force is constant outside the window.
+bool has_cut_flank(const Hit& hit) {
+  if (hit.noise_N > 0) return false;
+  const double peak = std::abs(hit.peak_N);
+  const auto& x = hit.gated_N;
+  for (std::size_t n = 0; n <= x.size(); ++n) {
+    const double before = n > 0 ? std::abs(x[n - 1]) : 0, after = n < x.size() ? std::abs(x[n]) : 0;
+    if (std::max(before, after) > kFlank * peak && std::min(before, after) < kNothing * peak) return true;
+  }
+  return false;
+}
+
+bool has_overload(const Hit& hit) {
+  return std::any_of(hit.findings.begin(), hit.findings.end(),
+                     [](const Finding& f) { return f.code == FindingCode::overload; });
+}
+
+}  // namespace
+
+double top_flatness(const Hit& hit) {
+  if (hit.gated_N.empty() || hit.peak < hit.gate_first || hit.peak - hit.gate_first >= hit.gated_N.size()) return 0;
+  const std::vector<double> pulse = pulse_of(hit);
+  const std::vector<double> x = interpolated(pulse, pulse.size() < 2 * kKernel + kLongPulse ? kOversampling : 1);
+  const auto peak = static_cast<std::size_t>(std::max_element(x.begin(), x.end()) - x.begin());
+  const double low = length_above(x, peak, kLow * x[peak]);
+  return low > 0 ? length_above(x, peak, kHigh * x[peak]) / low : 0;
+}
+
+void grade_flat_tops(std::vector<Hit>& hits) {
+  for (Hit& hit : hits) {
+    if (std::abs(hit.peak_N) < kMinSignal * hit.noise_N || has_overload(hit) || has_cut_flank(hit)) continue;
+    const double flatness = top_flatness(hit);
+    if (flatness <= kMaxFlatness) continue;
+    hit.findings.push_back(
+        {.code = FindingCode::force_clipped,
+         .severity = Severity::reject,
+         .value = flatness,
+         .message =
+             fmt::format("force clipped before the recorder's filter: the pulse has a flat top, {:.0f} % as long "
+                         "at 80 % of its peak as at 30 %, and no contact exceeds 51 %; lower the gain of the "
+                         "hammer's amplifier or hit softer",
+                         flatness * 100)});
+  }
+}
+
+}  // namespace percuss::acquire

@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "acquire/hits/hits.hpp"
+
+namespace percuss::acquire {
+
+/// The length of a pulse at 80 % of its peak over its length at 30 %. A half-sine has 0.51, a haversine 0.47, a
+/// triangle 0.29; a half-sine cut at 80 % of its peak has 0.65. theory (1.6)
+double top_flatness(const Hit& hit);
+
+/// Adds `force_clipped` to hits whose pulse has a flat top, although no samples are equal: an amplifier clipped the
+/// force before the recorder's anti-alias filter, which rounded the corners. Leaves out hits with `overload`.
+void grade_flat_tops(std::vector<Hit>& hits);
+
+}  // namespace percuss::acquire

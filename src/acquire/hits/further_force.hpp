@@ -1,0 +1,38 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "acquire/hits/pulse_shape.hpp"
+
+namespace percuss::acquire {
+
+/// A further contact of the hammer: one push of the main pulse's sign and about its length.
+struct SecondPulse {
+  double delay_samples = 0;  // negative: before the main pulse
+  double ratio = 0;          // of the main pulse
+  bool spike = false;        // shorter than half the main pulse: not this hammer
+  Gate gate;
+};
+
+/// The force beside the main pulse. A tail or the ringing of the hammer continues from the pulse without a pause and
+/// belongs to it. Contacts stand alone, or exceed a tenth of the main pulse. Ringing pulls as much as it pushes; humps
+/// last several times as long as the pulse: neither is a contact. theory (1.4)
+struct FurtherForce {
+  std::size_t end = 0;                // of the pulse with its tail and ringing
+  std::vector<SecondPulse> contacts;  // ascending in time
+};
+
+struct FurtherForceOptions {
+  std::size_t max_tail = 1280;  // samples; force that lasts longer is drift
+};
+
+/// `pulse_gate` is gate_around of the pulse.
+FurtherForce further_force(std::span<const double> force_N, const PulseShape& pulse, const Gate& pulse_gate,
+                           double noise_N, const FurtherForceOptions& options = {});
+
+/// The largest further contact.
+std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
+
+}  // namespace percuss::acquire

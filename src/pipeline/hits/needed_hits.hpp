@@ -1,0 +1,14 @@
+#pragma once
+#include <vector>
+
+#include "pipeline/hits/analysed_hit.hpp"
+
+namespace percuss::pipeline {
+
+/// Accepts hits with `double_hit` at points that have fewer than two other hits, and then hits with `force_clipped`.
+/// The force channel saw both contacts, so H1 of the whole force is exact. A clipped force leaves frequencies and
+/// damping right. The findings become warnings that say so. Hits that the user judged stay as they are, and so do hits
+/// whose second contact is not in their samples, or is more than half as large as the first.
+void accept_needed_hits(std::vector<AnalysedHit>& hits, double fs_Hz);
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,107 @@
+#include "pipeline/warnings/used_hit_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "core/math/statistics.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+using acquire::FindingCode;
+
+constexpr double kShort = 0.8;           // of the median hit
+constexpr double kDecides = 0.9;         // of the shortest hit: its length is the transforms' length
+constexpr std::size_t kMaxNumbers = 20;  // of hits or points in a sentence
+
+std::string listed(const std::vector<std::size_t>& numbers) {
+  std::string out;
+  for (std::size_t i = 0; i < std::min(numbers.size(), kMaxNumbers); ++i)
+    out += fmt::format("{}{}", i > 0 ? ", " : "", numbers[i]);
+  return numbers.size() > kMaxNumbers ? out + fmt::format(" and {} more", numbers.size() - kMaxNumbers) : out;
+}
+
+struct UsedInSpite {
+  std::vector<std::size_t> hits;
+  double largest = 0;
+};
+
+UsedInSpite used_in_spite_of(const std::vector<AnalysedHit>& hits, FindingCode code) {
+  UsedInSpite out;
+  for (const std::size_t h : accepted_hits(hits)) {
+    for (const acquire::Finding& finding : hits[h].hit.findings) {
+      if (finding.code != code || finding.severity == acquire::Severity::info) continue;
+      out.hits.push_back(h);
+      out.largest = std::max(out.largest, finding.value);
+    }
+  }
+  return out;
+}
+
+std::vector<std::size_t> dropped_points(const std::vector<AnalysedHit>& hits) {
+  std::map<int, bool> used;
+  for (const AnalysedHit& hit : hits) used[hit.point] = used[hit.point] || hit.accepted;
+  std::vector<std::size_t> out;
+  for (const auto& [point, any] : used) {
+    if (!any) out.push_back(static_cast<std::size_t>(point));
+  }
+  return out;
+}
+
+void add_short_hit(std::vector<Warning>& out, const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                   std::size_t samples) {
+  std::vector<double> lengths;
+  std::size_t shortest = 0;
+  const std::vector<std::size_t> used = accepted_hits(hits);
+  for (const std::size_t h : used) {
+    lengths.push_back(static_cast<double>(hits[h].hit.samples));
+    if (lengths.size() == 1 || hits[h].hit.samples < hits[shortest].hit.samples) shortest = h;
+  }
+  const auto least = static_cast<double>(hits[shortest].hit.samples);
+  const double typical = median(lengths);
+  if (least >= kShort * typical || static_cast<double>(samples) < kDecides * least) return;
+  const std::size_t file = record.rows[hits[shortest].hit.row].file;
+  const std::string where =
+      record.files.size() > 1 ? " of " + one_line(record.files[file].path, kMaxNameBytes) : std::string();
+  out.push_back({"short_hit",
+                 fmt::format("hit {}{} lasts {:.3g} s, the others {:.3g} s: every FRF is cut to its length, which "
+                             "costs resolution and damping; leave this hit out or record it again",
+                             shortest, where, least / record.fs_Hz, typical / record.fs_Hz),
+                 {"reject_hit"}});
+}
+
+}  // namespace
+
+std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                       std::size_t samples) {
+  std::vector<Warning> out;
+  if (!any_accepted(hits)) return out;
+  if (const UsedInSpite clipped = used_in_spite_of(hits, FindingCode::force_clipped); !clipped.hits.empty()) {
+    out.push_back({"force_clipped",
+                   fmt::format("the force of hits {} was clipped before the recorder's filter (flat tops, {:.0f} % as "
+                               "long at 80 % of the peak as at 30 %; at most 51 % is possible): frequencies and "
+                               "damping hold, but FRFs, residues and masses are off by several percent or more; lower "
+                               "the gain of the hammer's amplifier or hit softer",
+                               listed(clipped.hits), clipped.largest * 100)});
+  }
+  if (const UsedInSpite twice = used_in_spite_of(hits, FindingCode::double_hit); !twice.hits.empty()) {
+    out.push_back({"double_hits_used",
+                   fmt::format("hits {} have a second hit (up to {:.1f} % of the main one) and are used, because their "
+                               "points have too few others; the force holds both contacts",
+                               listed(twice.hits), twice.largest * 100)});
+  }
+  if (const std::vector<std::size_t> points = dropped_points(hits); !points.empty()) {
+    out.push_back({"dropped_points",
+                   fmt::format("no hit can be used at point{} {}: FRFs and shapes lack {}; each hit's verdict gives "
+                               "the reason",
+                               points.size() == 1 ? "" : "s", listed(points), points.size() == 1 ? "it" : "them"),
+                   {"accept_hit"}});
+  }
+  add_short_hit(out, record, hits, samples);
+  return out;
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,66 @@
+#include "acquire/hits/flat_top.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/force_row.hpp"
+
+namespace percuss::acquire::flat_top_test {
+
+constexpr double kFs_Hz = 25600;
+constexpr std::size_t kSamples = 6000, kFine = 16, kTaps = 20;
+
+/// A haversine cut off at `level` of its peak, after a recorder's linear-phase anti-alias filter: 16 times oversampled,
+/// filtered by a windowed sinc that ends at 0.45 of the sampling rate, then every 16th sample.
+std::vector<double> cut_row(double width, double level, double peak_N, std::uint64_t seed) {
+  constexpr double kOnset = 500.3;
+  const auto fine = [&](double t) {
+    const double phase = (t - kOnset) / width;
+    return phase <= 0 || phase >= 1 ? 0.0 : std::min(level, std::pow(std::sin(std::numbers::pi * phase), 2)) * peak_N;
+  };
+  std::vector<double> x(kSamples);
+  for (std::size_t n = 450; n < 600; ++n) {
+    double sum = 0, weights = 0;
+    for (std::size_t k = 0; k <= 2 * kTaps * kFine; ++k) {
+      const double away = (static_cast<double>(k) - static_cast<double>(kTaps * kFine)) / kFine;
+      const double turn = 0.9 * std::numbers::pi * away;
+      const double weight =
+          (away == 0 ? 1 : std::sin(turn) / turn) * std::pow(std::cos(0.5 * std::numbers::pi * away / kTaps), 2);
+      sum += weight * fine(static_cast<double>(n) + away);
+      weights += weight;
+    }
+    x[n] = sum / weights;
+  }
+  test::add_noise(x, 2e-4 * peak_N, seed);
+  return x;
+}
+
+std::vector<Hit> hits_of(const std::vector<std::vector<double>>& rows) {
+  return find_hits(test::force_record(kFs_Hz, rows));
+}
+
+TEST(FlatTop, HasTheFlatnessOfClosedForms) {
+  // sin²: the length above a fraction y of the peak is 1 − 2 asin(√y)/π.
+  const double exact =
+      (1 - 2 * std::asin(std::sqrt(0.8)) / std::numbers::pi) / (1 - 2 * std::asin(std::sqrt(0.3)) / std::numbers::pi);
+  for (const double width : {8.0, 13.0, 40.0}) {
+    const Hit hit = hits_of({cut_row(width, 1, 300, 1), cut_row(width, 1, 280, 2)}).front();
+    EXPECT_NEAR(top_flatness(hit), exact, 0.02) << width;  // the filter rounds the pulse
+    EXPECT_TRUE(hit.findings.empty()) << width;
+  }
+}
+
+TEST(FlatTop, IsFoundInEachHitThatWasClippedBeforeTheFilter) {
+  for (const double level : {0.8, 0.6}) {
+    const std::vector<Hit> hits = hits_of({cut_row(7, 1, 300, 1), cut_row(8, level, 350, 2), cut_row(7.5, 1, 280, 3)});
+    EXPECT_TRUE(hits[0].findings.empty());
+    ASSERT_EQ(hits[1].findings.size(), 1U) << level;
+    EXPECT_EQ(hits[1].findings[0].code, FindingCode::force_clipped);
+    EXPECT_TRUE(hits[2].findings.empty());
+  }
+}
+
+}  // namespace percuss::acquire::flat_top_test
