@@ -32,6 +32,7 @@ struct UsedInSpite {
 UsedInSpite used_in_spite_of(const std::vector<AnalysedHit>& hits, FindingCode code) {
   UsedInSpite out;
   for (const std::size_t h : accepted_hits(hits)) {
+    if (code == FindingCode::double_hit && hits[h].by_user) continue;  // the user's own decision
     for (const acquire::Finding& finding : hits[h].hit.findings) {
       if (finding.code != code || finding.severity == acquire::Severity::info) continue;
       out.hits.push_back(h);

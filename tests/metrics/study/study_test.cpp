@@ -70,7 +70,8 @@ TEST(Study, FindsNoRelationInUnrelatedBats) {
     false_studies += std::any_of(study.statements.begin(), study.statements.end(),
                                  [](const StudyStatement& s) { return s.verdict != StatementVerdict::not_supported; });
   }
-  // At most 5 % of 200 studies have a false statement: 10, with a standard deviation of 3.1. Three standard deviations are added.
+  // At most 5 % of 200 studies have a false statement: 10, with a standard deviation of 3.1. Three standard deviations
+  // are added.
   EXPECT_LE(false_studies, 19);
 }
 
