@@ -57,6 +57,7 @@ def analyze(
     exponential: float | None = ...,
     overlay_db: float | None = ...,
     threads: int | None = ...,
+    budget: _Numbers | None = ...,
     only: Literal['hits', 'frf', 'coherence', 'modes', 'classes', 'deflection'] | Sequence[Literal['hits', 'frf', 'coherence', 'modes', 'classes', 'deflection']] | None = ...,
     picture: Literal['magnitude', 'phase', 'coherence', 'force', 'response', 'spectrum', 'decay', 'stabilisation', 'movement'] | Sequence[Literal['magnitude', 'phase', 'coherence', 'force', 'response', 'spectrum', 'decay', 'stabilisation', 'movement']] | None = ...,
     compare: _File | list[_File] | None = ...,
@@ -102,6 +103,7 @@ def frf(
     exponential: float | None = ...,
     overlay_db: float | None = ...,
     threads: int | None = ...,
+    budget: _Numbers | None = ...,
     kind: Literal['accelerance', 'mobility', 'receptance'] | None = ...,
 ) -> Frf: ...
 
@@ -139,6 +141,7 @@ def survey(
     exponential: float | None = ...,
     overlay_db: float | None = ...,
     threads: int | None = ...,
+    budget: _Numbers | None = ...,
     geometry: _File | None = ...,
     roving: Literal['hammer', 'sensor'] | None = ...,
     driving_point: _Text | None = ...,
@@ -182,6 +185,7 @@ def nodes(
     exponential: float | None = ...,
     overlay_db: float | None = ...,
     threads: int | None = ...,
+    budget: _Numbers | None = ...,
 ) -> Nodes: ...
 
 def deflect(
@@ -226,6 +230,7 @@ def deflect(
     exponential: float | None = ...,
     overlay_db: float | None = ...,
     threads: int | None = ...,
+    budget: _Numbers | None = ...,
 ) -> Deflection: ...
 
 def calibrate(

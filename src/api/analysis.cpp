@@ -29,9 +29,10 @@ identify::Effort effort_of(Effort effort) {
 }
 
 void require_band(const Band& band) {
-  if (!(band.low_Hz >= 0 && band.low_Hz < band.high_Hz && std::isfinite(band.high_Hz)))
+  if (!(band.low_Hz >= 0 && band.low_Hz < band.high_Hz && std::isfinite(band.high_Hz))) {
     throw InputError("the band is not a range of frequencies", kOptions, "give two frequencies in Hz, the lower first",
                      {"band"});
+  }
 }
 
 void require_consistent(const AnalysisOptions& options) {
@@ -50,13 +51,15 @@ void require_consistent(const AnalysisOptions& options) {
   }
   for (const double start : options.start_Hz) {
     const bool within = !options.band_Hz || (start >= options.band_Hz->low_Hz && start <= options.band_Hz->high_Hz);
-    if (!(start > 0) || !within)
+    if (!(start > 0) || !within) {
       throw InputError("a start frequency lies outside the band", kOptions,
                        "widen the band, or leave the frequency out", {"start", "band"});
+    }
   }
-  if (options.exponential != 0 && !(options.exponential >= kMinFraction && options.exponential < 1))
+  if (options.exponential != 0 && !(options.exponential >= kMinFraction && options.exponential < 1)) {
     throw InputError("the end of the exponential window is not a fraction", kOptions, "give a number between 0 and 1",
                      {"exponential"});
+  }
   if (options.modes && *options.modes == 0)
     throw InputError("the number of modes is 0", kOptions, "give 1 or more", {"modes"});
   require_above_zero(options.overlay_dB, "AnalysisOptions::overlay_dB", {"overlay_db"});

@@ -47,9 +47,10 @@ MeasuredPoints measured_points(const Analysis& analysis, const ScanPositions& po
       missing += fmt::format("{}{:.4g} in", missing.empty() ? "" : ", ", position_m / kInch_m);
     }
   }
-  if (!missing.empty())
+  if (!missing.empty()) {
     warnings.push_back(
         {"missing_position", "no usable hit at " + missing + ": the nodes are found without these positions"});
+  }
   return measured;
 }
 

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <initializer_list>
@@ -64,8 +65,8 @@ class Filter {
   // When an allocation fails, libseccomp may leave out a rule without an error. A call that the reader needs would then
   // be refused, and the reader could wait for ever. So each call must appear in the program. Throws std::bad_alloc.
   std::vector<sock_filter> instructions() const {
-    int ends[2];
-    if (::pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0) throw std::bad_alloc();
+    std::array<int, 2> ends{-1, -1};
+    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) throw std::bad_alloc();
     std::vector<sock_filter> program(BPF_MAXINSNS);  // 32 kB; a pipe holds 64 kB
     const bool exported = seccomp_export_bpf(context_, ends[1]) == 0;
     const ssize_t size = ::read(ends[0], program.data(), program.size() * sizeof(sock_filter));

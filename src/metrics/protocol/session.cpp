@@ -110,9 +110,10 @@ void read_range(StrictObject& o, Session& s) {
   std::vector<double> range{s.low_in, s.high_in};
   o.read("range_in", range);
   const bool fits = range.size() == 2 && range[0] > 0 && range[0] <= 5 && range[1] >= 7;
-  if (!fits || range[1] >= s.bat.length_in - 12)
+  if (!fits || range[1] >= s.bat.length_in - 12) {
     o.fail("not a range of locations", "range_in",
            "give [low, high]: low at most 5 in, high at least 7 in and less than the length minus 12 in");
+  }
   s.low_in = range[0];
   s.high_in = range[1];
 }

@@ -34,9 +34,10 @@ void check_ball(const SessionShot& shot, BallUse& ball, const ProtocolLimits& li
                                                 limits.ball_tolerance_g)});
     ball.spent = "its mass is out of tolerance";
   }
-  if (ball.impacts > limits.impacts)
+  if (ball.impacts > limits.impacts) {
     reasons.push_back(
         {"ball_impacts", fmt::format("impact {} of this ball; the limit is {}", ball.impacts, limits.impacts)});
+  }
   if (shot.ear > 0 && ball.ears.at(static_cast<std::size_t>(shot.ear)) > limits.ear_impacts) {
     reasons.push_back(
         {"ear_impacts", fmt::format("impact {} on ear {} of this ball; the limit is {}",

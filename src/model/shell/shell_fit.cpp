@@ -84,10 +84,11 @@ ShellFit fit_shell(const TubeShell& shell, const std::vector<MeasuredHoop>& meas
   const Eigen::MatrixXd j = fit.jacobian(best);
   const Eigen::MatrixXd covariance = inverse_gram(Eigen::MatrixXd(j.transpose() * j));
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
-  if (!(sigma.maxCoeff() < kMaxShellStd))
+  if (!(sigma.maxCoeff() < kMaxShellStd)) {
     throw InputError(unknowns == ShellUnknowns::both ? "these patterns do not separate E from the wall"
                                                      : "these frequencies are too uncertain for a fit",
                      kHoops, kHoopRemedy, {"fit", "measured"});
+  }
   ShellFit result{.shell = fit.shell(best), .model_Hz = {}};
   if (unknowns != ShellUnknowns::wall) result.young_std_Pa = sigma[0] * result.shell.young_Pa;
   if (unknowns != ShellUnknowns::young) result.wall_std_m = sigma[fit.count() - 1] * result.shell.wall_m;

@@ -36,6 +36,7 @@ double error_of(const std::vector<AnalysedHit>& hits, const std::vector<std::siz
     accel.emplace_back();
     for (const HitResponse& response : responses.of[h]) accel.back().push_back(response.spectrum);
   }
+  force.reserve(spectra.size());
   for (const auto& spectrum : spectra) force.emplace_back(spectrum);
   double sum = 0;
   for (const double error : frf::leave_one_out_error(force, accel)) sum += error;

@@ -1,6 +1,7 @@
 #include "pipeline/hits/needed_hits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <span>
@@ -46,7 +47,7 @@ void accept_with_warning(AnalysedHit& hit) {
 }
 
 void accept_at_point(std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& members, double fs_Hz) {
-  constexpr FindingCode kReasons[] = {FindingCode::double_hit, FindingCode::force_clipped};
+  constexpr std::array kReasons{FindingCode::double_hit, FindingCode::force_clipped};
   for (const std::size_t reasons : {1U, 2U}) {
     const auto used = std::count_if(members.begin(), members.end(), [&](std::size_t h) { return hits[h].accepted; });
     if (static_cast<std::size_t>(used) >= kEnoughHits) return;

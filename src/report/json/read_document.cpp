@@ -142,7 +142,7 @@ std::vector<metrics::ComparedDocument> read_documents(const std::string& path) {
 
 std::vector<metrics::ComparedDocument> parse_documents(std::string_view text, const std::string& where) {
   if (text.empty()) throw InputError("the file is empty", where, "write it again");
-  const nlohmann::json value = parse_json<nlohmann::json>(
+  const auto value = parse_json<nlohmann::json>(
       {.text = text, .where = where, .remedy = "read a JSON document that percuss wrote", .max_depth = kMaxDepth},
       kWantedKeys);
   const Part top(value, where);
