@@ -19,6 +19,7 @@
 /// }
 /// @endcode
 #include <percuss/error.hpp>
+#include <percuss/hits.hpp>
 
 #include <complex>
 #include <cstddef>
@@ -81,6 +82,8 @@ struct ModeClassification {
 struct Warning {
   std::string code, message;
   std::vector<OptionId> options{};  // that the message concerns
+  std::string remedy{};             // what to do, where it is stated apart; the message contains it
+  Severity severity = Severity::warn;
 };
 
 }  // namespace percuss

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "pipeline/run_analyses.hpp"
+#include "pipeline/warnings/ranking.hpp"
 #include "report/frf_files.hpp"
 #include "report/json/analysis_json.hpp"
 #include "report/text/analysis_text.hpp"
@@ -161,8 +162,13 @@ std::vector<ModeClassification> classifications_of(const std::vector<identify::M
 std::vector<Warning> warnings_of(const std::vector<pipeline::Warning>& warnings) {
   std::vector<Warning> out;
   out.reserve(warnings.size());
-  for (const pipeline::Warning& warning : warnings)
-    out.push_back({.code = warning.code, .message = warning.message, .options = warning.options});
+  for (const pipeline::Warning& warning : warnings) {
+    out.push_back({.code = warning.code,
+                   .message = warning.message,
+                   .options = warning.options,
+                   .remedy = warning.remedy,
+                   .severity = severity_of(warning.severity.value_or(pipeline::severity_of(warning.code)))});
+  }
   return out;
 }
 

@@ -56,6 +56,7 @@ pipeline::AnalysisOptions analysis_options(const AnalysisOptions& options);
 acquire::Record record_of_one_run(const Record& record);
 
 Channel channel_of(const acquire::SignalInfo& signal);
+Severity severity_of(acquire::Severity severity);
 std::vector<Hit> hits_of(const std::vector<pipeline::AnalysedHit>& hits);
 std::vector<Mode> modes_of(const std::vector<identify::Mode>& modes);
 std::vector<ModeClassification> classifications_of(const std::vector<identify::ModeClassification>& classifications);

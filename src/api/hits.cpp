@@ -4,14 +4,11 @@
 
 namespace percuss {
 namespace api {
-namespace {
 
 Severity severity_of(acquire::Severity severity) {
   if (severity == acquire::Severity::reject) return Severity::reject;
   return severity == acquire::Severity::warn ? Severity::warn : Severity::info;
 }
-
-}  // namespace
 
 std::vector<Hit> hits_of(const std::vector<pipeline::AnalysedHit>& hits) {
   std::vector<Hit> out;

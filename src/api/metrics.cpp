@@ -67,7 +67,13 @@ BatPerformance bat_performance(const BatReadings& readings) {
                      .v_swing_mps = api::measured(results.swing_mps),
                      .k = api::measured(results.k)};
   for (const metrics::MetricsWarning& warning : metrics::metrics_warnings(internal, results))
-    out.warnings.push_back({.code = warning.code, .message = warning.message});
+    out.warnings.push_back({.code = warning.code,
+                            .message = warning.message,
+                            .options = warning.options,
+                            .remedy = warning.remedy,
+                            .severity = warning.severity == metrics::MetricsSeverity::reject ? Severity::reject
+                                        : warning.severity == metrics::MetricsSeverity::warn ? Severity::warn
+                                                                                             : Severity::info});
   return out;
 }
 

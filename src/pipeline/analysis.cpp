@@ -13,6 +13,7 @@
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/hit_warnings.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
+#include "pipeline/warnings/ranking.hpp"
 #include "pipeline/warnings/truncation_warnings.hpp"
 #include "pipeline/warnings/used_hit_warnings.hpp"
 
@@ -218,7 +219,7 @@ std::vector<Warning> Analysis::warnings() const {
     if (!user_chose_modes) add(unmodelled_peak_warnings(fitted_frfs(), modes(), band_Hz()));
   }
   if (classifications_.ready()) add(split_mode_warnings(modes(), classifications()));
-  return out;
+  return ranked(std::move(out));
 }
 
 }  // namespace percuss::pipeline

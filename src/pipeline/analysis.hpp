@@ -70,7 +70,7 @@ class Analysis {
   const std::vector<HitMode>& modes_per_hit() const;
   /// The stabilisation diagram of fitted_frfs(), poles within the band. The modes do not need it.
   const identify::Stabilisation& stabilisation() const;
-  /// Warnings about the results computed so far. Computes the hits' grades by force, if need be.
+  /// Warnings about the results computed so far, most serious first. Computes the hits' grades by force, if need be.
   std::vector<Warning> warnings() const;
 
  private:

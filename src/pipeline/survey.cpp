@@ -12,6 +12,7 @@
 #include "core/units.hpp"
 #include "identify/classify/asymmetry_split.hpp"
 #include "identify/start/cmif.hpp"
+#include "pipeline/warnings/ranking.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -218,7 +219,7 @@ std::vector<Warning> Survey::warnings() const {
                               .synthesis = synthesis(),
                               .frf_points = analysis_.frf_points()};
   for (Warning& warning : survey_warnings(results)) out.push_back(std::move(warning));
-  return out;
+  return ranked(std::move(out));
 }
 
 }  // namespace percuss::pipeline

@@ -49,7 +49,7 @@ class Survey {
   const Eigen::MatrixXd& indicator() const;  // CMIF [lines of band(), values]
   std::vector<identify::DrivingPointCheck> driving_checks() const;
   std::vector<identify::ReciprocityCheck> reciprocity() const;
-  /// The analysis's warnings and the survey's own.
+  /// The analysis's warnings and the survey's own, most serious first.
   std::vector<Warning> warnings() const;
 
  private:

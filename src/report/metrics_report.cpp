@@ -86,6 +86,12 @@ std::string missing_errors_text(const metrics::UncertainValue& value) {
   return fmt::format("; {} {}", value.std() > 0 ? "± without" : "no ±: no resolution of", fmt::join(names, ", "));
 }
 
+Json warning_json(const metrics::MetricsWarning& warning) {
+  Json json{{"code", warning.code}, {"severity", name_of(warning.severity)}, {"message", warning.message}};
+  if (!warning.remedy.empty()) json["remedy"] = warning.remedy;
+  return json;
+}
+
 ReportText text_of_metrics(const std::vector<Line>& lines, const metrics::BatMetrics& m,
                            const std::vector<metrics::MetricsWarning>& warnings) {
   TextTable table({{"number"}, {"value", TextTable::Align::right}, {"unit"}, {"from"}});
@@ -107,7 +113,13 @@ ReportText text_of_metrics(const std::vector<Line>& lines, const metrics::BatMet
   if (m.drop_class) out += fmt::format("class {}\n", *m.drop_class);
   if (absent > 0 && absent < lines.size())
     out += fmt::format("{} more metrics need readings that are missing\n", absent);
-  for (const metrics::MetricsWarning& warning : warnings) out.say({"note: " + warning.message, warning.options});
+  for (const metrics::MetricsWarning& warning : warnings) {
+    if (warning.severity == metrics::MetricsSeverity::reject) {
+      out.warn({warning.message, warning.options});
+    } else {
+      out.say({"note: " + warning.message, warning.options});
+    }
+  }
   return out;
 }
 
@@ -133,7 +145,7 @@ CommandReport metrics_report(const metrics::BatReadings& readings, const BatProf
   json["profile"] = profile_json(profile, metrics);
   json["warnings"] = Json::array();
   for (const metrics::MetricsWarning& warning : warnings)
-    json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+    json["warnings"].push_back(warning_json(warning));
   report.json = json.dump(2) + "\n";
   report.text = text_of_metrics(lines, metrics, warnings);
   return report;

@@ -7,7 +7,9 @@
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "core/units.hpp"
+#include "pipeline/warnings/ranking.hpp"
 #include "report/json/json_document.hpp"
+#include "report/json/warning_json.hpp"
 #include "report/text/analysis_tables.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
@@ -68,7 +70,7 @@ std::string heading(const pipeline::Analysis& analysis, const pipeline::NodeScan
 std::vector<pipeline::Warning> all_warnings(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
   std::vector<pipeline::Warning> warnings = analysis.warnings();
   warnings.insert(warnings.end(), scan.warnings.begin(), scan.warnings.end());
-  return warnings;
+  return pipeline::ranked(std::move(warnings));
 }
 
 std::string nodes_json(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
@@ -83,7 +85,7 @@ std::string nodes_json(const pipeline::Analysis& analysis, const pipeline::NodeS
   for (const pipeline::ModeAlongScan& along : scan.modes) json["modes"].push_back(mode_json(analysis, along));
   json["warnings"] = Json::array();
   for (const pipeline::Warning& warning : all_warnings(analysis, scan))
-    json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+    json["warnings"].push_back(warning_json(warning));
   return indented_text(json) + "\n";
 }
 

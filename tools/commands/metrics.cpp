@@ -248,7 +248,7 @@ void add_metrics(CommandLine& line) {
   command.example(
       "percuss metrics --length-in 34 --moi-oz-in2 10450 --ball-g 145.4 --z-in 6 --v-in-mph 136 --v-out-mph 31",
       "Compute all metrics from a known moment of inertia and one shot");
-  command.example("percuss metrics --length-in 33 --weight-oz 30 --cg-in 20 --period-s 1.25,1.26",
+  command.example("percuss metrics --length-in 33 --weight-oz 30 --cg-in 12.5 --period-s 1.48,1.49",
                   "Compute drop and moment of inertia from scale, balance and pendulum");
   add_readings(command, *flags);
   add_resolutions(command, *flags);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "metrics/protocol/plausibility.hpp"
 #include "metrics/protocol/resolution.hpp"
 
 namespace percuss::metrics {
@@ -62,15 +65,21 @@ BatMetrics bat_metrics(const BatReadings& r) {
   return out;
 }
 
+const char* name_of(MetricsSeverity severity) {
+  return severity == MetricsSeverity::reject ? "reject" : severity == MetricsSeverity::warn ? "warn" : "info";
+}
+
 std::vector<MetricsWarning> metrics_warnings(const BatReadings& r, const BatMetrics& m) {
-  std::vector<MetricsWarning> out;
+  std::vector<MetricsWarning> out = implausible_values(r, m);
   const SwingModel standard;
   if (m.swing_mps && !r.swing_mps && r.swing.v0_mps == standard.v0_mps) {
     out.push_back(
         {"swing_speed_constant",
          "the swing model uses v0 = 60 mph: the source prints 40 mph, which gives 44 mph at the barrel, not the "
          "66 mph that it states",
-         {"v0_mph"}});
+         {"v0_mph"},
+         "",
+         MetricsSeverity::info});
   }
   if (r.swing.exponent < kMinExponent || r.swing.exponent > kMaxExponent) {
     out.push_back({"swing_exponent",
@@ -84,6 +93,8 @@ std::vector<MetricsWarning> metrics_warnings(const BatReadings& r, const BatMetr
   }
   if (r.in_mps && r.out_mps && r.out_mps->value() > r.in_mps->value())
     out.push_back({"rebound_speed", "the rebound is faster than the inbound ball: are the two speeds exchanged?"});
+  std::stable_sort(out.begin(), out.end(),
+                   [](const MetricsWarning& a, const MetricsWarning& b) { return a.severity < b.severity; });
   return out;
 }
 

@@ -38,12 +38,17 @@ BatMetrics bat_metrics(const BatReadings& readings);
 /// The class of a drop in the rules: −3 for 2.1 to 3.0 oz below the length in inches, none otherwise.
 std::optional<int> drop_class_of(double drop);
 
+enum class MetricsSeverity { reject, warn, info };
+const char* name_of(MetricsSeverity severity);
+
 struct MetricsWarning {
   std::string code, message;
   std::vector<OptionId> options = {};  // that the message is about
+  std::string remedy = {};             // what to do; the end of `message`
+  MetricsSeverity severity = MetricsSeverity::warn;
 };
 
-/// Warns of inconsistent constants of the source and of implausible readings.
+/// Warns of implausible values, then of inconsistent constants of the source: most serious first.
 std::vector<MetricsWarning> metrics_warnings(const BatReadings& readings, const BatMetrics& metrics);
 
 }  // namespace percuss::metrics

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "pipeline/warnings/ranking.hpp"
+
 namespace percuss::pipeline {
 
 std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
@@ -36,7 +38,7 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
                    "state that the body is free",
                    {"method", "free_body"}});
   }
-  return out;
+  return ranked(std::move(out));
 }
 
 }  // namespace percuss::pipeline

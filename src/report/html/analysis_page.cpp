@@ -6,6 +6,7 @@
 
 #include "report/html/analysis_plot_data.hpp"
 #include "report/html/html_page.hpp"
+#include "report/html/trust_section.hpp"
 #include "report/svg/deflection_chart.hpp"
 #include "report/text/analysis_summary.hpp"
 #include "report/text/analysis_tables.hpp"
@@ -85,10 +86,10 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
                                                  : hits_sentence(analysis);
   std::string found = "<p class=\"verdict\">" + html_escape(summary) + "</p>\n";
   if (!classifications.empty()) found += modes_table(analysis, wants(ReportSection::classes)).html();
-  found += page_warnings(analysis.warnings());
   const std::string title = title_of(analysis.record().files);
   std::string body = page_header(title, test_conditions(analysis, with_hits ? analysis.hits().size() : 0)) + "<main>\n";
   body += page_section(modes ? "modes" : "result", modes ? "Modes" : "Result", found);
+  body += trust_section(analysis.warnings(), with_hits ? analysis.hits() : std::vector<pipeline::AnalysedHit>());
   if (options.comparison != nullptr) body += comparison_section(*options.comparison);
   if (frfs) body += frf_section(summary);
   if (with_hits) body += hits_section(analysis);

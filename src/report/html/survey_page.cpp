@@ -8,6 +8,7 @@
 #include "report/html/analysis_page.hpp"
 #include "report/html/analysis_plot_data.hpp"
 #include "report/html/html_page.hpp"
+#include "report/html/trust_section.hpp"
 #include "report/json/json_document.hpp"
 #include "report/json/quantised_curve.hpp"
 #include "report/svg/wireframe.hpp"
@@ -91,7 +92,8 @@ std::string survey_page(const pipeline::Survey& survey, const Provenance& proven
   }
   std::string body = page_header(title_of(analysis.record().files),
                                  test_conditions(analysis, with_hits ? analysis.hits().size() : 0)) +
-                     "<main>\n" + page_section("modes", "Modes", found + page_warnings(survey.warnings())) + shapes;
+                     "<main>\n" + page_section("modes", "Modes", found) +
+                     trust_section(survey.warnings(), analysis.hits()) + shapes;
   if (possible) {
     data += "," + ascii_text(Json{{"indicator", indicator_plot_json(survey)}});
     body += page_section("indicator", "Mode indicator",

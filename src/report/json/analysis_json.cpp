@@ -7,6 +7,7 @@
 #include "pipeline/skipped_work.hpp"
 #include "report/json/deflection_json.hpp"
 #include "report/json/result_json.hpp"
+#include "report/json/warning_json.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::report {
@@ -59,7 +60,7 @@ Json inputs_json(const pipeline::Analysis& analysis) {
 Json warnings_json(const std::vector<pipeline::Warning>& warnings) {
   Json json = Json::array();
   for (const pipeline::Warning& warning : warnings)
-    json.push_back({{"code", warning.code}, {"message", warning.message}});
+    json.push_back(warning_json(warning));
   return json;
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/json/json_document.hpp"
+#include "report/json/warning_json.hpp"
 #include "report/text/deflection_text.hpp"
 #include "report/text/version.hpp"
 
@@ -58,7 +59,7 @@ std::string deflection_json(const pipeline::Analysis& analysis, const pipeline::
   }
   json["warnings"] = Json::array();
   for (const pipeline::Warning& warning : test.warnings)
-    json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+    json["warnings"].push_back(warning_json(warning));
   return indented_text(json) + "\n";
 }
 

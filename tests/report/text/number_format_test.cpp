@@ -24,7 +24,13 @@ TEST(ValueWithStd, HasNoDecimalsWhenTheStdIsLarge) {
   EXPECT_EQ(value_with_std(1234.4, 560), "1234 ± 560");
 }
 
-TEST(ValueWithStd, StopsAtTwelveDecimals) { EXPECT_EQ(value_with_std(1, 1e-15), "1.000000000000 ± 0.000000000000"); }
+TEST(ValueWithStd, WritesSmallDeviationsWithAnExponent) {
+  EXPECT_EQ(value_with_std(1, 1e-11), "1.000000000000 ± 0.000000000010");
+  EXPECT_EQ(value_with_std(1.5, 2.5e-13), "1.5 ± 2.5e-13");
+  EXPECT_EQ(value_with_std(3e-15, 1e-17), "3e-15 ± 1.0e-17");
+}
+
+TEST(ValueWithStd, LeavesRoundingErrorsOut) { EXPECT_EQ(value_with_std(0.0102, 1.1e-17), "0.0102"); }
 
 TEST(ValueWithStd, ShowsTheValueAloneWithoutAUsableStd) {
   EXPECT_EQ(value_with_std(169.0003412, 0), "169");

@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+/// The severity of a warning's code; `warn` for a code that the ranking does not know.
+acquire::Severity severity_of(std::string_view code);
+
+/// The warnings with their severities, most serious first: by severity, then by the consequence of their codes.
+/// Warnings of one code keep their order.
+std::vector<Warning> ranked(std::vector<Warning> warnings);
+
+/// Warnings and the hits' findings together, ranked: each code of a finding once, with the number of its hits and the
+/// message of its first hit. A finding that rejected its hit limits the results less than one of a hit that is used:
+/// it counts as `info`.
+std::vector<Warning> trust_statements(const std::vector<Warning>& warnings, const std::vector<AnalysedHit>& hits);
+
+}  // namespace percuss::pipeline
