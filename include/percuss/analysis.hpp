@@ -41,6 +41,10 @@ struct AnalysisData;
 /// the statistical limit.
 enum class Effort { quick, standard, best };
 
+/// Bending and hoop are types of a tube's modes. automatic: a tube where the sensors' angles are stated, or where the
+/// modes fit two sensors at 0° and 90°. other: modes are numbered only.
+enum class ObjectKind { automatic, tube, other };
+
 struct AnalysisOptions {
   std::optional<Band> band_Hz{};  // default: the range that the hammer excited
   Effort effort = Effort::best;
@@ -50,8 +54,9 @@ struct AnalysisOptions {
   std::vector<double> start_Hz{};      // fit modes near these frequencies and no others
   double exponential = 0;              // exponential window that falls to this fraction at the end; 0: none
   double overlay_dB = 1;               // FRFs that differ by no more at a peak count as overlaid
-  std::size_t threads = 0;             // 0: all; the result is the same
-  std::optional<Budget> budget{};      // default: default_budget() of the input's files
+  ObjectKind object = ObjectKind::automatic;
+  std::size_t threads = 0;         // 0: all; the result is the same
+  std::optional<Budget> budget{};  // default: default_budget() of the input's files
 };
 
 /// Optional parts of the document of Analysis::json().

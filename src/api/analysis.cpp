@@ -70,13 +70,18 @@ void require_consistent(const AnalysisOptions& options) {
   require_above_zero(hits.length_s.value_or(1), "HitOptions::length_s", {"length"});
 }
 
-acquire::Record with_angles(acquire::Record record) {
-  pipeline::assume_angles(record);
+identify::ObjectKind object_of(ObjectKind object) {
+  if (object == ObjectKind::tube) return identify::ObjectKind::tube;
+  return object == ObjectKind::other ? identify::ObjectKind::other : identify::ObjectKind::automatic;
+}
+
+acquire::Record with_angles(acquire::Record record, ObjectKind object) {
+  pipeline::assume_angles(record, object_of(object));
   return record;
 }
 
-acquire::FrfRecord with_angles(acquire::FrfRecord frfs) {
-  pipeline::assume_angles(frfs);
+acquire::FrfRecord with_angles(acquire::FrfRecord frfs, ObjectKind object) {
+  pipeline::assume_angles(frfs, object_of(object));
   return frfs;
 }
 
@@ -111,6 +116,7 @@ pipeline::AnalysisOptions analysis_options(const AnalysisOptions& options) {
   start_Hz.erase(std::unique(start_Hz.begin(), start_Hz.end()), start_Hz.end());
   out.modes = {.effort = effort_of(options.effort), .modes = options.modes, .start_Hz = std::move(start_Hz)};
   out.classes.overlay_dB = options.overlay_dB;
+  out.classes.object = object_of(options.object);
   out.threads = options.threads;
   out.budget = options.budget;
   return out;
@@ -181,11 +187,12 @@ const char* name_of(ModeType type) {
 
 Analysis::Analysis(const Record& record, const AnalysisOptions& options)
     : data_(new api::AnalysisData{
-          pipeline::Analysis(api::with_angles(api::record_of_one_run(record)), api::analysis_options(options))}) {}
+          pipeline::Analysis(api::with_angles(api::record_of_one_run(record), options.object),
+                             api::analysis_options(options))}) {}
 
 Analysis::Analysis(const FrfSet& frfs, const AnalysisOptions& options)
     : data_(new api::AnalysisData{
-          pipeline::Analysis(api::with_angles(frfs.data().record), api::analysis_options(options))}) {}
+          pipeline::Analysis(api::with_angles(frfs.data().record, options.object), api::analysis_options(options))}) {}
 
 bool Analysis::possible() const { return data_->analysis.possible(); }
 std::vector<Hit> Analysis::hits() const { return api::hits_of(data_->analysis.hits()); }

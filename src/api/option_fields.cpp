@@ -13,7 +13,7 @@ struct FieldName {
   std::string_view aggregate, field;
 };
 
-constexpr std::array<FieldName, 52> kFields{{
+constexpr std::array<FieldName, 53> kFields{{
     {"ReadOptions", "fs_Hz"},
     {"ReadOptions", "df_Hz"},
     {"ReadOptions", "force_channel"},
@@ -45,6 +45,7 @@ constexpr std::array<FieldName, 52> kFields{{
     {"AnalysisOptions", "start_Hz"},
     {"AnalysisOptions", "exponential"},
     {"AnalysisOptions", "overlay_dB"},
+    {"AnalysisOptions", "object"},
     {"AnalysisOptions", "threads"},
     {"AnalysisOptions", "budget"},
     {"JsonOptions", "per_hit"},

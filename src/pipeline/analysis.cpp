@@ -13,6 +13,7 @@
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/hit_warnings.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
+#include "pipeline/warnings/object_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "pipeline/warnings/truncation_warnings.hpp"
 #include "pipeline/warnings/used_hit_warnings.hpp"
@@ -163,7 +164,9 @@ const std::vector<identify::Mode>& Analysis::modes() const {
   return within_budget(budget_, modes_, [&] {
     const identify::FrfDataset& set = fitted_frfs();
     const ThreadLimit limit(options_.threads);
-    return trace_.run("modes", [&] { return modes_in_band(set, frf_points(), band_Hz(), options_.modes); });
+    margin_modes_.clear();
+    return trace_.run("modes",
+                      [&] { return modes_in_band(set, frf_points(), band_Hz(), options_.modes, &margin_modes_); });
   });
 }
 
@@ -172,11 +175,22 @@ void Analysis::compute_modes_and_frfs() const {
   modes();
 }
 
-const std::vector<identify::ModeClassification>& Analysis::classifications() const {
-  return within_budget(budget_, classifications_, [&] {
+const std::vector<identify::ModeClassification>& Analysis::types() const {
+  return within_budget(budget_, types_, [&] {
     const std::vector<identify::Mode>& found = modes();
     const identify::FrfDataset& set = fitted_frfs();
-    return trace_.run("classes", [&] { return classify_modes(found, set, record().accel, options_.classes); });
+    return trace_.run("classes", [&] { return classify_modes(found, set, record(), options_.classes); });
+  });
+}
+
+const std::vector<identify::ModeClassification>& Analysis::classifications() const {
+  return within_budget(budget_, classifications_, [&] {
+    std::vector<identify::ModeClassification> out = types();
+    const identify::LowerOrders& lower = lower_orders();
+    for (identify::ModeClassification& type : out) {
+      if (type.order > 0) type.order += type.family == identify::ModeType::hoop ? lower.hoop : lower.bending;
+    }
+    return out;
   });
 }
 
@@ -218,7 +232,10 @@ std::vector<Warning> Analysis::warnings() const {
     add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
     if (!user_chose_modes) add(unmodelled_peak_warnings(fitted_frfs(), modes(), band_Hz()));
   }
-  if (classifications_.ready()) add(split_mode_warnings(modes(), classifications()));
+  if (classifications_.ready()) {
+    add(object_warnings(record(), classifications(), options_.classes.object));
+    add(split_mode_warnings(modes(), classifications()));
+  }
   return ranked(std::move(out));
 }
 

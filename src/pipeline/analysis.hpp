@@ -66,6 +66,11 @@ class Analysis {
   /// Computes modes() and frfs() in the order that takes less time.
   void compute_modes_and_frfs() const;
   const std::vector<identify::ModeClassification>& classifications() const;
+  /// Modes that the hammer excited below the band, ascending: those in the margin of lines(), and further ones fitted to
+  /// a few hits. Empty without modes in the band.
+  const std::vector<identify::Mode>& modes_below() const;
+  /// The orders of a tube among modes_below(), by two sensors.
+  const identify::LowerOrders& lower_orders() const;
   /// Each mode fitted to each accepted hit alone: repeatability, drift, dependence on the force.
   const std::vector<HitMode>& modes_per_hit() const;
   /// The stabilisation diagram of fitted_frfs(), poles within the band. The modes do not need it.
@@ -81,6 +86,7 @@ class Analysis {
   const std::vector<frf::Spectrum>& force_spectra() const;
   TestSpectra spectra() const;
   std::vector<AnalysedHit> compute_hits() const;
+  const std::vector<identify::ModeClassification>& types() const;
 
   std::shared_ptr<const Source> source_;
   AnalysisOptions options_;
@@ -94,6 +100,10 @@ class Analysis {
   Lazy<std::vector<acquire::PointFrf>> frfs_;
   Lazy<identify::FrfDataset> fitted_frfs_;
   Lazy<std::vector<identify::Mode>> modes_;
+  mutable std::vector<identify::Mode> margin_modes_;  // below the band; set with modes_
+  Lazy<std::vector<identify::Mode>> modes_below_;
+  Lazy<std::vector<identify::ModeClassification>> types_;  // orders count from the band's edge
+  Lazy<identify::LowerOrders> lower_orders_;
   Lazy<std::vector<identify::ModeClassification>> classifications_;
   Lazy<std::vector<HitMode>> modes_per_hit_;
   Lazy<identify::Stabilisation> stabilisation_;

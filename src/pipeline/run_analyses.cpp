@@ -7,13 +7,13 @@ namespace percuss::pipeline {
 namespace {
 
 template <class AnyRecord>
-void assume_two_angles(AnyRecord& record) {
+void assume_two_angles(AnyRecord& record, identify::ObjectKind object) {
   if (record.accel.size() != 2 || record.accel[0].angle_rad || record.accel[1].angle_rad) return;
+  if (object == identify::ObjectKind::other) return;
+  if (object == identify::ObjectKind::automatic && !record.geometry.empty()) return;
   record.accel[0].angle_rad = 0;
   record.accel[1].angle_rad = std::numbers::pi / 2;
-  record.notes.push_back(
-      {"the accelerometers' angles are not stated: 0° and 90° around the barrel are assumed; state them to confirm",
-       {"angle"}});
+  record.angles_assumed = true;
 }
 
 }  // namespace
@@ -29,13 +29,13 @@ std::vector<std::pair<int, acquire::Record>> split_runs(const acquire::Record& r
   return out;
 }
 
-void assume_angles(acquire::Record& record) { assume_two_angles(record); }
-void assume_angles(acquire::FrfRecord& frfs) { assume_two_angles(frfs); }
+void assume_angles(acquire::Record& record, identify::ObjectKind object) { assume_two_angles(record, object); }
+void assume_angles(acquire::FrfRecord& frfs, identify::ObjectKind object) { assume_two_angles(frfs, object); }
 
 std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::Record> records, const AnalysisOptions& options) {
   std::vector<RunAnalysis> analyses;
   for (acquire::Record& record : records) {
-    assume_angles(record);
+    assume_angles(record, options.classes.object);
     for (auto& [run, part] : split_runs(record)) {
       const int number = records.size() > 1 ? static_cast<int>(analyses.size()) : run;
       analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(part), options)});
@@ -47,7 +47,7 @@ std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::Record> records, 
 std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::FrfRecord> sets, const AnalysisOptions& options) {
   std::vector<RunAnalysis> analyses;
   for (acquire::FrfRecord& frfs : sets) {
-    assume_angles(frfs);
+    assume_angles(frfs, options.classes.object);
     const int number = static_cast<int>(analyses.size());
     analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(frfs), options)});
   }

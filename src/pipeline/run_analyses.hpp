@@ -11,9 +11,10 @@ namespace percuss::pipeline {
 /// The runs of a record (repeated tests in one file) as records of their own, ascending by run.
 std::vector<std::pair<int, acquire::Record>> split_runs(const acquire::Record& record);
 
-/// Sets the angles of two channels that state none to 0° and 90°, as in the two-accelerometer test, and notes it.
-void assume_angles(acquire::Record& record);
-void assume_angles(acquire::FrfRecord& frfs);
+/// Sets the angles of two channels that state none to 0° and 90°, as in the two-accelerometer test of a tube. Not for an
+/// `other` object, and for an `automatic` one only where the file holds no geometry.
+void assume_angles(acquire::Record& record, identify::ObjectKind object);
+void assume_angles(acquire::FrfRecord& frfs, identify::ObjectKind object);
 
 /// The analysis of one test, and the number of its run.
 struct RunAnalysis {

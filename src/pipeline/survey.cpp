@@ -64,12 +64,16 @@ Survey::Survey(const Analysis& analysis, SurveyOptions options)
   find_driving_points();
 }
 
+bool Survey::is_tube() const {
+  return geometry_ && geometry_->tube && analysis_.options().classes.object != identify::ObjectKind::other;
+}
+
 void Survey::place_points() {
   if (!geometry_) return;
   std::set<int> known;
   for (const acquire::GeometryPoint& p : geometry_->points) {
     known.insert(p.point);
-    if (geometry_->tube) tube_places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
+    if (is_tube()) tube_places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
   }
   if (!options_.geometry) return;
   const std::set<int> measured = analysis_.points();
@@ -131,6 +135,17 @@ const std::vector<identify::ModeClassification>& Survey::classifications() const
   return within_budget(analysis_.budget(), classifications_, [&] { return classify_by_shapes(); });
 }
 
+// The tube's orders below the band, by shapes where the modes below have one.
+identify::LowerOrders Survey::lower_orders(const std::vector<identify::ModeClassification>& found) const {
+  const std::vector<identify::Mode>& below = analysis_.modes_below();
+  std::vector<identify::ModeClassification> types(below.size());
+  for (std::size_t m = 0; m < below.size(); ++m) {
+    const identify::ModeShape shape = identify::shape_of(below[m], {.roving = options_.roving, .driving = driving_});
+    if (const auto tube = identify::tube_shape(shape, tube_places_)) classify_by_tube(types[m], *tube);
+  }
+  return identify::lower_orders(below, types, analysis_.modes(), found, analysis_.options().classes);
+}
+
 std::vector<identify::ModeClassification> Survey::classify_by_shapes() const {
   std::vector<identify::ModeClassification> classifications = analysis_.classifications();
   const bool any = std::any_of(tubes().begin(), tubes().end(), [](const auto& tube) { return tube.has_value(); });
@@ -139,7 +154,7 @@ std::vector<identify::ModeClassification> Survey::classify_by_shapes() const {
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (tubes()[m]) classify_by_tube(classifications[m], *tubes()[m]);
   }
-  identify::assign_orders(modes, classifications, analysis_.options().classes);
+  identify::assign_orders(modes, classifications, analysis_.options().classes, lower_orders(classifications));
   for (std::size_t m = 0; m < modes.size(); ++m) {
     auto& peak = classifications[m].split_mode;
     if (!peak || !peak->first) continue;

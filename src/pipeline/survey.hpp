@@ -53,9 +53,11 @@ class Survey {
   std::vector<Warning> warnings() const;
 
  private:
+  bool is_tube() const;
   void place_points();
   void find_driving_points();
   std::vector<identify::ModeClassification> classify_by_shapes() const;
+  identify::LowerOrders lower_orders(const std::vector<identify::ModeClassification>& found) const;
 
   const Analysis& analysis_;
   SurveyOptions options_;

@@ -93,6 +93,12 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
       .above_zero()
       .type("DB")
       .show_default();
+  command
+      .value("--object", flags.object,
+             "State what was struck. Bending and hoop are judged on a tube only; modes of other objects are numbered. "
+             "auto: a tube if angles are given, or if the modes fit two accelerometers at 0° and 90°")
+      .one_of({"auto", "tube", "other"})
+      .show_default();
   command.heading(previous);
 }
 
@@ -171,6 +177,9 @@ pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags) {
   options.modes = {
       .effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = without_duplicates(flags.start_Hz)};
   options.classes.overlay_dB = flags.overlay_dB;
+  options.classes.object = flags.object == "tube"    ? identify::ObjectKind::tube
+                           : flags.object == "other" ? identify::ObjectKind::other
+                                                     : identify::ObjectKind::automatic;
   options.threads = flags.threads;
   options.budget = budget_of(flags.budget);
   return options;

@@ -23,6 +23,7 @@ struct AnalysisFlags {
   std::string force_window = "auto";
   double exponential_end = 0;
   double overlay_dB = 1;
+  std::string object = "auto";
   std::size_t threads = 0;
   std::vector<double> budget;  // time in s, memory in GB
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "identify/classify/asymmetry_split.hpp"
+#include "identify/classify/tube_reading.hpp"
 #include "identify/classify/type_posterior.hpp"
 
 namespace percuss::identify {
@@ -13,6 +14,7 @@ constexpr double kPairSpacing = 0.04;        // relative: one bending mode's fre
 constexpr double kSplitSpacing = 0.15;       // relative; bats: 25 Hz above 100 Hz, less than that only below 167 Hz
 constexpr double kMinLoneProbability = 0.9;  // below it the second type is stated
 constexpr double kMinRivalProbability = 0.03;
+constexpr double kMinTubeEvidence = -2.3;  // logarithm: another object is less than ten times as likely
 constexpr double kMaxOutOfPhase = 0.4;  // RatioAngle::out_of_phase above which the shape is not real
 
 struct Ratio {
@@ -84,6 +86,17 @@ std::vector<TypePosterior> posteriors_of(const std::vector<Mode>& modes, const s
   return type_posteriors(evidence, RatioLikelihood(sensors.first_rad, sensors.second_rad, error));
 }
 
+bool is_tube(const std::vector<Ratio>& ratios, const SensorPair& sensors, const ClassifyOptions& options) {
+  if (options.object != ObjectKind::automatic) return options.object == ObjectKind::tube;
+  if (!options.angles_assumed) return true;
+  std::vector<RatioAngle> angles;
+  for (const Ratio& ratio : ratios) {
+    if (ratio.known) angles.push_back(ratio.angle);
+  }
+  const SetUpError error{.angle_rad = options.angle_std_rad, .gain = options.gain_std};
+  return log_tube_evidence(angles, RatioLikelihood(sensors.first_rad, sensors.second_rad, error)) > kMinTubeEvidence;
+}
+
 void set_type(ModeClassification& classification, const TypePosterior& posterior, const Ratio& ratio) {
   if (!ratio.known) return;
   classification.ratio = ratio.value;
@@ -115,9 +128,9 @@ void mark_split_modes(const std::vector<Mode>& modes, std::vector<ModeClassifica
 }
 
 void number_orders(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
-                   const ClassifyOptions& options) {
+                   const ClassifyOptions& options, const LowerOrders& lower) {
   for (const ModeType family : {ModeType::bending, ModeType::hoop}) {
-    int order = 0;
+    int order = family == ModeType::bending ? lower.bending : lower.hoop;
     std::optional<std::size_t> before;
     bool paired = false;  // a mode has at most one partner
     for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -149,13 +162,13 @@ void find_planes(const std::vector<Mode>& modes, std::vector<ModeClassification>
 }  // namespace
 
 void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
-                   const ClassifyOptions& options) {
+                   const ClassifyOptions& options, const LowerOrders& lower) {
   for (ModeClassification& classification : classifications) {
     classification.order = 0;
     classification.split_mode.reset();
   }
   mark_split_modes(modes, classifications, options);
-  number_orders(modes, classifications, options);
+  number_orders(modes, classifications, options, lower);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     auto& pair = classifications[m].split_mode;
     if (pair && pair->first)
@@ -198,15 +211,15 @@ std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const s
     classifications[m].overlay_dB = overlay_dB[m];
     classifications[m].overlaid = overlay_dB[m] && std::abs(*overlay_dB[m]) <= options.overlay_dB;
   }
-  if (sensors) {
-    std::vector<Ratio> ratios;
-    ratios.reserve(modes.size());
-    for (const Mode& mode : modes) ratios.push_back(ratio_of(mode, *sensors));
+  std::vector<Ratio> ratios;
+  for (std::size_t m = 0; sensors && m < modes.size(); ++m) ratios.push_back(ratio_of(modes[m], *sensors));
+  const bool tube = sensors && is_tube(ratios, *sensors, options);
+  if (tube) {
     const auto posteriors = posteriors_of(modes, ratios, *sensors, options);
     for (std::size_t m = 0; m < modes.size(); ++m) set_type(classifications[m], posteriors[m], ratios[m]);
   }
-  assign_orders(modes, classifications, options);
-  if (sensors) find_planes(modes, classifications, *sensors, options);
+  if (tube || options.object == ObjectKind::tube) assign_orders(modes, classifications, options);
+  if (tube) find_planes(modes, classifications, *sensors, options);
   return classifications;
 }
 

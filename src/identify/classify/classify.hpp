@@ -26,7 +26,13 @@ struct ModeClassification {
   std::optional<SplitMode> split_mode;
 };
 
+/// What was struck. Bending and hoop are types of a tube's modes only. automatic: a tube where the sensors' angles are
+/// stated, or where the modes fit assumed angles.
+enum class ObjectKind { automatic, tube, other };
+
 struct ClassifyOptions {
+  ObjectKind object = ObjectKind::automatic;
+  bool angles_assumed = false;   // nobody stated the sensors' angles
   double overlay_dB = 1;         // tight, because bending modes with a difference of 1.7 dB exist
   double double_peak_Hz = 25;    // [8]: closer peaks are a split mode
   double angle_std_rad = 0.035;  // 2°: placement of a sensor by hand
@@ -42,11 +48,18 @@ struct SensorPair {
 /// two channels with an angle.
 std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double>>& angle_rad);
 
+/// Modes of each type below the analysed band: the orders within the band count on from them.
+struct LowerOrders {
+  int bending = 0, hoop = 0;
+};
+
 /// Classifies every mode from the ratio of its residues at two sensors, at the angles θ₁ and θ₂:
 ///   bending in the plane ψ:      cos(θ₂ − ψ)/cos(θ₁ − ψ)             any value; tan ψ for 90°           (1)
 ///   hoop (n = 2), turned by θ₀:  cos 2(θ₂ − θ₀)/cos 2(θ₁ − θ₀)       −1 for 90°, whatever θ₀             (2)
 /// Both likelihoods include the errors of the ratio, of the sensors' placement and of the channels' gains. All modes
 /// are classified together (type_posterior.hpp). Below 90 % confidence, the second type is stated as well.
+/// Without sensors, for an `other` object, and where assumed angles do not fit the modes (tube_reading.hpp), the modes
+/// keep an unknown type, no order and no split mode.
 /// overlay_dB[m] is the measured level difference at mode m's peak. source  [8] section 3.6 for the overlay rule and
 /// the 25 Hz rule. theory (6.1), (6.2), (6.3)
 std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
@@ -55,6 +68,13 @@ std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const s
 
 /// Marks split modes and numbers the orders within each type. Two close members of one type share an order.
 void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
-                   const ClassifyOptions& options);
+                   const ClassifyOptions& options, const LowerOrders& lower = {});
+
+/// The lower orders among the modes below the band, [below]; `found` are the classified modes within the band. Counted
+/// are hoop modes, and bending modes in the place of a lower order: on a tube the second bending frequency is more than
+/// 2.3 times the first, and all others are closer. Motion on the suspension and hum are no bending modes of a tube.
+LowerOrders lower_orders(const std::vector<Mode>& below, const std::vector<ModeClassification>& below_types,
+                         const std::vector<Mode>& found, const std::vector<ModeClassification>& types,
+                         const ClassifyOptions& options);
 
 }  // namespace percuss::identify

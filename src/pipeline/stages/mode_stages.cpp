@@ -28,27 +28,31 @@ std::optional<double> overlay_dB(const identify::FrfDataset& set, const identify
 }  // namespace
 
 std::vector<identify::Mode> modes_in_band(const identify::FrfDataset& set, const std::vector<int>& points,
-                                          std::pair<double, double> band_Hz, const identify::IdentifyOptions& options) {
+                                          std::pair<double, double> band_Hz, const identify::IdentifyOptions& options,
+                                          std::vector<identify::Mode>* below) {
   auto modes = identify::identify_modes(set, options);
-  std::erase_if(modes, [&](const identify::Mode& mode) { return outside(band_Hz, mode.pole.freq_Hz); });
   for (identify::Mode& mode : modes) {
     for (identify::Residue& residue : mode.residues) residue.point = static_cast<std::size_t>(points[residue.point]);
+    if (below != nullptr && mode.pole.freq_Hz < band_Hz.first) below->push_back(mode);
   }
+  std::erase_if(modes, [&](const identify::Mode& mode) { return outside(band_Hz, mode.pole.freq_Hz); });
   return modes;
 }
 
 std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,
                                                          const identify::FrfDataset& set,
-                                                         const std::vector<acquire::SignalInfo>& accel,
+                                                         const acquire::Record& record,
                                                          const identify::ClassifyOptions& options) {
   std::vector<std::optional<double>> angles_rad;
-  angles_rad.reserve(accel.size());
-  for (const acquire::SignalInfo& signal : accel) angles_rad.push_back(signal.angle_rad);
+  angles_rad.reserve(record.accel.size());
+  for (const acquire::SignalInfo& signal : record.accel) angles_rad.push_back(signal.angle_rad);
   const auto sensors = identify::pair_of_sensors(angles_rad);
   std::vector<std::optional<double>> overlays_dB(modes.size());
   for (std::size_t m = 0; sensors && m < modes.size(); ++m)
     overlays_dB[m] = overlay_dB(set, *sensors, set.lines.nearest(modes[m].pole.freq_Hz));
-  return identify::classify(modes, sensors, overlays_dB, options);
+  identify::ClassifyOptions known = options;
+  known.angles_assumed = record.angles_assumed;
+  return identify::classify(modes, sensors, overlays_dB, known);
 }
 
 std::vector<HitMode> modes_of_hits(const std::vector<identify::Mode>& modes, const std::vector<std::size_t>& hits,

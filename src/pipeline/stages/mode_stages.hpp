@@ -21,13 +21,15 @@ struct HitMode {
 };
 
 /// Modes of `set` within the band, ascending. Residues carry the points' numbers, taken from `points` [points of set].
+/// `below` receives the modes below the band.
 std::vector<identify::Mode> modes_in_band(const identify::FrfDataset& set, const std::vector<int>& points,
-                                          std::pair<double, double> band_Hz, const identify::IdentifyOptions& options);
+                                          std::pair<double, double> band_Hz, const identify::IdentifyOptions& options,
+                                          std::vector<identify::Mode>* below = nullptr);
 
 /// Classifies modes by the two sensors whose angles suit best, and by the overlay of their FRFs at each mode's peak.
 std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,
                                                          const identify::FrfDataset& set,
-                                                         const std::vector<acquire::SignalInfo>& accel,
+                                                         const acquire::Record& record,
                                                          const identify::ClassifyOptions& options);
 
 /// Fits `modes` to each hit's FRFs, starting from their frequencies. `dataset_of` gives the FRFs of one hit.

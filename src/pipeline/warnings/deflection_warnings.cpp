@@ -15,28 +15,30 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
                                            test.impacts)});
   }
   if (!test.rest_recorded) {
-    out.push_back({"no_rest",
-                   "a record begins too late to contain the rest before the impact, from which the bias is estimated; "
-                   "record with more pre-trigger"});
+    out.push_back(with_remedy(
+        {"no_rest", "a record begins too late to contain the rest before the impact, from which the bias is estimated"},
+        "record with more pre-trigger"));
   }
   const auto unknown = std::count_if(test.deflections.begin(), test.deflections.end(),
                                      [](const metrics::Deflection* deflection) { return !deflection->has_peak(); });
   if (unknown > 0) {
-    out.push_back({"not_told",
-                   fmt::format("{} of {} deflections never exceed four times their own uncertainty and have no "
-                               "largest value; record with more pre-trigger, or choose the method modal",
-                               unknown, test.deflections.size()),
-                   {"method"}});
+    out.push_back(with_remedy({"not_told",
+                               fmt::format("{} of {} deflections never exceed four times their own uncertainty and "
+                                           "have no largest value",
+                                           unknown, test.deflections.size()),
+                               {"method"}},
+                              "record with more pre-trigger, or choose the method modal"));
   }
   const bool drifts = std::any_of(test.deflections.begin(), test.deflections.end(), [](const auto* deflection) {
     return deflection->method == metrics::DeflectionMethod::drift_free && !deflection->held;
   });
   if (drifts && !test.free_body) {
-    out.push_back({"drift",
-                   "the structure does not return to its rest position, or the record is too short to show that it "
-                   "does: late deflections drift as their ± states; choose the method modal, which does not drift, or "
-                   "state that the body is free",
-                   {"method", "free_body"}});
+    out.push_back(with_remedy(
+        {"drift",
+         "the structure does not return to its rest position, or the record is too short to show that it "
+         "does: late deflections drift as their ± states",
+         {"method", "free_body"}},
+        "choose the method modal, which does not drift, or state that the body is free"));
   }
   return ranked(std::move(out));
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace percuss::pipeline {
 namespace {
@@ -32,12 +33,10 @@ std::string poorly_coherent_hits(const std::vector<AnalysedHit>& hits) {
 Warning disagreement(const std::string& hits, bool several_files) {
   Warning warning{"hits_disagree", hits +
                                        " explain less than half of the other hits' response: was another structure, "
-                                       "point or sensor measured?"};
-  if (several_files) {
-    warning.message += " If so, analyse each file as a test of its own";
-    warning.options = {"files"};
-  }
-  return warning;
+                                       "point or sensor measured? The modes are those of a mixture"};
+  if (!several_files) return with_remedy(std::move(warning), "analyse the hits of each structure and point apart");
+  warning.options = {"files"};
+  return with_remedy(std::move(warning), "analyse each file as a test of its own");
 }
 
 }  // namespace
@@ -52,14 +51,16 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
   if (const std::string poor = poorly_coherent_hits(hits); !poor.empty())
     out.push_back(disagreement(poor, record.files.size() > 1));
   if (any_accepted_with(hits, acquire::FindingCode::polarity)) {
-    out.push_back({"polarity",
-                   "the force is negative during the pulse: the FRFs have the wrong sign unless the force is scaled by "
-                   "a negative factor",
-                   {"force_scale"}});
+    out.push_back(with_remedy({"polarity",
+                               "the force is negative during the pulse: the FRFs have the wrong sign unless the force "
+                               "is scaled by a negative factor",
+                               {"force_scale"}},
+                              "state a negative scale of the force"));
   }
   if (any_accepted_with(hits, acquire::FindingCode::low_bandwidth)) {
-    out.push_back(
-        {"low_bandwidth", "the hammer's force does not reach the end of the band: modes there are weakly excited"});
+    out.push_back(with_remedy(
+        {"low_bandwidth", "the hammer's force does not reach the end of the band: modes there are weakly excited"},
+        "use a harder tip or a lighter hammer"));
   }
   return out;
 }
@@ -70,9 +71,9 @@ std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits) {
                                        [](const acquire::ResponseGrade& grade) { return grade.rings_before; });
   });
   if (!rings) return {};
-  return {{"not_at_rest",
-           "the structure was still ringing before a hit: wait longer between hits; the damping may be off by more "
-           "than its ±"}};
+  return {with_remedy({"not_at_rest",
+                       "the structure was still ringing before a hit: the damping may be off by more than its ±"},
+                      "wait longer between hits")};
 }
 
 }  // namespace percuss::pipeline

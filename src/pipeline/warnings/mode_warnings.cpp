@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPeakRange_dB = 65;       // below the largest line; lower peaks are not reported
 constexpr std::size_t kMaxNamedPeaks = 8;  // in one warning
+constexpr double kMaxSplitBandwidths = 5;  // separation of two peaks that asymmetry or damage splits
 
 const char* separator(const std::string& list) { return list.empty() ? "" : ", "; }
 
@@ -19,9 +20,11 @@ const char* separator(const std::string& list) { return list.empty() ? "" : ", "
 
 std::vector<Warning> force_noise_warnings(const std::vector<identify::Mode>& modes) {
   if (modes.empty()) return {};
-  return {{"force_noise_unknown",
-           "FRFs do not contain the noise of the force: each ± includes the response's noise alone, and is too small "
-           "where the force's noise is larger; analyse the records if they exist"}};
+  return {with_remedy(
+      {"force_noise_unknown",
+       "FRFs do not contain the noise of the force: each ± includes the response's noise alone, and is too small "
+       "where the force's noise is larger"},
+      "analyse the records if they exist")};
 }
 
 std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes) {
@@ -48,11 +51,22 @@ std::vector<Warning> unmodelled_peak_warnings(const identify::FrfDataset& set, c
   for (std::size_t p = 0; p < std::min(peaks.size(), kMaxNamedPeaks); ++p)
     list += fmt::format("{}{:.6g} Hz ({:.0f} dB)", separator(list), peaks[p].freq_Hz, peaks[p].level_dB);
   if (peaks.size() > kMaxNamedPeaks) list += fmt::format(" and {} lower ones", peaks.size() - kMaxNamedPeaks);
-  return {{"unclaimed_peaks",
-           "no mode models these peaks: " + list +
-               ". A single mode does not fit them well enough. Two modes that are one or two spectral lines apart "
-               "may fit them: state a starting frequency for each",
-           {"start"}}};
+  return {with_remedy(
+      {"unclaimed_peaks",
+       "no mode models these peaks: " + list +
+           ". A single mode does not fit them well enough. Two modes that are one or two spectral lines apart may fit "
+           "them",
+       {"start"}},
+      "state a starting frequency for each")};
+}
+
+bool is_split_hoop(const std::vector<identify::Mode>& modes,
+                   const std::vector<identify::ModeClassification>& classifications, std::size_t m) {
+  const auto& pair = classifications[m].split_mode;
+  const auto hoop = [&](std::size_t i) { return classifications[i].family == identify::ModeType::hoop; };
+  const auto bandwidth_Hz = [&](std::size_t i) { return 2 * modes[i].pole.damping_ratio * modes[i].pole.freq_Hz; };
+  if (!pair || !hoop(m) || !hoop(pair->partner)) return false;
+  return pair->separation_Hz <= kMaxSplitBandwidths * std::max(bandwidth_Hz(m), bandwidth_Hz(pair->partner));
 }
 
 std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& modes,
@@ -60,7 +74,7 @@ std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& mode
   std::string list;
   for (std::size_t m = 0; m < classifications.size(); ++m) {
     const auto& pair = classifications[m].split_mode;
-    if (!pair || !pair->first) continue;
+    if (!pair || !pair->first || !is_split_hoop(modes, classifications, m)) continue;
     list += fmt::format("{}{:.1f} Hz ({} Hz apart)", separator(list), modes[m].pole.freq_Hz,
                         significant(pair->separation_Hz, 3));
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -19,7 +20,12 @@ std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& mo
 std::vector<Warning> unmodelled_peak_warnings(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                               std::pair<double, double> band_Hz);
 
-/// double_peak: split modes, quoted by their first peak.
+/// Whether mode m and its partner are hoop modes of a tube, closer than a few bandwidths: then damage or asymmetry may
+/// have split one mode.
+bool is_split_hoop(const std::vector<identify::Mode>& modes,
+                   const std::vector<identify::ModeClassification>& classifications, std::size_t m);
+
+/// double_peak: split hoop modes, quoted by their first peak.
 std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& modes,
                                          const std::vector<identify::ModeClassification>& classifications);
 

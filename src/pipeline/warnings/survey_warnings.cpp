@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "pipeline/warnings/mode_warnings.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -105,16 +106,16 @@ void warn_of_partners(const SurveyResults& survey, std::vector<Warning>& out) {
   const std::string pairs =
       "a tube's modes come in pairs of one pattern, turned by 90°/n, but no partner was found for mode ";
   if (!blind.empty()) {
-    out.push_back({"sensor_on_node", pairs + blind +
-                                         "; the sensors sit on the partner's nodes and cannot measure it: add a sensor "
-                                         "half way between these nodes"});
+    out.push_back(with_remedy(
+        {"sensor_on_node", pairs + blind + "; the sensors sit on the partner's nodes and cannot measure it"},
+        "add a sensor half way between these nodes"));
   }
   if (!unknown.empty()) {
-    out.push_back({"sensor_on_node",
-                   pairs + unknown +
-                       "; the partner may have the same frequency, or the sensor may sit on its node: state the "
-                       "sensor's angle to check that",
-                   {"angle"}});
+    out.push_back(with_remedy(
+        {"sensor_on_node",
+         pairs + unknown + "; the partner may have the same frequency, or the sensor may sit on its node",
+         {"angle"}},
+        "state the sensor's angle to check that"));
   }
 }
 
@@ -137,8 +138,9 @@ void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {
     }
   }
   if (!broken.empty()) {
-    out.push_back({"reciprocity", "residues must be equal when force and response change places, and are not: " +
-                                      broken + "; check the sensors' calibration, direction and position"});
+    out.push_back(with_remedy(
+        {"reciprocity", "residues must be equal when force and response change places, and are not: " + broken},
+        "check the sensors' calibration, direction and position"));
   }
 }
 
@@ -161,7 +163,7 @@ void warn_of_pairs(const SurveyResults& survey, std::vector<Warning>& out) {
   std::string pairs;
   for (std::size_t m = 0; m < survey.classifications.size(); ++m) {
     const auto& pair = survey.classifications[m].split_mode;
-    if (!pair || !pair->first) continue;
+    if (!pair || !pair->first || !is_split_hoop(survey.modes, survey.classifications, m)) continue;
     std::string text = fmt::format("{:.1f} Hz ({:.1f} Hz apart", survey.modes[m].pole.freq_Hz, pair->separation_Hz);
     if (pair->planes) {
       text += fmt::format(", planes {:.2f} ± {:.2g}° apart", pair->planes->between_rad * kRadian_deg,
@@ -190,10 +192,10 @@ std::vector<Warning> survey_warnings(const SurveyResults& survey) {
   std::vector<Warning> out;
   if (!survey.has_geometry) {
     out.push_back(
-        {"no_geometry",
-         "the positions of the points are not known, so shapes cannot name modes: state the geometry, or print "
-         "an example of it",
-         {"geometry", "survey.example"}});
+        with_remedy({"no_geometry",
+                     "the positions of the points are not known, so shapes cannot name modes",
+                     {"geometry", "survey.example"}},
+                    "state the geometry, or print an example of it"));
   }
   warn_of_nodes(survey, out);
   warn_of_partners(survey, out);

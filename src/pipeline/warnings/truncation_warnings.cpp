@@ -49,11 +49,12 @@ std::vector<Warning> pretrigger_warnings(const acquire::Record& record, const st
     if (hit.accepted) samples = std::min(samples, hit.hit.onset_s * record.fs_Hz - static_cast<double>(hit.hit.first));
   }
   if (samples >= kMinPretriggerSamples || !ringing_exceeds_noise(set, hits)) return {};
-  return {{"short_pretrigger",
-           fmt::format("a record begins {:.0f} samples before its pulse, within the ringing of the recorder's filter: "
-                       "the noise is so low that a mode's true ± may be twice as large; record {:.0f} samples before "
-                       "the pulse",
-                       std::max(0.0, samples), 2 * kMinPretriggerSamples)}};
+  return {with_remedy(
+      {"short_pretrigger",
+       fmt::format("a record begins {:.0f} samples before its pulse, within the ringing of the recorder's filter: "
+                   "the noise is so low that a mode's true ± may be twice as large",
+                   std::max(0.0, samples))},
+      fmt::format("record {:.0f} samples before the pulse", 2 * kMinPretriggerSamples))};
 }
 
 std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& modes, const acquire::LineRange& lines,

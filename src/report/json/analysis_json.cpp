@@ -31,6 +31,8 @@ Json options_json(const pipeline::Analysis& analysis) {
   if (!o.hits.gate_force) json["force_window"] = "off";
   if (o.exponential_end > 0) json["exponential_end"] = o.exponential_end;
   if (o.classes.overlay_dB != identify::ClassifyOptions{}.overlay_dB) json["overlay_db"] = o.classes.overlay_dB;
+  if (o.classes.object != identify::ObjectKind::automatic)
+    json["object"] = o.classes.object == identify::ObjectKind::tube ? "tube" : "other";
   return json;
 }
 

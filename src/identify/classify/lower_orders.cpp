@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <optional>
+
+#include "identify/classify/classify.hpp"
+
+namespace percuss::identify {
+namespace {
+
+constexpr double kMinConfidence = 0.9;  // of a lower mode that is counted
+// Ratios of successive bending frequencies. Uniform beams: 2.76, 1.96, 1.65, …; bats: 3.1 to 3.8 for the first two.
+constexpr double kFirstRatio = 2.3;
+constexpr double kMaxRatio = 4.5;
+
+std::vector<double> frequencies_Hz(const std::vector<Mode>& modes, const std::vector<ModeClassification>& types,
+                                   ModeType family, double min_confidence, const ClassifyOptions& options) {
+  std::vector<double> out;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (types[m].family != family || types[m].confidence < min_confidence) continue;
+    // The two planes of a mode are one order.
+    const double freq_Hz = modes[m].pole.freq_Hz;
+    if (out.empty() || freq_Hz - out.back() > std::max(options.double_peak_Hz, 0.04 * freq_Hz)) out.push_back(freq_Hz);
+  }
+  return out;
+}
+
+int lower_bending(const std::vector<double>& below_Hz, const std::vector<double>& found_Hz) {
+  // The two lowest frequencies of the band may be those of the first and the second order.
+  if (found_Hz.size() > 1 && found_Hz[1] > kFirstRatio * found_Hz[0]) return 0;
+  int count = 0;
+  std::optional<double> above_Hz;
+  if (!found_Hz.empty()) above_Hz = found_Hz[0];
+  for (std::size_t i = below_Hz.size(); i-- > 0;) {
+    if (above_Hz && below_Hz[i] * kMaxRatio < *above_Hz) break;  // motion on the suspension
+    const bool first = above_Hz && *above_Hz > kFirstRatio * below_Hz[i];
+    ++count;
+    if (first) break;
+    above_Hz = below_Hz[i];
+  }
+  return count;
+}
+
+}  // namespace
+
+LowerOrders lower_orders(const std::vector<Mode>& below, const std::vector<ModeClassification>& below_types,
+                         const std::vector<Mode>& found, const std::vector<ModeClassification>& types,
+                         const ClassifyOptions& options) {
+  const auto lower = [&](ModeType family) {
+    return frequencies_Hz(below, below_types, family, kMinConfidence, options);
+  };
+  return {.bending = lower_bending(lower(ModeType::bending),
+                                   frequencies_Hz(found, types, ModeType::bending, 0, options)),
+          .hoop = static_cast<int>(lower(ModeType::hoop).size())};
+}
+
+}  // namespace percuss::identify
