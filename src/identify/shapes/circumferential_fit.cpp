@@ -14,6 +14,7 @@ constexpr double kSameRing = 2e-3;           // axial distance within a ring, ov
 constexpr double kSameAngle = 0.01;          // rad between two equal angles
 constexpr std::size_t kMinRingAngles = 4;    // distinguish n = 1 from n = 2
 constexpr int kMaxCircumferentialOrder = 8;  // n
+constexpr double kMaxGap_rad = 2.6;          // 150°: rings with a wider gap are arcs
 constexpr double kResolved = 0.05;           // least ratio of a pattern's smallest pivot to its largest
 
 struct Point {
@@ -115,6 +116,61 @@ int fit_all(const std::vector<Ring>& rings, std::size_t angles, std::vector<Circ
   return 0;
 }
 
+// The gaps between neighbouring angles of a ring, ascending, around the whole circle.
+std::vector<double> gaps_of(const Ring& ring) {
+  std::vector<double> angles, gaps;
+  for (const Point& p : ring) {
+    const double turn = 2 * std::numbers::pi;
+    angles.push_back(p.angle_rad - turn * std::floor(p.angle_rad / turn));
+  }
+  std::sort(angles.begin(), angles.end());
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * std::numbers::pi;
+    if (next - angles[i] > kSameAngle) gaps.push_back(next - angles[i]);
+  }
+  std::sort(gaps.begin(), gaps.end());
+  return gaps;
+}
+
+// The widest spacing within the arcs, over all rings; 0 where every ring covers the circle.
+double arc_spacing_rad(const std::vector<Ring>& rings) {
+  double spacing = 0;
+  bool arc = false;
+  for (const Ring& ring : rings) {
+    const std::vector<double> gaps = gaps_of(ring);
+    if (gaps.size() < 2) continue;
+    arc = arc || gaps.back() > kMaxGap_rad;
+    spacing = std::max(spacing, gaps[gaps.size() - 2]);
+  }
+  return arc ? spacing : 0;
+}
+
+// Each order's block is inverted alone. False where the arc does not resolve the cosine and the sine of an order.
+bool fit_orders_alone(const Ring& ring, int highest, CircumferentialFit& fit) {
+  fit.pattern = patterns(ring, highest);
+  fit.inverse = Eigen::MatrixXd::Zero(fit.pattern.cols(), fit.pattern.rows());
+  for (int n = 0; n <= highest; ++n) {
+    const Eigen::Index first = n == 0 ? 0 : 2 * n - 1, count = n == 0 ? 1 : 2;
+    const auto inverse = left_inverse(Eigen::MatrixXd(fit.pattern.middleCols(first, count)), kResolved);
+    if (!inverse) return false;
+    fit.inverse.middleRows(first, count) = *inverse;
+  }
+  return true;
+}
+
+// Orders up to the one whose half wave is as long as the spacing.
+void fit_arcs(const std::vector<Ring>& rings, double spacing_rad, CircumferentialFits& out) {
+  constexpr double kBelowHalfWave = 0.25;
+  out.arc = true;
+  out.angles = static_cast<std::size_t>(std::lround(2 * std::numbers::pi / spacing_rad));
+  out.highest = std::min(kMaxCircumferentialOrder,
+                         static_cast<int>(std::floor(std::numbers::pi / spacing_rad - kBelowHalfWave)));
+  out.rings.assign(rings.size(), {});
+  bool all = out.highest > 0;
+  for (std::size_t r = 0; r < rings.size() && all; ++r) all = fit_orders_alone(rings[r], out.highest, out.rings[r]);
+  if (!all) out.highest = 0;
+}
+
 void fill(const Ring& ring, CircumferentialFit& fit) {
   const auto size = static_cast<Eigen::Index>(ring.size());
   fit.value.resize(size);
@@ -136,7 +192,12 @@ CircumferentialFits fit_circumferential(const ModeShape& shape, const TubeGeomet
   if (rings.empty()) return out;
   out.angles = distinct_angles(rings.front());
   for (const Ring& ring : rings) out.angles = std::min(out.angles, distinct_angles(ring));
-  out.highest = fit_all(rings, out.angles, out.rings);
+  const double spacing_rad = arc_spacing_rad(rings);
+  if (spacing_rad > 0) {
+    fit_arcs(rings, spacing_rad, out);
+  } else {
+    out.highest = fit_all(rings, out.angles, out.rings);
+  }
   if (out.highest == 0) out.rings.clear();
   for (std::size_t r = 0; r < out.rings.size(); ++r) fill(rings[r], out.rings[r]);
   return out;

@@ -19,7 +19,10 @@ struct CircumferentialFit {
 struct CircumferentialFits {
   std::vector<CircumferentialFit> rings;  // along the axis; empty where the points resolve no order
   int highest = 0;                        // highest circumferential order
-  std::size_t angles = 0;                 // of the ring with the fewest angles
+  std::size_t angles = 0;                 // of the ring with the fewest angles; on an arc: of the full circle
+  // The points cover a part of the circle, where the orders are not orthogonal: each order is fitted alone, and its
+  // energy is what it explains alone.
+  bool arc = false;
 };
 
 /// Fits the rings of four angles or more, up to the highest order that every ring resolves. See tube_shape.

@@ -123,7 +123,9 @@ std::optional<TubeShape> tube_shape(const ModeShape& shape, const TubeGeometry& 
   std::vector<Energy> energies;
   for (int n = 0; n <= fits.highest; ++n) energies.push_back(energy_of(fits.rings, n));
   TubeShape out;
-  choose_order(out, energies, unexplained(fits.rings), total, fits.angles);
+  const auto by_value = [](const Energy& a, const Energy& b) { return a.value < b.value; };
+  const double alone = total - std::max_element(energies.begin(), energies.end(), by_value)->value;
+  choose_order(out, energies, fits.arc ? alone : unexplained(fits.rings), total, fits.angles);
   find_axial(out, fits.rings);
   count_sign_changes(out);
   return out;

@@ -66,10 +66,10 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"no_rest", Severity::warn},
     {"missing_position", Severity::warn},
     {"few_points", Severity::warn},
+    {"input", Severity::warn},
     {"not_a_tube", Severity::info},
     {"rejected_hits", Severity::info},
     {"truncated_decay", Severity::info},
-    {"input", Severity::info},
     {"no_geometry", Severity::info},
 });
 

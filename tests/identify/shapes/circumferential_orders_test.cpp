@@ -187,4 +187,34 @@ TEST(TubeShape, AcceptsUnevenAngles) {
   EXPECT_NEAR(*tube->plane_rad, 0.3, kRounding);
 }
 
+// Points over a part of the circle: 0 to 180° in steps of 30°.
+TubeGeometry half_circle() {
+  TubeGeometry out;
+  for (std::size_t r = 0; r < 4; ++r) {
+    for (std::size_t a = 0; a < 7; ++a)
+      out[r * 7 + a] = {.position_m = 0.05 * static_cast<double>(r), .angle_rad = static_cast<double>(a) * pi / 6};
+  }
+  return out;
+}
+
+TEST(TubeShape, HasSharesOfAtMostOneOverHalfACircle) {
+  const TubeGeometry geometry = half_circle();
+  for (int n = 0; n <= 5; ++n) {
+    for (const double plane : {0.0, 0.4, 1.1}) {
+      const auto tube = tube_shape(pattern(geometry, n, plane, flat, 1e-3), geometry);
+      ASSERT_TRUE(tube);
+      EXPECT_EQ(tube->order, n) << plane;
+      for (const double share : tube->energy) EXPECT_LE(share, 1 + 1e-3);
+      EXPECT_EQ(mode_type_of(*tube) == ModeType::bending, n == 1 && tube->confidence >= kMinTypeProbability) << n;
+    }
+  }
+}
+
+TEST(TubeShape, KeepsItsPlaneOverHalfACircle) {
+  const TubeGeometry geometry = half_circle();
+  const auto tube = tube_shape(pattern(geometry, 2, 0.4, flat), geometry);
+  ASSERT_TRUE(tube && tube->plane_rad);
+  EXPECT_NEAR(*tube->plane_rad, 0.4, 1e-9);
+}
+
 }  // namespace percuss::identify::circumferential_orders_test

@@ -21,6 +21,12 @@ bool has_scale_options(const ReadOptions& options) {
          !options.setup.empty();
 }
 
+bool has_sensitivities(const ReadOptions& options) {
+  return options.force_sensitivity_V_per_N || !options.accel_sensitivity_V_per_mps2.empty() ||
+         std::any_of(options.setup.begin(), options.setup.end(),
+                     [](const ChannelSetup& channel) { return channel.sensitivity_V_per_SI.has_value(); });
+}
+
 void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, SignalTable& table) {
   table.fs_Hz = sound.rate_Hz();
   table.rows.push_back({.samples = sound.frames()});
@@ -33,6 +39,11 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
   if (!has_scale_options(options)) {
     table.notes.emplace_back("stored numbers are fractions of full scale: give N and m/s^2 at full scale",
                              std::vector<OptionId>{"force_scale", "accel_scale"});
+  } else if (has_sensitivities(options)) {
+    table.notes.emplace_back(
+        "stored numbers are fractions of full scale, and full scale is taken as 1 V: forces and accelerations are wrong "
+        "by the recorder's true voltage at full scale; give this voltage over the sensitivity as the scale",
+        std::vector<OptionId>{"force_scale", "accel_scale"});
   }
 }
 

@@ -91,6 +91,17 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& 
   return rate;
 }
 
+// Hammer tests are sampled faster. A slower rate from a time without a unit is that of milliseconds taken as seconds.
+void require_plausible_unit(const CsvColumn& time, const CsvHeader& header, double fs_Hz, const std::string& file) {
+  constexpr double kMinRate_Hz = 200, kMilli = 1000;
+  if (parse_unit(time.unit) || header.fs_Hz || fs_Hz >= kMinRate_Hz) return;
+  throw InputError(fmt::format("the column {} states no unit: its steps are {:.6g} Hz in seconds and {:.6g} Hz in "
+                               "milliseconds",
+                               time.name, fs_Hz, kMilli * fs_Hz),
+                   file + ": time column", "state the sampling rate, or write the unit into the header: Time (ms)",
+                   {"fs"});
+}
+
 // The rate from header and time column. Prefers the exact rate of the header if the rounded stamps allow it.
 double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const CsvColumn& time,
                       const std::string& file, std::vector<Message>& notes) {
@@ -160,6 +171,7 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
     throw InputError("no sampling rate: no time column and no line that states it", file, "state it in Hz", {"fs"});
   }
   if (!stamped) refuse_stamps(table, time.index, rows, problem);
+  require_plausible_unit(time, header, stamped->fs_Hz, file);
   if (guessed)
     notes.emplace_back(fmt::format("the first column ({}) rises evenly and is taken as time in s", time.name));
   return checked_rate_Hz(agreed_rate_Hz(header, *stamped, time, file, notes), file + ": time column");
