@@ -75,14 +75,11 @@ identify::ObjectKind object_of(ObjectKind object) {
   return object == ObjectKind::other ? identify::ObjectKind::other : identify::ObjectKind::automatic;
 }
 
-acquire::Record with_angles(acquire::Record record, ObjectKind object) {
-  pipeline::assume_angles(record, object_of(object));
-  return record;
-}
-
-acquire::FrfRecord with_angles(acquire::FrfRecord frfs, ObjectKind object) {
-  pipeline::assume_angles(frfs, object_of(object));
-  return frfs;
+// The analysis of a record or of FRFs, with assumed angles where none are stated.
+template <class AnyRecord>
+pipeline::Analysis with_angles(AnyRecord record, pipeline::AnalysisOptions options) {
+  pipeline::assume_angles(record, options.classes);
+  return {std::move(record), std::move(options)};
 }
 
 ModeType type_of(identify::ModeType type) {
@@ -187,12 +184,11 @@ const char* name_of(ModeType type) {
 
 Analysis::Analysis(const Record& record, const AnalysisOptions& options)
     : data_(new api::AnalysisData{
-          pipeline::Analysis(api::with_angles(api::record_of_one_run(record), options.object),
-                             api::analysis_options(options))}) {}
+          api::with_angles(api::record_of_one_run(record), api::analysis_options(options))}) {}
 
 Analysis::Analysis(const FrfSet& frfs, const AnalysisOptions& options)
     : data_(new api::AnalysisData{
-          pipeline::Analysis(api::with_angles(frfs.data().record, options.object), api::analysis_options(options))}) {}
+          api::with_angles(frfs.data().record, api::analysis_options(options))}) {}
 
 bool Analysis::possible() const { return data_->analysis.possible(); }
 std::vector<Hit> Analysis::hits() const { return api::hits_of(data_->analysis.hits()); }

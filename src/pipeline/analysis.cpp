@@ -122,6 +122,11 @@ std::vector<AnalysedHit> Analysis::compute_hits() const {
   return out;
 }
 
+std::optional<FileDisagreement> Analysis::file_disagreement() const {
+  if (record().files.size() < 2 || given_frfs() != nullptr || !any_accepted(hits())) return std::nullopt;
+  return disagreeing_file(record(), hits(), spectra_of_hits(hits(), force_spectra(), responses(), lines().count));
+}
+
 TestSpectra Analysis::spectra() const {
   return {.lines = lines(),
           .hits = hits(),
@@ -179,7 +184,7 @@ const std::vector<identify::ModeClassification>& Analysis::types() const {
   return within_budget(budget_, types_, [&] {
     const std::vector<identify::Mode>& found = modes();
     const identify::FrfDataset& set = fitted_frfs();
-    return trace_.run("classes", [&] { return classify_modes(found, set, record(), options_.classes); });
+    return trace_.run("classes", [&] { return classify_modes(found, set, record().accel, options_.classes); });
   });
 }
 
@@ -220,6 +225,7 @@ std::vector<Warning> Analysis::warnings() const {
   const auto add = [&](std::vector<Warning> more) {
     out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
+  add(options_.known);
   add(input_warnings(record()));
   if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
   add(hit_warnings(record(), graded));
@@ -233,7 +239,7 @@ std::vector<Warning> Analysis::warnings() const {
     if (!user_chose_modes) add(unmodelled_peak_warnings(fitted_frfs(), modes(), band_Hz()));
   }
   if (classifications_.ready()) {
-    add(object_warnings(record(), classifications(), options_.classes.object));
+    add(object_warnings(classifications(), options_.classes));
     add(split_mode_warnings(modes(), classifications()));
   }
   return ranked(std::move(out));

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "core/trace.hpp"
 #include "pipeline/analysis_options.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/hits/file_agreement.hpp"
 #include "pipeline/hits/hit_spectra.hpp"
 #include "pipeline/source/source.hpp"
 #include "pipeline/stages/mode_stages.hpp"
@@ -46,6 +48,8 @@ class Analysis {
   const std::vector<AnalysedHit>& force_hits() const;
   /// Hits graded by their responses, too, and by how well the hits of a point agree.
   const std::vector<AnalysedHit>& hits() const;
+  /// The file that the others do not explain; nothing for one file. Several files are then several structures or points.
+  std::optional<FileDisagreement> file_disagreement() const;
   /// False when no hit can be used: then no FRFs and no modes exist.
   bool possible() const;
 

@@ -9,6 +9,7 @@
 #include "frf/estimators.hpp"
 #include "identify/classify/classify.hpp"
 #include "identify/identify.hpp"
+#include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
 
@@ -22,6 +23,7 @@ struct AnalysisOptions {
   identify::ClassifyOptions classes;
   std::size_t threads = 0;       // 0: all
   std::optional<Budget> budget;  // default: default_budget() of the input
+  std::vector<Warning> known;    // what is known of the input before it is analysed
 };
 
 }  // namespace percuss::pipeline

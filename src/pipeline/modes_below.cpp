@@ -52,7 +52,7 @@ const identify::LowerOrders& Analysis::lower_orders() const {
     return trace_.run("lower orders", [&] {
       identify::ClassifyOptions classes = options_.classes;
       classes.object = identify::ObjectKind::tube;
-      const auto below_types = classify_modes(below, fitted_frfs(), record(), classes);
+      const auto below_types = classify_modes(below, fitted_frfs(), record().accel, classes);
       return identify::lower_orders(below, below_types, modes(), found, options_.classes);
     });
   });

@@ -7,13 +7,14 @@ namespace percuss::pipeline {
 namespace {
 
 template <class AnyRecord>
-void assume_two_angles(AnyRecord& record, identify::ObjectKind object) {
+void assume_two_angles(AnyRecord& record, identify::ClassifyOptions& options) {
+  options.angles_assumed = false;
   if (record.accel.size() != 2 || record.accel[0].angle_rad || record.accel[1].angle_rad) return;
-  if (object == identify::ObjectKind::other) return;
-  if (object == identify::ObjectKind::automatic && !record.geometry.empty()) return;
+  if (options.object == identify::ObjectKind::other) return;
+  if (options.object == identify::ObjectKind::automatic && !record.geometry.empty()) return;
   record.accel[0].angle_rad = 0;
   record.accel[1].angle_rad = std::numbers::pi / 2;
-  record.angles_assumed = true;
+  options.angles_assumed = true;
 }
 
 }  // namespace
@@ -29,16 +30,17 @@ std::vector<std::pair<int, acquire::Record>> split_runs(const acquire::Record& r
   return out;
 }
 
-void assume_angles(acquire::Record& record, identify::ObjectKind object) { assume_two_angles(record, object); }
-void assume_angles(acquire::FrfRecord& frfs, identify::ObjectKind object) { assume_two_angles(frfs, object); }
+void assume_angles(acquire::Record& record, identify::ClassifyOptions& options) { assume_two_angles(record, options); }
+void assume_angles(acquire::FrfRecord& frfs, identify::ClassifyOptions& options) { assume_two_angles(frfs, options); }
 
 std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::Record> records, const AnalysisOptions& options) {
   std::vector<RunAnalysis> analyses;
   for (acquire::Record& record : records) {
-    assume_angles(record, options.classes.object);
+    AnalysisOptions known = options;
+    assume_angles(record, known.classes);
     for (auto& [run, part] : split_runs(record)) {
       const int number = records.size() > 1 ? static_cast<int>(analyses.size()) : run;
-      analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(part), options)});
+      analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(part), known)});
     }
   }
   return analyses;
@@ -47,9 +49,10 @@ std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::Record> records, 
 std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::FrfRecord> sets, const AnalysisOptions& options) {
   std::vector<RunAnalysis> analyses;
   for (acquire::FrfRecord& frfs : sets) {
-    assume_angles(frfs, options.classes.object);
+    AnalysisOptions known = options;
+    assume_angles(frfs, known.classes);
     const int number = static_cast<int>(analyses.size());
-    analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(frfs), options)});
+    analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(frfs), known)});
   }
   return analyses;
 }

@@ -170,14 +170,20 @@ TEST_F(AnalyzeChoices, RejectsStartsOutsideTheBand) {
               HasSubstr("--start cannot be '1500': it lies outside the band 60:1000 Hz"));
 }
 
-// Hits on three different bats, grouped as one test.
-TEST_F(AnalyzeChoices, WarnsOfFilesOfDifferentStructures) {
-  std::vector<std::string> words{"analyze", "--band", "60:3200", "--only", "classes"};
+// Hits on three different bats. Grouped as one test, they are averaged only if the user says so.
+TEST_F(AnalyzeChoices, SeparatesFilesOfDifferentStructures) {
+  std::vector<std::string> words{"analyze", "--band", "60:3200", "--only", "classes", "--effort", "quick"};
   for (const std::string preset : {"wood-bat", "aluminium-bat", "composite-bat"}) {
     words.push_back(folder_->file(preset + ".h5"));
     ASSERT_EQ(run_percuss({"synth", preset, "-o", words.back()}).code, 0);
   }
+  const std::string out = run_percuss(words).out;
+  EXPECT_THAT(out, AllOf(HasSubstr("test 0"), HasSubstr("test 2"), HasSubstr("each file is a test of its own")));
+  words.insert(words.end(), {"--files", "hits"});
   EXPECT_THAT(run_percuss(words).out, HasSubstr("analyse each file as a test of its own (--files)"));
+  words.insert(words.end() - 2, {"-o", folder_->file("mixed.html")});
+  words.resize(words.size() - 2);
+  EXPECT_THAT(run_percuss(words).err, AllOf(HasSubstr("measured different structures or points"), HasSubstr("--files")));
 }
 
 TEST_F(AnalyzeChoices, StopAnAnalysisBeyondItsBudget) {

@@ -1,5 +1,11 @@
 #include "commands/analyze_tests.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands/analyze_outputs.hpp"
+#include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "pipeline/run_analyses.hpp"
 
@@ -22,18 +28,45 @@ std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<acquire::
   return tests_of_runs(pipeline::analyses_of_runs(std::move(frfs), analysis_options(flags.analysis)));
 }
 
+// What is said of files that are not one test.
+pipeline::Warning files_disagree(const pipeline::Analysis& joined, const pipeline::FileDisagreement& found) {
+  return pipeline::with_remedy(
+      {"files_disagree",
+       fmt::format("the other files explain only {:.0f} % of the responses in {}: the files measured different "
+                   "structures or points and are not averaged; each file is a test of its own",
+                   100 * found.explained, one_line(joined.record().files[found.file].path, 80)),
+       {"files"}},
+      "state how the files belong together, if they are hits of one point");
+}
+
+// Several files are one test unless the user says otherwise or their FRFs disagree.
+std::vector<Test> tests_of_joined(const AnalyzeFlags& flags, const std::vector<acquire::Record>& records) {
+  std::vector<acquire::Record> joined;
+  joined.push_back(acquire::join_records(records, flags.read.files));
+  pipeline::AnalysisOptions options = analysis_options(flags.analysis);
+  std::vector<Test> tests = tests_of_runs(pipeline::analyses_of_runs(std::move(joined), options));
+  const bool force_only = flags.only == std::vector<std::string>{"hits"};
+  if (flags.read.files != acquire::FileGrouping::automatic || tests.size() > 1 || force_only) return tests;
+  const pipeline::Analysis& analysis = *tests.front().analysis;
+  const auto found = analysis.possible() ? analysis.file_disagreement() : std::nullopt;
+  if (!found) return tests;
+  const pipeline::Warning said = files_disagree(analysis, *found);
+  if (!std::all_of(flags.output.paths.begin(), flags.output.paths.end(), is_json) || !flags.compared.empty()) {
+    throw InputError(said.message.substr(0, said.message.find(" and are not averaged")), analysis.record().source(),
+                     "write one file at a time, or state how the files belong together", {"files"});
+  }
+  options.known.push_back(said);
+  return tests_of_runs(pipeline::analyses_of_runs(records, options));
+}
+
 }  // namespace
 
 std::vector<Test> tests_of(const AnalyzeFlags& flags) {
   Measurements opened = open_measurements(flags.read);
   if (!opened.frfs.empty()) return tests_of_frfs(flags, std::move(opened.frfs));
-  std::vector<acquire::Record> records = std::move(opened.records);
-  if (flags.read.files != acquire::FileGrouping::tests) {
-    acquire::Record joined = acquire::join_records(std::move(records), flags.read.files);
-    records.clear();
-    records.push_back(std::move(joined));
-  }
-  return tests_of_runs(pipeline::analyses_of_runs(std::move(records), analysis_options(flags.analysis)));
+  if (flags.read.files != acquire::FileGrouping::tests && opened.records.size() > 1)
+    return tests_of_joined(flags, opened.records);
+  return tests_of_runs(pipeline::analyses_of_runs(std::move(opened.records), analysis_options(flags.analysis)));
 }
 
 void compute(const std::vector<Test>& tests, const std::set<report::ReportSection>& sections) {

@@ -23,7 +23,6 @@ struct FrfRecord {
   std::string format;                   // for people: "FRF text", "FRF HDF5"
   FrfKind kind = FrfKind::accelerance;  // as stored; `frfs` are accelerances
   LineRange lines;                // of every FRF; fs_Hz is twice the highest frequency, the true rate is not known
-  bool angles_assumed = false;    // as Record::angles_assumed
   std::vector<SignalInfo> accel;  // [channels]; to_SI is the factor applied to the stored FRF: unit and sign
   std::vector<PointFrf> frfs;     // [points × channels], point by point, ascending
   std::string estimator = "H1";

@@ -56,7 +56,6 @@ struct Record {
   SignalInfo force;
   bool has_force = true;  // false: no force was recorded, and read_force_N gives zeros
   std::vector<SignalInfo> accel;
-  bool angles_assumed = false;  // nobody stated the angles of `accel`
   std::vector<RowInfo> rows;
   bool continuous = false;                    // every row may hold several hits
   std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored; NaN where not known; may be empty

@@ -16,7 +16,6 @@ acquire::Record record_without_rows(const acquire::FrfRecord& frfs) {
   record.format = frfs.format;
   record.fs_Hz = frfs.lines.fs_Hz;
   record.accel = frfs.accel;
-  record.angles_assumed = frfs.angles_assumed;
   record.notes = frfs.notes;
   record.geometry = frfs.geometry;
   record.trace_lines = frfs.trace_lines;

@@ -41,18 +41,16 @@ std::vector<identify::Mode> modes_in_band(const identify::FrfDataset& set, const
 
 std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,
                                                          const identify::FrfDataset& set,
-                                                         const acquire::Record& record,
+                                                         const std::vector<acquire::SignalInfo>& accel,
                                                          const identify::ClassifyOptions& options) {
   std::vector<std::optional<double>> angles_rad;
-  angles_rad.reserve(record.accel.size());
-  for (const acquire::SignalInfo& signal : record.accel) angles_rad.push_back(signal.angle_rad);
+  angles_rad.reserve(accel.size());
+  for (const acquire::SignalInfo& signal : accel) angles_rad.push_back(signal.angle_rad);
   const auto sensors = identify::pair_of_sensors(angles_rad);
   std::vector<std::optional<double>> overlays_dB(modes.size());
   for (std::size_t m = 0; sensors && m < modes.size(); ++m)
     overlays_dB[m] = overlay_dB(set, *sensors, set.lines.nearest(modes[m].pole.freq_Hz));
-  identify::ClassifyOptions known = options;
-  known.angles_assumed = record.angles_assumed;
-  return identify::classify(modes, sensors, overlays_dB, known);
+  return identify::classify(modes, sensors, overlays_dB, options);
 }
 
 std::vector<HitMode> modes_of_hits(const std::vector<identify::Mode>& modes, const std::vector<std::size_t>& hits,

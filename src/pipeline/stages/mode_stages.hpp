@@ -29,7 +29,7 @@ std::vector<identify::Mode> modes_in_band(const identify::FrfDataset& set, const
 /// Classifies modes by the two sensors whose angles suit best, and by the overlay of their FRFs at each mode's peak.
 std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,
                                                          const identify::FrfDataset& set,
-                                                         const acquire::Record& record,
+                                                         const std::vector<acquire::SignalInfo>& accel,
                                                          const identify::ClassifyOptions& options);
 
 /// Fits `modes` to each hit's FRFs, starting from their frequencies. `dataset_of` gives the FRFs of one hit.

@@ -4,13 +4,12 @@
 
 namespace percuss::pipeline {
 
-std::vector<Warning> object_warnings(const acquire::Record& record,
-                                     const std::vector<identify::ModeClassification>& classifications,
-                                     identify::ObjectKind object) {
-  if (!record.angles_assumed || classifications.empty()) return {};
+std::vector<Warning> object_warnings(const std::vector<identify::ModeClassification>& classifications,
+                                     const identify::ClassifyOptions& options) {
+  if (!options.angles_assumed || classifications.empty()) return {};
   const bool tube = std::any_of(classifications.begin(), classifications.end(),
                                 [](const auto& one) { return one.ratio.has_value(); });
-  if (tube && object == identify::ObjectKind::tube) {
+  if (tube && options.object == identify::ObjectKind::tube) {
     return {with_remedy({"assumed_tube", "two accelerometers taken as 0° and 90° around the tube", {"angle"}},
                         "state their angles to confirm")};
   }

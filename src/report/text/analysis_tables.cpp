@@ -146,7 +146,7 @@ std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits
     if (signal.angle_rad)
       angles += fmt::format("{}{:.4g}°", angles.empty() ? "" : ", ", *signal.angle_rad * kRadian_deg);
   }
-  if (!angles.empty()) sensors += " (" + angles + (record.angles_assumed ? ", assumed)" : ")");
+  if (!angles.empty()) sensors += " (" + angles + (analysis.options().classes.angles_assumed ? ", assumed)" : ")");
   std::string text =
       fmt::format("{} · {} hit{} × {}", rounded_frequency_text(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
   if (const acquire::FrfRecord* given = analysis.given_frfs()) {
