@@ -6,11 +6,14 @@
 #include <cmath>
 #include <set>
 
+#include "acquire/geometry/geometry.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
 namespace percuss::pipeline {
 namespace {
+
+constexpr std::size_t kMinPoints = 3;  // two points show a change of sign, but not where it lies between them
 
 // |H| at the mode's peak for each point of `at`.
 std::vector<double> peaks_of(const Analysis& analysis, const identify::Mode& mode, const std::vector<int>& at) {
@@ -54,6 +57,58 @@ MeasuredPoints measured_points(const Analysis& analysis, const ScanPositions& po
   return measured;
 }
 
+// Distances of the points from the first one by the record's geometry; nothing where it does not place every point.
+std::optional<std::vector<double>> distances_m(const acquire::Record& record, const std::set<int>& points) {
+  const auto geometry = acquire::geometry_of_record(record.geometry);
+  if (!geometry) return std::nullopt;
+  std::vector<double> out;
+  const acquire::GeometryPoint* first = nullptr;
+  for (const int point : points) {
+    const auto at = std::find_if(geometry->points.begin(), geometry->points.end(),
+                                 [&](const acquire::GeometryPoint& one) { return one.point == point; });
+    if (at == geometry->points.end() || (!geometry->tube && !at->xyz_m)) return std::nullopt;
+    if (first == nullptr) first = &*at;
+    if (geometry->tube) {
+      out.push_back(std::abs(at->position_m - first->position_m));
+    } else {
+      const auto &a = *at->xyz_m, &b = *first->xyz_m;
+      out.push_back(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+    }
+  }
+  return out;
+}
+
+void require_geometry_of_scan(const Analysis& analysis, const ScanPositions& positions) {
+  constexpr double kMaxDifference = 0.1;  // of the scan's length: sensors and hits are placed by hand
+  const auto known_m = distances_m(analysis.record(), analysis.points());
+  if (!known_m) return;
+  const double length_m = positions.at_m(positions.count - 1) - positions.start_m;
+  double difference_m = 0;
+  for (std::size_t i = 0; i < known_m->size(); ++i)
+    difference_m = std::max(difference_m, std::abs(known_m->at(i) - (positions.at_m(i) - positions.start_m)));
+  if (difference_m <= kMaxDifference * length_m) return;
+  throw InputError(
+      fmt::format("the positions span {:.4g} mm, but the record's geometry places the points up to {:.4g} mm from the "
+                  "first one, and {:.4g} mm away from these positions",
+                  1e3 * length_m, 1e3 * *std::max_element(known_m->begin(), known_m->end()), 1e3 * difference_m),
+      analysis.record().source(), "state the positions of the points, with their unit", {"positions"});
+}
+
+// Hits that nobody assigned to points are no scan where every mode has the same size at all positions.
+void require_different_points(const Analysis& analysis, const NodeScan& scan) {
+  constexpr double kMinDifference = 0.05;  // of the largest size
+  double most = 0;
+  for (const ModeAlongScan& along : scan.modes) {
+    const auto [low, high] = std::minmax_element(along.shape.amplitude.begin(), along.shape.amplitude.end());
+    const double largest = std::max(std::abs(*low), std::abs(*high));
+    if (largest > 0) most = std::max(most, (*high - *low) / largest);
+  }
+  if (scan.modes.empty() || most > kMinDifference) return;
+  throw InputError(fmt::format("all positions have the same response within {:.1g} %: the hits are at one point",
+                               100 * most),
+                   analysis.record().source(), "give a record with hits at every position", {"positions"});
+}
+
 }  // namespace
 
 acquire::Record as_scan(acquire::Record record, const ScanPositions& positions) {
@@ -75,14 +130,23 @@ acquire::Record as_scan(acquire::Record record, const ScanPositions& positions) 
   return record;
 }
 
-NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, double resolution_m) {
+NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, double resolution_m,
+                    bool assumed_points) {
   const std::size_t points = analysis.points().size();
   if (points != positions.count) {
     throw InputError(fmt::format("{} points for {} positions", points, positions.count), analysis.record().source(),
                      "state one position per point", {"positions"});
   }
+  require_geometry_of_scan(analysis, positions);
   NodeScan scan{.positions = positions, .modes = {}, .warnings = {}};
   const MeasuredPoints measured = measured_points(analysis, positions, scan.warnings);
+  const bool enough = measured.point.size() >= kMinPoints;
+  if (!enough) {
+    scan.warnings.push_back(with_remedy(
+        {"few_points", fmt::format("only {} position{} usable hits: no node can be located", measured.point.size(),
+                                   measured.point.size() == 1 ? " has" : "s have")},
+        "measure three positions or more"));
+  }
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     if (analysis.classifications()[m].family == identify::ModeType::hoop) continue;
     const identify::Mode& mode = analysis.modes()[m];
@@ -91,10 +155,11 @@ NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, do
                         .peak = peaks_of(analysis, mode, measured.point),
                         .nodes = {},
                         .minimum_m = {}};
-    along.nodes = identify::find_nodes(along.shape);
+    if (enough) along.nodes = identify::find_nodes(along.shape);
     along.minimum_m = identify::minimum_of_peak(measured.position_m, along.peak, resolution_m);
     scan.modes.push_back(std::move(along));
   }
+  if (assumed_points) require_different_points(analysis, scan);
   return scan;
 }
 

@@ -35,8 +35,10 @@ struct NodeScan {
 /// errors  InputError: another number of points than positions.
 acquire::Record as_scan(acquire::Record record, const ScanPositions& positions);
 
-/// Nodes of the modes along a scan, from all FRFs together.
-/// errors  InputError: as Analysis::modes(); another number of points than positions.
-NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, double resolution_m);
+/// Nodes of the modes along a scan, from all FRFs together. `assumed_points`: as_scan assigned the rows to positions.
+/// errors  InputError: as Analysis::modes(); another number of points than positions; positions that contradict the
+///         record's geometry; assumed points with the same response everywhere.
+NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, double resolution_m,
+                    bool assumed_points = false);
 
 }  // namespace percuss::pipeline

@@ -44,7 +44,9 @@ pipeline::ScanPositions parse_positions(const std::string& text) {
   return {.start_m = range.low * to_m, .step_m = range.step * to_m, .count = range.count};
 }
 
-std::unique_ptr<pipeline::Analysis> analysis_of(const NodesFlags& flags, const pipeline::ScanPositions& positions) {
+// `assumed`: the record does not state the points of its hits.
+std::unique_ptr<pipeline::Analysis> analysis_of(const NodesFlags& flags, const pipeline::ScanPositions& positions,
+                                                bool& assumed) {
   const acquire::FileGrouping grouping =
       flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
   if (grouping == acquire::FileGrouping::tests)
@@ -53,15 +55,17 @@ std::unique_ptr<pipeline::Analysis> analysis_of(const NodesFlags& flags, const p
   Measurements opened = open_measurements(flags.read);
   if (!opened.frfs.empty())
     return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
-  return std::make_unique<pipeline::Analysis>(
-      pipeline::as_scan(acquire::join_records(std::move(opened.records), grouping), positions), options);
+  acquire::Record record = acquire::join_records(std::move(opened.records), grouping);
+  assumed = record.points().size() != positions.count;
+  return std::make_unique<pipeline::Analysis>(pipeline::as_scan(std::move(record), positions), options);
 }
 
 int nodes(const NodesFlags& flags) {
   const pipeline::ScanPositions positions = parse_positions(flags.positions);
   check_outputs(flags.output, {".json", ".svg", ".html"});
   const Progress progress("analysing", flags.output.quiet);
-  const std::shared_ptr<const pipeline::Analysis> opened = analysis_of(flags, positions);
+  bool assumed = false;
+  const std::shared_ptr<const pipeline::Analysis> opened = analysis_of(flags, positions, assumed);
   if (flags.output.host != nullptr) flags.output.host->outcome.analyses = {opened};
   const pipeline::Analysis& analysis = *opened;
   analysis.hits();
@@ -70,7 +74,7 @@ int nodes(const NodesFlags& flags) {
     print(flags.output, report::analysis_json(analysis, {.sections = {report::ReportSection::hits}}));
     return kImpossible;
   }
-  const pipeline::NodeScan scan = pipeline::scan_nodes(analysis, positions, kResolution_m);
+  const pipeline::NodeScan scan = pipeline::scan_nodes(analysis, positions, kResolution_m, assumed);
   progress.stop();
   return show_report(report::nodes_report(analysis, scan), flags.output, inputs_of(analysis));
 }

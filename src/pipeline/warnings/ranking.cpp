@@ -19,7 +19,7 @@ struct RankedCode {
 // Most serious first: wrong quantities and mixed tests, then distorted signals, structures that are not linear or not
 // at rest, what the fit leaves open, and remarks.
 constexpr auto kRanking = std::to_array<RankedCode>({
-    {"files_disagree", Severity::reject},
+    {"files_disagree", Severity::warn},
     {"hits_disagree", Severity::reject},
     {"units_differ", Severity::reject},
     {"reversed", Severity::reject},
@@ -56,7 +56,6 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"double_peak", Severity::warn},
     {"sensor_on_node", Severity::warn},
     {"assumed_tube", Severity::warn},
-    {"positions_differ", Severity::warn},
     {"short_pretrigger", Severity::warn},
     {"low_bandwidth", Severity::warn},
     {"weak", Severity::warn},
