@@ -1,9 +1,12 @@
 #include "acquire/calibrate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/math/statistics.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -11,11 +14,31 @@ namespace {
 constexpr std::size_t kBefore = 8;  // samples before the pulse that give the offsets
 constexpr double kCompared = 0.5;   // of the peak: smaller forces are not compared
 constexpr double kMinForce = 0.2;   // of the largest hit
+constexpr double kMaxRinging = 0.05;  // rms of the acceleration after the pulse, over its peak
 
 double mean(const std::vector<double>& x, std::size_t first, std::size_t last) {
   double sum = 0;
   for (std::size_t i = first; i < last; ++i) sum += x[i];
   return last > first ? sum / static_cast<double>(last - first) : 0;
+}
+
+// Root mean square of the acceleration after the pulse, over its peak: a free mass moves on without acceleration.
+double ringing_after(const Record& record, const Hit& hit, std::size_t pulse, double rest_mps2, double peak_mps2) {
+  constexpr std::size_t kFilter = 16, kMinWindow = 64, kPulses = 8;  // samples, samples, lengths of the pulse
+  const std::size_t end = record.rows[hit.row].samples, first = hit.peak + pulse + kFilter;
+  if (first >= end || !(std::abs(peak_mps2) > 0)) return 0;
+  std::vector<double> accel(std::min(end - first, std::max(kMinWindow, kPulses * pulse)));
+  record.read_accel_mps2(hit.row, 0, first, accel);
+  double squares = 0;
+  for (const double a : accel) squares += (a - rest_mps2) * (a - rest_mps2);
+  return std::sqrt(squares / static_cast<double>(accel.size())) / std::abs(peak_mps2);
+}
+
+// The standard deviation of a hit's scale from the residuals of the fit, which the offsets' noise enters as well.
+double scale_std(double residual_squares, double sum_f, double power, std::size_t samples) {
+  if (samples < 2 || !(power > 0)) return 0;
+  const double variance = residual_squares / static_cast<double>(samples - 1);
+  return std::sqrt(variance * (1 / power + sum_f * sum_f / (kBefore * power * power)));
 }
 
 CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
@@ -29,7 +52,7 @@ CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
   const double force_rest = mean(force, 0, onset - first);
   const double accel_rest = mean(accel, 0, onset - first);
   CalibrationHit out{.time_s = hit.onset_s, .peak_force = hit.peak_N};
-  double cross = 0, power = 0;
+  double cross = 0, power = 0, sum_f = 0, accel_power = 0;
   for (std::size_t i = 0; i < force.size(); ++i) {
     const double f = force[i] - force_rest;
     const double a = accel[i] - accel_rest;
@@ -37,10 +60,23 @@ CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
     ++out.samples;
     cross += f * std::abs(a);
     power += f * f;
+    sum_f += f;
+    accel_power += a * a;
     if (std::abs(a) > std::abs(out.peak_accel_mps2)) out.peak_accel_mps2 = a;
   }
   out.scale = power > 0 ? mass_kg * cross / power : 0;
+  const double residual = std::max(0.0, mass_kg * mass_kg * accel_power - out.scale * out.scale * power);
+  out.scale_std = scale_std(residual, sum_f, power, out.samples);
+  out.ringing = ringing_after(record, hit, pulse, accel_rest, out.peak_accel_mps2);
   return out;
+}
+
+void require_free_mass(double ringing, const std::string& where) {
+  if (ringing <= kMaxRinging) return;
+  throw InputError(fmt::format("no free mass: after the pulses the acceleration goes on with {:.0f} % of its peak (rms), "
+                               "as a structure rings",
+                               100 * ringing),
+                   where, "hit a compact mass that hangs freely");
 }
 
 }  // namespace
@@ -73,10 +109,17 @@ Calibration calibrate(const Record& record, double mass_kg, const HitOptions& op
                      {"trigger"});
   }
   out.scale = sum / weights;
+  double noise = 0;
+  std::vector<double> ringing;
   for (const CalibrationHit& hit : out.hits) {
-    if (hit.used) squares += std::pow(hit.peak_force * (hit.scale - out.scale), 2);
+    if (!hit.used) continue;
+    squares += std::pow(hit.peak_force * (hit.scale - out.scale), 2);
+    noise += std::pow(hit.peak_force * hit.peak_force * hit.scale_std, 2);
+    ringing.push_back(hit.ringing);
   }
-  if (used > 1) out.scale_std = std::sqrt(squares / weights / static_cast<double>(used - 1));
+  out.scale_std = std::sqrt(noise) / weights;
+  if (used > 1) out.scale_std = std::max(out.scale_std, std::sqrt(squares / weights / static_cast<double>(used - 1)));
+  require_free_mass(median(ringing), where);
   return out;
 }
 

@@ -22,12 +22,14 @@ struct CalibrationHit {
   double peak_accel_mps2 = 0;
   std::size_t samples = 0;  // the compared samples: the force exceeds half of its peak
   double scale = 0;         // N per present unit
+  double scale_std = 0;     // from the residuals within the hit
+  double ringing = 0;       // rms of the acceleration after the pulse, over its peak
   bool used = false;
 };
 
 struct Calibration {
   double scale = 0;      // N per present unit of the force channel; negative when it reads pushes as negative
-  double scale_std = 0;  // from the scatter over hits; 0 for one hit
+  double scale_std = 0;  // the larger one of the scatter over the hits and of the noise within them
   std::vector<CalibrationHit> hits;
 };
 
@@ -35,7 +37,8 @@ struct Calibration {
 /// least-squares fit over the samples above half of the force's peak. Both signals count from their mean just before
 /// the hit. The result is the mean over the hits, weighted by the square of the peak force. Hits below a fifth of the
 /// largest are left out. The sign makes a push positive.
-/// errors  InputError when the record has not exactly one acceleration channel; NoHitError.
+/// errors  InputError when the record has not exactly one acceleration channel, or when the acceleration goes on after the
+///         pulses (a structure that rings is no free mass); NoHitError.
 /// theory (1.6)
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options = {});
 

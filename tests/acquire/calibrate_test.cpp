@@ -103,10 +103,25 @@ TEST(Calibrate, LiesWithinItsStandardDeviation) {
   EXPECT_GE(found.scale_std / 0.0102, expected / kFactor);
 }
 
-TEST(Calibrate, HasNoStandardDeviationForOneHit) {
+TEST(Calibrate, HasAStandardDeviationForOneHit) {
   const Calibration found = calibrate(free_mass({.noise = 0.01, .peaks_N = {300}}), kMass_kg);
-  EXPECT_EQ(found.scale_std, 0);
   EXPECT_EQ(found.hits.size(), 1U);
+  // As above for a single hit; the residuals of 15 samples give it to 20 %.
+  const double expected = 0.01 * std::sqrt(2 * (1 / (15 * 0.6) + 1 / (8 * 0.75)));
+  EXPECT_GE(found.scale_std / 0.0102, expected / 2.5);
+  EXPECT_LE(found.scale_std / 0.0102, 2.5 * expected);
+  EXPECT_LE(std::abs(found.scale / 0.0102 - 1), 5 * found.scale_std / 0.0102);
+}
+
+TEST(Calibrate, RefusesAStructureThatRings) {
+  std::vector<double> force(6000), accel(6000);
+  test::add_filtered_haversine(force, 300.3, 30, 300);
+  for (std::size_t i = 300; i < accel.size(); ++i) {
+    const double t_s = static_cast<double>(i - 300) / kFs_Hz;
+    accel[i] = 40 * std::exp(-20 * t_s) * std::sin(2 * 3.14159265358979 * 600 * t_s);
+  }
+  const Record record = record_in_memory(kFs_Hz, {force}, {{accel}});
+  EXPECT_THAT(test::input_error_of([&] { calibrate(record, kMass_kg); }), testing::HasSubstr("no free mass"));
 }
 
 TEST(Calibrate, TakesAPulseAtTheVeryStartOrEnd) {

@@ -96,4 +96,17 @@ TEST_F(CalibrateCommand, FailsWithoutAHit) {
   EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
 }
 
+TEST_F(CalibrateCommand, RefusesARecordInNewtons) {
+  const std::string path = folder_.file("done.csv");
+  std::string text = "t (s),force (N),acc (m/s^2)\n";
+  for (int i = 0; i < 3000; ++i) {
+    const double force_N = i >= 800 && i < 820 ? 40 * std::sin(M_PI * (i - 800) / 20) : 0;
+    text += fmt::format("{:.4f},{:.6f},{:.6f}\n", i / 2000.0, force_N, force_N / kMass_kg);
+  }
+  test::write_bytes(path, text);
+  const auto outcome = run_percuss({"calibrate", path, "--mass", "1.25"});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("is in N already"), HasSubstr("(--force-unit)")));
+}
+
 }  // namespace percuss::calibrate_command_test

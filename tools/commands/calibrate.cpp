@@ -11,6 +11,7 @@
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/units.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
@@ -44,6 +45,8 @@ nlohmann::ordered_json json_of(const CalibrateFlags& flags, const acquire::Recor
                                {"peak_acceleration_mps2", hit.peak_accel_mps2},
                                {"samples", hit.samples},
                                {"scale", hit.scale},
+                               {"scale_std", hit.scale_std},
+                               {"ringing", hit.ringing},
                                {"used", hit.used}};
     json["hits"].push_back(std::move(row));
   }
@@ -60,7 +63,7 @@ std::string text_of(const CalibrateFlags& flags, const acquire::Record& record,
                            {""}});
   for (const acquire::CalibrationHit& hit : calibration.hits) {
     table.add({fmt::format("{}", hit.index), fmt::format("{:.3f} s", hit.time_s), fmt::format("{:.5g}", hit.peak_force),
-               fmt::format("{:.4g} m/s²", hit.peak_accel_mps2), fmt::format("{:.6g}", hit.scale),
+               fmt::format("{:.4g} m/s²", hit.peak_accel_mps2), report::value_with_std(hit.scale, hit.scale_std),
                hit.used ? "" : "not used: too weak"});
   }
   return fmt::format("{}   {} kg free mass\n\n", record.source(), flags.mass_kg) + table.text(terminal_width()) +
@@ -69,10 +72,24 @@ std::string text_of(const CalibrateFlags& flags, const acquire::Record& record,
                      calibration.scale < 0 ? ", and it reads pushes as negative" : "", calibration.scale);
 }
 
+// A record in N needs no scale; another one would be applied to it a second time.
+void require_uncalibrated(const CalibrateFlags& flags, const acquire::Record& record,
+                          const acquire::Calibration& calibration) {
+  const auto unit = parse_unit(record.force.unit);
+  const bool stated = !flags.read.force_unit.empty() || !flags.read.force_scale.empty() ||
+                      flags.read.force_sensitivity_mV_per_N.has_value() || !flags.read.setup_path.empty();
+  if (stated || !unit || unit->quantity != Quantity::force) return;
+  throw InputError(fmt::format("the force channel {} is in {} already; by this mass, 1 N of the file is {} N",
+                               one_line(record.force.name, 40), record.force.unit,
+                               report::value_with_std(std::abs(calibration.scale), calibration.scale_std)),
+                   record.source(), "state the unit of the force if the file's is wrong", {"force_unit"});
+}
+
 int calibrate_file(const CalibrateFlags& flags) {
   check_outputs(flags.output, {".json"});
   const acquire::Record record = acquire::join_records(open_records(flags.read), flags.read.files);
   const acquire::Calibration calibration = acquire::calibrate(record, flags.mass_kg, {.trigger_N = flags.trigger});
+  require_uncalibrated(flags, record, calibration);
   const std::string document =
       json_of(flags, record, calibration).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   OutputGroup outputs;
