@@ -11,9 +11,9 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kBefore = 8;  // samples before the pulse that give the offsets
-constexpr double kCompared = 0.5;   // of the peak: smaller forces are not compared
-constexpr double kMinForce = 0.2;   // of the largest hit
+constexpr std::size_t kBefore = 8;    // samples before the pulse that give the offsets
+constexpr double kCompared = 0.5;     // of the peak: smaller forces are not compared
+constexpr double kMinForce = 0.2;     // of the largest hit
 constexpr double kMaxRinging = 0.05;  // rms of the acceleration after the pulse, over its peak
 
 double mean(const std::vector<double>& x, std::size_t first, std::size_t last) {
@@ -73,10 +73,11 @@ CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
 
 void require_free_mass(double ringing, const std::string& where) {
   if (ringing <= kMaxRinging) return;
-  throw InputError(fmt::format("no free mass: after the pulses the acceleration goes on with {:.0f} % of its peak (rms), "
-                               "as a structure rings",
-                               100 * ringing),
-                   where, "hit a compact mass that hangs freely");
+  throw InputError(
+      fmt::format("no free mass: after the pulses the acceleration goes on with {:.0f} % of its peak (rms), "
+                  "as a structure rings",
+                  100 * ringing),
+      where, "hit a compact mass that hangs freely");
 }
 
 }  // namespace

@@ -183,12 +183,10 @@ const char* name_of(ModeType type) {
 }
 
 Analysis::Analysis(const Record& record, const AnalysisOptions& options)
-    : data_(new api::AnalysisData{
-          api::with_angles(api::record_of_one_run(record), api::analysis_options(options))}) {}
+    : data_(new api::AnalysisData{api::with_angles(api::record_of_one_run(record), api::analysis_options(options))}) {}
 
 Analysis::Analysis(const FrfSet& frfs, const AnalysisOptions& options)
-    : data_(new api::AnalysisData{
-          api::with_angles(frfs.data().record, api::analysis_options(options))}) {}
+    : data_(new api::AnalysisData{api::with_angles(frfs.data().record, api::analysis_options(options))}) {}
 
 bool Analysis::possible() const { return data_->analysis.possible(); }
 std::vector<Hit> Analysis::hits() const { return api::hits_of(data_->analysis.hits()); }

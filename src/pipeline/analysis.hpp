@@ -48,7 +48,8 @@ class Analysis {
   const std::vector<AnalysedHit>& force_hits() const;
   /// Hits graded by their responses, too, and by how well the hits of a point agree.
   const std::vector<AnalysedHit>& hits() const;
-  /// The file that the others do not explain; nothing for one file. Several files are then several structures or points.
+  /// The file that the others do not explain; nothing for one file. Several files are then several structures or
+  /// points.
   std::optional<FileDisagreement> file_disagreement() const;
   /// False when no hit can be used: then no FRFs and no modes exist.
   bool possible() const;
@@ -70,8 +71,8 @@ class Analysis {
   /// Computes modes() and frfs() in the order that takes less time.
   void compute_modes_and_frfs() const;
   const std::vector<identify::ModeClassification>& classifications() const;
-  /// Modes that the hammer excited below the band, ascending: those in the margin of lines(), and further ones fitted to
-  /// a few hits. Empty without modes in the band.
+  /// Modes that the hammer excited below the band, ascending: those in the margin of lines(), and further ones fitted
+  /// to a few hits. Empty without modes in the band.
   const std::vector<identify::Mode>& modes_below() const;
   /// The orders of a tube among modes_below(), by two sensors.
   const identify::LowerOrders& lower_orders() const;

@@ -104,9 +104,9 @@ void require_different_points(const Analysis& analysis, const NodeScan& scan) {
     if (largest > 0) most = std::max(most, (*high - *low) / largest);
   }
   if (scan.modes.empty() || most > kMinDifference) return;
-  throw InputError(fmt::format("all positions have the same response within {:.1g} %: the hits are at one point",
-                               100 * most),
-                   analysis.record().source(), "give a record with hits at every position", {"positions"});
+  throw InputError(
+      fmt::format("all positions have the same response within {:.1g} %: the hits are at one point", 100 * most),
+      analysis.record().source(), "give a record with hits at every position", {"positions"});
 }
 
 }  // namespace
@@ -142,10 +142,10 @@ NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, do
   const MeasuredPoints measured = measured_points(analysis, positions, scan.warnings);
   const bool enough = measured.point.size() >= kMinPoints;
   if (!enough) {
-    scan.warnings.push_back(with_remedy(
-        {"few_points", fmt::format("only {} position{} usable hits: no node can be located", measured.point.size(),
-                                   measured.point.size() == 1 ? " has" : "s have")},
-        "measure three positions or more"));
+    scan.warnings.push_back(
+        with_remedy({"few_points", fmt::format("only {} position{} usable hits: no node can be located",
+                                               measured.point.size(), measured.point.size() == 1 ? " has" : "s have")},
+                    "measure three positions or more"));
   }
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     if (analysis.classifications()[m].family == identify::ModeType::hoop) continue;

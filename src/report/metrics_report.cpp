@@ -144,8 +144,7 @@ CommandReport metrics_report(const metrics::BatReadings& readings, const BatProf
   json["equation"] = std::move(equation);
   json["profile"] = profile_json(profile, metrics);
   json["warnings"] = Json::array();
-  for (const metrics::MetricsWarning& warning : warnings)
-    json["warnings"].push_back(warning_json(warning));
+  for (const metrics::MetricsWarning& warning : warnings) json["warnings"].push_back(warning_json(warning));
   report.json = json.dump(2) + "\n";
   report.text = text_of_metrics(lines, metrics, warnings);
   return report;

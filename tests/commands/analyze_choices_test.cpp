@@ -183,7 +183,8 @@ TEST_F(AnalyzeChoices, SeparatesFilesOfDifferentStructures) {
   EXPECT_THAT(run_percuss(words).out, HasSubstr("analyse each file as a test of its own (--files)"));
   words.insert(words.end() - 2, {"-o", folder_->file("mixed.html")});
   words.resize(words.size() - 2);
-  EXPECT_THAT(run_percuss(words).err, AllOf(HasSubstr("measured different structures or points"), HasSubstr("--files")));
+  EXPECT_THAT(run_percuss(words).err,
+              AllOf(HasSubstr("measured different structures or points"), HasSubstr("--files")));
 }
 
 TEST_F(AnalyzeChoices, StopAnAnalysisBeyondItsBudget) {

@@ -122,8 +122,7 @@ TEST(AsScan, RefusesAnotherNumberOfPoints) {
 TEST(NodeScan, RefusesPositionsThatContradictTheGeometry) {
   const Analysis analysis(synth::synthesise(scan_spec("wood-bat", 0)).record, {.band_Hz = std::pair{60.0, 1500.0}});
   const ScanPositions millimetres{.start_m = 3e-3, .step_m = 0.25e-3, .count = 25};
-  const std::string message =
-      test::input_error_of([&] { scan_nodes(analysis, millimetres, kMinimum_in * kInch_m); });
+  const std::string message = test::input_error_of([&] { scan_nodes(analysis, millimetres, kMinimum_in * kInch_m); });
   EXPECT_THAT(message, testing::HasSubstr("the positions span 6 mm, but the record's geometry"));
 }
 
@@ -134,8 +133,7 @@ TEST(NodeScan, RefusesHitsAtOnePoint) {
   acquire::Record record = synth::synthesise(spec).record;
   record.geometry.clear();
   const Analysis analysis(as_scan(std::move(record), five), {.band_Hz = std::pair{60.0, 1500.0}});
-  const std::string message =
-      test::input_error_of([&] { scan_nodes(analysis, five, kMinimum_in * kInch_m, true); });
+  const std::string message = test::input_error_of([&] { scan_nodes(analysis, five, kMinimum_in * kInch_m, true); });
   EXPECT_THAT(message, testing::HasSubstr("the hits are at one point"));
 }
 

@@ -76,7 +76,7 @@ std::string text_of(const CalibrateFlags& flags, const acquire::Record& record,
 void require_uncalibrated(const CalibrateFlags& flags, const acquire::Record& record,
                           const acquire::Calibration& calibration) {
   const auto unit = parse_unit(record.force.unit);
-  const bool stated = !flags.read.force_unit.empty() || !flags.read.force_scale.empty() ||
+  const bool stated = !flags.read.options.force_unit.empty() || !flags.read.options.force_scale.empty() ||
                       flags.read.force_sensitivity_mV_per_N.has_value() || !flags.read.setup_path.empty();
   if (stated || !unit || unit->quantity != Quantity::force) return;
   throw InputError(fmt::format("the force channel {} is in {} already; by this mass, 1 N of the file is {} N",

@@ -15,7 +15,7 @@ constexpr double kSplitSpacing = 0.15;       // relative; bats: 25 Hz above 100 
 constexpr double kMinLoneProbability = 0.9;  // below it the second type is stated
 constexpr double kMinRivalProbability = 0.03;
 constexpr double kMinTubeEvidence = -2.3;  // logarithm: another object is less than ten times as likely
-constexpr double kMaxOutOfPhase = 0.4;  // RatioAngle::out_of_phase above which the shape is not real
+constexpr double kMaxOutOfPhase = 0.4;     // RatioAngle::out_of_phase above which the shape is not real
 
 struct Ratio {
   Complex value;

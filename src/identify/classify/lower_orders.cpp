@@ -47,9 +47,9 @@ LowerOrders lower_orders(const std::vector<Mode>& below, const std::vector<ModeC
   const auto lower = [&](ModeType family) {
     return frequencies_Hz(below, below_types, family, kMinConfidence, options);
   };
-  return {.bending = lower_bending(lower(ModeType::bending),
-                                   frequencies_Hz(found, types, ModeType::bending, 0, options)),
-          .hoop = static_cast<int>(lower(ModeType::hoop).size())};
+  return {
+      .bending = lower_bending(lower(ModeType::bending), frequencies_Hz(found, types, ModeType::bending, 0, options)),
+      .hoop = static_cast<int>(lower(ModeType::hoop).size())};
 }
 
 }  // namespace percuss::identify

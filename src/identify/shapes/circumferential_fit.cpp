@@ -163,8 +163,8 @@ void fit_arcs(const std::vector<Ring>& rings, double spacing_rad, Circumferentia
   constexpr double kBelowHalfWave = 0.25;
   out.arc = true;
   out.angles = static_cast<std::size_t>(std::lround(2 * std::numbers::pi / spacing_rad));
-  out.highest = std::min(kMaxCircumferentialOrder,
-                         static_cast<int>(std::floor(std::numbers::pi / spacing_rad - kBelowHalfWave)));
+  out.highest =
+      std::min(kMaxCircumferentialOrder, static_cast<int>(std::floor(std::numbers::pi / spacing_rad - kBelowHalfWave)));
   out.rings.assign(rings.size(), {});
   bool all = out.highest > 0;
   for (std::size_t r = 0; r < rings.size() && all; ++r) all = fit_orders_alone(rings[r], out.highest, out.rings[r]);

@@ -31,7 +31,8 @@ std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options 
 
 /// The node by the rule of thumb of [8], section 3.6: the position of the minimum of the mode's peak, rounded to
 /// `resolution_m`. The minimum is the bottom of the V of |shape| between the lowest point and its lower neighbour.
-/// Nothing for fewer than three points, where the lowest point has more than half of the largest peak, or where the lowest point is at an end and the peak still falls towards it.
+/// Nothing for fewer than three points, where the lowest point has more than half of the largest peak, or where the
+/// lowest point is at an end and the peak still falls towards it.
 std::optional<double> minimum_of_peak(std::span<const double> position_m, std::span<const double> peak,
                                       double resolution_m);
 

@@ -39,28 +39,58 @@ void add_if_implausible(const Check& check, std::vector<MetricsWarning>& out) {
   if (value >= check.low && value <= check.high) return;
   const char* const blank = *check.unit == '\0' ? "" : " ";
   out.push_back({.code = "implausible_value",
-                 .message = fmt::format("{} of {:.4g}{}{} is implausible: the usual range is {:.4g} to {:.4g}{}{}; {}; {}",
-                                        check.what, value, blank, check.unit, check.low, check.high, blank, check.unit,
-                                        check.why, check.remedy),
+                 .message = fmt::format(
+                     "{} of {:.4g}{}{} is implausible: the usual range is {:.4g} to {:.4g}{}{}; {}; {}", check.what,
+                     value, blank, check.unit, check.low, check.high, blank, check.unit, check.why, check.remedy),
                  .options = check.options,
                  .remedy = check.remedy,
                  .severity = MetricsSeverity::reject});
 }
 
 void check_bat(const BatReadings& r, std::vector<MetricsWarning>& out) {
-  add_if_implausible({"a length", "in", r.length_m, kInch_m, kMinLength_in, kMaxLength_in, "bats are not that long or short",
-                      "state it in inches", {"length_in"}}, out);
-  add_if_implausible({"a weight", "oz", r.mass_kg, kOunce_kg, kMinWeight_oz, kMaxWeight_oz,
-                      "bats are not that light or heavy", "state it in ounces", {"weight_oz"}}, out);
+  add_if_implausible({"a length",
+                      "in",
+                      r.length_m,
+                      kInch_m,
+                      kMinLength_in,
+                      kMaxLength_in,
+                      "bats are not that long or short",
+                      "state it in inches",
+                      {"length_in"}},
+                     out);
+  add_if_implausible({"a weight",
+                      "oz",
+                      r.mass_kg,
+                      kOunce_kg,
+                      kMinWeight_oz,
+                      kMaxWeight_oz,
+                      "bats are not that light or heavy",
+                      "state it in ounces",
+                      {"weight_oz"}},
+                     out);
   if (r.cg_m && r.length_m) {
     const double length_in = r.length_m->value() / kInch_m;
-    add_if_implausible({"a balance point", "in from the tip", r.cg_m, kInch_m, kMinBalance * length_in,
-                        kMaxBalance * length_in, "the barrel is the heavier half",
-                        "measure it from the tip of the barrel, not from the knob", {"cg_in"}}, out);
+    add_if_implausible({"a balance point",
+                        "in from the tip",
+                        r.cg_m,
+                        kInch_m,
+                        kMinBalance * length_in,
+                        kMaxBalance * length_in,
+                        "the barrel is the heavier half",
+                        "measure it from the tip of the barrel, not from the knob",
+                        {"cg_in"}},
+                       out);
   }
-  add_if_implausible({"a period", "s", r.period_s, 1, kMinPeriod_s, kMaxPeriod_s,
+  add_if_implausible({"a period",
+                      "s",
+                      r.period_s,
+                      1,
+                      kMinPeriod_s,
+                      kMaxPeriod_s,
                       "a bat that swings about the pivot behaves as a pendulum of 0.25 to 1 m",
-                      "state seconds for a whole swing to and fro", {"period_s", "gate_times_s"}}, out);
+                      "state seconds for a whole swing to and fro",
+                      {"period_s", "gate_times_s"}},
+                     out);
 }
 
 void check_moi(const BatReadings& r, const BatMetrics& m, std::vector<MetricsWarning>& out) {
@@ -79,39 +109,80 @@ void check_moi(const BatReadings& r, const BatMetrics& m, std::vector<MetricsWar
   add_if_implausible({"a moment of inertia", "oz in²", m.moi_kgm2, kOunceInch2_kgm2, low, high, why,
                       r.moi_kgm2 ? "state it in oz in² about the pivot"
                                  : "check period, weight and balance point, which is measured from the tip",
-                      options}, out);
+                      options},
+                     out);
 }
 
 void check_shot(const BatReadings& r, std::vector<MetricsWarning>& out) {
-  add_if_implausible({"a ball", "g", r.ball_kg, 1e-3, kMinBall_g, kMaxBall_g,
-                      "baseballs weigh 142 to 149 g, softballs up to 200 g", "state it in grams", {"ball_g"}}, out);
+  add_if_implausible({"a ball",
+                      "g",
+                      r.ball_kg,
+                      1e-3,
+                      kMinBall_g,
+                      kMaxBall_g,
+                      "baseballs weigh 142 to 149 g, softballs up to 200 g",
+                      "state it in grams",
+                      {"ball_g"}},
+                     out);
   const double far_in = r.length_m ? kMaxLocation * r.length_m->value() / kInch_m : kMaxLocation_in;
-  add_if_implausible({"an impact", "in from the tip", r.z_m, kInch_m, 0, far_in, "bats are struck on the barrel",
-                      "measure it from the tip of the barrel, not from the knob", {"z_in"}}, out);
+  add_if_implausible({"an impact",
+                      "in from the tip",
+                      r.z_m,
+                      kInch_m,
+                      0,
+                      far_in,
+                      "bats are struck on the barrel",
+                      "measure it from the tip of the barrel, not from the knob",
+                      {"z_in"}},
+                     out);
   const double mph = kMilePerHour_mps;
-  add_if_implausible({"an inbound speed", "mph", r.in_mps, mph, kMinInbound_mph, kMaxInbound_mph,
-                      "cannons and pitchers throw no slower and no faster", "state it in mph", {"v_in_mph"}}, out);
+  add_if_implausible({"an inbound speed",
+                      "mph",
+                      r.in_mps,
+                      mph,
+                      kMinInbound_mph,
+                      kMaxInbound_mph,
+                      "cannons and pitchers throw no slower and no faster",
+                      "state it in mph",
+                      {"v_in_mph"}},
+                     out);
   if (r.out_mps && r.in_mps) {
-    add_if_implausible({"a rebound speed", "mph", r.out_mps, mph, 0, kMaxRatio * r.in_mps->value() / mph,
+    add_if_implausible({"a rebound speed",
+                        "mph",
+                        r.out_mps,
+                        mph,
+                        0,
+                        kMaxRatio * r.in_mps->value() / mph,
                         "the ball leaves a bat at rest backwards, with at most half of its speed",
                         "state both speeds in mph, the rebound positive away from the bat",
-                        {"v_out_mph", "v_in_mph"}}, out);
+                        {"v_out_mph", "v_in_mph"}},
+                       out);
   }
-  add_if_implausible({"a swing speed", "mph", r.swing_mps, mph, kMinSwing_mph, kMaxSwing_mph,
-                      "players do not swing slower or faster", "state it in mph", {"v_swing_mph"}}, out);
+  add_if_implausible({"a swing speed",
+                      "mph",
+                      r.swing_mps,
+                      mph,
+                      kMinSwing_mph,
+                      kMaxSwing_mph,
+                      "players do not swing slower or faster",
+                      "state it in mph",
+                      {"v_swing_mph"}},
+                     out);
 }
 
 void check_performance(const BatReadings& r, const BatMetrics& m, std::vector<MetricsWarning>& out) {
   const char* const readings = "check the readings that it follows from";
   const std::vector<OptionId> speeds{"v_in_mph", "v_out_mph", "ball_g", "z_in"};
   if (m.besr && !r.bbcor) {
-    add_if_implausible({"a BESR", "", m.besr, 1, kMinBesr, kMaxBesr,
-                        "it is one half and the ratio of rebound to inbound speed", r.besr ? "state it as a ratio" : readings,
-                        r.besr ? std::vector<OptionId>{"besr"} : speeds}, out);
+    add_if_implausible(
+        {"a BESR", "", m.besr, 1, kMinBesr, kMaxBesr, "it is one half and the ratio of rebound to inbound speed",
+         r.besr ? "state it as a ratio" : readings, r.besr ? std::vector<OptionId>{"besr"} : speeds},
+        out);
   }
   add_if_implausible({"a BBCOR", "", m.bbcor, 1, kMinBbcor, kMaxBbcor,
                       "rules limit it to 0.5, and above 1 the impact would create energy",
-                      r.bbcor ? "state it as a ratio" : readings, r.bbcor ? std::vector<OptionId>{"bbcor"} : speeds}, out);
+                      r.bbcor ? "state it as a ratio" : readings, r.bbcor ? std::vector<OptionId>{"bbcor"} : speeds},
+                     out);
 }
 
 }  // namespace

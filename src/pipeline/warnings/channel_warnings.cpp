@@ -54,12 +54,12 @@ std::vector<Warning> channel_warnings(const acquire::Record& record, const std::
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     const double step = coarsest_step(hits, c);
     if (!(step > 0)) continue;
-    out.push_back(with_remedy(
-        {"coarse_steps",
-         fmt::format("{} is quantised in steps of {:.2g} % of its largest response, larger than its noise: "
-                     "modes may be off by more than their ±, and weak ones may be artefacts",
-                     one_line(record.accel[c].name, kMaxNameBytes), 100 * step)},
-        "use the recorder's full range and resolution"));
+    out.push_back(
+        with_remedy({"coarse_steps",
+                     fmt::format("{} is quantised in steps of {:.2g} % of its largest response, larger than its noise: "
+                                 "modes may be off by more than their ±, and weak ones may be artefacts",
+                                 one_line(record.accel[c].name, kMaxNameBytes), 100 * step)},
+                    "use the recorder's full range and resolution"));
   }
   return out;
 }

@@ -33,12 +33,12 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
     return deflection->method == metrics::DeflectionMethod::drift_free && !deflection->held;
   });
   if (drifts && !test.free_body) {
-    out.push_back(with_remedy(
-        {"drift",
-         "the structure does not return to its rest position, or the record is too short to show that it "
-         "does: late deflections drift as their ± states",
-         {"method", "free_body"}},
-        "choose the method modal, which does not drift, or state that the body is free"));
+    out.push_back(
+        with_remedy({"drift",
+                     "the structure does not return to its rest position, or the record is too short to show that it "
+                     "does: late deflections drift as their ± states",
+                     {"method", "free_body"}},
+                    "choose the method modal, which does not drift, or state that the body is free"));
   }
   return ranked(std::move(out));
 }

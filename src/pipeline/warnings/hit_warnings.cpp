@@ -71,9 +71,9 @@ std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits) {
                                        [](const acquire::ResponseGrade& grade) { return grade.rings_before; });
   });
   if (!rings) return {};
-  return {with_remedy({"not_at_rest",
-                       "the structure was still ringing before a hit: the damping may be off by more than its ±"},
-                      "wait longer between hits")};
+  return {with_remedy(
+      {"not_at_rest", "the structure was still ringing before a hit: the damping may be off by more than its ±"},
+      "wait longer between hits")};
 }
 
 }  // namespace percuss::pipeline

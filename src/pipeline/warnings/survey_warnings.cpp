@@ -111,11 +111,11 @@ void warn_of_partners(const SurveyResults& survey, std::vector<Warning>& out) {
         "add a sensor half way between these nodes"));
   }
   if (!unknown.empty()) {
-    out.push_back(with_remedy(
-        {"sensor_on_node",
-         pairs + unknown + "; the partner may have the same frequency, or the sensor may sit on its node",
-         {"angle"}},
-        "state the sensor's angle to check that"));
+    out.push_back(
+        with_remedy({"sensor_on_node",
+                     pairs + unknown + "; the partner may have the same frequency, or the sensor may sit on its node",
+                     {"angle"}},
+                    "state the sensor's angle to check that"));
   }
 }
 
@@ -191,11 +191,10 @@ bool noise_alone(const identify::SynthesisedFrf& frf) {
 std::vector<Warning> survey_warnings(const SurveyResults& survey) {
   std::vector<Warning> out;
   if (!survey.has_geometry) {
-    out.push_back(
-        with_remedy({"no_geometry",
-                     "the positions of the points are not known, so shapes cannot name modes",
-                     {"geometry", "survey.example"}},
-                    "state the geometry, or print an example of it"));
+    out.push_back(with_remedy({"no_geometry",
+                               "the positions of the points are not known, so shapes cannot name modes",
+                               {"geometry", "survey.example"}},
+                              "state the geometry, or print an example of it"));
   }
   warn_of_nodes(survey, out);
   warn_of_partners(survey, out);

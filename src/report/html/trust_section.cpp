@@ -47,9 +47,9 @@ std::string trust_section(const std::vector<pipeline::Warning>& warnings,
                           const std::vector<pipeline::AnalysedHit>& hits) {
   std::string items;
   for (const pipeline::Warning& one : pipeline::trust_statements(warnings, hits)) items += statement_html(one);
-  const std::string content =
-      items.empty() ? page_paragraph("Nothing was found that puts the results or their ± in doubt.")
-                    : "<ol class=\"warnings trust\" aria-label=\"Warnings\">\n" + items + "</ol>\n";
+  const std::string content = items.empty()
+                                  ? page_paragraph("Nothing was found that puts the results or their ± in doubt.")
+                                  : "<ol class=\"warnings trust\" aria-label=\"Warnings\">\n" + items + "</ol>\n";
   return page_section("trust", "How far can this test be trusted?", content);
 }
 

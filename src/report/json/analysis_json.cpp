@@ -61,8 +61,7 @@ Json inputs_json(const pipeline::Analysis& analysis) {
 
 Json warnings_json(const std::vector<pipeline::Warning>& warnings) {
   Json json = Json::array();
-  for (const pipeline::Warning& warning : warnings)
-    json.push_back(warning_json(warning));
+  for (const pipeline::Warning& warning : warnings) json.push_back(warning_json(warning));
   return json;
 }
 

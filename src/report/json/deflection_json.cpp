@@ -58,8 +58,7 @@ std::string deflection_json(const pipeline::Analysis& analysis, const pipeline::
         {{"index", speed.hit}, {"speed_mps", speed.speed_mps}, {"speed_std_mps", speed.std_mps}});
   }
   json["warnings"] = Json::array();
-  for (const pipeline::Warning& warning : test.warnings)
-    json["warnings"].push_back(warning_json(warning));
+  for (const pipeline::Warning& warning : test.warnings) json["warnings"].push_back(warning_json(warning));
   return indented_text(json) + "\n";
 }
 
