@@ -9,8 +9,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::size_t kPlanes = 45;  // 2° apart over 90°
-constexpr double kPriors = 2.05;     // of bending, hoop and the others; RatioLikelihood::other() includes its own
+constexpr std::size_t kTubePlanes = 45;  // 2° apart over 90°
+constexpr double kPriors = 2.05;         // of bending, hoop and the others; RatioLikelihood::other() includes its own
 
 // Logarithm of the likelihood over that of any ratio, for one plane and one placement of the sensors.
 double log_factor(const std::vector<RatioAngle>& ratios, const RatioLikelihood& likelihood, double plane_rad,
@@ -31,9 +31,9 @@ double log_tube_evidence(const std::vector<RatioAngle>& ratios, const RatioLikel
   std::vector<double> logs;
   double weights = 0;
   for (std::size_t e = 0; e < RatioLikelihood::kPlacements; ++e) {
-    weights += kPlanes * RatioLikelihood::weight_of(e);
-    for (std::size_t p = 0; p < kPlanes; ++p) {
-      const double plane_rad = pi / 2 * static_cast<double>(p) / kPlanes;
+    weights += kTubePlanes * RatioLikelihood::weight_of(e);
+    for (std::size_t p = 0; p < kTubePlanes; ++p) {
+      const double plane_rad = pi / 2 * static_cast<double>(p) / kTubePlanes;
       logs.push_back(log_factor(ratios, likelihood, plane_rad, e) + std::log(RatioLikelihood::weight_of(e)));
     }
   }

@@ -86,10 +86,63 @@ TEST(SplitMode, OfThreeTakesTheFirstTwo) {
   EXPECT_FALSE(found[2].split_mode);
 }
 
-TEST(SplitMode, IsFoundWithoutSensors) {
-  const auto found = classify({hoop(1900), hoop(1912)}, std::nullopt, {std::nullopt, std::nullopt});
+TEST(SplitMode, NeedsATube) {
+  const std::vector<Mode> modes{hoop(1900), hoop(1912)};
+  const std::vector<std::optional<double>> unknown(2);
+  EXPECT_FALSE(classify(modes, std::nullopt, unknown)[0].split_mode);
+  const auto found = classify(modes, std::nullopt, unknown, {.object = ObjectKind::tube});
   ASSERT_TRUE(found[0].split_mode);
   EXPECT_TRUE(found[0].split_mode->first);
+  EXPECT_FALSE(classifications(modes, {.object = ObjectKind::other})[0].split_mode);
+}
+
+TEST(Object, OtherHasNoTypes) {
+  for (const ModeClassification& one :
+       classifications({bending(169), bending(575), hoop(1900)}, {.object = ObjectKind::other})) {
+    EXPECT_EQ(one.family, ModeType::unknown);
+    EXPECT_EQ(one.order, 0);
+    EXPECT_FALSE(one.ratio);
+  }
+}
+
+// Ratios of a plate: none repeats.
+std::vector<Mode> plate() {
+  std::vector<Mode> modes;
+  for (const double chi_deg : {-80.0, -62.0, 12.0, 70.0, -20.0, 41.0, -8.0, 55.0}) {
+    const double chi = chi_deg * std::numbers::pi / 180;
+    modes.push_back(mode_at(200 + 150 * static_cast<double>(modes.size()), std::cos(chi), std::sin(chi)));
+  }
+  return modes;
+}
+
+TEST(Object, IsJudgedByTheModesWhereAnglesAreAssumed) {
+  const ClassifyOptions assumed{.angles_assumed = true};
+  const auto tube = classifications({bending(169), bending(575), hoop(1300), bending(1800), hoop(2650)}, assumed);
+  EXPECT_EQ(orders_of(tube), (std::vector<int>{1, 2, 1, 3, 2}));
+  for (const ModeClassification& one : classifications(plate(), assumed)) {
+    EXPECT_EQ(one.family, ModeType::unknown);
+    EXPECT_EQ(one.order, 0);
+  }
+  EXPECT_TRUE(classifications(plate())[0].ratio) << "stated angles mean a tube";
+  EXPECT_TRUE(classifications(plate(), {.object = ObjectKind::tube, .angles_assumed = true})[0].ratio);
+}
+
+// The modes below the band, of the types that their ratios show.
+LowerOrders lower(const std::vector<Mode>& below, const std::vector<Mode>& found) {
+  return lower_orders(below, classifications(below), found, classifications(found), {});
+}
+
+TEST(LowerOrders, CountModesBelowTheBand) {
+  EXPECT_EQ(lower({bending(169)}, {bending(575), bending(1150)}).bending, 1);
+  EXPECT_EQ(lower({bending(169), bending(172, -2.5), bending(575)}, {bending(1150), bending(1900)}).bending, 2);
+  EXPECT_EQ(lower({bending(169), bending(575), hoop(1300)}, {bending(1900), hoop(2650)}).hoop, 1);
+  EXPECT_EQ(lower({}, {bending(575)}).bending, 0);
+}
+
+TEST(LowerOrders, LeaveOutMotionOnTheSuspensionAndHum) {
+  EXPECT_EQ(lower({bending(12)}, {bending(169), bending(575)}).bending, 0);
+  EXPECT_EQ(lower({bending(50)}, {bending(169), bending(575)}).bending, 0);
+  EXPECT_EQ(lower({bending(20), bending(169)}, {bending(575), bending(1150)}).bending, 1);
 }
 
 TEST(Order, CountsFromOneWithinEachType) {

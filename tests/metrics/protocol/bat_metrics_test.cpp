@@ -127,7 +127,52 @@ TEST(BatMetrics, WarnsOfInconsistentConstants) {
   r.swing.exponent = 0.5;
   r.mass_kg = 20 * kOunce_kg;
   r.out_mps = 200;
-  EXPECT_THAT(codes(), testing::ElementsAre("swing_exponent", "drop_class", "rebound_speed"));
+  EXPECT_THAT(codes(), testing::IsSupersetOf({"swing_exponent", "drop_class", "rebound_speed"}));
+}
+
+std::string implausible(const BatReadings& r) {
+  std::string all;
+  for (const auto& warning : metrics_warnings(r, bat_metrics(r))) {
+    if (warning.code == "implausible_value") all += warning.message + "\n";
+  }
+  return all;
+}
+
+TEST(BatMetrics, NamesImplausibleValues) {
+  using testing::AllOf;
+  using testing::HasSubstr;
+  BatReadings r;
+  r.length_m = 33 * kInch_m;
+  r.mass_kg = 30 * kOunce_kg;
+  r.cg_m = 20 * kInch_m;  // from the knob
+  r.period_s = 1.255;
+  EXPECT_THAT(implausible(r), AllOf(HasSubstr("a balance point of 20 in from the tip"), HasSubstr("not from the knob"),
+                                    HasSubstr("a moment of inertia of 3237 oz in² is implausible")));
+  r.cg_m = 12.5 * kInch_m;
+  r.period_s = 1.485;
+  EXPECT_EQ(implausible(r), "");
+  r.period_s = 1250;
+  EXPECT_THAT(implausible(r), HasSubstr("a period of 1250 s is implausible: the usual range is 1 to 2 s"));
+  BatReadings shot;
+  for (const double bbcor : {1.08, 1023.0}) {
+    shot.bbcor = bbcor;
+    EXPECT_THAT(implausible(shot), AllOf(HasSubstr("a BBCOR of"), HasSubstr("0.25 to 0.8"), HasSubstr("energy")));
+  }
+  shot.bbcor = 0.497;
+  EXPECT_EQ(implausible(shot), "");
+  shot.in_mps = 60;
+  shot.out_mps = -14;
+  EXPECT_THAT(implausible(shot), HasSubstr("a rebound speed of -31.32 mph is implausible"));
+}
+
+TEST(BatMetrics, PutsImplausibleValuesFirst) {
+  BatReadings r = readings_of({}, 0);
+  r.period_s = 1250;
+  const auto warnings = metrics_warnings(r, bat_metrics(r));
+  ASSERT_GE(warnings.size(), 2U);
+  EXPECT_EQ(warnings.front().severity, MetricsSeverity::reject);
+  EXPECT_NE(warnings.front().remedy, "");
+  EXPECT_EQ(warnings.back().severity, MetricsSeverity::info);
 }
 
 }  // namespace percuss::metrics::bat_metrics_test

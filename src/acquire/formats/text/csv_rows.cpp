@@ -171,7 +171,7 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
     throw InputError("no sampling rate: no time column and no line that states it", file, "state it in Hz", {"fs"});
   }
   if (!stamped) refuse_stamps(table, time.index, rows, problem);
-  require_plausible_unit(time, header, stamped->fs_Hz, file);
+  if (!guessed) require_plausible_unit(time, header, stamped->fs_Hz, file);
   if (guessed)
     notes.emplace_back(fmt::format("the first column ({}) rises evenly and is taken as time in s", time.name));
   return checked_rate_Hz(agreed_rate_Hz(header, *stamped, time, file, notes), file + ": time column");

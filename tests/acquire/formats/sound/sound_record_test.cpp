@@ -111,6 +111,15 @@ TEST_F(SoundRecord, IsCalibratedByOptions) {
   EXPECT_TRUE(record.notes.empty());
 }
 
+TEST_F(SoundRecord, SaysThatFullScaleIsTakenAsOneVolt) {
+  ReadOptions options = kHammerOnOne;
+  options.force_sensitivity_V_per_N = 0.01;
+  options.accel_sensitivity_V_per_mps2 = {0.01};
+  const Record record = opened(wav({}, integers({1 << 14, 1 << 14, 0, 0}, 2)), options);
+  EXPECT_THAT(force_N(record), ElementsAre(50, 0));
+  EXPECT_THAT(test::texts(record.notes), Contains(HasSubstr("full scale is taken as 1 V")));
+}
+
 TEST_F(SoundRecord, IsCalibratedByItsChunk) {
   const std::string chunk = calibration_chunk(
       R"({"fs_hz": 999.5, "signals": [{"name": "hammer", "measures": "force", "si_at_full_scale": 2048},)"

@@ -11,6 +11,7 @@ namespace percuss::acquire::csv_rows_test {
 
 using test::csv_record;
 using test::input_error_of;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -102,6 +103,15 @@ TEST(CsvRate, TakesAFirstColumnThatRisesEvenlyAsTimeWithANote) {
   const Record record = csv_record("CH No.,force_N,acc_g\n0,1,2\n0.02,1,2\n0.04,1,2\n");
   EXPECT_EQ(record.fs_Hz, 50);
   EXPECT_THAT(test::texts(record.notes), ElementsAre(HasSubstr("CH No.")));
+}
+
+TEST(CsvRate, AsksForTheUnitOfASlowTime) {
+  const std::string text = lines_at("Time,force_N,acc_g\n", 0.0390625, 20, ",1,2\n");  // 25600 Hz in ms
+  EXPECT_THAT(input_error_of([&] { csv_record(text); }),
+              AllOf(HasSubstr("25.6 Hz in seconds and 25600 Hz in milliseconds"), HasSubstr("Time (ms)")));
+  EXPECT_THAT(test::options_of_error([&] { csv_record(text); }), ElementsAre("fs"));
+  EXPECT_NEAR(csv_record(lines_at("Time (ms),force_N,acc_g\n", 0.0390625, 20, ",1,2\n")).fs_Hz, 25600, 1);
+  EXPECT_EQ(csv_record(lines_at("Time,force_N,acc_g\n", 0.001, 20, ",1,2\n")).fs_Hz, 1000);
 }
 
 TEST(CsvRate, NamesTheLineWhereTimeIsUneven) {

@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+"""real_structures.py [--data FOLDER] [--measured FOLDER] [--outcomes JSON] [--percuss TOOL] DOCS
+
+Measures percuss on measured structures and on simulated imperfect tests. Rewrites the section "On real structures" of
+DOCS/accuracy.md and the section "Imperfect tests" of DOCS/stress.md; the other sections stay. The ordinary build and
+the other documents need none of these data.
+
+  --data      folder with a folder per measured set: independent.json (reference modes), and the records if free
+  --measured  folder with the sets that come from public repositories: violin_back, spruce_plates (CSV)
+  --outcomes  outcomes of the imperfect tests: the JSON file that score_reality.py writes
+  --percuss   the tool (default: build/release/tools/percuss)
+"""
+import argparse
+import collections
+import glob
+import json
+import os
+import re
+import statistics
+import subprocess
+import tempfile
+
+NEAR = 0.01  # relative: a mode found at a reference frequency
+CSV = ['--fs', '48000', '--unit', 'g', '--force-unit', 'N', '--quiet']
+OUTCOMES = ['right', 'fair', 'named', 'warned', 'refused', 'UNNAMED', 'SILENT']
+
+
+def percuss(tool, *words):
+    """The JSON document of a command; nothing where it was refused."""
+    result = subprocess.run([tool, *words, '--json'], capture_output=True, text=True, check=False)
+    return json.loads(result.stdout) if result.stdout.startswith('{') else None
+
+
+def frequencies(reference):
+    """The reference frequencies in any of the forms of independent.json."""
+    return [m[0] if isinstance(m, list) else m.get('f_sdof') or m['f_lscf'] for m in reference]
+
+
+def found(modes, reference):
+    """How many reference modes were found, each by a mode of its own, and how many modes are beyond them."""
+    left = sorted(m['frequency_hz'] for m in modes)
+    count = 0
+    for hz in reference:
+        best = min(left, key=lambda f: abs(f - hz), default=None)
+        if best is not None and abs(best - hz) <= NEAR * hz:
+            left.remove(best)
+            count += 1
+    return count, len(left)
+
+
+def scatter(document):
+    """Deviations of the single hits' modes from their mean over their standard deviations: frequency, damping."""
+    of_mode = collections.defaultdict(list)
+    for one in document.get('modes_per_hit', []):
+        of_mode[one['mode']].append(one)
+    out = {'frequency_hz': [], 'damping_ratio': []}
+    for hits in of_mode.values():
+        for key, values in out.items():
+            x = [h[key] for h in hits]
+            s = [h[key.replace('_hz', '_std_hz') if '_hz' in key else key + '_std'] for h in hits]
+            if len(x) > 2 and min(s) > 0:
+                shrink = (1 - 1 / len(x)) ** 0.5
+                values += [abs(v - statistics.fmean(x)) / (d * shrink) for v, d in zip(x, s)]
+    return out
+
+
+def pairs(one, other):
+    """|z| of the modes of two halves of a test that are nearest to each other."""
+    z = []
+    for m in one['modes']:
+        n = min(other['modes'], key=lambda k: abs(k['frequency_hz'] - m['frequency_hz']), default=None)
+        if n is None or abs(n['frequency_hz'] - m['frequency_hz']) > NEAR * m['frequency_hz']:
+            continue
+        std = (m['frequency_std_hz'] ** 2 + n['frequency_std_hz'] ** 2) ** 0.5
+        z.append(abs(m['frequency_hz'] - n['frequency_hz']) / std)
+    return z
+
+
+def spread(values):
+    """Median, and the part below 3."""
+    if not values:
+        return '–'
+    return '%.2g; %.0f %% below 3' % (statistics.median(values), 100 * sum(v < 3 for v in values) / len(values))
+
+
+def row(name, document, reference, z=(), hits=True):
+    """A row of the table of measured sets."""
+    if document is None:
+        return '| %s | refused | | | | |' % name
+    count, beyond = found(document['modes'], reference) if reference else ('–', len(document['modes']))
+    blows = document.get('hits', [])
+    used = '%d of %d' % (sum(h['accepted'] for h in blows), len(blows)) if hits and blows else '–'
+    s = scatter(document)
+    return '| %s | %s of %s; %s more | %s | %s | %s | %s |' % (
+        name, count, len(reference) or '–', beyond, used, spread(s['frequency_hz']), spread(s['damping_ratio']),
+        spread(list(z)))
+
+
+def survey_of_points(tool, folder, work):
+    """The violin back: each point's blows joined to one record; the whole survey and the surveys of two halves."""
+    points = collections.defaultdict(list)
+    for path in sorted(glob.glob(os.path.join(folder, '*_acq_*.csv'))):
+        points[path.rsplit('_acq_', 1)[0]].append(path)
+    files = []
+    for number, blows in enumerate(points.values()):
+        files.append(os.path.join(work, 'p%02d.h5' % number))
+        subprocess.run([tool, 'convert', *blows, *CSV, '--files', 'hits', '-o', files[-1]], check=True)
+    band = ['--band', '100:1500', '--quiet']
+    return [percuss(tool, 'survey', *some, *band) for some in (files, files[::2], files[1::2])]
+
+
+def measured_rows(tool, data, measured):
+    """One row per measured set."""
+    reference = {name: json.load(open(os.path.join(data, name, 'independent.json'), encoding='utf-8'))
+                 for name in ('violin_back', 'spruce_plates', 'pyfrf_5hits', 'modelab_beam', 'plate_9x9')}
+    rows = []
+    with tempfile.TemporaryDirectory() as work:
+        whole, even, odd = survey_of_points(tool, os.path.join(measured, 'violin_back'), work)
+        halves = pairs(even, odd) if even and odd else []
+        rows.append(row('violin back, 27 points', whole, reference['violin_back']['published_hz'], halves))
+    for plate in range(1, 6):
+        files = sorted(glob.glob(os.path.join(measured, 'spruce_plates', 'plate_%d_*.csv' % plate)))
+        document = percuss(tool, 'analyze', *files, *CSV, '--files', 'hits', '--band', '40:450', '--per-hit')
+        known = frequencies(reference['spruce_plates'].get('plate_%d' % plate, []))
+        rows.append(row('spruce plate %d' % plate, document, known))
+    document = percuss(tool, 'analyze', os.path.join(data, 'pyfrf_5hits', 'record.h5'), '--per-hit', '--quiet')
+    rows.append(row('steel part, 5 hits', document, frequencies(reference['pyfrf_5hits']['modes'])))
+    beam = sorted(glob.glob(os.path.join(data, 'modelab_beam', 'Hxysv*.txt')))
+    tests = [percuss(tool, 'survey', *some, '--quiet') for some in (beam, beam[::2], beam[1::2])]
+    z = pairs(tests[1], tests[2]) if tests[1] and tests[2] else []
+    rows.append(row('beam, 9 FRFs', tests[0], frequencies(reference['modelab_beam']['modes']), z, hits=False))
+    document = percuss(tool, 'survey', os.path.join(data, 'plate_9x9', '00A_Ref_1.MAT'), '--df', '0.5', '--band', '20:2200', '--quiet')
+    rows.append(row('plate, 81 FRFs', document, frequencies(reference['plate_9x9']['modes_Ref_1']), hits=False))
+    return rows
+
+
+def outcome_of(result):
+    return 'refused' if result['outcome'].startswith(('refused', 'no modes')) else result['outcome'].split('?')[0]
+
+
+def outcome_counts(results):
+    count = collections.Counter(outcome_of(r) for r in results)
+    return [count[o] for o in OUTCOMES] + [sum(n for o, n in count.items() if o not in OUTCOMES)]
+
+
+def outcome_table(results, by):
+    """Outcomes of the imperfect tests, a row per value of `by`."""
+    groups = collections.defaultdict(list)
+    for result in results:
+        groups[by(result)].append(result)
+    lines = ['| | ' + ' | '.join(OUTCOMES) + ' | other |', '|---|' + '---:|' * (len(OUTCOMES) + 1)]
+    lines += ['| %s | %s |' % (name, ' | '.join(str(n or '') for n in outcome_counts(some)))
+              for name, some in groups.items()]
+    return '\n'.join(lines)
+
+
+def replace_section(path, heading, body, before=None):
+    """Writes a section, in the place of the old one, before another heading or at the end."""
+    with open(path, encoding='utf-8') as page:
+        text = page.read()
+    section = '## %s\n\n%s\n' % (heading, body)
+    old = re.search(r'^## %s\n.*?(?=^## |\Z)' % re.escape(heading), text, re.S | re.M)
+    if old:
+        text = text[:old.start()] + section + ('\n' if old.end() < len(text) else '') + text[old.end():]
+    elif before:
+        text = text.replace('## %s\n' % before, section + '\n## %s\n' % before, 1)
+    else:
+        text = text.rstrip('\n') + '\n\n' + section
+    with open(path, 'w', encoding='utf-8') as page:
+        page.write(text)
+
+
+def accuracy_section(rows, results):
+    text = ['`bench/real_structures.py` measures this section. The reference modes come from independent fits; they are '
+            'another\nestimate, not the truth. "Over σ" is the scatter of single hits over their stated standard '
+            'deviations: the median, and\nthe part below 3. "Halves" compares the modes of every other point with those '
+            'of the rest, over their σ.\n']
+    if rows:
+        text.append('| measured set | reference modes found | blows used | frequency over σ | damping over σ | halves over σ |\n'
+                    '|---|---|---|---|---|---|\n' + '\n'.join(rows) + '\n')
+    if results:
+        text.append('Simulated tests with one imperfection each ([stress.md](stress.md#imperfect-tests)):\n')
+        text.append(outcome_table(results, lambda r: 'all tests') + '\n')
+    return '\n'.join(text).rstrip('\n')
+
+
+def stress_section(results):
+    return ('Each scenario is a hammer test of a tube with one imperfection of real tests, simulated at 16 times the '
+            'sampling rate\nand independently of percuss. right: every clear mode within 3 of its own deviations; fair: '
+            'within 5; named and warned:\noff, and a message names the cause or says that results may be off; refused: '
+            'no modes; UNNAMED: right, but the\nimperfection is not named; SILENT: off without a word. '
+            '`bench/real_structures.py` writes this section.\n\n'
+            + outcome_table(results, lambda r: '%s %s' % (r['scenario'], r['level'])))
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument('docs')
+    options.add_argument('--data')
+    options.add_argument('--measured')
+    options.add_argument('--outcomes')
+    options.add_argument('--percuss', default='build/release/tools/percuss')
+    given = options.parse_args()
+    rows = measured_rows(given.percuss, given.data, given.measured) if given.data and given.measured else []
+    results = json.load(open(given.outcomes, encoding='utf-8')) if given.outcomes else []
+    if rows or results:
+        replace_section(os.path.join(given.docs, 'accuracy.md'), 'On real structures', accuracy_section(rows, results))
+    if results:
+        replace_section(os.path.join(given.docs, 'stress.md'), 'Imperfect tests', stress_section(results), 'Measured')
+
+
+if __name__ == '__main__':
+    main()
