@@ -22,6 +22,17 @@ import tempfile
 
 NEAR = 0.01  # relative: a mode found at a reference frequency
 CSV = ['--fs', '48000', '--unit', 'g', '--force-unit', 'N', '--quiet']
+ABOUT_MEASURED = """\
+`bench/real_structures.py` measures this section. The reference modes come from independent fits; they are another
+estimate, not the truth. "Over σ" is the scatter of single hits over their stated standard deviations: the median, and
+the part below 3. "Halves" compares the modes of every other point with those of the rest, over their σ.
+"""
+ABOUT_SCENARIOS = """\
+Each scenario is a hammer test of a tube with one imperfection of real tests, simulated at 16 times the sampling rate
+and independently of percuss. right: every clear mode within 3 of its own deviations; fair: within 5; named and warned:
+off, and a message names the cause or says that results may be off; refused: no modes; UNNAMED: right, but the
+imperfection is not named; SILENT: off without a word. `bench/real_structures.py` writes this section.
+"""
 OUTCOMES = ['right', 'fair', 'named', 'warned', 'refused', 'UNNAMED', 'SILENT']
 
 
@@ -129,7 +140,8 @@ def measured_rows(tool, data, measured):
     tests = [percuss(tool, 'survey', *some, '--quiet') for some in (beam, beam[::2], beam[1::2])]
     z = pairs(tests[1], tests[2]) if tests[1] and tests[2] else []
     rows.append(row('beam, 9 FRFs', tests[0], frequencies(reference['modelab_beam']['modes']), z, hits=False))
-    document = percuss(tool, 'survey', os.path.join(data, 'plate_9x9', '00A_Ref_1.MAT'), '--df', '0.5', '--band', '20:2200', '--quiet')
+    plate = os.path.join(data, 'plate_9x9', '00A_Ref_1.MAT')
+    document = percuss(tool, 'survey', plate, '--df', '0.5', '--band', '20:2200', '--quiet')
     rows.append(row('plate, 81 FRFs', document, frequencies(reference['plate_9x9']['modes_Ref_1']), hits=False))
     return rows
 
@@ -171,13 +183,11 @@ def replace_section(path, heading, body, before=None):
 
 
 def accuracy_section(rows, results):
-    text = ['`bench/real_structures.py` measures this section. The reference modes come from independent fits; they are '
-            'another\nestimate, not the truth. "Over σ" is the scatter of single hits over their stated standard '
-            'deviations: the median, and\nthe part below 3. "Halves" compares the modes of every other point with those '
-            'of the rest, over their σ.\n']
+    text = [ABOUT_MEASURED]
     if rows:
-        text.append('| measured set | reference modes found | blows used | frequency over σ | damping over σ | halves over σ |\n'
-                    '|---|---|---|---|---|---|\n' + '\n'.join(rows) + '\n')
+        heads = ['measured set', 'reference modes found', 'blows used', 'frequency over σ', 'damping over σ',
+                 'halves over σ']
+        text.append('| ' + ' | '.join(heads) + ' |\n' + '|---' * len(heads) + '|\n' + '\n'.join(rows) + '\n')
     if results:
         text.append('Simulated tests with one imperfection each ([stress.md](stress.md#imperfect-tests)):\n')
         text.append(outcome_table(results, lambda r: 'all tests') + '\n')
@@ -185,12 +195,7 @@ def accuracy_section(rows, results):
 
 
 def stress_section(results):
-    return ('Each scenario is a hammer test of a tube with one imperfection of real tests, simulated at 16 times the '
-            'sampling rate\nand independently of percuss. right: every clear mode within 3 of its own deviations; fair: '
-            'within 5; named and warned:\noff, and a message names the cause or says that results may be off; refused: '
-            'no modes; UNNAMED: right, but the\nimperfection is not named; SILENT: off without a word. '
-            '`bench/real_structures.py` writes this section.\n\n'
-            + outcome_table(results, lambda r: '%s %s' % (r['scenario'], r['level'])))
+    return ABOUT_SCENARIOS + '\n' + outcome_table(results, lambda r: '%s %s' % (r['scenario'], r['level']))
 
 
 def main():
