@@ -19,8 +19,6 @@ constexpr std::size_t kMinQuiet = 12;       // samples of the pre-trigger that g
 constexpr std::size_t kQuietSamples = 256;  // give a standard deviation to 7 %, enough for thresholds
 constexpr double kOnsetNoise = 6;           // standard deviations
 constexpr double kOnsetFraction = 0.02;     // of the largest response
-constexpr double kMaxTravel_s = 0.1;        // from the force to the response; sound crosses any structure by then
-constexpr std::size_t kMaxTravel = 16;      // samples, at low rates
 constexpr std::size_t kMinPush = 4;         // samples of the first motion
 constexpr double kMinOnsetVelocity = 0.25;  // of the largest velocity during two pulses
 // Of the largest velocity, in the opposite direction and earlier. Above this limit the modes cancel at first, and noise
@@ -83,6 +81,8 @@ bool rings_before(const Hit& hit, std::span<const double> accel) {
   return before > kRingingBefore * rms_about_mean(accel.last(window)) && before > kNegligible * start;
 }
 
+constexpr double kMaxTravelPulses = 5, kMaxTravel_s = 0.02;  // the later one: limit of the first motion's delay
+
 // The sign of the velocity once it reaches kMinOnsetVelocity of its largest value. The acceleration itself may be
 // ringing of the anti-alias filter, which has both signs and leaves no velocity.
 int initial_polarity(std::span<const double> accel, double rest, double noise) {
@@ -110,9 +110,10 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
   if (!(level > 0)) return;
   const double onset = hit.onset_s * fs_Hz - static_cast<double>(hit.first);
   auto i = static_cast<std::size_t>(std::max(0.0, std::floor(onset) - 2));
-  const std::size_t last = i + std::max(kMaxTravel, static_cast<std::size_t>(kMaxTravel_s * fs_Hz));
-  while (i < std::min(accel.size(), last) && std::abs(accel[i] - rest) < level) ++i;
-  if (i >= std::min(accel.size(), last)) return;  // what moves later, the force did not move
+  while (i < accel.size() && std::abs(accel[i] - rest) < level) ++i;
+  // What moves later than the push travels is noise, or another event.
+  const double latest = onset + std::max(kMaxTravelPulses * hit.pulse_s, kMaxTravel_s) * fs_Hz;
+  if (static_cast<double>(i) > latest + kMinPush) return;
   const auto push = static_cast<std::size_t>(std::ceil(2 * hit.pulse_s * fs_Hz));
   const std::size_t end = std::min(accel.size(), i + std::max(kMinPush, push));
   grade.polarity = initial_polarity(accel.subspan(i, end - i), rest, noise);
