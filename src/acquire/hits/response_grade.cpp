@@ -113,7 +113,7 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
   while (i < accel.size() && std::abs(accel[i] - rest) < level) ++i;
   // What moves later than the push travels is noise, or another event.
   const double latest = onset + std::max(kMaxTravelPulses * hit.pulse_s, kMaxTravel_s) * fs_Hz;
-  if (static_cast<double>(i) > latest + kMinPush) return;
+  if (static_cast<double>(i) > latest + static_cast<double>(kMinPush)) return;
   const auto push = static_cast<std::size_t>(std::ceil(2 * hit.pulse_s * fs_Hz));
   const std::size_t end = std::min(accel.size(), i + std::max(kMinPush, push));
   grade.polarity = initial_polarity(accel.subspan(i, end - i), rest, noise);
