@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/math/statistics.hpp"
@@ -52,20 +53,22 @@ CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
   const double force_rest = mean(force, 0, onset - first);
   const double accel_rest = mean(accel, 0, onset - first);
   CalibrationHit out{.time_s = hit.onset_s, .peak_force = hit.peak_N};
-  double cross = 0, power = 0, sum_f = 0, accel_power = 0;
+  double cross = 0, power = 0, sum_f = 0;
+  std::vector<std::pair<double, double>> compared;  // force and magnitude of the acceleration
   for (std::size_t i = 0; i < force.size(); ++i) {
     const double f = force[i] - force_rest;
     const double a = accel[i] - accel_rest;
     if (f * hit.peak_N < kCompared * hit.peak_N * hit.peak_N) continue;
-    ++out.samples;
+    compared.emplace_back(f, std::abs(a));
     cross += f * std::abs(a);
     power += f * f;
     sum_f += f;
-    accel_power += a * a;
     if (std::abs(a) > std::abs(out.peak_accel_mps2)) out.peak_accel_mps2 = a;
   }
+  out.samples = compared.size();
   out.scale = power > 0 ? mass_kg * cross / power : 0;
-  const double residual = std::max(0.0, mass_kg * mass_kg * accel_power - out.scale * out.scale * power);
+  double residual = 0;
+  for (const auto& [f, a] : compared) residual += std::pow(mass_kg * a - out.scale * f, 2);
   out.scale_std = scale_std(residual, sum_f, power, out.samples);
   out.ringing = ringing_after(record, hit, pulse, accel_rest, out.peak_accel_mps2);
   return out;

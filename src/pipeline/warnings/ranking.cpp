@@ -119,7 +119,8 @@ std::vector<Warning> ranked(std::vector<Warning> warnings) {
   }
   const auto key = [](const Warning& warning) {
     const RankedCode* known = find_code(warning.code);
-    return std::pair(order_of(*warning.severity), known != nullptr ? known - kRanking.data() : kRanking.size());
+    return std::pair(order_of(*warning.severity),
+                     known != nullptr ? static_cast<std::size_t>(known - kRanking.data()) : kRanking.size());
   };
   std::stable_sort(warnings.begin(), warnings.end(),
                    [&](const Warning& a, const Warning& b) { return key(a) < key(b); });
