@@ -86,7 +86,7 @@ std::string missing_errors_text(const metrics::UncertainValue& value) {
   return fmt::format("; {} {}", value.std() > 0 ? "± without" : "no ±: no resolution of", fmt::join(names, ", "));
 }
 
-Json warning_json(const metrics::MetricsWarning& warning) {
+Json metrics_warning_json(const metrics::MetricsWarning& warning) {
   Json json{{"code", warning.code}, {"severity", name_of(warning.severity)}, {"message", warning.message}};
   if (!warning.remedy.empty()) json["remedy"] = warning.remedy;
   return json;
@@ -144,7 +144,7 @@ CommandReport metrics_report(const metrics::BatReadings& readings, const BatProf
   json["equation"] = std::move(equation);
   json["profile"] = profile_json(profile, metrics);
   json["warnings"] = Json::array();
-  for (const metrics::MetricsWarning& warning : warnings) json["warnings"].push_back(warning_json(warning));
+  for (const metrics::MetricsWarning& warning : warnings) json["warnings"].push_back(metrics_warning_json(warning));
   report.json = json.dump(2) + "\n";
   report.text = text_of_metrics(lines, metrics, warnings);
   return report;
