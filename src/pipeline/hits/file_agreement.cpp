@@ -33,10 +33,35 @@ Energy compare(const Members& own, const Members& others, const std::vector<HitS
   return energy;
 }
 
+// A file of several hits which all are outliers among the other files' hits.
+std::optional<FileDisagreement> file_of_outliers(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
+  constexpr std::size_t kMinHits = 2;  // one outlier is a bad hit
+  struct Count {
+    std::size_t hits = 0, outliers = 0;
+    double explained = 0;
+  };
+  std::map<std::size_t, Count> files;
+  for (const AnalysedHit& hit : hits) {
+    Count& count = files[record.rows[hit.hit.row].file];
+    ++count.hits;
+    for (const acquire::Finding& finding : hit.hit.findings) {
+      if (finding.code != acquire::FindingCode::outlier) continue;
+      ++count.outliers;
+      count.explained = std::max(count.explained, 1 - finding.value);
+    }
+  }
+  for (const auto& [file, count] : files) {
+    if (count.hits >= kMinHits && count.outliers == count.hits && count.explained < kMinExplained)
+      return FileDisagreement{.file = file, .explained = count.explained};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<FileDisagreement> disagreeing_file(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                                  const std::vector<HitSpectra>& spectra) {
+  if (const auto outliers = file_of_outliers(record, hits)) return outliers;
   std::map<int, std::map<std::size_t, Members>> points;  // by point and file
   for (std::size_t h = 0; h < hits.size(); ++h) {
     if (hits[h].accepted && !spectra[h].force.empty())

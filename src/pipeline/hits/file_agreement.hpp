@@ -16,7 +16,8 @@ struct FileDisagreement {
 };
 
 /// The file that the others explain least, if it is less than half of its responses. Files are compared point by point,
-/// by their accepted hits. Nothing where no two files share a point.
+/// by their accepted hits; a file whose hits were all rejected as outliers disagrees, too. Nothing where no two files
+/// share a point.
 std::optional<FileDisagreement> disagreeing_file(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                                  const std::vector<HitSpectra>& spectra);
 
