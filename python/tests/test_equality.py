@@ -1,6 +1,7 @@
 """Results of the module equal the output of the command line byte for byte."""
 
 import json
+import math
 
 import numpy as np
 import pytest
@@ -229,8 +230,13 @@ def test_comparison_and_calibration_print_the_same_document(tool, bat):
     assert open("a.json").read() == a.json
     assert percuss.compare(a, b, furthest=40)["pairs"] == json.loads(tool.document("compare", "a.json", "b.json", "--furthest", 40))["pairs"]
     assert percuss.compare("a.json", "b.json").json == tool.document("compare", "a.json", "b.json")
-    words = ["bat.h5", "--mass", 1.5, "--accel-channel", 1]
-    assert percuss.calibrate("bat.h5", mass=1.5, accel_channel=1).json == tool.document("calibrate", *words)
+    with open("mass.csv", "w") as mass:  # a free mass of 1.5 kg
+        mass.write("t_s,hammer,acc_m_s2\n")
+        for i in range(3000):
+            force = 40 * math.sin(math.pi * (i - 800) / 20) if 800 <= i < 820 else 0
+            mass.write(f"{i / 2000:.4f},{force / 0.0084:.6f},{force / 1.5:.6f}\n")
+    words = ["mass.csv", "--mass", 1.5, "--force-channel", "hammer"]
+    assert percuss.calibrate("mass.csv", mass=1.5, force_channel="hammer").json == tool.document("calibrate", *words)
 
 
 def test_info_and_truth_print_the_same_document(tool):
