@@ -23,6 +23,15 @@ double mean(const std::vector<double>& x, std::size_t first, std::size_t last) {
   return last > first ? sum / static_cast<double>(last - first) : 0;
 }
 
+// Of the first `count` values; 0 for fewer than two.
+double variance(const std::vector<double>& x, std::size_t count) {
+  if (count < 2) return 0;
+  const double middle = mean(x, 0, count);
+  double squares = 0;
+  for (std::size_t i = 0; i < count; ++i) squares += (x[i] - middle) * (x[i] - middle);
+  return squares / static_cast<double>(count - 1);
+}
+
 // Root mean square of the acceleration after the pulse, over its peak: a free mass moves on without acceleration.
 double ringing_after(const Record& record, const Hit& hit, std::size_t pulse, double rest_mps2, double peak_mps2) {
   constexpr std::size_t kFilter = 16, kMinWindow = 64, kPulses = 8;  // samples, samples, lengths of the pulse
@@ -37,9 +46,9 @@ double ringing_after(const Record& record, const Hit& hit, std::size_t pulse, do
 
 // The standard deviation of a hit's scale from the residuals of the fit, which the offsets' noise enters as well.
 double scale_std(double residual_squares, double sum_f, double power, std::size_t samples) {
-  if (samples < 2 || !(power > 0)) return 0;
-  const double variance = residual_squares / static_cast<double>(samples - 1);
-  return std::sqrt(variance * (1 / power + sum_f * sum_f / (kBefore * power * power)));
+  if (!(power > 0)) return 0;
+  const double noise = residual_squares / static_cast<double>(std::max<std::size_t>(samples, 2) - 1);
+  return std::sqrt(noise * (1 / power + sum_f * sum_f / (kBefore * power * power)));
 }
 
 CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
@@ -69,6 +78,10 @@ CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
   out.scale = power > 0 ? mass_kg * cross / power : 0;
   double residual = 0;
   for (const auto& [f, a] : compared) residual += std::pow(mass_kg * a - out.scale * f, 2);
+  if (out.samples == 1) {  // no residual: the noise before the hit
+    residual =
+        mass_kg * mass_kg * variance(accel, onset - first) + out.scale * out.scale * variance(force, onset - first);
+  }
   out.scale_std = scale_std(residual, sum_f, power, out.samples);
   out.ringing = ringing_after(record, hit, pulse, accel_rest, out.peak_accel_mps2);
   return out;

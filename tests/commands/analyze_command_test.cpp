@@ -100,7 +100,7 @@ TEST_F(AnalyzeCommand, ReportsTheAssumedAngles) {
   const json document = document_of({file("bat.csv")});
   ASSERT_EQ(document["warnings"].size(), 1U);
   EXPECT_THAT(document["warnings"][0]["message"], AllOf(HasSubstr("0°"), HasSubstr("90°")));
-  EXPECT_THAT(run_percuss({"analyze", file("bat.csv")}).out, HasSubstr("(--angle)"));
+  EXPECT_THAT(run_percuss({"analyze", file("bat.csv")}).out, HasSubstr("(--angle, --object)"));
 }
 
 TEST_F(AnalyzeCommand, PrintsEqualBytesForAnyNumberOfThreads) {

@@ -105,7 +105,7 @@ TEST_F(CalibrateCommand, RefusesARecordInNewtons) {
   }
   test::write_bytes(path, text);
   const auto outcome = run_percuss({"calibrate", path, "--mass", "1.25"});
-  EXPECT_EQ(outcome.code, 4);
+  EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("is in N already"), HasSubstr("(--force-unit)")));
 }
 

@@ -104,8 +104,7 @@ TEST_F(FrfInput, WarnsOfAssumptions) {
   std::string text = test::bytes_of(file("accelerance.csv"));
   test::write_bytes(file("bare.csv"), text.substr(text.find('\n') + 1));
   const json document = analysed({file("bare.csv")});
-  EXPECT_THAT(document["warnings"].dump(),
-              AllOf(HasSubstr("taken as accelerance"), HasSubstr("0° and 90° around the barrel are assumed")));
+  EXPECT_THAT(document["warnings"].dump(), AllOf(HasSubstr("taken as accelerance"), HasSubstr("0° and 90° on a tube")));
   const json stated = analysed({file("bare.csv"), "--frf-kind", "accelerance", "--angle", "0,90"});
   ASSERT_EQ(stated["warnings"].size(), 1U);
   EXPECT_EQ(stated["warnings"][0]["code"], "force_noise_unknown");
