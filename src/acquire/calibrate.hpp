@@ -40,7 +40,7 @@ struct Calibration {
 /// errors  InputError when the record has not exactly one acceleration channel, or when the acceleration goes on after
 /// the
 ///         pulses (a structure that rings is no free mass); NoHitError.
-/// theory (1.6)
+/// theory (1.6), (1.7)
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options = {});
 
 }  // namespace percuss::acquire
