@@ -98,13 +98,13 @@ def row(name, document, reference, z=(), hits=True):
     """A row of the table of measured sets."""
     if document is None:
         return '| %s | refused | | | | |' % name
-    count, beyond = found(document['modes'], reference) if reference else ('–', len(document['modes']))
+    count, beyond = found(document['modes'], reference)
+    modes = '%d of %d; %d more' % (count, len(reference), beyond) if reference else 'no reference; %d found' % beyond
     blows = document.get('hits', [])
     used = '%d of %d' % (sum(h['accepted'] for h in blows), len(blows)) if hits and blows else '–'
     s = scatter(document)
-    return '| %s | %s of %s; %s more | %s | %s | %s | %s |' % (
-        name, count, len(reference) or '–', beyond, used, spread(s['frequency_hz']), spread(s['damping_ratio']),
-        spread(list(z)))
+    return '| %s | %s | %s | %s | %s | %s |' % (name, modes, used, spread(s['frequency_hz']), spread(s['damping_ratio']),
+                                              spread(list(z)))
 
 
 def survey_of_points(tool, folder, work):
