@@ -89,7 +89,8 @@ TEST(SynthSpec, IsCheckedWhenBuiltByHand) {
   SynthSpec spec;
   spec.fs_Hz = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(synthesise(spec), InputError);
-  spec = {};
+  const SynthSpec empty{};  // a temporary would be "maybe uninitialized" to g++ 12
+  spec = empty;
   spec.modes = {{.freq_Hz = 100, .damping_ratio = 0.01, .residue_per_kg = {1, 2, 3}}};
   EXPECT_THROW(synthesise(spec), InputError);
 }
