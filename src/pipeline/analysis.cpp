@@ -1,7 +1,5 @@
 #include "pipeline/analysis.hpp"
 
-#include <iterator>
-
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "frf/windows.hpp"
@@ -10,13 +8,6 @@
 #include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/source/frf_source.hpp"
 #include "pipeline/source/record_source.hpp"
-#include "pipeline/warnings/channel_warnings.hpp"
-#include "pipeline/warnings/hit_warnings.hpp"
-#include "pipeline/warnings/mode_warnings.hpp"
-#include "pipeline/warnings/object_warnings.hpp"
-#include "pipeline/warnings/ranking.hpp"
-#include "pipeline/warnings/truncation_warnings.hpp"
-#include "pipeline/warnings/used_hit_warnings.hpp"
 
 namespace percuss::pipeline {
 
@@ -46,6 +37,30 @@ Analysis::Analysis(acquire::FrfRecord frfs, AnalysisOptions options)
   };
   if (options_.exponential_end > 0) refuse("an exponential window", "exponential");
   if (options_.estimator != frf::Estimator::h1) refuse("an estimator other than H1", "estimator");
+  if (options_.delays.automatic || !options_.delays.delay_s.empty()) refuse("a correction of delays", "delay");
+}
+
+const std::vector<double>& Analysis::corrected_delays_s() const {
+  return within_budget(budget_, corrected_delays_s_, [&]() -> std::vector<double> {
+    if (!options_.delays.automatic) {
+      if (options_.delays.delay_s.empty()) return {};
+      return delay_per_channel(options_.delays.delay_s, record());
+    }
+    // The modes that show the delays are found without a correction first.
+    AnalysisOptions uncorrected = options_;
+    uncorrected.delays = {};
+    if (uncorrected.modes.effort == identify::Effort::best) uncorrected.modes.effort = identify::Effort::standard;
+    const Analysis first(record(), std::move(uncorrected));
+    if (!first.possible()) return {};
+    return trace_.run("delays", [&] { return established_delays_s(first.channel_findings().delays, record()); });
+  });
+}
+
+const acquire::Record& Analysis::aligned_record() const {
+  return within_budget(budget_, aligned_record_, [&] {
+    const std::vector<double>& delay_s = corrected_delays_s();
+    return delay_s.empty() ? record() : align_record(record(), delay_s);
+  });
 }
 
 const std::vector<AnalysedHit>& Analysis::force_hits() const {
@@ -71,6 +86,7 @@ const acquire::LineRange& Analysis::lines() const {
     const LineRequest request{.band_Hz = band_Hz(),
                               .band_given = options_.band_Hz.has_value(),
                               .length_given = options_.hits.length_s.has_value(),
+                              .missing_samples = samples_without_data(corrected_delays_s(), record().fs_Hz),
                               .threads = options_.threads};
     return source_->choose_lines(request, force_hits(), trace_);
   });
@@ -87,7 +103,7 @@ TransformOptions Analysis::transform_options() const {
 
 const HitResponses& Analysis::responses() const {
   return within_budget(budget_, responses_,
-                       [&] { return read_responses(record(), force_hits(), transform_options(), trace_); });
+                       [&] { return read_responses(aligned_record(), force_hits(), transform_options(), trace_); });
 }
 
 const std::vector<AnalysedHit>& Analysis::gated_hits() const {
@@ -199,6 +215,21 @@ const std::vector<identify::ModeClassification>& Analysis::classifications() con
   });
 }
 
+const ChannelFindings& Analysis::channel_findings() const {
+  return within_budget(budget_, channel_findings_, [&]() -> ChannelFindings {
+    const std::vector<identify::Mode>& found = modes();
+    const identify::FrfDataset& set = fitted_frfs();
+    const std::size_t channels = record().accel.size();
+    const ThreadLimit limit(options_.threads);
+    return trace_.run("channels", [&]() -> ChannelFindings {
+      return {.delays = channel_delays(set, found, hits(), channels),
+              .clocks = channel_clocks(set, channels),
+              .pairs = compare_channels(found, channels),
+              .largest_velocity_mps = largest_velocity_mps(set, found)};
+    });
+  });
+}
+
 const std::vector<HitMode>& Analysis::modes_per_hit() const {
   return within_budget(budget_, modes_per_hit_, [&] {
     const std::vector<identify::Mode>& found = modes();
@@ -215,34 +246,6 @@ const identify::Stabilisation& Analysis::stabilisation() const {
     const identify::FrfDataset& set = fitted_frfs();
     return trace_.run("stabilisation", [&] { return stabilisation_in_band(set, band_Hz()); });
   });
-}
-
-std::vector<Warning> Analysis::warnings() const {
-  const std::vector<AnalysedHit>& graded = hits_.ready() ? hits() : force_hits();
-  const bool force_known = given_frfs() == nullptr;
-  const bool user_chose_modes = options_.modes.modes.has_value() || !options_.modes.start_Hz.empty();
-  std::vector<Warning> out;
-  const auto add = [&](std::vector<Warning> more) {
-    out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  };
-  add(options_.known);
-  add(input_warnings(record()));
-  if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
-  add(hit_warnings(record(), graded));
-  if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
-  add(channel_warnings(record(), graded));
-  if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
-  add(rest_warnings(graded));
-  if (modes_.ready()) {
-    add(freq_scatter_warnings(modes()));
-    add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
-    if (!user_chose_modes) add(unmodelled_peak_warnings(fitted_frfs(), modes(), band_Hz()));
-  }
-  if (classifications_.ready()) {
-    add(object_warnings(classifications(), options_.classes));
-    add(split_mode_warnings(modes(), classifications()));
-  }
-  return ranked(std::move(out));
 }
 
 }  // namespace percuss::pipeline

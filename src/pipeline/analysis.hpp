@@ -12,6 +12,7 @@
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
 #include "pipeline/analysis_options.hpp"
+#include "pipeline/channels/channel_findings.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
 #include "pipeline/hits/file_agreement.hpp"
 #include "pipeline/hits/hit_spectra.hpp"
@@ -43,6 +44,11 @@ class Analysis {
   BudgetMeter& budget() const { return budget_; }
   /// Numbers of the measured points.
   std::set<int> points() const { return source_->points(); }
+
+  /// The delays that the options take out of the channels, or that the phases of the modes establish; empty: none.
+  const std::vector<double>& corrected_delays_s() const;
+  /// The record without these delays, from which every result follows.
+  const acquire::Record& aligned_record() const;
 
   /// Hits graded by their force alone: reads nothing else. Index i is the user's hit number.
   const std::vector<AnalysedHit>& force_hits() const;
@@ -76,6 +82,8 @@ class Analysis {
   const std::vector<identify::Mode>& modes_below() const;
   /// The orders of a tube among modes_below(), by two sensors.
   const identify::LowerOrders& lower_orders() const;
+  /// Delays, clocks and scales of the channels, as far as the modes show them.
+  const ChannelFindings& channel_findings() const;
   /// Each mode fitted to each accepted hit alone: repeatability, drift, dependence on the force.
   const std::vector<HitMode>& modes_per_hit() const;
   /// The stabilisation diagram of fitted_frfs(), poles within the band. The modes do not need it.
@@ -97,6 +105,8 @@ class Analysis {
   AnalysisOptions options_;
   mutable Trace trace_;
   mutable BudgetMeter budget_;
+  Lazy<std::vector<double>> corrected_delays_s_;
+  Lazy<acquire::Record> aligned_record_;
   // Results refer neither to the analysis nor to each other.
   Lazy<std::vector<AnalysedHit>> force_hits_, gated_hits_, hits_;
   Lazy<acquire::LineRange> lines_;
@@ -110,6 +120,7 @@ class Analysis {
   Lazy<std::vector<identify::ModeClassification>> types_;  // orders count from the band's edge
   Lazy<identify::LowerOrders> lower_orders_;
   Lazy<std::vector<identify::ModeClassification>> classifications_;
+  Lazy<ChannelFindings> channel_findings_;
   Lazy<std::vector<HitMode>> modes_per_hit_;
   Lazy<identify::Stabilisation> stabilisation_;
 };

@@ -9,6 +9,7 @@
 #include "frf/estimators.hpp"
 #include "identify/classify/classify.hpp"
 #include "identify/identify.hpp"
+#include "pipeline/channels/align_record.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -19,6 +20,7 @@ struct AnalysisOptions {
   acquire::HitOptions hits;
   std::vector<std::size_t> accept_hits, reject_hits;  // hit numbers; overrule the findings
   double exponential_end = 0;                         // end value of the exponential window, relative; 0: no window
+  DelayCorrection delays;
   identify::IdentifyOptions modes;
   identify::ClassifyOptions classes;
   std::size_t threads = 0;       // 0: all

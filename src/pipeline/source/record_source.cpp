@@ -50,7 +50,12 @@ std::size_t RecordSource::block_samples(const LineRequest& request, const std::v
   const std::vector<std::size_t> used = accepted_hits(hits);
   require_accepted(!used.empty());
   std::size_t samples = hits[used.front()].hit.samples;
-  for (const std::size_t h : used) samples = std::min(samples, hits[h].hit.samples);
+  for (const std::size_t h : used) {
+    const acquire::Hit& hit = hits[h].hit;
+    const std::size_t row = record_.rows[hit.row].samples;
+    const std::size_t filled = row - std::min(row, request.missing_samples);
+    samples = std::min({samples, hit.samples, filled - std::min(filled, hit.first)});
+  }
   const bool searched = record_.continuous || record_.rows.size() == 1;
   if (!searched && samples < kLongRow) return samples;
   if (!request.length_given) samples = std::min(samples, longest_decay_samples(record_, hits, request.threads, trace));

@@ -93,7 +93,7 @@ HitSamples response_of(const pipeline::Analysis& analysis, const acquire::Hit& h
   const std::size_t end = hit.first + hit.samples, count = std::min({wanted, kMaxSamples, end - hit.gate_first});
   HitSamples out{.first = static_cast<double>(hit.gate_first) / fs_Hz - hit.onset_s, .step = 1 / fs_Hz, .value = {}};
   out.value.resize(count);
-  analysis.record().read_accel_mps2(hit.row, channel, hit.gate_first, out.value);
+  analysis.aligned_record().read_accel_mps2(hit.row, channel, hit.gate_first, out.value);
   return out;
 }
 
@@ -105,7 +105,7 @@ struct Decay {
 // The response's level per block after the peak, and before the pulse.
 Decay decay_of(const pipeline::Analysis& analysis, const acquire::Hit& hit, std::size_t channel) {
   constexpr std::size_t kMinRest = 16;  // samples for a level
-  const acquire::Record& record = analysis.record();
+  const acquire::Record& record = analysis.aligned_record();
   const std::size_t first = std::min(hit.peak, hit.first + hit.samples - 1), count = hit.first + hit.samples - first;
   std::vector<double> samples(count);
   record.read_accel_mps2(hit.row, channel, first, samples);

@@ -1,0 +1,44 @@
+#include <iterator>
+
+#include "pipeline/analysis.hpp"
+#include "pipeline/warnings/channel_mode_warnings.hpp"
+#include "pipeline/warnings/channel_warnings.hpp"
+#include "pipeline/warnings/hit_warnings.hpp"
+#include "pipeline/warnings/mode_warnings.hpp"
+#include "pipeline/warnings/object_warnings.hpp"
+#include "pipeline/warnings/ranking.hpp"
+#include "pipeline/warnings/truncation_warnings.hpp"
+#include "pipeline/warnings/used_hit_warnings.hpp"
+
+namespace percuss::pipeline {
+
+std::vector<Warning> Analysis::warnings() const {
+  const std::vector<AnalysedHit>& graded = hits_.ready() ? hits() : force_hits();
+  const bool force_known = given_frfs() == nullptr;
+  const bool user_chose_modes = options_.modes.modes.has_value() || !options_.modes.start_Hz.empty();
+  std::vector<Warning> out;
+  const auto add = [&](std::vector<Warning> more) {
+    out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
+  add(options_.known);
+  add(input_warnings(record()));
+  if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
+  add(hit_warnings(record(), graded));
+  if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
+  add(channel_warnings(record(), graded));
+  if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
+  add(rest_warnings(graded));
+  if (modes_.ready()) add(channel_mode_warnings(record(), channel_findings(), force_known));
+  if (modes_.ready()) {
+    add(freq_scatter_warnings(modes()));
+    add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
+    if (!user_chose_modes) add(unmodelled_peak_warnings(fitted_frfs(), modes(), band_Hz()));
+  }
+  if (classifications_.ready()) {
+    add(object_warnings(classifications(), options_.classes));
+    add(split_mode_warnings(modes(), classifications()));
+  }
+  return ranked(std::move(out));
+}
+
+}  // namespace percuss::pipeline

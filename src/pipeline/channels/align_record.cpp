@@ -1,0 +1,124 @@
+#include "pipeline/channels/align_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+// Taps on either side. The window's transition of 8 / (taps) reaches from 0.44 of the sampling rate to its mirror image.
+constexpr std::ptrdiff_t kHalfTaps = 40;
+
+// Window of Nuttall with four terms: side lobes at −98 dB. u: −1 … 1.
+double window(double u) {
+  const double x = std::numbers::pi * u;
+  return 0.3635819 + 0.4891775 * std::cos(x) + 0.1365995 * std::cos(2 * x) + 0.0106411 * std::cos(3 * x);
+}
+
+double sinc(double u) {
+  const double x = std::numbers::pi * u;
+  return std::abs(x) < 1e-6 ? 1 - x * x / 6 : std::sin(x) / x;
+}
+
+// A delay in whole samples, and the taps of the fraction beyond.
+struct Shift {
+  std::ptrdiff_t whole = 0;
+  std::vector<double> taps;  // [2 kHalfTaps], for samples 1 − kHalfTaps … kHalfTaps from the whole one; empty: none
+};
+
+Shift shift_of(double samples) {
+  Shift shift{.whole = static_cast<std::ptrdiff_t>(std::floor(samples)), .taps = {}};
+  const double fraction = samples - static_cast<double>(shift.whole);
+  if (fraction == 0) return shift;
+  double sum = 0;
+  for (std::ptrdiff_t k = 1 - kHalfTaps; k <= kHalfTaps; ++k) {
+    const double u = static_cast<double>(k) - fraction;
+    shift.taps.push_back(sinc(u) * window(u / static_cast<double>(kHalfTaps)));
+    sum += shift.taps.back();
+  }
+  for (double& tap : shift.taps) tap /= sum;
+  return shift;
+}
+
+}  // namespace
+
+std::vector<double> delay_per_channel(const std::vector<double>& delay_s, const acquire::Record& record) {
+  const std::size_t channels = record.accel.size();
+  std::vector<double> all = delay_s.size() == 1 ? std::vector<double>(channels, delay_s.front()) : delay_s;
+  if (all.size() != channels) {
+    throw InputError(fmt::format("{} delays for {} acceleration channels", all.size(), channels), record.source(),
+                     "give one per channel, or one for all", {"delay"});
+  }
+  for (const acquire::RowInfo& row : record.rows) {
+    for (const double one : all) {
+      if (!(std::abs(one) * record.fs_Hz < static_cast<double>(row.samples)))
+        throw InputError(fmt::format("a delay of {:g} s is longer than a row", one), record.source(),
+                         "give delays in seconds", {"delay"});
+    }
+  }
+  return all;
+}
+
+std::vector<double> established_delays_s(const std::vector<ChannelDelay>& delays, const acquire::Record& record) {
+  std::vector<double> out;
+  for (const ChannelDelay& delay : delays) {
+    if (!delay.established()) continue;
+    out.resize(record.accel.size());
+    out[delay.channel] = delay.delay_s;
+  }
+  return out;
+}
+
+acquire::Record align_record(acquire::Record record, std::vector<double> delay_s) {
+  std::vector<Shift> shifts;
+  shifts.reserve(delay_s.size());
+  for (const double delay : delay_s) shifts.push_back(shift_of(delay * record.fs_Hz));
+  std::vector<std::size_t> samples;
+  samples.reserve(record.rows.size());
+  for (const acquire::RowInfo& row : record.rows) samples.push_back(row.samples);
+  const auto read = record.read_accel_mps2;
+  record.contiguous.clear();
+  record.read_accel_mps2 = [read, shifts, samples](std::size_t row, std::size_t channel, std::size_t first,
+                                                   std::span<double> out) {
+    const Shift& shift = shifts[channel];
+    const auto end = static_cast<std::ptrdiff_t>(samples[row]);
+    const std::ptrdiff_t taps = shift.taps.empty() ? 0 : kHalfTaps;
+    const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(first) + shift.whole - std::max<std::ptrdiff_t>(taps - 1, 0);
+    const std::ptrdiff_t wanted = static_cast<std::ptrdiff_t>(out.size()) + std::max<std::ptrdiff_t>(2 * taps - 1, 0);
+    const std::ptrdiff_t low = std::clamp<std::ptrdiff_t>(from, 0, end - 1);
+    const std::ptrdiff_t high = std::clamp<std::ptrdiff_t>(from + wanted, low + 1, end);
+    std::vector<double> held(static_cast<std::size_t>(high - low));
+    read(row, channel, static_cast<std::size_t>(low), held);
+    const auto at = [&](std::ptrdiff_t i) {
+      return held[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(from + i, low, high - 1) - low)];
+    };
+    for (std::size_t n = 0; n < out.size(); ++n) {
+      const auto here = static_cast<std::ptrdiff_t>(n);
+      if (shift.taps.empty()) {
+        out[n] = at(here);
+        continue;
+      }
+      double sum = 0;
+      for (std::ptrdiff_t k = 0; k < 2 * taps; ++k) sum += shift.taps[static_cast<std::size_t>(k)] * at(here + k);
+      out[n] = sum;
+    }
+  };
+  return record;
+}
+
+std::size_t samples_without_data(const std::vector<double>& delay_s, double fs_Hz) {
+  double latest = 0;
+  bool any = false;
+  for (const double delay : delay_s) {
+    latest = std::max(latest, delay * fs_Hz);
+    any = any || delay != 0;
+  }
+  return any ? static_cast<std::size_t>(std::ceil(latest)) + kHalfTaps : 0;
+}
+
+}  // namespace percuss::pipeline

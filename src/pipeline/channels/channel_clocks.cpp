@@ -1,0 +1,68 @@
+#include "pipeline/channels/channel_clocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/parallel/parallel.hpp"
+#include "identify/identify.hpp"
+#include "pipeline/channels/robust_slope.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kMinShared = 4;
+constexpr double kNear = 2;           // half-power bandwidths between the places of one mode in two channels
+constexpr std::size_t kFitFlops = 100'000'000;  // a lower limit
+
+identify::FrfDataset only(const identify::FrfDataset& set, std::size_t channel) {
+  identify::FrfDataset one{
+      .lines = set.lines, .usable_bandwidth_Hz = set.usable_bandwidth_Hz, .points = set.points, .channels = {}};
+  std::copy_if(set.channels.begin(), set.channels.end(), std::back_inserter(one.channels),
+               [&](const identify::FrfChannel& frf) { return frf.channel == channel; });
+  return one;
+}
+
+const identify::Mode* nearest(const std::vector<identify::Mode>& modes, const identify::Mode& to) {
+  const auto distance = [&](const identify::Mode& mode) { return std::abs(mode.pole.freq_Hz - to.pole.freq_Hz); };
+  const auto at = std::min_element(modes.begin(), modes.end(),
+                                   [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  if (at == modes.end() || distance(*at) > kNear * to.pole.half_power_Hz()) return nullptr;
+  return &*at;
+}
+
+std::optional<ChannelClock> compare(const std::vector<identify::Mode>& first, const std::vector<identify::Mode>& other) {
+  std::vector<double> excess, std;
+  for (const identify::Mode& mode : first) {
+    const identify::Mode* there = nearest(other, mode);
+    if (there == nullptr || nearest(first, *there) != &mode) continue;
+    excess.push_back(there->pole.freq_Hz / mode.pole.freq_Hz - 1);
+    std.push_back(std::hypot(there->freq_std_Hz, mode.freq_std_Hz) / mode.pole.freq_Hz);
+  }
+  if (excess.size() < kMinShared) return std::nullopt;
+  const RobustSlope slope = robust_slope(std::vector<double>(excess.size(), 1.0), excess, std);
+  return ChannelClock{
+      .excess = slope.slope, .std = slope.std, .modes = excess.size(), .log_chance = slope.log_chance};
+}
+
+}  // namespace
+
+bool ChannelClock::established() const { return log_chance < kMaxLogChance && std::abs(excess) > kSureSlope * std; }
+
+std::vector<ChannelClock> channel_clocks(const identify::FrfDataset& set, std::size_t channels) {
+  std::vector<ChannelClock> out;
+  if (channels < 2) return out;
+  std::vector<std::vector<identify::Mode>> modes(channels);
+  parallel_for_cost(channels, kFitFlops, [&](std::size_t c) {
+    modes[c] = identify::identify_modes(only(set, c), {.effort = identify::Effort::quick});
+  });
+  for (std::size_t c = 1; c < channels; ++c) {
+    if (auto clock = compare(modes.front(), modes[c])) {
+      clock->channel = c;
+      out.push_back(*clock);
+    }
+  }
+  return out;
+}
+
+}  // namespace percuss::pipeline

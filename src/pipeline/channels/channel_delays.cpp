@@ -1,0 +1,176 @@
+#include "pipeline/channels/channel_delays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/units.hpp"
+#include "identify/identify.hpp"
+#include "pipeline/channels/robust_slope.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kSearched_s = 0.02;      // on either side of zero
+constexpr double kSteps = 16;             // per period of the highest mode
+constexpr std::size_t kStarts = 30;       // the best of the steps, from which the delay is refined
+constexpr std::size_t kMinPhases = 3;
+constexpr double kClearPhase = 5;              // standard deviations of a residue whose phase is used
+constexpr double kPhaseFloor = 0.05;      // rad, added to the standard deviations in the search
+constexpr double kDisorder = 0.907;       // rms of phases without any order, π/√12
+constexpr double kSpoilt = 0.3;           // rms phase in rad that complex shapes rarely reach
+
+double to_half_turn(double phase_rad) { return std::remainder(phase_rad, std::numbers::pi); }
+
+std::vector<double> phases_after(std::span<const ModePhase> phases, double delay_s) {
+  std::vector<double> left;
+  left.reserve(phases.size());
+  for (const ModePhase& p : phases) left.push_back(to_half_turn(p.phase_rad + kTwoPi * p.freq_Hz * delay_s));
+  return left;
+}
+
+// The delay near a start, with the chance of so good an agreement among all delays up to it.
+ChannelDelay refined(std::span<const ModePhase> phases, double start_s) {
+  std::vector<double> omega, std;
+  double highest_Hz = 0;
+  for (const ModePhase& p : phases) {
+    omega.push_back(kTwoPi * p.freq_Hz);
+    std.push_back(p.std_rad);
+    highest_Hz = std::max(highest_Hz, p.freq_Hz);
+  }
+  ChannelDelay out{.delay_s = start_s, .modes = phases.size(), .highest_Hz = highest_Hz};
+  for (int pass = 0; pass < 3; ++pass) {  // the half turns may change with the delay
+    const RobustSlope slope = robust_slope(omega, phases_after(phases, out.delay_s), std);
+    out.delay_s -= slope.slope;
+    out.std_s = slope.std;
+    out.phase_rms = slope.rms;
+  }
+  double without = 0;
+  for (const double phase : phases_after(phases, 0)) without += phase * phase / static_cast<double>(phases.size());
+  without = std::min(std::sqrt(without), kDisorder);
+  const double trials = std::max(1.0, 4 * std::abs(out.delay_s) * highest_Hz);
+  const double better = without > 0 ? std::clamp(out.phase_rms / without, 1e-12, 1.0) : 1;
+  out.log_chance = std::log(trials) + static_cast<double>(phases.size() - 1) * std::log(better);
+  return out;
+}
+
+// Delays at which the phases agree best, and zero.
+std::vector<double> starts_s(std::span<const ModePhase> phases) {
+  double highest_Hz = 0;
+  for (const ModePhase& p : phases) highest_Hz = std::max(highest_Hz, p.freq_Hz);
+  const double step_s = 1 / (kSteps * highest_Hz);
+  std::vector<std::pair<double, double>> by_misfit;
+  for (double delay_s = -kSearched_s; delay_s <= kSearched_s; delay_s += step_s) {
+    const std::vector<double> left = phases_after(phases, delay_s);
+    double misfit = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) misfit += std::abs(left[i]) / (phases[i].std_rad + kPhaseFloor);
+    by_misfit.emplace_back(misfit, delay_s);
+  }
+  const std::size_t count = std::min(kStarts, by_misfit.size());
+  std::partial_sort(by_misfit.begin(), by_misfit.begin() + static_cast<std::ptrdiff_t>(count), by_misfit.end());
+  std::vector<double> starts{0};
+  for (std::size_t i = 0; i < count; ++i) starts.push_back(by_misfit[i].second);
+  return starts;
+}
+
+// The direction of a mode's residues in a channel: the phase that most of their energy lies along, over all points.
+std::optional<ModePhase> phase_of(const identify::Mode& mode, std::size_t channel) {
+  Complex doubled;
+  double energy = 0, noise = 0;
+  for (const identify::Residue& residue : mode.residues) {
+    if (residue.channel != channel || !(residue.std > 0)) continue;
+    const Complex scaled = residue.value / residue.std;
+    doubled += scaled * scaled;
+    energy += std::norm(scaled);
+    noise += 1;
+  }
+  if (!(energy > kClearPhase * kClearPhase * noise) || !(std::abs(doubled) > 0)) return std::nullopt;
+  return ModePhase{
+      .freq_Hz = mode.pole.freq_Hz, .phase_rad = 0.5 * std::arg(doubled), .std_rad = 1 / std::sqrt(energy)};
+}
+
+// The smallest time from the force to the first motion over the accepted hits.
+double first_motion_s(const std::vector<AnalysedHit>& hits, std::size_t channel) {
+  std::optional<double> least;
+  for (const std::size_t h : accepted_hits(hits)) {
+    if (hits[h].responses.size() <= channel || !hits[h].responses[channel].delay_s) continue;
+    const double delay_s = *hits[h].responses[channel].delay_s;
+    least = least ? std::min(*least, delay_s) : delay_s;
+  }
+  return least.value_or(0);
+}
+
+bool disordered(const std::vector<ChannelDelay>& delays, std::size_t channel) {
+  return std::none_of(delays.begin(), delays.end(), [&](const ChannelDelay& delay) {
+    return delay.channel == channel && (delay.established() || delay.phase_rms < kSpoilt);
+  });
+}
+
+identify::FrfDataset turned_back(identify::FrfDataset set, const std::vector<double>& delay_s) {
+  for (identify::FrfChannel& channel : set.channels) {
+    for (std::size_t k = 0; k < channel.frf.size(); ++k)
+      channel.frf[k] *= std::polar(1.0, kTwoPi * set.lines.freq_Hz(k) * delay_s[channel.channel]);
+  }
+  return set;
+}
+
+}  // namespace
+
+double ChannelDelay::largest_phase() const { return kTwoPi * highest_Hz * std::abs(delay_s); }
+
+bool ChannelDelay::established() const {
+  return log_chance < kMaxLogChance && std::abs(delay_s) > kSureSlope * std_s && phase_rms < kDisorder / 2;
+}
+
+std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases) {
+  if (phases.size() < kMinPhases) return std::nullopt;
+  std::optional<ChannelDelay> best;
+  for (const double start_s : starts_s(phases)) {
+    const ChannelDelay one = refined(phases, start_s);
+    if (!best || one.log_chance < best->log_chance) best = one;
+  }
+  return best;
+}
+
+std::vector<ChannelDelay> delays_of_residues(const std::vector<identify::Mode>& modes, std::size_t channels) {
+  std::vector<ChannelDelay> out;
+  for (std::size_t c = 0; c < channels; ++c) {
+    std::vector<ModePhase> phases;
+    for (const identify::Mode& mode : modes) {
+      if (const auto phase = phase_of(mode, c)) phases.push_back(*phase);
+    }
+    if (auto delay = delay_of_phases(phases)) {
+      delay->channel = c;
+      out.push_back(*delay);
+    }
+  }
+  return out;
+}
+
+std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+                                         const std::vector<AnalysedHit>& hits, std::size_t channels) {
+  std::vector<ChannelDelay> delays = delays_of_residues(modes, channels);
+  if (modes.size() < kMinPhases) return delays;
+  const double period_s = 1 / modes.back().pole.freq_Hz;
+  std::vector<double> late_s(channels);
+  bool any = false;
+  for (std::size_t c = 0; c < channels; ++c) {
+    if (const double first_s = first_motion_s(hits, c); first_s > period_s && disordered(delays, c)) late_s[c] = first_s;
+    any = any || late_s[c] > 0;
+  }
+  if (!any) return delays;
+  const auto again = identify::identify_modes(turned_back(set, late_s), {.effort = identify::Effort::standard});
+  for (ChannelDelay delay : delays_of_residues(again, channels)) {
+    if (!(late_s[delay.channel] > 0)) continue;
+    // Order out of disorder: the phases about their line against phases without any.
+    delay.delay_s += late_s[delay.channel];
+    delay.log_chance = static_cast<double>(delay.modes - 1) * std::log(std::max(delay.phase_rms / kDisorder, 1e-12));
+    if (!delay.established()) continue;
+    std::erase_if(delays, [&](const ChannelDelay& old) { return old.channel == delay.channel; });
+    delays.push_back(delay);
+  }
+  std::stable_sort(delays.begin(), delays.end(), [](const auto& a, const auto& b) { return a.channel < b.channel; });
+  return delays;
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,46 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "identify/model/frf_dataset.hpp"
+#include "identify/model/mode.hpp"
+#include "pipeline/hits/analysed_hit.hpp"
+
+namespace percuss::pipeline {
+
+/// The time by which a channel's responses come after the force; negative: before it.
+struct ChannelDelay {
+  std::size_t channel = 0;
+  double delay_s = 0, std_s = 0;
+  std::size_t modes = 0;   // whose phases show it
+  double highest_Hz = 0;   // the highest of them
+  double phase_rms = 0;    // rad, of these phases about the line of the delay
+  double log_chance = 0;   // natural logarithm of the probability of this order in modes without a delay
+  /// The phase at the highest of the modes, rad.
+  double largest_phase() const;
+  /// The phases grow with frequency beyond doubt.
+  bool established() const;
+};
+
+/// The phase of a mode's residues in one channel, up to a half turn.
+struct ModePhase {
+  double freq_Hz = 0;
+  double phase_rad = 0, std_rad = 0;
+};
+
+/// The delay τ for which the phases follow −2πfτ best, |τ| ≤ 20 ms. A half turn more or less is the same phase, so many
+/// delays fit a few modes; the most unlikely coincidence is taken. Nothing for fewer than three modes.
+std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases);
+
+/// The delay of each channel from the residues of the modes, at all points together; a channel with too few clear modes
+/// has none. Modes with complex shapes scatter about the line and enter the standard deviation.
+std::vector<ChannelDelay> delays_of_residues(const std::vector<identify::Mode>& modes, std::size_t channels);
+
+/// As delays_of_residues. A delay of several periods spoils the modes themselves; where the phases show no order and the
+/// response begins late, the FRFs are turned back by that time and the modes are found again.
+std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+                                         const std::vector<AnalysedHit>& hits, std::size_t channels);
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,19 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "pipeline/channels/channel_clocks.hpp"
+#include "pipeline/channels/channel_delays.hpp"
+#include "pipeline/channels/channel_levels.hpp"
+
+namespace percuss::pipeline {
+
+/// What the modes tell about the channels that measured them.
+struct ChannelFindings {
+  std::vector<ChannelDelay> delays;  // that remain after any correction
+  std::vector<ChannelClock> clocks;
+  std::vector<ChannelPair> pairs;
+  double largest_velocity_mps = 0;
+};
+
+}  // namespace percuss::pipeline

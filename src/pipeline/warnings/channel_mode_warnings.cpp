@@ -1,0 +1,143 @@
+#include "pipeline/warnings/channel_mode_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "core/io/significant_digits.hpp"
+#include "core/units.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kHarmlessPhase = 0.05;    // rad at the highest mode
+constexpr double kUnitFactor = 1000;       // between m/s² and mm/s², V and mV
+constexpr double kUnitSpread = 5;          // the factor that places on a structure differ by, either way
+constexpr double kFastest_mps = 50;        // ten times the speed of a hammer swung by hand
+constexpr double kSameMotion = 0.98;       // of alikeness
+constexpr double kOppositeMotion = -0.95;  // likewise
+constexpr double kOneSide_rad = std::numbers::pi / 2 + 0.1;  // sensors farther apart look at one another
+constexpr double kOwnPlace_rad = std::numbers::pi / 6;
+
+std::string name_of(const acquire::Record& record, std::size_t channel) {
+  if (channel >= record.accel.size() || record.accel[channel].name.empty()) return fmt::format("accel {}", channel + 1);
+  return one_line(record.accel[channel].name, kMaxNameBytes);
+}
+
+std::string microseconds(double s, double std_s) {
+  const double magnitude = std::abs(s);
+  const char* unit = magnitude < 1e-3 ? "µs" : "ms";
+  const double scale = magnitude < 1e-3 ? 1e6 : 1e3;
+  return fmt::format("{} ± {} {}", significant(magnitude * scale, 4), significant(std_s * scale, 2), unit);
+}
+
+std::vector<Warning> skew(const acquire::Record& record, const std::vector<ChannelDelay>& delays, bool correctable) {
+  std::string list;
+  const ChannelDelay* most = nullptr;
+  for (const ChannelDelay& delay : delays) {
+    if (!delay.established() || delay.largest_phase() < kHarmlessPhase) continue;
+    list += fmt::format("{}{} {} {} the force", list.empty() ? "" : ", ", name_of(record, delay.channel),
+                        microseconds(delay.delay_s, delay.std_s), delay.delay_s > 0 ? "after" : "before");
+    if (most == nullptr || delay.largest_phase() > most->largest_phase()) most = &delay;
+  }
+  if (most == nullptr) return {};
+  Warning warning{"skew",
+                  fmt::format("channels were not sampled together: {}. The residues' phase grows evenly with frequency "
+                              "over {} modes, to {:.0f}° at {:.6g} Hz. Residues and shapes are turned by it, and "
+                              "frequencies and damping ratios are off once it is more than a turn or so",
+                              list, most->modes, most->largest_phase() * kRadian_deg, most->highest_Hz)};
+  warning.message += correctable ? ". Take the delays out; the recorder's settings, or unequal filters, are the cause"
+                                 : ". Measure again with equal filters and one clock, or shift the FRFs";
+  if (correctable) warning.options = {"delay"};
+  return {warning};
+}
+
+std::vector<Warning> clocks(const acquire::Record& record, const std::vector<ChannelClock>& clocks) {
+  std::vector<Warning> out;
+  for (const ChannelClock& clock : clocks) {
+    if (!clock.established()) continue;
+    out.push_back(
+        {"clock_mismatch",
+         fmt::format("{} shows the {} modes that it shares with {} at frequencies {} ± {} ppm {}: their recorders' "
+                     "clocks differ by this factor. Frequencies are uncertain by as much, damping ratios are off, and "
+                     "one mode may appear as two. Record all channels with one clock, or analyse each recorder's "
+                     "channels alone",
+                     name_of(record, clock.channel), clock.modes, name_of(record, 0),
+                     significant(std::abs(clock.excess) * 1e6, 4), significant(clock.std * 1e6, 2),
+                     clock.excess > 0 ? "higher" : "lower"),
+         {"accel_channel"}});
+  }
+  return out;
+}
+
+std::vector<Warning> units(const acquire::Record& record, const ChannelFindings& findings) {
+  std::vector<Warning> out;
+  for (const ChannelPair& pair : findings.pairs) {
+    const double factor = std::max(pair.ratio, 1 / pair.ratio);
+    if (factor < kUnitFactor / kUnitSpread || factor > kUnitFactor * kUnitSpread) continue;
+    const bool second = pair.ratio > 1;
+    out.push_back({"units_differ",
+                   fmt::format("{} is {:.3g} times {} in the median of {} modes: is one of them in mm/s² or mV, or a "
+                               "sensitivity wrong by 1000? Residues, shapes and the kind of each mode are wrong then; "
+                               "state the unit or the scale of each channel",
+                               name_of(record, second ? pair.second : pair.first), factor,
+                               name_of(record, second ? pair.first : pair.second), pair.modes),
+                   {"accel_unit", "accel_scale"}});
+  }
+  if (out.empty() && findings.largest_velocity_mps > kFastest_mps) {
+    out.push_back({"implausible_motion",
+                   fmt::format("a mode moves at {:.3g} m/s after the hits, faster than any hammer: a unit or a "
+                               "sensitivity is wrong (mm/s² for m/s², mV for V, kN for N). Frequencies and damping "
+                               "ratios hold, residues do not; state the units or the scales",
+                               findings.largest_velocity_mps),
+                   {"accel_unit", "force_unit", "accel_scale", "force_scale"}});
+  }
+  return out;
+}
+
+std::optional<double> angle_between(const acquire::Record& record, const ChannelPair& pair) {
+  const auto& first = record.accel[pair.first].angle_rad;
+  const auto& second = record.accel[pair.second].angle_rad;
+  if (!first || !second) return std::nullopt;
+  return std::abs(std::remainder(*first - *second, kTwoPi));
+}
+
+std::vector<Warning> directions(const acquire::Record& record, const std::vector<ChannelPair>& pairs) {
+  std::vector<Warning> out;
+  for (const ChannelPair& pair : pairs) {
+    if (pair.second >= record.accel.size()) continue;
+    const auto angle_rad = angle_between(record, pair);
+    if (pair.alikeness < kOppositeMotion && angle_rad.value_or(0) < kOneSide_rad) {
+      out.push_back({"reversed",
+                     fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all modes "
+                                 "agree. Shapes have the wrong sign there; check which way the sensors point, and state "
+                                 "a negative scale for the reversed one",
+                                 name_of(record, pair.second), name_of(record, pair.first), pair.modes),
+                     {"accel_scale"}});
+    } else if (pair.alikeness > kSameMotion && angle_rad && *angle_rad > kOwnPlace_rad) {
+      out.push_back({"same_motion",
+                     fmt::format("{} and {} show the same motion in all {} modes, but are stated {:.0f}° apart: an "
+                                 "angle is wrong, or one signal was recorded twice. Bending and hoop cannot be told "
+                                 "apart then; state the places of the sensors",
+                                 name_of(record, pair.first), name_of(record, pair.second), pair.modes,
+                                 *angle_rad * kRadian_deg),
+                     {"angle"}});
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const ChannelFindings& findings,
+                                           bool correctable) {
+  std::vector<Warning> out = skew(record, findings.delays, correctable);
+  for (const auto& more : {clocks(record, findings.clocks), units(record, findings), directions(record, findings.pairs)})
+    out.insert(out.end(), more.begin(), more.end());
+  return out;
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,15 @@
+#pragma once
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "pipeline/channels/channel_findings.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+/// skew, clock_mismatch, units_differ, implausible_motion, reversed, same_motion. `correctable`: the input is a record
+/// in time, from which a delay can be taken out.
+std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const ChannelFindings& findings,
+                                           bool correctable);
+
+}  // namespace percuss::pipeline
