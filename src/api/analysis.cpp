@@ -61,6 +61,12 @@ void require_consistent(const AnalysisOptions& options) {
     throw InputError("the end of the exponential window is not a fraction", kOptions, "give a number between 0 and 1",
                      {"exponential"});
   }
+  for (const double delay_s : options.delay_s) {
+    if (!std::isfinite(delay_s))
+      throw InputError("a delay is not a number", kOptions, "give seconds after the force", {"delay"});
+  }
+  if (options.auto_delay && !options.delay_s.empty())
+    throw InputError("delays are both given and to be found", kOptions, "choose one", {"delay"});
   if (options.modes && *options.modes == 0)
     throw InputError("the number of modes is 0", kOptions, "give 1 or more", {"modes"});
   require_above_zero(options.overlay_dB, "AnalysisOptions::overlay_dB", {"overlay_db"});
@@ -108,6 +114,7 @@ pipeline::AnalysisOptions analysis_options(const AnalysisOptions& options) {
   out.accept_hits = options.hits.accept_hit;
   out.reject_hits = options.hits.reject_hit;
   out.exponential_end = options.exponential;
+  out.delays = {.automatic = options.auto_delay, .delay_s = options.delay_s};
   std::vector<double> start_Hz = options.start_Hz;
   std::sort(start_Hz.begin(), start_Hz.end());
   start_Hz.erase(std::unique(start_Hz.begin(), start_Hz.end()), start_Hz.end());

@@ -44,6 +44,7 @@ constexpr std::array<FieldName, 53> kFields{{
     {"AnalysisOptions", "modes"},
     {"AnalysisOptions", "start_Hz"},
     {"AnalysisOptions", "exponential"},
+    {"AnalysisOptions", "delay_s"},
     {"AnalysisOptions", "overlay_dB"},
     {"AnalysisOptions", "object"},
     {"AnalysisOptions", "threads"},

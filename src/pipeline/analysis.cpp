@@ -40,26 +40,29 @@ Analysis::Analysis(acquire::FrfRecord frfs, AnalysisOptions options)
   if (options_.delays.automatic || !options_.delays.delay_s.empty()) refuse("a correction of delays", "delay");
 }
 
-const std::vector<double>& Analysis::corrected_delays_s() const {
-  return within_budget(budget_, corrected_delays_s_, [&]() -> std::vector<double> {
-    if (!options_.delays.automatic) {
-      if (options_.delays.delay_s.empty()) return {};
-      return delay_per_channel(options_.delays.delay_s, record());
-    }
+const std::vector<ChannelDelay>& Analysis::corrected_delays() const {
+  return within_budget(budget_, corrected_delays_, [&] {
+    if (!options_.delays.automatic) return stated_delays(options_.delays.delay_s, record());
     // The modes that show the delays are found without a correction first.
     AnalysisOptions uncorrected = options_;
     uncorrected.delays = {};
     if (uncorrected.modes.effort == identify::Effort::best) uncorrected.modes.effort = identify::Effort::standard;
     const Analysis first(record(), std::move(uncorrected));
-    if (!first.possible()) return {};
-    return trace_.run("delays", [&] { return established_delays_s(first.channel_findings().delays, record()); });
+    std::vector<ChannelDelay> delays;
+    if (!first.possible()) return delays;
+    trace_.run("delays", [&] {
+      delays = first.channel_findings().delays;
+      std::erase_if(delays, [](const ChannelDelay& delay) { return !delay.established(); });
+      return 0;
+    });
+    return delays;
   });
 }
 
 const acquire::Record& Analysis::aligned_record() const {
   return within_budget(budget_, aligned_record_, [&] {
-    const std::vector<double>& delay_s = corrected_delays_s();
-    return delay_s.empty() ? record() : align_record(record(), delay_s);
+    const std::vector<ChannelDelay>& delays = corrected_delays();
+    return delays.empty() ? record() : align_record(record(), delays);
   });
 }
 
@@ -86,10 +89,21 @@ const acquire::LineRange& Analysis::lines() const {
     const LineRequest request{.band_Hz = band_Hz(),
                               .band_given = options_.band_Hz.has_value(),
                               .length_given = options_.hits.length_s.has_value(),
-                              .missing_samples = samples_without_data(corrected_delays_s(), record().fs_Hz),
+                              .missing_samples = samples_without_data(corrected_delays(), record().fs_Hz),
                               .threads = options_.threads};
     return source_->choose_lines(request, force_hits(), trace_);
   });
+}
+
+acquire::LineRange Analysis::band_lines() const {
+  const auto [low_Hz, high_Hz] = band_Hz();
+  const acquire::LineRange& all = lines();
+  acquire::LineRange band = frf::lines_in_band(all.fs_Hz, all.samples, low_Hz, high_Hz);
+  const std::size_t first = std::max(band.first, all.first);
+  const std::size_t end = std::min(band.first + band.count, all.first + all.count);
+  band.first = first;
+  band.count = end > first ? end - first : 0;
+  return band;
 }
 
 double Analysis::window_decay_per_s() const {
@@ -215,6 +229,22 @@ const std::vector<identify::ModeClassification>& Analysis::classifications() con
   });
 }
 
+const FitQuality& Analysis::fit() const {
+  return within_budget(budget_, fit_, [&] {
+    const std::vector<identify::Mode>& found = modes();
+    const identify::FrfDataset& set = fitted_frfs();
+    const ThreadLimit limit(options_.threads);
+    return trace_.run("fit", [&] { return fit_quality(set, found, band_lines()); });
+  });
+}
+
+const std::vector<identify::UnmodelledPeak>& Analysis::unexplained_peaks() const {
+  return within_budget(budget_, unexplained_peaks_, [&] {
+    const ThreadLimit limit(options_.threads);
+    return trace_.run("peaks", [&] { return unexplained_peaks_of(fitted_frfs(), modes()); });
+  });
+}
+
 const ChannelFindings& Analysis::channel_findings() const {
   return within_budget(budget_, channel_findings_, [&]() -> ChannelFindings {
     const std::vector<identify::Mode>& found = modes();
@@ -223,6 +253,7 @@ const ChannelFindings& Analysis::channel_findings() const {
     const ThreadLimit limit(options_.threads);
     return trace_.run("channels", [&]() -> ChannelFindings {
       return {.delays = channel_delays(set, found, hits(), channels),
+              .corrected_delays = corrected_delays(),
               .clocks = channel_clocks(set, channels),
               .pairs = compare_channels(found, channels),
               .largest_velocity_mps = largest_velocity_mps(set, found)};

@@ -11,12 +11,14 @@
 #include "core/budget.hpp"
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
+#include "identify/start/unmodelled_peaks.hpp"
 #include "pipeline/analysis_options.hpp"
 #include "pipeline/channels/channel_findings.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
 #include "pipeline/hits/file_agreement.hpp"
 #include "pipeline/hits/hit_spectra.hpp"
 #include "pipeline/source/source.hpp"
+#include "pipeline/stages/fit_quality.hpp"
 #include "pipeline/stages/mode_stages.hpp"
 #include "pipeline/warnings/warning.hpp"
 
@@ -45,8 +47,9 @@ class Analysis {
   /// Numbers of the measured points.
   std::set<int> points() const { return source_->points(); }
 
-  /// The delays that the options take out of the channels, or that the phases of the modes establish; empty: none.
-  const std::vector<double>& corrected_delays_s() const;
+  /// The delays that are taken out of the channels: those of the options, or those that the phases of the modes
+  /// establish.
+  const std::vector<ChannelDelay>& corrected_delays() const;
   /// The record without these delays, from which every result follows.
   const acquire::Record& aligned_record() const;
 
@@ -66,6 +69,8 @@ class Analysis {
   const acquire::LineRange& lines() const;
   /// Decay rate σ of the exponential window; 0 without a window.
   double window_decay_per_s() const;
+  /// Those of them within the band.
+  acquire::LineRange band_lines() const;
   /// The points of frfs(), ascending.
   std::vector<int> frf_points() const;
   /// Averaged FRFs over lines(), [points × channels], point by point, with the estimator of the options.
@@ -82,6 +87,10 @@ class Analysis {
   const std::vector<identify::Mode>& modes_below() const;
   /// The orders of a tube among modes_below(), by two sensors.
   const identify::LowerOrders& lower_orders() const;
+  /// How well the modes explain each FRF, over band_lines().
+  const FitQuality& fit() const;
+  /// Peaks of fitted_frfs() that no mode models, the largest first; some lie just beyond the band.
+  const std::vector<identify::UnmodelledPeak>& unexplained_peaks() const;
   /// Delays, clocks and scales of the channels, as far as the modes show them.
   const ChannelFindings& channel_findings() const;
   /// Each mode fitted to each accepted hit alone: repeatability, drift, dependence on the force.
@@ -105,7 +114,7 @@ class Analysis {
   AnalysisOptions options_;
   mutable Trace trace_;
   mutable BudgetMeter budget_;
-  Lazy<std::vector<double>> corrected_delays_s_;
+  Lazy<std::vector<ChannelDelay>> corrected_delays_;
   Lazy<acquire::Record> aligned_record_;
   // Results refer neither to the analysis nor to each other.
   Lazy<std::vector<AnalysedHit>> force_hits_, gated_hits_, hits_;
@@ -120,6 +129,8 @@ class Analysis {
   Lazy<std::vector<identify::ModeClassification>> types_;  // orders count from the band's edge
   Lazy<identify::LowerOrders> lower_orders_;
   Lazy<std::vector<identify::ModeClassification>> classifications_;
+  Lazy<FitQuality> fit_;
+  Lazy<std::vector<identify::UnmodelledPeak>> unexplained_peaks_;
   Lazy<ChannelFindings> channel_findings_;
   Lazy<std::vector<HitMode>> modes_per_hit_;
   Lazy<identify::Stabilisation> stabilisation_;

@@ -31,8 +31,9 @@ std::vector<Warning> Analysis::warnings() const {
   if (modes_.ready()) add(channel_mode_warnings(record(), channel_findings(), force_known));
   if (modes_.ready()) {
     add(freq_scatter_warnings(modes()));
+    add(local_fit_warnings(modes()));
     add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
-    if (!user_chose_modes) add(unmodelled_peak_warnings(fitted_frfs(), modes(), band_Hz()));
+    if (!user_chose_modes) add(unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));
   }
   if (classifications_.ready()) {
     add(object_warnings(classifications(), options_.classes));

@@ -175,16 +175,7 @@ const std::vector<std::vector<identify::Mac>>& Survey::macs() const {
   return within_budget(analysis_.budget(), macs_, [&] { return identify::auto_mac(shapes()); });
 }
 
-acquire::LineRange Survey::band() const {
-  const auto [low, high] = analysis_.band_Hz();
-  const acquire::LineRange& all = analysis_.lines();
-  acquire::LineRange band = frf::lines_in_band(all.fs_Hz, all.samples, low, high);
-  const std::size_t first = std::max(band.first, all.first);
-  const std::size_t end = std::min(band.first + band.count, all.first + all.count);
-  band.first = first;
-  band.count = end > first ? end - first : 0;
-  return band;
-}
+acquire::LineRange Survey::band() const { return analysis_.band_lines(); }
 
 const std::vector<identify::SynthesisedFrf>& Survey::synthesis() const {
   return within_budget(analysis_.budget(), synthesis_, [&] {

@@ -88,6 +88,12 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
       .within(1e-12, 0.999999)
       .type("FRACTION");
   command
+      .value("--delay", flags.delay,
+             "Take out the delay of each accelerometer after the force. auto: as the phases of the modes show it; off: "
+             "only warn; or seconds, one for all or one per channel, negative where the channel comes early")
+      .type("auto|off|S,...")
+      .show_default();
+  command
       .value("--overlay-db", flags.overlay_dB,
              "Treat two FRFs as overlaid if they differ by at most this much at a peak")
       .above_zero()
@@ -135,6 +141,21 @@ std::optional<Budget> budget_of(const std::vector<double>& values) {
 
 namespace {
 
+pipeline::DelayCorrection parse_delay(const std::string& text) {
+  if (text == "auto") return {.automatic = true, .delay_s = {}};
+  pipeline::DelayCorrection out;
+  if (text == "off") return out;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t end = std::min(text.find(',', from), text.size());
+    const auto delay_s = number(std::string_view(text).substr(from, end - from));
+    if (!delay_s)
+      throw OptionError::wrong_value("delay", text, "give auto, off, or delays in seconds such as 20e-6,40e-6");
+    out.delay_s.push_back(*delay_s);
+    from = end + 1;
+  }
+  return out;
+}
+
 // A mode outside the band would be fitted but not reported.
 void require_within_band(const std::optional<std::pair<double, double>>& band_Hz, const std::vector<double>& start_Hz) {
   for (const double start : start_Hz) {
@@ -173,6 +194,7 @@ pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags) {
     }
   }
   options.exponential_end = flags.exponential_end;
+  options.delays = parse_delay(flags.delay);
   require_within_band(options.band_Hz, flags.start_Hz);
   options.modes = {
       .effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = without_duplicates(flags.start_Hz)};

@@ -22,6 +22,7 @@ struct AnalysisFlags {
   double from_s = 0;
   std::string force_window = "auto";
   double exponential_end = 0;
+  std::string delay = "off";  // auto, off or seconds
   double overlay_dB = 1;
   std::string object = "auto";
   std::size_t threads = 0;

@@ -32,6 +32,9 @@ struct Mode {
   double damping_std = 0;
   double freq_scatter_Hz = 0;     // standard deviation of the frequency between impact points; 0: not significant
   std::vector<Residue> residues;  // [channels] in the order of FrfDataset::channels
+  /// Residual energy of the fit of all modes together around this mode, over that of the fit of its own window, where
+  /// the latter was kept because of it; infinite where all modes together did not converge; else 0.
+  double joint_misfit = 0;
 };
 
 }  // namespace percuss::identify

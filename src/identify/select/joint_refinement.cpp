@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "identify/fit/joint_fit.hpp"
 #include "identify/noise/window_noise.hpp"
@@ -28,6 +29,17 @@ bool joint_fit_is_as_good(const FittedMode& local, const std::vector<Eigen::Vect
   return excess <= unknowns + kChance * std::sqrt(2 * unknowns);
 }
 
+// Residual energy of the joint fit over the local fit's, in the mode's window.
+double energy_ratio(const FittedMode& local, const std::vector<Eigen::VectorXcd>& residual) {
+  double joint = 0, alone = 0;
+  for (Index o = 0; o < local.noise.size(); ++o) {
+    const auto first = static_cast<Index>(local.first), count = static_cast<Index>(local.count);
+    joint += residual[static_cast<std::size_t>(o)].segment(first, count).squaredNorm() / std::pow(local.noise(o), 2);
+    alone += static_cast<double>(local.count) - 0.5 * static_cast<double>(local.unknowns_per_channel);
+  }
+  return alone > 0 ? joint / alone : 0;
+}
+
 }  // namespace
 
 void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes) {
@@ -35,7 +47,9 @@ void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes) {
   start.reserve(modes.size());
   for (const FittedMode& mode : modes) start.push_back(mode.mode.pole);
   // A joint fit that is worse for every mode needs no real residues and no standard deviations.
+  for (FittedMode& mode : modes) mode.mode.joint_misfit = std::numeric_limits<double>::infinity();
   const auto is_good_for_any = [&](const std::vector<Eigen::VectorXcd>& residual) {
+    for (FittedMode& mode : modes) mode.mode.joint_misfit = energy_ratio(mode, residual);
     return std::any_of(modes.begin(), modes.end(),
                        [&](const FittedMode& mode) { return joint_fit_is_as_good(mode, residual); });
   };
@@ -43,9 +57,11 @@ void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes) {
   if (!joint.converged) return;
   const WindowNoise window(set);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (!joint_fit_is_as_good(modes[m], joint.residual)) continue;
-    const auto i = static_cast<Index>(m);
     Mode& mode = modes[m].mode;
+    mode.joint_misfit = energy_ratio(modes[m], joint.residual);
+    if (!joint_fit_is_as_good(modes[m], joint.residual)) continue;
+    mode.joint_misfit = 0;
+    const auto i = static_cast<Index>(m);
     modes[m].joint = true;
     mode.pole = joint.poles[m];
     const double of_pole = std::sqrt(window.of_pole(mode.pole)), of_residue = std::sqrt(window.of_residue(mode.pole));

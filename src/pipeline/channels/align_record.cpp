@@ -11,7 +11,8 @@
 namespace percuss::pipeline {
 namespace {
 
-// Taps on either side. The window's transition of 8 / (taps) reaches from 0.44 of the sampling rate to its mirror image.
+// Taps on either side. The window's transition of 8 / (taps) reaches from 0.44 of the sampling rate to its mirror
+// image.
 constexpr std::ptrdiff_t kHalfTaps = 40;
 
 // Window of Nuttall with four terms: side lobes at −98 dB. u: −1 … 1.
@@ -47,37 +48,29 @@ Shift shift_of(double samples) {
 
 }  // namespace
 
-std::vector<double> delay_per_channel(const std::vector<double>& delay_s, const acquire::Record& record) {
+std::vector<ChannelDelay> stated_delays(const std::vector<double>& delay_s, const acquire::Record& record) {
   const std::size_t channels = record.accel.size();
-  std::vector<double> all = delay_s.size() == 1 ? std::vector<double>(channels, delay_s.front()) : delay_s;
-  if (all.size() != channels) {
-    throw InputError(fmt::format("{} delays for {} acceleration channels", all.size(), channels), record.source(),
+  std::vector<ChannelDelay> out;
+  if (delay_s.empty()) return out;
+  if (delay_s.size() != 1 && delay_s.size() != channels) {
+    throw InputError(fmt::format("{} delays for {} acceleration channels", delay_s.size(), channels), record.source(),
                      "give one per channel, or one for all", {"delay"});
   }
+  for (std::size_t c = 0; c < channels; ++c)
+    out.push_back({.channel = c, .delay_s = delay_s.size() == 1 ? delay_s.front() : delay_s[c]});
   for (const acquire::RowInfo& row : record.rows) {
-    for (const double one : all) {
-      if (!(std::abs(one) * record.fs_Hz < static_cast<double>(row.samples)))
-        throw InputError(fmt::format("a delay of {:g} s is longer than a row", one), record.source(),
-                         "give delays in seconds", {"delay"});
+    for (const ChannelDelay& one : out) {
+      if (std::abs(one.delay_s) * record.fs_Hz < static_cast<double>(row.samples)) continue;
+      throw InputError(fmt::format("a delay of {:g} s is longer than a row", one.delay_s), record.source(),
+                       "give the delays in seconds", {"delay"});
     }
-  }
-  return all;
-}
-
-std::vector<double> established_delays_s(const std::vector<ChannelDelay>& delays, const acquire::Record& record) {
-  std::vector<double> out;
-  for (const ChannelDelay& delay : delays) {
-    if (!delay.established()) continue;
-    out.resize(record.accel.size());
-    out[delay.channel] = delay.delay_s;
   }
   return out;
 }
 
-acquire::Record align_record(acquire::Record record, std::vector<double> delay_s) {
-  std::vector<Shift> shifts;
-  shifts.reserve(delay_s.size());
-  for (const double delay : delay_s) shifts.push_back(shift_of(delay * record.fs_Hz));
+acquire::Record align_record(acquire::Record record, const std::vector<ChannelDelay>& delays) {
+  std::vector<Shift> shifts(record.accel.size());
+  for (const ChannelDelay& delay : delays) shifts[delay.channel] = shift_of(delay.delay_s * record.fs_Hz);
   std::vector<std::size_t> samples;
   samples.reserve(record.rows.size());
   for (const acquire::RowInfo& row : record.rows) samples.push_back(row.samples);
@@ -88,7 +81,8 @@ acquire::Record align_record(acquire::Record record, std::vector<double> delay_s
     const Shift& shift = shifts[channel];
     const auto end = static_cast<std::ptrdiff_t>(samples[row]);
     const std::ptrdiff_t taps = shift.taps.empty() ? 0 : kHalfTaps;
-    const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(first) + shift.whole - std::max<std::ptrdiff_t>(taps - 1, 0);
+    const std::ptrdiff_t from =
+        static_cast<std::ptrdiff_t>(first) + shift.whole - std::max<std::ptrdiff_t>(taps - 1, 0);
     const std::ptrdiff_t wanted = static_cast<std::ptrdiff_t>(out.size()) + std::max<std::ptrdiff_t>(2 * taps - 1, 0);
     const std::ptrdiff_t low = std::clamp<std::ptrdiff_t>(from, 0, end - 1);
     const std::ptrdiff_t high = std::clamp<std::ptrdiff_t>(from + wanted, low + 1, end);
@@ -111,12 +105,12 @@ acquire::Record align_record(acquire::Record record, std::vector<double> delay_s
   return record;
 }
 
-std::size_t samples_without_data(const std::vector<double>& delay_s, double fs_Hz) {
+std::size_t samples_without_data(const std::vector<ChannelDelay>& delays, double fs_Hz) {
   double latest = 0;
   bool any = false;
-  for (const double delay : delay_s) {
-    latest = std::max(latest, delay * fs_Hz);
-    any = any || delay != 0;
+  for (const ChannelDelay& delay : delays) {
+    latest = std::max(latest, delay.delay_s * fs_Hz);
+    any = any || delay.delay_s != 0;
   }
   return any ? static_cast<std::size_t>(std::ceil(latest)) + kHalfTaps : 0;
 }

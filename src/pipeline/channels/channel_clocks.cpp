@@ -12,7 +12,7 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMinShared = 4;
-constexpr double kNear = 2;           // half-power bandwidths between the places of one mode in two channels
+constexpr double kNear = 2;                     // half-power bandwidths between the places of one mode in two channels
 constexpr std::size_t kFitFlops = 100'000'000;  // a lower limit
 
 identify::FrfDataset only(const identify::FrfDataset& set, std::size_t channel) {
@@ -31,7 +31,8 @@ const identify::Mode* nearest(const std::vector<identify::Mode>& modes, const id
   return &*at;
 }
 
-std::optional<ChannelClock> compare(const std::vector<identify::Mode>& first, const std::vector<identify::Mode>& other) {
+std::optional<ChannelClock> compare(const std::vector<identify::Mode>& first,
+                                    const std::vector<identify::Mode>& other) {
   std::vector<double> excess, std;
   for (const identify::Mode& mode : first) {
     const identify::Mode* there = nearest(other, mode);
@@ -41,8 +42,7 @@ std::optional<ChannelClock> compare(const std::vector<identify::Mode>& first, co
   }
   if (excess.size() < kMinShared) return std::nullopt;
   const RobustSlope slope = robust_slope(std::vector<double>(excess.size(), 1.0), excess, std);
-  return ChannelClock{
-      .excess = slope.slope, .std = slope.std, .modes = excess.size(), .log_chance = slope.log_chance};
+  return ChannelClock{.excess = slope.slope, .std = slope.std, .modes = excess.size(), .log_chance = slope.log_chance};
 }
 
 }  // namespace

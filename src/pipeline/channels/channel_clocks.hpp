@@ -15,8 +15,8 @@ struct ChannelClock {
   bool established() const;
 };
 
-/// One factor between the frequencies of all modes is a clock: no structure and no sensor does that. Each channel's FRFs
-/// are fitted alone; modes that both channels show are compared. Empty for one channel.
+/// One factor between the frequencies of all modes is a clock: no structure and no sensor does that. Each channel's
+/// FRFs are fitted alone; modes that both channels show are compared. Empty for one channel.
 std::vector<ChannelClock> channel_clocks(const identify::FrfDataset& set, std::size_t channels);
 
 }  // namespace percuss::pipeline

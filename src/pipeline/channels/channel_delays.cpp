@@ -11,14 +11,14 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kSearched_s = 0.02;      // on either side of zero
-constexpr double kSteps = 16;             // per period of the highest mode
-constexpr std::size_t kStarts = 30;       // the best of the steps, from which the delay is refined
+constexpr double kSearched_s = 0.02;  // on either side of zero
+constexpr double kSteps = 16;         // per period of the highest mode
+constexpr std::size_t kStarts = 30;   // the best of the steps, from which the delay is refined
 constexpr std::size_t kMinPhases = 3;
-constexpr double kClearPhase = 5;              // standard deviations of a residue whose phase is used
-constexpr double kPhaseFloor = 0.05;      // rad, added to the standard deviations in the search
-constexpr double kDisorder = 0.907;       // rms of phases without any order, π/√12
-constexpr double kSpoilt = 0.3;           // rms phase in rad that complex shapes rarely reach
+constexpr double kClearPhase = 5;     // standard deviations of a residue whose phase is used
+constexpr double kPhaseFloor = 0.05;  // rad, added to the standard deviations in the search
+constexpr double kDisorder = 0.907;   // rms of phases without any order, π/√12
+constexpr double kSpoilt = 0.3;       // rms phase in rad that complex shapes rarely reach
 
 double to_half_turn(double phase_rad) { return std::remainder(phase_rad, std::numbers::pi); }
 
@@ -48,6 +48,7 @@ ChannelDelay refined(std::span<const ModePhase> phases, double start_s) {
   double without = 0;
   for (const double phase : phases_after(phases, 0)) without += phase * phase / static_cast<double>(phases.size());
   without = std::min(std::sqrt(without), kDisorder);
+  out.undelayed_rms = without;
   const double trials = std::max(1.0, 4 * std::abs(out.delay_s) * highest_Hz);
   const double better = without > 0 ? std::clamp(out.phase_rms / without, 1e-12, 1.0) : 1;
   out.log_chance = std::log(trials) + static_cast<double>(phases.size() - 1) * std::log(better);
@@ -102,7 +103,7 @@ double first_motion_s(const std::vector<AnalysedHit>& hits, std::size_t channel)
 
 bool disordered(const std::vector<ChannelDelay>& delays, std::size_t channel) {
   return std::none_of(delays.begin(), delays.end(), [&](const ChannelDelay& delay) {
-    return delay.channel == channel && (delay.established() || delay.phase_rms < kSpoilt);
+    return delay.channel == channel && (delay.established() || delay.undelayed_rms < kSpoilt);
   });
 }
 
@@ -155,7 +156,8 @@ std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const 
   std::vector<double> late_s(channels);
   bool any = false;
   for (std::size_t c = 0; c < channels; ++c) {
-    if (const double first_s = first_motion_s(hits, c); first_s > period_s && disordered(delays, c)) late_s[c] = first_s;
+    if (const double first_s = first_motion_s(hits, c); first_s > period_s && disordered(delays, c))
+      late_s[c] = first_s;
     any = any || late_s[c] > 0;
   }
   if (!any) return delays;

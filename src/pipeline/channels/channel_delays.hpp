@@ -14,10 +14,11 @@ namespace percuss::pipeline {
 struct ChannelDelay {
   std::size_t channel = 0;
   double delay_s = 0, std_s = 0;
-  std::size_t modes = 0;   // whose phases show it
-  double highest_Hz = 0;   // the highest of them
-  double phase_rms = 0;    // rad, of these phases about the line of the delay
-  double log_chance = 0;   // natural logarithm of the probability of this order in modes without a delay
+  std::size_t modes = 0;     // whose phases show it
+  double highest_Hz = 0;     // the highest of them
+  double phase_rms = 0;      // rad, of these phases about the line of the delay
+  double undelayed_rms = 0;  // rad, about zero
+  double log_chance = 0;     // natural logarithm of the probability of this order in modes without a delay
   /// The phase at the highest of the modes, rad.
   double largest_phase() const;
   /// The phases grow with frequency beyond doubt.
@@ -38,8 +39,8 @@ std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases);
 /// has none. Modes with complex shapes scatter about the line and enter the standard deviation.
 std::vector<ChannelDelay> delays_of_residues(const std::vector<identify::Mode>& modes, std::size_t channels);
 
-/// As delays_of_residues. A delay of several periods spoils the modes themselves; where the phases show no order and the
-/// response begins late, the FRFs are turned back by that time and the modes are found again.
+/// As delays_of_residues. A delay of several periods spoils the modes themselves; where the phases show no order and
+/// the response begins late, the FRFs are turned back by that time and the modes are found again.
 std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                          const std::vector<AnalysedHit>& hits, std::size_t channels);
 

@@ -10,7 +10,8 @@ namespace percuss::pipeline {
 
 /// What the modes tell about the channels that measured them.
 struct ChannelFindings {
-  std::vector<ChannelDelay> delays;  // that remain after any correction
+  std::vector<ChannelDelay> delays;            // that remain after any correction
+  std::vector<ChannelDelay> corrected_delays;  // that the phases established and the analysis took out
   std::vector<ChannelClock> clocks;
   std::vector<ChannelPair> pairs;
   double largest_velocity_mps = 0;

@@ -20,8 +20,8 @@ struct ChannelPair {
 /// The first channel with every other one. A channel with fewer than four modes in common is left out.
 std::vector<ChannelPair> compare_channels(const std::vector<identify::Mode>& modes, std::size_t channels);
 
-/// The largest velocity that a mode has just after a hit, in m/s: |residue| · |F| at its frequency, the root mean square
-/// over the hits. 0 where the force is not known.
+/// The largest velocity that a mode has just after a hit, in m/s: |residue| · |F| at its frequency, the root mean
+/// square over the hits. 0 where the force is not known.
 double largest_velocity_mps(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes);
 
 }  // namespace percuss::pipeline

@@ -10,9 +10,9 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr int kPasses = 10;
-constexpr double kFar = 3;                // standard deviations: farther values weigh ever less
+constexpr double kFar = 3;                 // standard deviations: farther values weigh ever less
 constexpr double kMedianOfSquare = 0.455;  // of a normal variable with variance 1
-constexpr double kLeast = 1e-12;          // of the values: smaller residuals are rounding
+constexpr double kLeast = 1e-12;           // of the values: smaller residuals are rounding
 
 std::vector<double> squares(std::vector<double> values) {
   for (double& value : values) value *= value;

@@ -34,15 +34,25 @@ std::string microseconds(double s, double std_s) {
   return fmt::format("{} ± {} {}", significant(magnitude * scale, 4), significant(std_s * scale, 2), unit);
 }
 
-std::vector<Warning> skew(const acquire::Record& record, const std::vector<ChannelDelay>& delays, bool correctable) {
-  std::string list;
+// "accel 1 20 ± 0.1 µs after the force, …", and the delay that turns a phase most.
+struct DelayList {
+  std::string text;
   const ChannelDelay* most = nullptr;
+};
+
+DelayList list_of(const acquire::Record& record, const std::vector<ChannelDelay>& delays) {
+  DelayList list;
   for (const ChannelDelay& delay : delays) {
     if (!delay.established() || delay.largest_phase() < kHarmlessPhase) continue;
-    list += fmt::format("{}{} {} {} the force", list.empty() ? "" : ", ", name_of(record, delay.channel),
-                        microseconds(delay.delay_s, delay.std_s), delay.delay_s > 0 ? "after" : "before");
-    if (most == nullptr || delay.largest_phase() > most->largest_phase()) most = &delay;
+    list.text += fmt::format("{}{} {} {} the force", list.text.empty() ? "" : ", ", name_of(record, delay.channel),
+                             microseconds(delay.delay_s, delay.std_s), delay.delay_s > 0 ? "after" : "before");
+    if (list.most == nullptr || delay.largest_phase() > list.most->largest_phase()) list.most = &delay;
   }
+  return list;
+}
+
+std::vector<Warning> skew(const acquire::Record& record, const std::vector<ChannelDelay>& delays, bool correctable) {
+  const auto& [list, most] = list_of(record, delays);
   if (most == nullptr) return {};
   Warning warning{"skew",
                   fmt::format("channels were not sampled together: {}. The residues' phase grows evenly with frequency "
@@ -53,6 +63,15 @@ std::vector<Warning> skew(const acquire::Record& record, const std::vector<Chann
                                  : ". Measure again with equal filters and one clock, or shift the FRFs";
   if (correctable) warning.options = {"delay"};
   return {warning};
+}
+
+std::vector<Warning> corrected_skew(const acquire::Record& record, const std::vector<ChannelDelay>& delays) {
+  const auto& [list, most] = list_of(record, delays);
+  if (most == nullptr) return {};
+  return {{"skew",
+           fmt::format("delays were taken out of the channels: {}, from the phases of {} modes. All results are those "
+                       "of channels sampled together",
+                       list, most->modes)}};
 }
 
 std::vector<Warning> clocks(const acquire::Record& record, const std::vector<ChannelClock>& clocks) {
@@ -85,7 +104,7 @@ std::vector<Warning> units(const acquire::Record& record, const ChannelFindings&
                                "state the unit or the scale of each channel",
                                name_of(record, second ? pair.second : pair.first), factor,
                                name_of(record, second ? pair.first : pair.second), pair.modes),
-                   {"accel_unit", "accel_scale"}});
+                   {"unit", "accel_scale"}});
   }
   if (out.empty() && findings.largest_velocity_mps > kFastest_mps) {
     out.push_back({"implausible_motion",
@@ -93,7 +112,7 @@ std::vector<Warning> units(const acquire::Record& record, const ChannelFindings&
                                "sensitivity is wrong (mm/s² for m/s², mV for V, kN for N). Frequencies and damping "
                                "ratios hold, residues do not; state the units or the scales",
                                findings.largest_velocity_mps),
-                   {"accel_unit", "force_unit", "accel_scale", "force_scale"}});
+                   {"unit", "force_unit", "accel_scale", "force_scale"}});
   }
   return out;
 }
@@ -111,20 +130,21 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
     if (pair.second >= record.accel.size()) continue;
     const auto angle_rad = angle_between(record, pair);
     if (pair.alikeness < kOppositeMotion && angle_rad.value_or(0) < kOneSide_rad) {
-      out.push_back({"reversed",
-                     fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all modes "
-                                 "agree. Shapes have the wrong sign there; check which way the sensors point, and state "
-                                 "a negative scale for the reversed one",
-                                 name_of(record, pair.second), name_of(record, pair.first), pair.modes),
-                     {"accel_scale"}});
+      out.push_back(
+          {"reversed",
+           fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all modes "
+                       "agree. Shapes have the wrong sign there; check which way the sensors point, and state "
+                       "a negative scale for the reversed one",
+                       name_of(record, pair.second), name_of(record, pair.first), pair.modes),
+           {"accel_scale"}});
     } else if (pair.alikeness > kSameMotion && angle_rad && *angle_rad > kOwnPlace_rad) {
-      out.push_back({"same_motion",
-                     fmt::format("{} and {} show the same motion in all {} modes, but are stated {:.0f}° apart: an "
-                                 "angle is wrong, or one signal was recorded twice. Bending and hoop cannot be told "
-                                 "apart then; state the places of the sensors",
-                                 name_of(record, pair.first), name_of(record, pair.second), pair.modes,
-                                 *angle_rad * kRadian_deg),
-                     {"angle"}});
+      out.push_back(
+          {"same_motion",
+           fmt::format("{} and {} show the same motion in all {} modes, but are stated {:.0f}° apart: an "
+                       "angle is wrong, or one signal was recorded twice. Bending and hoop cannot be told "
+                       "apart then; state the places of the sensors",
+                       name_of(record, pair.first), name_of(record, pair.second), pair.modes, *angle_rad * kRadian_deg),
+           {"angle"}});
     }
   }
   return out;
@@ -135,7 +155,8 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
 std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const ChannelFindings& findings,
                                            bool correctable) {
   std::vector<Warning> out = skew(record, findings.delays, correctable);
-  for (const auto& more : {clocks(record, findings.clocks), units(record, findings), directions(record, findings.pairs)})
+  for (const auto& more : {corrected_skew(record, findings.corrected_delays), clocks(record, findings.clocks),
+                           units(record, findings), directions(record, findings.pairs)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/io/significant_digits.hpp"
-#include "identify/start/unmodelled_peaks.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kPeakRange_dB = 65;       // below the largest line; lower peaks are not reported
 constexpr std::size_t kMaxNamedPeaks = 8;  // in one warning
 constexpr double kMaxSplitBandwidths = 5;  // separation of two peaks that asymmetry or damage splits
 
@@ -39,14 +38,35 @@ std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& mo
                                "causes: temperature, the strength of the hits, a sensor that was moved"}};
 }
 
-std::vector<Warning> unmodelled_peak_warnings(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes) {
+  std::string list;
+  std::size_t count = 0, unsettled = 0;
+  for (const identify::Mode& mode : modes) {
+    if (!(mode.joint_misfit > 0)) continue;
+    ++count;
+    if (!std::isfinite(mode.joint_misfit)) {
+      ++unsettled;
+    } else if (count - unsettled <= kMaxNamedPeaks) {
+      list +=
+          fmt::format("{}{:.1f} Hz ({} times)", separator(list), mode.pole.freq_Hz, significant(mode.joint_misfit, 2));
+    }
+  }
+  if (count == 0) return {};
+  const std::string why = list.empty() ? "the fit of all modes together did not converge"
+                                       : "all modes together leave more residual energy around them: " + list;
+  return {{"local_fits",
+           fmt::format("{} of {} modes keep the fit of their own surroundings, because {}. Their ± is somewhat larger "
+                       "than it could be; the record holds something that no set of fixed modes explains, or a mode is "
+                       "missing",
+                       count, modes.size(), why)}};
+}
+
+std::vector<Warning> unmodelled_peak_warnings(std::vector<identify::UnmodelledPeak> peaks,
                                               std::pair<double, double> band_Hz) {
-  auto peaks = identify::unmodelled_peaks(set, modes, kPeakRange_dB);
   std::erase_if(peaks, [&](const identify::UnmodelledPeak& peak) {
     return peak.freq_Hz < band_Hz.first || peak.freq_Hz > band_Hz.second;
   });
   if (peaks.empty()) return {};
-  std::stable_sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.level_dB > b.level_dB; });
   std::string list;
   for (std::size_t p = 0; p < std::min(peaks.size(), kMaxNamedPeaks); ++p)
     list += fmt::format("{}{:.6g} Hz ({:.0f} dB)", separator(list), peaks[p].freq_Hz, peaks[p].level_dB);

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "identify/classify/classify.hpp"
-#include "identify/model/frf_dataset.hpp"
 #include "identify/model/mode.hpp"
+#include "identify/start/unmodelled_peaks.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -17,13 +17,17 @@ std::vector<Warning> force_noise_warnings(const std::vector<identify::Mode>& mod
 std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes);
 
 /// unclaimed_peaks: prominent peaks within the band that no mode models.
-std::vector<Warning> unmodelled_peak_warnings(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+/// peaks  the largest first.
+std::vector<Warning> unmodelled_peak_warnings(std::vector<identify::UnmodelledPeak> peaks,
                                               std::pair<double, double> band_Hz);
 
 /// Whether mode m and its partner are hoop modes of a tube, closer than a few bandwidths: then damage or asymmetry may
 /// have split one mode.
 bool is_split_hoop(const std::vector<identify::Mode>& modes,
                    const std::vector<identify::ModeClassification>& classifications, std::size_t m);
+
+/// local_fits: modes that all modes together fit worse than their own surroundings do.
+std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes);
 
 /// double_peak: split hoop modes, quoted by their first peak.
 std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& modes,

@@ -30,6 +30,8 @@ Json options_json(const pipeline::Analysis& analysis) {
   if (o.hits.to_s) json["to_s"] = *o.hits.to_s;
   if (!o.hits.gate_force) json["force_window"] = "off";
   if (o.exponential_end > 0) json["exponential_end"] = o.exponential_end;
+  if (o.delays.automatic) json["delay"] = "auto";
+  if (!o.delays.delay_s.empty()) json["delay"] = o.delays.delay_s;
   if (o.classes.overlay_dB != identify::ClassifyOptions{}.overlay_dB) json["overlay_db"] = o.classes.overlay_dB;
   if (o.classes.object != identify::ObjectKind::automatic)
     json["object"] = o.classes.object == identify::ObjectKind::tube ? "tube" : "other";
@@ -85,12 +87,22 @@ void add_modes(JsonDocument& document, const pipeline::Analysis& analysis, const
   const bool classes = options.sections.contains(ReportSection::classes);
   const std::vector<identify::Mode>& modes = analysis.modes();
   const double decay = analysis.window_decay_per_s();
+  const std::vector<double>& frac = analysis.fit().mode_frac;
   const std::vector<identify::ModeClassification>* classifications = options.classifications;
   if (classes && classifications == nullptr) classifications = &analysis.classifications();
-  document.add("modes", modes.size(), [&modes, decay, classifications, classes, shape = options.shape](std::size_t m) {
-    std::string text = mode_json(modes[m], m, decay, classes ? &(*classifications)[m] : nullptr);
-    return shape ? with_member(std::move(text), "shape", shape(m)) : text;
-  });
+  document.add("modes", modes.size(),
+               [&modes, &frac, decay, classifications, classes, shape = options.shape](std::size_t m) {
+                 std::string text = mode_json(modes[m], m,
+                                              {.window_decay_per_s = decay,
+                                               .classification = classes ? &(*classifications)[m] : nullptr,
+                                               .frac = m < frac.size() ? frac[m] : 0});
+                 return shape ? with_member(std::move(text), "shape", shape(m)) : text;
+               });
+  analysis.channel_findings();
+  analysis.unexplained_peaks();
+  document.add("fit", [&] { return fit_json(analysis); });
+  document.add("delays", [&] { return delays_json(analysis); });
+  document.add("unexplained_peaks", [&] { return unexplained_peaks_json(analysis); });
 }
 
 void add_frfs(JsonDocument& document, const pipeline::Analysis& analysis, const JsonOptions& options) {

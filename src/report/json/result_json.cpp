@@ -103,16 +103,20 @@ std::string hit_json(const acquire::Record& record, std::size_t i, const pipelin
   return indented_text(json);
 }
 
-std::string mode_json(const identify::Mode& mode, std::size_t m, double window_decay_per_s,
-                      const identify::ModeClassification* classification) {
+std::string mode_json(const identify::Mode& mode, std::size_t m, const ModeJson& of) {
   Json json{{"index", m},
             {"frequency_hz", mode.pole.freq_Hz},
             {"frequency_std_hz", mode.freq_std_Hz},
             {"damping_ratio", mode.pole.damping_ratio},
             {"damping_ratio_std", mode.damping_std}};
   if (mode.freq_scatter_Hz > 0) json["moves_hz"] = mode.freq_scatter_Hz;
-  if (window_decay_per_s > 0) json["damping_ratio_raw"] = raw_damping(mode.pole, window_decay_per_s);
-  if (classification != nullptr) add_classification(json, *classification);
+  if (of.window_decay_per_s > 0) json["damping_ratio_raw"] = raw_damping(mode.pole, of.window_decay_per_s);
+  if (of.classification != nullptr) add_classification(json, *of.classification);
+  json["frac"] = of.frac;
+  if (mode.joint_misfit > 0) {
+    json["effort_used"] = name_of(identify::Effort::standard);
+    json["joint_misfit"] = std::isfinite(mode.joint_misfit) ? Json(mode.joint_misfit) : Json();
+  }
   json["residues"] = Json::array();
   for (const identify::Residue& r : mode.residues) json["residues"].push_back(residue_json(r));
   return indented_text(json);
@@ -136,6 +140,49 @@ std::string coherence_json(const pipeline::Analysis& analysis) {
                    {"mean", summary ? Json(summary->mean) : Json()},
                    {"fraction_below_0_9", summary ? Json(summary->below) : Json()}});
   }
+  return indented_text(out);
+}
+
+std::string fit_json(const pipeline::Analysis& analysis) {
+  const auto complex = [](Complex z) { return Json{{"re", z.real()}, {"im", z.imag()}}; };
+  const std::vector<int> points = analysis.frf_points();
+  Json out = Json::array();
+  for (const pipeline::FrfFit& frf : analysis.fit().frfs) {
+    out.push_back({{"point", points[frf.point]},
+                   {"channel", frf.channel},
+                   {"frac", frf.frac},
+                   {"lower", complex(frf.lower)},
+                   {"upper", complex(frf.upper)},
+                   {"upper_4", complex(frf.upper4)}});
+  }
+  return indented_text(out);
+}
+
+std::string unexplained_peaks_json(const pipeline::Analysis& analysis) {
+  const auto [low_Hz, high_Hz] = analysis.band_Hz();
+  Json out = Json::array();
+  for (const identify::UnmodelledPeak& peak : analysis.unexplained_peaks()) {
+    out.push_back({{"frequency_hz", peak.freq_Hz},
+                   {"level_db", peak.level_dB},
+                   {"in_band", peak.freq_Hz >= low_Hz && peak.freq_Hz <= high_Hz}});
+  }
+  return indented_text(out);
+}
+
+std::string delays_json(const pipeline::Analysis& analysis) {
+  Json out = Json::array();
+  const auto add = [&](const std::vector<pipeline::ChannelDelay>& delays, bool corrected) {
+    for (const pipeline::ChannelDelay& delay : delays) {
+      if (!corrected && !delay.established()) continue;
+      out.push_back({{"channel", delay.channel},
+                     {"delay_s", delay.delay_s},
+                     {"std_s", delay.std_s},
+                     {"modes", delay.modes},
+                     {"corrected", corrected}});
+    }
+  };
+  add(analysis.channel_findings().corrected_delays, true);
+  add(analysis.channel_findings().delays, false);
   return indented_text(out);
 }
 

@@ -9,9 +9,18 @@ namespace percuss::report {
 
 /// Hit number `i`.
 std::string hit_json(const acquire::Record& record, std::size_t i, const pipeline::AnalysedHit& hit);
-/// `classification`: nullptr for modes that are not classified.
-std::string mode_json(const identify::Mode& mode, std::size_t m, double window_decay_per_s,
-                      const identify::ModeClassification* classification);
+struct ModeJson {
+  double window_decay_per_s = 0;
+  const identify::ModeClassification* classification = nullptr;  // nullptr for modes that are not classified
+  double frac = 0;                                               // over the lines around the mode
+};
+std::string mode_json(const identify::Mode& mode, std::size_t m, const ModeJson& of);
+/// Each FRF's agreement with the modes, and its residual terms.
+std::string fit_json(const pipeline::Analysis& analysis);
+/// Peaks within the band and its margin that no mode models, the largest first.
+std::string unexplained_peaks_json(const pipeline::Analysis& analysis);
+/// The delays that were taken out of the channels, and those that remain.
+std::string delays_json(const pipeline::Analysis& analysis);
 std::string frf_json(const pipeline::Analysis& analysis);
 std::string coherence_json(const pipeline::Analysis& analysis);
 std::string modes_per_hit_json(const pipeline::Analysis& analysis);

@@ -1,0 +1,167 @@
+// Records whose channels are wrong in one way, by exact means.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "pipeline/analysis.hpp"
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::pipeline::channel_findings_test {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr double kQuarter_rad = std::numbers::pi / 4;
+
+// A bat with bending in oblique planes, so that both sensors see every mode.
+synth::SynthSpec oblique_bat() {
+  std::vector<synth::SynthMode> modes;
+  const std::vector<double> freq_Hz{171, 580, 1190, 1840, 2350};
+  for (std::size_t m = 0; m < freq_Hz.size(); ++m) {
+    modes.push_back({.freq_Hz = freq_Hz[m],
+                     .damping_ratio = 0.006,
+                     .order = static_cast<int>(m) + 1,
+                     .angle_rad = kQuarter_rad + 0.3 * static_cast<double>(m % 3) - 0.3,
+                     .amplitude_per_sqrt_kg = 2});
+  }
+  synth::SynthSpec spec = test::bat_spec(modes, 1);
+  spec.hits = 3;
+  spec.pretrigger_s = 0.01;
+  spec.noise = {.force = 1e-4, .accel = 1e-3};
+  return spec;
+}
+
+// The record with out = change(channel, first, samples of the channel) in place of its accelerations.
+template <class Change>
+acquire::Record changed(const acquire::Record& record, Change change) {
+  acquire::Record out = record;
+  out.contiguous.clear();
+  const std::size_t samples = record.rows.front().samples;
+  out.read_accel_mps2 = [read = record.read_accel_mps2, samples, change](std::size_t row, std::size_t channel,
+                                                                         std::size_t first, std::span<double> to) {
+    std::vector<double> all(samples);
+    read(row, channel, 0, all);
+    for (std::size_t n = 0; n < to.size(); ++n) to[n] = change(channel, first + n, all);
+  };
+  return out;
+}
+
+acquire::Record late_by(const acquire::Record& record, std::size_t first, std::size_t second) {
+  return changed(record, [=](std::size_t channel, std::size_t n, const std::vector<double>& x) {
+    const std::size_t late = channel == 0 ? first : second;
+    return x[n - std::min(n, late)];
+  });
+}
+
+std::vector<std::string> warnings_of(const Analysis& analysis) {
+  analysis.classifications();
+  std::vector<std::string> out;
+  for (const Warning& warning : analysis.warnings()) out.push_back(warning.code + ": " + warning.message);
+  return out;
+}
+
+const AnalysisOptions kBand{.band_Hz = std::pair{60.0, 2800.0}, .threads = 1};
+
+AnalysisOptions automatic() {
+  AnalysisOptions options = kBand;
+  options.delays.automatic = true;
+  return options;
+}
+
+TEST(ChannelFindings, AreNoneForGoodChannels) {
+  EXPECT_THAT(warnings_of(Analysis(synth::synthesise(oblique_bat()).record, kBand)),
+              Not(Contains(testing::AnyOf(StartsWith("skew"), StartsWith("clock"), StartsWith("units"),
+                                          StartsWith("implausible"), StartsWith("reversed"), StartsWith("same")))));
+}
+
+TEST(ChannelFindings, NameADelayWithItsNumber) {
+  const acquire::Record record = late_by(synth::synthesise(oblique_bat()).record, 1, 3);
+  const Analysis analysis(record, kBand);
+  EXPECT_THAT(warnings_of(analysis), Contains(AllOf(StartsWith("skew: "), HasSubstr("39.0"), HasSubstr("117."))));
+  const std::vector<ChannelDelay>& delays = analysis.channel_findings().delays;
+  ASSERT_EQ(delays.size(), 2U);
+  for (const ChannelDelay& delay : delays) {
+    const double truth_s = (delay.channel == 0 ? 1 : 3) / record.fs_Hz;
+    EXPECT_NEAR(delay.delay_s, truth_s, 5 * delay.std_s + 0.05e-6);
+  }
+}
+
+TEST(ChannelFindings, TakeADelayOut) {
+  const acquire::Record good = synth::synthesise(oblique_bat()).record;
+  const Analysis expected(good, kBand);
+  for (const auto& [first, second] : {std::pair{1, 3}, std::pair{26, 26}, std::pair{256, 256}}) {
+    const Analysis analysis(late_by(good, static_cast<std::size_t>(first), static_cast<std::size_t>(second)),
+                            automatic());
+    ASSERT_EQ(analysis.modes().size(), expected.modes().size()) << second;
+    for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+      const identify::Mode &got = analysis.modes()[m], &want = expected.modes()[m];
+      EXPECT_NEAR(got.pole.freq_Hz, want.pole.freq_Hz, 2 * want.freq_std_Hz) << second;
+      EXPECT_NEAR(got.pole.damping_ratio, want.pole.damping_ratio, 2 * want.damping_std) << second;
+      EXPECT_LT(std::abs(std::arg(got.residues[1].value / want.residues[1].value)), 0.02) << second;
+    }
+    EXPECT_THAT(warnings_of(analysis), Contains(StartsWith("skew: delays were taken out")));
+  }
+}
+
+TEST(ChannelFindings, TakeAStatedDelayOut) {
+  AnalysisOptions options = kBand;
+  const acquire::Record good = synth::synthesise(oblique_bat()).record;
+  options.delays.delay_s = {0, 3 / good.fs_Hz};
+  const Analysis analysis(late_by(good, 0, 3), options);
+  EXPECT_THAT(warnings_of(analysis), Not(Contains(StartsWith("skew"))));
+}
+
+TEST(ChannelFindings, NameChannelsWithTheirOwnClock) {
+  // The second channel's structure is 50 ppm faster: the same as a recorder that is 50 ppm slower.
+  synth::SynthSpec fast = oblique_bat();
+  for (synth::SynthMode& mode : fast.modes) mode.freq_Hz *= 1 + 50e-6;
+  const acquire::Record slow = synth::synthesise(oblique_bat()).record, other = synth::synthesise(fast).record;
+  acquire::Record record = slow;
+  record.contiguous.clear();
+  record.read_accel_mps2 = [a = slow.read_accel_mps2, b = other.read_accel_mps2](
+                               std::size_t row, std::size_t channel, std::size_t first, std::span<double> to) {
+    channel == 0 ? a(row, channel, first, to) : b(row, channel, first, to);
+  };
+  const Analysis analysis(record, kBand);
+  EXPECT_THAT(warnings_of(analysis), Contains(AllOf(StartsWith("clock_mismatch: "), HasSubstr("ppm higher"))));
+  ASSERT_EQ(analysis.channel_findings().clocks.size(), 1U);
+  const ChannelClock& clock = analysis.channel_findings().clocks.front();
+  EXPECT_NEAR(clock.excess, 50e-6, 5 * clock.std);
+}
+
+TEST(ChannelFindings, NameUnitsThatDiffer) {
+  const acquire::Record good = synth::synthesise(oblique_bat()).record;
+  const auto scaled = [&](double first, double second) {
+    return changed(good, [=](std::size_t channel, std::size_t n, const std::vector<double>& x) {
+      return x[n] * (channel == 0 ? first : second);
+    });
+  };
+  EXPECT_THAT(warnings_of(Analysis(scaled(1, 1000), kBand)), Contains(StartsWith("units_differ: ")));
+  EXPECT_THAT(warnings_of(Analysis(scaled(0.001, 1), kBand)), Contains(StartsWith("units_differ: ")));
+  EXPECT_THAT(warnings_of(Analysis(scaled(1000, 1000), kBand)), Contains(StartsWith("implausible_motion: ")));
+}
+
+TEST(ChannelFindings, NameAReversedSensorAndOneThatRepeatsAnother) {
+  const acquire::Record good = synth::synthesise(oblique_bat()).record;
+  const auto twin = [&](double sign) {
+    acquire::Record out = good;
+    out.contiguous.clear();
+    out.read_accel_mps2 = [read = good.read_accel_mps2, sign](std::size_t row, std::size_t channel, std::size_t first,
+                                                              std::span<double> to) {
+      read(row, 0, first, to);
+      for (double& x : to) x *= channel == 0 ? 1 : sign;
+    };
+    return out;
+  };
+  EXPECT_THAT(warnings_of(Analysis(twin(-1), kBand)), Contains(StartsWith("reversed: ")));
+  EXPECT_THAT(warnings_of(Analysis(twin(1), kBand)), Contains(StartsWith("same_motion: ")));
+}
+
+}  // namespace percuss::pipeline::channel_findings_test
