@@ -47,8 +47,7 @@ class Analysis {
   /// Numbers of the measured points.
   std::set<int> points() const { return source_->points(); }
 
-  /// The delays that are taken out of the channels: those of the options, or those that the phases of the modes
-  /// establish.
+  /// The delays taken out of the channels: those of the options, or those that the phases of the modes establish.
   const std::vector<ChannelDelay>& corrected_delays() const;
   /// The record without these delays, from which every result follows.
   const acquire::Record& aligned_record() const;

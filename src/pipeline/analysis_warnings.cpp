@@ -31,6 +31,7 @@ std::vector<Warning> Analysis::warnings() const {
   if (modes_.ready()) add(channel_mode_warnings(record(), channel_findings(), force_known));
   if (modes_.ready()) {
     add(freq_scatter_warnings(modes()));
+    add(mass_loading_warnings(modes()));
     add(local_fit_warnings(modes()));
     add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
     if (!user_chose_modes) add(unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));

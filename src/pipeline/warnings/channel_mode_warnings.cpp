@@ -9,6 +9,7 @@
 
 #include "core/io/significant_digits.hpp"
 #include "core/units.hpp"
+#include "pipeline/channels/mass_loading.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -151,6 +152,19 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
 }
 
 }  // namespace
+
+std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& modes) {
+  std::string list;
+  for (const MassLoading& one : mass_loading(modes)) {
+    list += fmt::format("{}{:.1f} Hz (by {} %, {} points)", list.empty() ? "" : ", ", modes[one.mode].pole.freq_Hz,
+                        significant(100 * one.largest_fall, 2), one.points);
+  }
+  if (list.empty()) return {};
+  return {{"mass_loading", "frequencies fall with the square of the mode's motion at each point: " + list +
+                               ". The mass of a sensor that is moved from point to point does this: the frequencies "
+                               "are too low and the shapes flattened. Use a lighter sensor, rove the hammer, or put "
+                               "the same mass at every point"}};
+}
 
 std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const ChannelFindings& findings,
                                            bool correctable) {

@@ -1,0 +1,65 @@
+// What the modes tell about the channels and about the fit, and the corrections that follow from it.
+#include "core/parallel/parallel.hpp"
+#include "pipeline/analysis.hpp"
+
+namespace percuss::pipeline {
+
+const std::vector<ChannelDelay>& Analysis::corrected_delays() const {
+  return within_budget(budget_, corrected_delays_, [&] {
+    if (!options_.delays.automatic) return stated_delays(options_.delays.delay_s, record());
+    // The modes that show the delays are found without a correction first.
+    AnalysisOptions uncorrected = options_;
+    uncorrected.delays = {};
+    if (uncorrected.modes.effort == identify::Effort::best) uncorrected.modes.effort = identify::Effort::standard;
+    const Analysis first(record(), std::move(uncorrected));
+    std::vector<ChannelDelay> delays;
+    if (!first.possible()) return delays;
+    trace_.run("delays", [&] {
+      delays = first.channel_findings().delays;
+      std::erase_if(delays, [](const ChannelDelay& delay) { return !delay.established(); });
+      return 0;
+    });
+    return delays;
+  });
+}
+
+const acquire::Record& Analysis::aligned_record() const {
+  return within_budget(budget_, aligned_record_, [&] {
+    const std::vector<ChannelDelay>& delays = corrected_delays();
+    return delays.empty() ? record() : align_record(record(), delays);
+  });
+}
+
+const FitQuality& Analysis::fit() const {
+  return within_budget(budget_, fit_, [&] {
+    const std::vector<identify::Mode>& found = modes();
+    const identify::FrfDataset& set = fitted_frfs();
+    const ThreadLimit limit(options_.threads);
+    return trace_.run("fit", [&] { return fit_quality(set, found, band_lines()); });
+  });
+}
+
+const std::vector<identify::UnmodelledPeak>& Analysis::unexplained_peaks() const {
+  return within_budget(budget_, unexplained_peaks_, [&] {
+    const ThreadLimit limit(options_.threads);
+    return trace_.run("peaks", [&] { return unexplained_peaks_of(fitted_frfs(), modes()); });
+  });
+}
+
+const ChannelFindings& Analysis::channel_findings() const {
+  return within_budget(budget_, channel_findings_, [&]() -> ChannelFindings {
+    const std::vector<identify::Mode>& found = modes();
+    const identify::FrfDataset& set = fitted_frfs();
+    const std::size_t channels = record().accel.size();
+    const ThreadLimit limit(options_.threads);
+    return trace_.run("channels", [&]() -> ChannelFindings {
+      return {.delays = channel_delays(set, found, hits(), channels),
+              .corrected_delays = corrected_delays(),
+              .clocks = channel_clocks(set, channels),
+              .pairs = compare_channels(found, channels),
+              .largest_velocity_mps = largest_velocity_mps(set, found)};
+    });
+  });
+}
+
+}  // namespace percuss::pipeline
