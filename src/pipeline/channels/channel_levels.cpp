@@ -41,7 +41,7 @@ std::vector<ChannelPair> compare_channels(const std::vector<identify::Mode>& mod
           if (b.channel == c && b.point == a.point && clear(b)) all.add(a.value, b.value);
         }
       }
-      shown += all.ratio.size() > before ? 1 : 0;
+      if (all.ratio.size() > before) ++shown;
     }
     if (shown < kMinCompared) continue;
     // Equal ratios in all modes give ±1; ratios that differ in size give less.
