@@ -11,6 +11,7 @@
 namespace percuss::pipeline {
 namespace {
 
+constexpr std::size_t kMaxChannels = 8;  // a fit each; more of them share one recorder
 constexpr std::size_t kMinShared = 4;
 constexpr double kNear = 2;                     // half-power bandwidths between the places of one mode in two channels
 constexpr std::size_t kFitFlops = 100'000'000;  // a lower limit
@@ -51,7 +52,7 @@ bool ChannelClock::established() const { return log_chance < kMaxLogChance && st
 
 std::vector<ChannelClock> channel_clocks(const identify::FrfDataset& set, std::size_t channels) {
   std::vector<ChannelClock> out;
-  if (channels < 2) return out;
+  if (channels < 2 || channels > kMaxChannels) return out;
   std::vector<std::vector<identify::Mode>> modes(channels);
   parallel_for_cost(channels, kFitFlops, [&](std::size_t c) {
     modes[c] = identify::identify_modes(only(set, c), {.effort = identify::Effort::quick});

@@ -16,7 +16,7 @@ struct ChannelClock {
 };
 
 /// One factor between the frequencies of all modes is a clock: no structure and no sensor does that. Each channel's
-/// FRFs are fitted alone; modes that both channels show are compared. Empty for one channel.
+/// FRFs are fitted alone; modes that both channels show are compared. Empty for one channel and for more than eight.
 std::vector<ChannelClock> channel_clocks(const identify::FrfDataset& set, std::size_t channels);
 
 }  // namespace percuss::pipeline
