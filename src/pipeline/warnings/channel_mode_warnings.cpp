@@ -14,7 +14,6 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kHarmlessPhase = 0.05;    // rad at the highest mode
 constexpr double kUnitFactor = 1000;       // between m/s² and mm/s², V and mV
 constexpr double kUnitSpread = 5;          // the factor that places on a structure differ by, either way
 constexpr double kFastest_mps = 50;        // ten times the speed of a hammer swung by hand
@@ -44,7 +43,7 @@ struct DelayList {
 DelayList list_of(const acquire::Record& record, const std::vector<ChannelDelay>& delays) {
   DelayList list;
   for (const ChannelDelay& delay : delays) {
-    if (!delay.established() || delay.largest_phase() < kHarmlessPhase) continue;
+    if (!delay.matters()) continue;
     list.text += fmt::format("{}{} {} {} the force", list.text.empty() ? "" : ", ", name_of(record, delay.channel),
                              microseconds(delay.delay_s, delay.std_s), delay.delay_s > 0 ? "after" : "before");
     if (list.most == nullptr || delay.largest_phase() > list.most->largest_phase()) list.most = &delay;
