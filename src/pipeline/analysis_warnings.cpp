@@ -28,7 +28,7 @@ std::vector<Warning> Analysis::warnings() const {
   add(channel_warnings(record(), graded));
   if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
   add(rest_warnings(graded));
-  if (modes_.ready()) add(channel_mode_warnings(record(), channel_findings(), force_known));
+  if (modes_.ready()) add(channel_mode_warnings(record(), modes(), channel_findings(), force_known));
   if (modes_.ready()) {
     add(freq_scatter_warnings(modes()));
     add(mass_loading_warnings(modes()));

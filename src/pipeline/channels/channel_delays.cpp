@@ -15,12 +15,10 @@ constexpr double kSearched_s = 0.02;  // on either side of zero
 constexpr double kSteps = 16;         // per period of the highest mode
 constexpr std::size_t kStarts = 30;   // the best of the steps, from which the delay is refined
 constexpr std::size_t kMinPhases = 3;
-constexpr double kClearPhase = 5;       // standard deviations of a residue whose phase is used
-constexpr double kPhaseFloor = 0.05;    // rad, added to the standard deviations in the search
-constexpr double kDisorder = 0.907;     // rms of phases without any order, π/√12
-constexpr double kVisiblePhase = 0.05;  // rad
-constexpr double kBiasedMode = 1;       // standard deviations of a phase
-constexpr double kSpoilt = 0.3;         // rms phase in rad that complex shapes rarely reach
+constexpr double kClearPhase = 5;     // standard deviations of a residue whose phase is used
+constexpr double kPhaseFloor = 0.05;  // rad, added to the standard deviations in the search
+constexpr double kDisorder = 0.907;   // rms of phases without any order, π/√12
+constexpr double kSpoilt = 0.3;       // rms phase in rad that complex shapes rarely reach
 
 double to_half_turn(double phase_rad) { return std::remainder(phase_rad, std::numbers::pi); }
 
@@ -51,10 +49,6 @@ ChannelDelay refined(std::span<const ModePhase> phases, double start_s) {
   for (const double phase : phases_after(phases, 0)) without += phase * phase / static_cast<double>(phases.size());
   without = std::min(std::sqrt(without), kDisorder);
   out.undelayed_rms = without;
-  for (const ModePhase& p : phases) {
-    if (p.phase_rad == 0)
-      out.assumed_real = std::max(out.assumed_real, kTwoPi * p.freq_Hz * std::abs(out.delay_s) / p.std_rad);
-  }
   const double trials = std::max(1.0, 4 * std::abs(out.delay_s) * highest_Hz);
   const double better = without > 0 ? std::clamp(out.phase_rms / without, 1e-12, 1.0) : 1;
   out.log_chance = std::log(trials) + static_cast<double>(phases.size() - 1) * std::log(better);
@@ -127,10 +121,6 @@ double ChannelDelay::largest_phase() const { return kTwoPi * highest_Hz * std::a
 
 bool ChannelDelay::established() const {
   return log_chance < kMaxLogChance && std::abs(delay_s) > kSureSlope * std_s && phase_rms < kDisorder / 2;
-}
-
-bool ChannelDelay::matters() const {
-  return established() && (largest_phase() > kVisiblePhase || assumed_real > kBiasedMode);
 }
 
 std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases) {

@@ -19,14 +19,10 @@ struct ChannelDelay {
   double phase_rms = 0;      // rad, of these phases about the line of the delay
   double undelayed_rms = 0;  // rad, about zero
   double log_chance = 0;     // natural logarithm of the probability of this order in modes without a delay
-  /// The largest phase that the delay gives to a mode whose residues were taken for real, in its standard deviations.
-  double assumed_real = 0;
   /// The phase at the highest of the modes, rad.
   double largest_phase() const;
   /// The phases grow with frequency beyond doubt.
   bool established() const;
-  /// … and turn residues visibly, or bias modes that were taken for real.
-  bool matters() const;
 };
 
 /// The phase of a mode's residues in one channel, up to a half turn.

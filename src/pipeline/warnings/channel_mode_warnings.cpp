@@ -14,6 +14,7 @@
 namespace percuss::pipeline {
 namespace {
 
+constexpr double kVisiblePhase = 0.05;     // rad at the highest mode
 constexpr double kUnitFactor = 1000;       // between m/s² and mm/s², V and mV
 constexpr double kUnitSpread = 5;          // the factor that places on a structure differ by, either way
 constexpr double kFastest_mps = 50;        // ten times the speed of a hammer swung by hand
@@ -40,10 +41,23 @@ struct DelayList {
   const ChannelDelay* most = nullptr;
 };
 
-DelayList list_of(const acquire::Record& record, const std::vector<ChannelDelay>& delays) {
+// The delay turns residues visibly, or it biases a mode whose residues were taken for real, and its neighbour.
+bool matters(const ChannelDelay& delay, const std::vector<identify::Mode>& modes) {
+  if (!delay.established()) return false;
+  if (delay.largest_phase() > kVisiblePhase) return true;
+  return std::any_of(modes.begin(), modes.end(), [&](const identify::Mode& mode) {
+    return std::any_of(mode.residues.begin(), mode.residues.end(), [&](const identify::Residue& residue) {
+      const double turned = std::abs(kTwoPi * mode.pole.freq_Hz * delay.delay_s * residue.value);
+      return residue.channel == delay.channel && residue.value.imag() == 0 && turned > residue.std;
+    });
+  });
+}
+
+DelayList list_of(const acquire::Record& record, const std::vector<identify::Mode>& modes,
+                  const std::vector<ChannelDelay>& delays) {
   DelayList list;
   for (const ChannelDelay& delay : delays) {
-    if (!delay.matters()) continue;
+    if (!matters(delay, modes)) continue;
     list.text += fmt::format("{}{} {} {} the force", list.text.empty() ? "" : ", ", name_of(record, delay.channel),
                              microseconds(delay.delay_s, delay.std_s), delay.delay_s > 0 ? "after" : "before");
     if (list.most == nullptr || delay.largest_phase() > list.most->largest_phase()) list.most = &delay;
@@ -51,8 +65,9 @@ DelayList list_of(const acquire::Record& record, const std::vector<ChannelDelay>
   return list;
 }
 
-std::vector<Warning> skew(const acquire::Record& record, const std::vector<ChannelDelay>& delays, bool correctable) {
-  const auto& [list, most] = list_of(record, delays);
+std::vector<Warning> skew(const acquire::Record& record, const std::vector<identify::Mode>& modes,
+                          const std::vector<ChannelDelay>& delays, bool correctable) {
+  const auto& [list, most] = list_of(record, modes, delays);
   if (most == nullptr) return {};
   Warning warning{"skew",
                   fmt::format("channels were not sampled together: {}. The residues' phase grows evenly with frequency "
@@ -65,8 +80,9 @@ std::vector<Warning> skew(const acquire::Record& record, const std::vector<Chann
   return {warning};
 }
 
-std::vector<Warning> corrected_skew(const acquire::Record& record, const std::vector<ChannelDelay>& delays) {
-  const auto& [list, most] = list_of(record, delays);
+std::vector<Warning> corrected_skew(const acquire::Record& record, const std::vector<identify::Mode>& modes,
+                                    const std::vector<ChannelDelay>& delays) {
+  const auto& [list, most] = list_of(record, modes, delays);
   if (most == nullptr) return {};
   return {{"skew",
            fmt::format("delays were taken out of the channels: {}, from the phases of {} modes. All results are those "
@@ -165,10 +181,10 @@ std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& mo
                                "the same mass at every point"}};
 }
 
-std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const ChannelFindings& findings,
-                                           bool correctable) {
-  std::vector<Warning> out = skew(record, findings.delays, correctable);
-  for (const auto& more : {corrected_skew(record, findings.corrected_delays), clocks(record, findings.clocks),
+std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const std::vector<identify::Mode>& modes,
+                                           const ChannelFindings& findings, bool correctable) {
+  std::vector<Warning> out = skew(record, modes, findings.delays, correctable);
+  for (const auto& more : {corrected_skew(record, modes, findings.corrected_delays), clocks(record, findings.clocks),
                            units(record, findings), directions(record, findings.pairs)})
     out.insert(out.end(), more.begin(), more.end());
   return out;

@@ -12,7 +12,7 @@ std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& mo
 
 /// skew, clock_mismatch, units_differ, implausible_motion, reversed, same_motion. `correctable`: the input is a record
 /// in time, from which a delay can be taken out.
-std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const ChannelFindings& findings,
-                                           bool correctable);
+std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const std::vector<identify::Mode>& modes,
+                                           const ChannelFindings& findings, bool correctable);
 
 }  // namespace percuss::pipeline
