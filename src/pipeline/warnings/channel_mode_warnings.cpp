@@ -183,7 +183,11 @@ std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& mo
 
 std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const std::vector<identify::Mode>& modes,
                                            const ChannelFindings& findings, bool correctable) {
-  std::vector<Warning> out = skew(record, modes, findings.delays, correctable);
+  // A clock that runs away leaves a delay behind, of which it is the cause.
+  const bool own_clock = std::any_of(findings.clocks.begin(), findings.clocks.end(),
+                                     [](const ChannelClock& clock) { return clock.established(); });
+  std::vector<Warning> out;
+  if (!own_clock) out = skew(record, modes, findings.delays, correctable);
   for (const auto& more : {corrected_skew(record, modes, findings.corrected_delays), clocks(record, findings.clocks),
                            units(record, findings), directions(record, findings.pairs)})
     out.insert(out.end(), more.begin(), more.end());

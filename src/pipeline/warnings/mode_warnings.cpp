@@ -10,6 +10,7 @@
 namespace percuss::pipeline {
 namespace {
 
+constexpr double kWorthNaming = 2;         // times the residual energy: less hardly widens the ±
 constexpr std::size_t kMaxNamedPeaks = 8;  // in one warning
 constexpr double kMaxSplitBandwidths = 5;  // separation of two peaks that asymmetry or damage splits
 
@@ -42,7 +43,7 @@ std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes
   std::string list;
   std::size_t count = 0, unsettled = 0;
   for (const identify::Mode& mode : modes) {
-    if (!(mode.joint_misfit > 0)) continue;
+    if (!(mode.joint_misfit > kWorthNaming)) continue;
     ++count;
     if (!std::isfinite(mode.joint_misfit)) {
       ++unsettled;
