@@ -32,8 +32,8 @@ std::vector<Warning> Analysis::warnings() const {
   if (modes_.ready()) {
     add(freq_scatter_warnings(modes()));
     add(mass_loading_warnings(modes()));
-    add(local_fit_warnings(modes()));
     add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
+    if (!user_chose_modes) add(local_fit_warnings(modes()));
     if (!user_chose_modes) add(unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));
   }
   if (classifications_.ready()) {

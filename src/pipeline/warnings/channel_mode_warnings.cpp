@@ -74,8 +74,9 @@ std::vector<Warning> skew(const acquire::Record& record, const std::vector<ident
                               "over {} modes, to {:.0f}° at {:.6g} Hz. Residues and shapes are turned by it, and "
                               "frequencies and damping ratios are off once it is more than a turn or so",
                               list, most->modes, most->largest_phase() * kRadian_deg, most->highest_Hz)};
-  warning.message += correctable ? ". Take the delays out; the recorder's settings, or unequal filters, are the cause"
-                                 : ". Measure again with equal filters and one clock, or shift the FRFs";
+  warning.message +=
+      correctable ? ". Take the delays out. The cause is the recorder, unequal filters, or the mounting of one sensor"
+                  : ". Measure again with equal filters and one clock, or shift the FRFs";
   if (correctable) warning.options = {"delay"};
   return {warning};
 }

@@ -10,7 +10,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kWorthNaming = 2;         // times the residual energy: less hardly widens the ±
+constexpr double kWorthNaming = 10;        // times the residual energy: three times the noise
 constexpr std::size_t kMaxNamedPeaks = 8;  // in one warning
 constexpr double kMaxSplitBandwidths = 5;  // separation of two peaks that asymmetry or damage splits
 
