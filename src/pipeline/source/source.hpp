@@ -14,8 +14,8 @@ namespace percuss::pipeline {
 /// The inputs to the choice of an analysis's spectral lines.
 struct LineRequest {
   std::pair<double, double> band_Hz;
-  bool band_given = false;    // by the user; else the source's own band
-  bool length_given = false;  // of the hits, by the user
+  bool band_given = false;          // by the user; else the source's own band
+  bool length_given = false;        // of the hits, by the user
   std::size_t missing_samples = 0;  // at the end of a row, where a delay was taken out
   std::size_t threads = 0;
 };
