@@ -8,6 +8,7 @@
 #include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/source/frf_source.hpp"
 #include "pipeline/source/record_source.hpp"
+#include "pipeline/stages/hit_scatter.hpp"
 
 namespace percuss::pipeline {
 
@@ -172,10 +173,15 @@ const identify::FrfDataset& Analysis::fitted_frfs() const {
 const std::vector<identify::Mode>& Analysis::modes() const {
   return within_budget(budget_, modes_, [&] {
     const identify::FrfDataset& set = fitted_frfs();
+    const TestSpectra from = spectra();
     const ThreadLimit limit(options_.threads);
-    margin_modes_.clear();
-    return trace_.run("modes",
-                      [&] { return modes_in_band(set, frf_points(), band_Hz(), options_.modes, &margin_modes_); });
+    return trace_.run("modes", [&] {
+      std::vector<identify::Mode> found = identify::identify_modes(set, options_.modes);
+      add_scatter_between_hits(set, from, found);
+      BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
+      margin_modes_ = std::move(split.below);
+      return std::move(split.within);
+    });
   });
 }
 

@@ -3,6 +3,7 @@
 #include "pipeline/analysis.hpp"
 #include "pipeline/warnings/channel_mode_warnings.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
+#include "pipeline/warnings/hit_scatter_warnings.hpp"
 #include "pipeline/warnings/hit_warnings.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
 #include "pipeline/warnings/object_warnings.hpp"
@@ -31,6 +32,7 @@ std::vector<Warning> Analysis::warnings() const {
   if (modes_.ready()) add(channel_mode_warnings(record(), modes(), channel_findings(), force_known));
   if (modes_.ready()) {
     add(freq_scatter_warnings(modes()));
+    add(hit_scatter_warnings(modes()));
     add(mass_loading_warnings(modes()));
     add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
     if (!user_chose_modes) add(local_fit_warnings(modes()));

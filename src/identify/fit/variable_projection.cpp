@@ -53,24 +53,46 @@ ProjectedState VariableProjection::evaluate(const std::vector<Pole>& poles) cons
 NormalEquations VariableProjection::normal_equations(const ProjectedState& state, std::size_t modes) const {
   const auto n = static_cast<Index>(2 * modes);
   NormalEquations normal{.matrix = MatrixXd::Zero(n, n), .right = VectorXd::Zero(n)};
-  for (const ProjectedPart& part : state.parts) {
-    const MatrixXcd poly = transposed_product(polynomial_, part.slopes);
-    const MatrixXcd cross = adjoint_product(part.columns, part.slopes);
-    const MatrixXcd gram = adjoint_gram(part.slopes) - adjoint_gram(poly) -
-                           adjoint_product(cross, part.inverse_gram.lazyProduct(cross).eval());
-    const MatrixXcd score = adjoint_product(part.slopes, part.residual);
-    for (std::size_t i = 0; i < part.channels.size(); ++i) {
-      const double w = weight_(static_cast<Index>(part.channels[i]));
-      const auto column = static_cast<Index>(i);
-      for (Index r = 0; r < n; ++r) {
-        const Complex amplitude = std::conj(part.amplitude(r / 2, column));
-        normal.right(r) += (amplitude * score(r, column)).real() / (w * w);
-        for (Index c = 0; c < n; ++c)
-          normal.matrix(r, c) += (amplitude * gram(r, c) * part.amplitude(c / 2, column)).real() / (w * w);
-      }
+  for (const ProjectedPart& part : state.parts)
+    add_normal_equations(part, [&](std::size_t) -> NormalEquations& { return normal; });
+  return normal;
+}
+
+std::vector<NormalEquations> VariableProjection::normal_equations_by_point(const ProjectedState& state,
+                                                                           std::size_t modes) const {
+  const auto n = static_cast<Index>(2 * modes);
+  std::vector<NormalEquations> normal(set_.points.size(), {.matrix = MatrixXd::Zero(n, n), .right = VectorXd::Zero(n)});
+  for (const ProjectedPart& part : state.parts)
+    add_normal_equations(part, [&](std::size_t o) -> NormalEquations& { return normal[set_.channels[o].point]; });
+  return normal;
+}
+
+void VariableProjection::add_normal_equations(const ProjectedPart& part,
+                                              const std::function<NormalEquations&(std::size_t)>& sum_of) const {
+  const Index n = part.slopes.cols();
+  const MatrixXcd poly = transposed_product(polynomial_, part.slopes);
+  const MatrixXcd cross = adjoint_product(part.columns, part.slopes);
+  const MatrixXcd gram = adjoint_gram(part.slopes) - adjoint_gram(poly) -
+                         adjoint_product(cross, part.inverse_gram.lazyProduct(cross).eval());
+  const MatrixXcd score = adjoint_product(part.slopes, part.residual);
+  for (std::size_t i = 0; i < part.channels.size(); ++i) {
+    NormalEquations& normal = sum_of(part.channels[i]);
+    const double w = weight_(static_cast<Index>(part.channels[i]));
+    const auto column = static_cast<Index>(i);
+    for (Index r = 0; r < n; ++r) {
+      const Complex amplitude = std::conj(part.amplitude(r / 2, column));
+      normal.right(r) += (amplitude * score(r, column)).real() / (w * w);
+      for (Index c = 0; c < n; ++c)
+        normal.matrix(r, c) += (amplitude * gram(r, c) * part.amplitude(c / 2, column)).real() / (w * w);
     }
   }
-  return normal;
+}
+
+MatrixXcd VariableProjection::projected_slopes(const ProjectedPart& part) const {
+  MatrixXcd slopes = part.slopes;
+  project(slopes);
+  subtract_product(slopes, part.columns, part.inverse_gram.lazyProduct(adjoint_product(part.columns, slopes)).eval());
+  return slopes;
 }
 
 MatrixXcd VariableProjection::residue_derivatives(const ProjectedPart& part, Index channel) const {

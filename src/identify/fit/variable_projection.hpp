@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "core/math/levenberg_marquardt.hpp"
@@ -39,6 +41,15 @@ class VariableProjection {
   /// theory (4.9)
   NormalEquations normal_equations(const ProjectedState& state, std::size_t modes) const;
 
+  /// The normal equations of each point's FRFs alone, [points].
+  std::vector<NormalEquations> normal_equations_by_point(const ProjectedState& state, std::size_t modes) const;
+
+  /// The slopes of a part with the polynomial and the columns projected out, [lines, 2 modes].
+  Eigen::MatrixXcd projected_slopes(const ProjectedPart& part) const;
+
+  /// Replaces the weights; a ProjectedState stays valid but for its cost.
+  void set_weight(Eigen::VectorXd weight) { weight_ = std::move(weight); }
+
   /// Derivatives of an FRF's residues by the poles: −(columns⁺)·slopes·residue, [modes, 2 modes].
   Eigen::MatrixXcd residue_derivatives(const ProjectedPart& part, Eigen::Index channel) const;
 
@@ -46,6 +57,8 @@ class VariableProjection {
   const std::vector<std::vector<std::size_t>>& channels_with_equal_columns(const std::vector<Pole>& poles) const;
   ProjectedPart solve(const std::vector<std::size_t>& channels, const std::vector<Pole>& poles) const;
   void project(Eigen::MatrixXcd& columns) const;
+  void add_normal_equations(const ProjectedPart& part,
+                            const std::function<NormalEquations&(std::size_t)>& sum_of) const;
 
   const FrfDataset& set_;
   Eigen::MatrixXd polynomial_;  // [lines, terms] orthonormal

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "identify/model/hit_trend.hpp"
 #include "identify/model/modal_model.hpp"
 
 namespace percuss::identify {
@@ -30,6 +31,11 @@ struct Mode {
   Pole pole;
   double freq_std_Hz = 0;
   double damping_std = 0;
+  StdParts freq_std_parts_Hz, damping_std_parts;
+  double hit_scatter_Hz = 0;  // standard deviation of the frequency between hits, beyond the noise; 0: not significant
+  double hit_scatter_damping = 0;
+  std::optional<AmplitudeTrend> amplitude;  // where the force explains the scatter between the hits
+  std::optional<DriftTrend> drift;          // where the order of the hits explains it
   double freq_scatter_Hz = 0;     // standard deviation of the frequency between impact points; 0: not significant
   std::vector<Residue> residues;  // [channels] in the order of FrfDataset::channels
   /// Residual energy of the fit of all modes together around this mode, over that of the fit of its own window, where

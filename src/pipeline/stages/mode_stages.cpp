@@ -8,10 +8,6 @@
 namespace percuss::pipeline {
 namespace {
 
-bool outside(std::pair<double, double> band_Hz, double freq_Hz) {
-  return freq_Hz < band_Hz.first || freq_Hz > band_Hz.second;
-}
-
 // Magnitude of the second sensor's FRFs over the first sensor's at one line; nothing where either is zero.
 std::optional<double> overlay_dB(const identify::FrfDataset& set, const identify::SensorPair& sensors,
                                  std::size_t line) {
@@ -27,16 +23,15 @@ std::optional<double> overlay_dB(const identify::FrfDataset& set, const identify
 
 }  // namespace
 
-std::vector<identify::Mode> modes_in_band(const identify::FrfDataset& set, const std::vector<int>& points,
-                                          std::pair<double, double> band_Hz, const identify::IdentifyOptions& options,
-                                          std::vector<identify::Mode>* below) {
-  auto modes = identify::identify_modes(set, options);
+BandModes modes_in_band(std::vector<identify::Mode> modes, const std::vector<int>& points,
+                        std::pair<double, double> band_Hz) {
+  BandModes out;
   for (identify::Mode& mode : modes) {
     for (identify::Residue& residue : mode.residues) residue.point = static_cast<std::size_t>(points[residue.point]);
-    if (below != nullptr && mode.pole.freq_Hz < band_Hz.first) below->push_back(mode);
+    if (mode.pole.freq_Hz > band_Hz.second) continue;
+    (mode.pole.freq_Hz < band_Hz.first ? out.below : out.within).push_back(std::move(mode));
   }
-  std::erase_if(modes, [&](const identify::Mode& mode) { return outside(band_Hz, mode.pole.freq_Hz); });
-  return modes;
+  return out;
 }
 
 std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,
@@ -76,7 +71,9 @@ std::vector<HitMode> modes_of_hits(const std::vector<identify::Mode>& modes, con
 identify::Stabilisation stabilisation_in_band(const identify::FrfDataset& set, std::pair<double, double> band_Hz) {
   identify::Stabilisation diagram = identify::stabilise(set);
   std::tie(diagram.low_Hz, diagram.high_Hz) = band_Hz;
-  std::erase_if(diagram.poles, [&](const auto& pole) { return outside(band_Hz, pole.pole.freq_Hz); });
+  std::erase_if(diagram.poles, [&](const auto& pole) {
+    return pole.pole.freq_Hz < band_Hz.first || pole.pole.freq_Hz > band_Hz.second;
+  });
   return diagram;
 }
 

@@ -20,11 +20,14 @@ struct HitMode {
   double damping_std = 0;
 };
 
-/// Modes of `set` within the band, ascending. Residues carry the points' numbers, taken from `points` [points of set].
-/// `below` receives the modes below the band.
-std::vector<identify::Mode> modes_in_band(const identify::FrfDataset& set, const std::vector<int>& points,
-                                          std::pair<double, double> band_Hz, const identify::IdentifyOptions& options,
-                                          std::vector<identify::Mode>* below = nullptr);
+struct BandModes {
+  std::vector<identify::Mode> below, within;  // ascending
+};
+
+/// Sorts `modes`, ascending, by the band, and leaves out those above it. Residues carry the points' numbers, taken from
+/// `points` [points of the data set].
+BandModes modes_in_band(std::vector<identify::Mode> modes, const std::vector<int>& points,
+                        std::pair<double, double> band_Hz);
 
 /// Classifies modes by the two sensors whose angles suit best, and by the overlay of their FRFs at each mode's peak.
 std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,

@@ -6,6 +6,7 @@
 #include "core/units.hpp"
 #include "identify/classify/asymmetry_split.hpp"
 #include "report/json/json_document.hpp"
+#include "report/json/mode_std_json.hpp"
 #include "report/text/coherence_summary.hpp"
 
 namespace percuss::report {
@@ -109,6 +110,7 @@ std::string mode_json(const identify::Mode& mode, std::size_t m, const ModeJson&
             {"frequency_std_hz", mode.freq_std_Hz},
             {"damping_ratio", mode.pole.damping_ratio},
             {"damping_ratio_std", mode.damping_std}};
+  add_std_parts(json, mode);
   if (mode.freq_scatter_Hz > 0) json["moves_hz"] = mode.freq_scatter_Hz;
   if (of.window_decay_per_s > 0) json["damping_ratio_raw"] = raw_damping(mode.pole, of.window_decay_per_s);
   if (of.classification != nullptr) add_classification(json, *of.classification);

@@ -1,0 +1,124 @@
+#include "identify/hits/hit_laws.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "core/math/significance.hpp"
+
+namespace percuss::identify {
+namespace {
+
+constexpr double kTrendTest = 2.576;   // normal deviate of the slope's t statistic: 1 %, two-sided
+constexpr double kMinExplained = 0.7;  // of the scatter's χ²
+constexpr std::size_t kMinHits = 3;
+constexpr double kMinForceRange = 1.2;  // largest force over the smallest: equal hits tell nothing of the amplitude
+constexpr double kMinVariation = 1e-9;
+
+using Law = std::function<double(std::size_t hit)>;
+
+struct Line {
+  double slope = 0, slope_std = 0, at_zero = 0;  // slope_std from the scatter around the line
+  double chi2_before = 0, chi2_after = 0;        // around the mean and around the line
+  double degrees = 0;
+  double explained() const { return 1 - chi2_after / chi2_before; }
+  bool follows() const {
+    return degrees > 0 && explained() > kMinExplained &&
+           std::abs(slope) > student_quantile(kTrendTest, degrees) * slope_std;
+  }
+};
+
+// Weighted least squares. The weights include the spread, so that a law that is not quite a line is not judged by a few
+// precise hits alone.
+Line fit_line(const HitSeries& series, const Law& law) {
+  double w_sum = 0, x_mean = 0, y_mean = 0;
+  std::vector<double> x, w;
+  for (std::size_t i = 0; i < series.hits.size(); ++i) {
+    x.push_back(law(series.hits[i]));
+    w.push_back(1 / (series.std[i] * series.std[i] + series.spread * series.spread));
+    w_sum += w[i];
+    x_mean += w[i] * x[i];
+    y_mean += w[i] * (series.value[i] - series.value.front());
+  }
+  x_mean /= w_sum;
+  y_mean = series.value.front() + y_mean / w_sum;
+  double xx = 0, xy = 0, yy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double dx = x[i] - x_mean, dy = series.value[i] - y_mean;
+    xx += w[i] * dx * dx;
+    xy += w[i] * dx * dy;
+    yy += w[i] * dy * dy;
+  }
+  Line line{.chi2_before = yy, .chi2_after = yy, .degrees = static_cast<double>(x.size()) - 2};
+  if (!(xx > kMinVariation * w_sum * x_mean * x_mean) || line.degrees <= 0) return line;
+  line.slope = xy / xx;
+  line.chi2_after = std::max(yy - xy * xy / xx, 1e-12 * yy);
+  line.slope_std = std::sqrt(line.chi2_after / line.degrees / xx);
+  line.at_zero = y_mean - line.slope * x_mean;
+  return line;
+}
+
+// Twice the logarithm of the likelihood of all series under a law, relative to none. Infinitely small where no series
+// follows it.
+double support(const std::vector<HitSeries>& series, const Law& law) {
+  double sum = 0;
+  bool any = false;
+  for (const HitSeries& one : series) {
+    if (one.hits.size() < kMinHits) continue;
+    const Line line = fit_line(one, law);
+    sum += static_cast<double>(one.hits.size()) * std::log(line.chi2_before / line.chi2_after);
+    any = any || line.follows();
+  }
+  return any ? sum : -1;
+}
+
+void describe_drift(const HitSeries& series, const Law& order, Mode& mode) {
+  const Line line = fit_line(series, order);
+  if (!series.is_freq || !line.follows()) return;
+  mode.drift =
+      DriftTrend{.freq_change_per_hit = line.slope / mode.pole.freq_Hz, .std = line.slope_std / mode.pole.freq_Hz};
+}
+
+void describe_amplitude(const HitSeries& series, const Law& law, const Law& force, Mode& mode) {
+  if (!fit_line(series, law).follows()) return;
+  const Line line = fit_line(series, force);
+  if (!mode.amplitude)
+    mode.amplitude = AmplitudeTrend{.freq_at_zero_Hz = mode.pole.freq_Hz, .damping_at_zero = mode.pole.damping_ratio};
+  AmplitudeTrend& trend = *mode.amplitude;
+  (series.is_freq ? trend.freq_slope_Hz_per_N : trend.damping_slope_per_N) = line.slope;
+  (series.is_freq ? trend.freq_slope_std : trend.damping_slope_std) = line.slope_std;
+  (series.is_freq ? trend.freq_at_zero_Hz : trend.damping_at_zero) = line.at_zero;
+  (series.is_freq ? trend.freq_follows : trend.damping_follows) = true;
+}
+
+}  // namespace
+
+void explain_scatter(const std::vector<HitSeries>& series, const std::vector<double>& peak_N,
+                     std::vector<Mode>& modes) {
+  if (series.empty() || peak_N.size() < kMinHits) return;
+  const Law order = [](std::size_t hit) { return static_cast<double>(hit); };
+  const Law force = [&](std::size_t hit) { return std::abs(peak_N[hit]); };
+  const Law square = [&](std::size_t hit) { return peak_N[hit] * peak_N[hit]; };
+  const Law logarithm = [&](std::size_t hit) { return std::log(std::abs(peak_N[hit])); };
+  const Law* best = &force;
+  const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto [least, most] = std::minmax_element(peak_N.begin(), peak_N.end(), by_size);
+  double of_force = -1;
+  if (std::abs(*most) > kMinForceRange * std::abs(*least)) {
+    for (const Law* law : std::array{&force, &square, &logarithm}) {
+      const double now = support(series, *law);
+      if (now > of_force) best = law;
+      of_force = std::max(of_force, now);
+    }
+  }
+  const double of_order = support(series, order);
+  if (std::max(of_force, of_order) < 0) return;
+  for (const HitSeries& one : series) {
+    if (one.hits.size() < kMinHits) continue;
+    if (of_order > of_force) describe_drift(one, order, modes[one.mode]);
+    if (of_force >= of_order) describe_amplitude(one, *best, force, modes[one.mode]);
+  }
+}
+
+}  // namespace percuss::identify

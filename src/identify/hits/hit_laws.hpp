@@ -1,0 +1,23 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "identify/model/mode.hpp"
+
+namespace percuss::identify {
+
+/// A mode's frequency or damping ratio in each hit, where it scatters significantly.
+struct HitSeries {
+  std::size_t mode = 0;
+  bool is_freq = true;             // else the damping ratio
+  std::vector<std::size_t> hits;   // that determine it
+  std::vector<double> value, std;  // [hits]
+  double spread = 0;               // beyond `std`
+};
+
+/// Decides for all series together whether the forces of the hits or their order explain the scatter, and describes the
+/// modes' trends accordingly (Mode::amplitude, Mode::drift). Neither, unless the F test is passed.
+/// peak_N  [hits of the test]
+void explain_scatter(const std::vector<HitSeries>& series, const std::vector<double>& peak_N, std::vector<Mode>& modes);
+
+}  // namespace percuss::identify

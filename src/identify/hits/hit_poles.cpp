@@ -1,0 +1,168 @@
+#include "identify/hits/hit_poles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/math/linear_algebra.hpp"
+#include "core/parallel/parallel.hpp"
+#include "identify/fit/local_fit.hpp"
+#include "identify/fit/variable_projection.hpp"
+#include "identify/hits/mode_windows.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr double kMaxUncertainty = 0.5;     // of the half-power bandwidth: beyond it a hit does not determine a pole
+constexpr double kMinNoise = 1e-9;          // of the data: the weight of an FRF without residual stays finite
+constexpr std::size_t kFlopsPerLine = 600;  // of a window's projection, per line
+
+std::vector<std::size_t> residue_indices(const FrfDataset& set, const HitFrfs& hits) {
+  const std::size_t channels = hits.set.channels.size() / hits.points.size();
+  std::vector<std::size_t> first(set.points.size());
+  for (std::size_t o = set.channels.size(); o-- > 0;) first[set.channels[o].point] = o;
+  std::vector<std::size_t> of;
+  for (const std::size_t point : hits.points) {
+    for (std::size_t c = 0; c < channels; ++c) of.push_back(first[point] + c);
+  }
+  return of;
+}
+
+// The FRFs of the single hits over a window, without the modes outside it.
+std::vector<VectorXcd> hit_data(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
+                                const ModeWindow& window) {
+  std::vector<VectorXcd> data(hits.accel.size(), VectorXcd(static_cast<Index>(window.count)));
+  for (std::size_t o = 0; o < data.size(); ++o) {
+    const Complex* force = hits.set.points[hits.set.channels[o].point].spectra.front().get() + window.first;
+    for (std::size_t k = 0; k < window.count; ++k)
+      data[o](static_cast<Index>(k)) = hits.accel[o][window.first + k] / force[k];
+  }
+  subtract_other_modes(hits.set, modes, window, residue_indices(set, hits), data);
+  return data;
+}
+
+std::vector<VectorXcd> average_data(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window) {
+  std::vector<VectorXcd> data;
+  for (const FrfChannel& channel : set.channels)
+    data.emplace_back(Eigen::Map<const VectorXcd>(channel.frf.data() + window.first, static_cast<Index>(window.count)));
+  std::vector<std::size_t> same(data.size());
+  std::iota(same.begin(), same.end(), std::size_t{0});
+  subtract_other_modes(set, modes, window, same, data);
+  return data;
+}
+
+// [channels] rms of the residual per line.
+VectorXd noise_of(const ProjectedState& state, const std::vector<VectorXcd>& data, double freedom) {
+  VectorXd noise(static_cast<Index>(data.size()));
+  for (const ProjectedPart& part : state.parts) {
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
+      const std::size_t o = part.channels[i];
+      const double rms = std::sqrt(part.residual.col(static_cast<Index>(i)).squaredNorm() / freedom);
+      noise(static_cast<Index>(o)) = std::max({rms, kMinNoise * data[o].norm() / std::sqrt(freedom), 1e-300});
+    }
+  }
+  return noise;
+}
+
+double residual_energy(const ProjectedState& state, const FrfDataset& set, std::size_t hit, const VectorXd& noise) {
+  double energy = 0;
+  for (const ProjectedPart& part : state.parts) {
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
+      const std::size_t o = part.channels[i];
+      if (set.channels[o].point != hit) continue;
+      energy += part.residual.col(static_cast<Index>(i)).squaredNorm() / std::pow(noise(static_cast<Index>(o)), 2);
+    }
+  }
+  return energy;
+}
+
+HitPole hit_pole(const Pole& pole, double freq_std_Hz, double damping_std, const Pole& start) {
+  const bool known = std::isfinite(freq_std_Hz) && std::isfinite(damping_std) &&
+                     freq_std_Hz < kMaxUncertainty * start.half_power_Hz() &&
+                     damping_std < kMaxUncertainty * start.damping_ratio &&
+                     std::abs(pole.freq_Hz - start.freq_Hz) < start.half_power_Hz() && pole.damping_ratio > 0;
+  return {.pole = pole, .freq_std_Hz = freq_std_Hz, .damping_std = damping_std, .known = known};
+}
+
+void step_window(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes, const ModeWindow& window,
+                 std::vector<HitPoles>& out) {
+  const std::vector<Pole> poles = window.poles(modes);
+  const auto data = hit_data(set, hits, modes, window);
+  const std::size_t terms = LocalFitOptions{}.residual_terms;
+  VariableProjection projection(hits.set, data, VectorXd::Ones(static_cast<Index>(data.size())), window.first,
+                                window.count, terms);
+  const ProjectedState state = projection.evaluate(poles);
+  const double freedom = std::max(1.0, static_cast<double>(window.count) - static_cast<double>(poles.size() + terms));
+  const VectorXd noise = noise_of(state, data, freedom);
+  projection.set_weight(noise);
+  const auto normal = projection.normal_equations_by_point(state, poles.size());
+  const std::size_t channels = data.size() / hits.points.size();
+  for (std::size_t h = 0; h < hits.points.size(); ++h) {
+    const Eigen::MatrixXd inverse = inverse_gram(normal[h].matrix);
+    const VectorXd step = inverse * normal[h].right;
+    const double degrees =
+        std::max(1.0, 2 * freedom * static_cast<double>(channels) - 2 * static_cast<double>(poles.size()));
+    const double left = residual_energy(state, hits.set, h, noise) - step.dot(normal[h].right);
+    for (std::size_t i = 0; i < poles.size(); ++i) {
+      const auto f = static_cast<Index>(2 * i);
+      const double scale = std::max(left, 0.0) / degrees;
+      const Pole moved{.freq_Hz = poles[i].freq_Hz + step(f), .damping_ratio = poles[i].damping_ratio + step(f + 1)};
+      const double floor_Hz = kRounding * moved.freq_Hz, floor = kRoundingDamping * poles[i].damping_ratio;
+      out[window.modes[i]].hits[h] = hit_pole(moved, std::hypot(std::sqrt(scale * inverse(f, f)), floor_Hz),
+                                              std::hypot(std::sqrt(scale * inverse(f + 1, f + 1)), floor), poles[i]);
+    }
+  }
+}
+
+HitPole pole_of_fit(const LocalFit& fit, std::size_t mode, const Pole& start) {
+  const auto m = static_cast<Index>(mode);
+  HitPole out = hit_pole(fit.poles[mode], std::hypot(fit.freq_std_Hz(m), kRounding * start.freq_Hz),
+                         std::hypot(fit.damping_std(m), kRoundingDamping * start.damping_ratio), start);
+  out.known = out.known && fit.converged;
+  return out;
+}
+
+FrfDataset one_point(const FrfDataset& all, std::size_t point, std::size_t channels) {
+  FrfDataset one{.lines = all.lines, .usable_bandwidth_Hz = all.usable_bandwidth_Hz, .points = {all.points[point]}};
+  for (std::size_t c = 0; c < channels; ++c) one.channels.push_back({.point = 0, .channel = c, .frf = {}});
+  return one;
+}
+
+}  // namespace
+
+std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
+                                           const std::vector<ModeWindow>& windows) {
+  std::vector<HitPoles> out(modes.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size()), .together = {}});
+  const std::size_t lines = windows.empty() ? 0 : windows.front().count;
+  parallel_for_cost(windows.size(), kFlopsPerLine * lines * hits.accel.size(),
+                    [&](std::size_t w) { step_window(set, hits, modes, windows[w], out); });
+  return out;
+}
+
+std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
+                                       const ModeWindow& window) {
+  const std::vector<Pole> start = window.poles(modes);
+  const auto fit = [&](const FrfDataset& of, const std::vector<VectorXcd>& data) {
+    const LocalFitOptions options{.first = window.first, .count = window.count};
+    const VectorXd ones = VectorXd::Ones(static_cast<Index>(data.size()));
+    const VectorXd noise = fit_locally(of, data, ones, start, options).noise;
+    return fit_locally(of, data, noise.cwiseMax(kMinNoise * noise.maxCoeff() + 1e-300), start, options);
+  };
+  std::vector<HitPoles> out(start.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size()), .together = {}});
+  const LocalFit together = fit(set, average_data(set, modes, window));
+  for (std::size_t i = 0; i < start.size(); ++i) out[i].together = pole_of_fit(together, i, start[i]);
+  const auto data = hit_data(set, hits, modes, window);
+  const std::size_t channels = data.size() / hits.points.size();
+  parallel_for_cost(hits.points.size(), 20 * kFlopsPerLine * window.count * channels, [&](std::size_t h) {
+    const auto first = data.begin() + static_cast<std::ptrdiff_t>(h * channels);
+    const LocalFit one = fit(one_point(hits.set, h, channels), {first, first + static_cast<std::ptrdiff_t>(channels)});
+    for (std::size_t i = 0; i < start.size(); ++i) out[i].hits[h] = pole_of_fit(one, i, start[i]);
+  });
+  return out;
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "identify/hits/mode_windows.hpp"
+#include "identify/model/frf_dataset.hpp"
+#include "identify/model/mode.hpp"
+
+namespace percuss::identify {
+
+/// The single hits of a test.
+struct HitFrfs {
+  FrfDataset set;                               // a point for each hit; channels hit by hit, without spectral lines
+  std::vector<std::span<const Complex>> accel;  // [channels of set] spectra of the responses
+  std::vector<std::size_t> points;              // [hits] index into FrfDataset::points of the test
+};
+
+/// A mode's pole as one hit gives it, with one standard deviation from the hit's own residual. `known` is false where
+/// the hit does not determine the pole.
+struct HitPole {
+  Pole pole;
+  double freq_std_Hz = 0, damping_std = 0;
+  bool known = false;
+};
+
+/// The poles of every hit. `together` is the pole that the same window gives for all hits together.
+struct HitPoles {
+  std::vector<HitPole> hits;
+  HitPole together;
+};
+
+/// Each mode's pole in each hit, [modes]: one Gauss–Newton step of the hit's own FRFs from the modes' poles, over each
+/// mode's window. Modes fitted in one window are solved for together; the others are subtracted.
+std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
+                                           const std::vector<ModeWindow>& windows);
+
+/// The same for the modes of one window by complete local fits, [window.modes], where poles differ by more than a step
+/// can follow. `together` is the local fit of the averaged FRFs, over the same window.
+std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
+                                       const ModeWindow& window);
+
+}  // namespace percuss::identify

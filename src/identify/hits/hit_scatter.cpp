@@ -1,0 +1,137 @@
+#include "identify/hits/hit_scatter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/math/significance.hpp"
+#include "identify/hits/hit_laws.hpp"
+
+namespace percuss::identify {
+namespace {
+
+constexpr double kSignificantScatter = 3.1;  // normal deviate of χ²: one clean value in 1000
+constexpr double kCoverage = 1.96;           // Student's factor holds the 95 % interval
+constexpr std::size_t kMinHits = 2;
+
+// One quantity of the hits that determine a mode.
+struct Known {
+  std::vector<std::size_t> hits;
+  std::vector<double> freq_Hz, freq_std_Hz, damping, damping_std;
+};
+
+Known known_of(const HitPoles& poles) {
+  Known known;
+  for (std::size_t h = 0; h < poles.hits.size(); ++h) {
+    const HitPole& hit = poles.hits[h];
+    if (!hit.known) continue;
+    known.hits.push_back(h);
+    known.freq_Hz.push_back(hit.pole.freq_Hz);
+    known.freq_std_Hz.push_back(hit.freq_std_Hz);
+    known.damping.push_back(hit.pole.damping_ratio);
+    known.damping_std.push_back(hit.damping_std);
+  }
+  return known;
+}
+
+struct ModeScatter {
+  Known known;
+  ScatterOfHits freq, damping;
+  bool significant() const { return freq.deviate > kSignificantScatter || damping.deviate > kSignificantScatter; }
+};
+
+ModeScatter scatter_of_mode(const HitPoles& poles) {
+  ModeScatter scatter{.known = known_of(poles), .freq = {}, .damping = {}};
+  if (scatter.known.hits.size() < kMinHits) return scatter;
+  scatter.freq = scatter_of_hits(scatter.known.freq_Hz, scatter.known.freq_std_Hz);
+  scatter.damping = scatter_of_hits(scatter.known.damping, scatter.known.damping_std);
+  return scatter;
+}
+
+// The mean of the hits' poles in place of the pole of their average. Both come from the same window, whose misfit
+// cancels in their difference.
+void take_mean(Mode& mode, const ModeScatter& scatter, const HitPole& together) {
+  if (!together.known) return;
+  const double freq_shift_Hz = scatter.freq.mean - together.pole.freq_Hz;
+  const double damping_shift = scatter.damping.mean - together.pole.damping_ratio;
+  if (std::abs(freq_shift_Hz) > mode.pole.half_power_Hz() || -damping_shift > 0.5 * mode.pole.damping_ratio) return;
+  mode.pole.freq_Hz += freq_shift_Hz;
+  mode.pole.damping_ratio += damping_shift;
+}
+
+void add_part(const ScatterOfHits& scatter, StdParts& parts, double& spread, double& total) {
+  if (!(scatter.deviate > kSignificantScatter)) return;
+  parts.hits = scatter.hits;
+  spread = scatter.spread;
+  total = parts.total();
+}
+
+void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window, std::vector<Mode>& modes,
+            std::vector<ModeScatter>& scatter) {
+  const auto fitted = fitted_hit_poles(set, hits, modes, window);
+  for (std::size_t i = 0; i < window.modes.size(); ++i) {
+    const std::size_t m = window.modes[i];
+    const ModeScatter again = scatter_of_mode(fitted[i]);
+    if (!scatter[m].significant() || again.known.hits.size() < scatter[m].known.hits.size()) continue;
+    scatter[m] = again;
+    if (again.significant()) take_mean(modes[m], again, fitted[i].together);
+  }
+}
+
+}  // namespace
+
+double StdParts::total() const { return std::hypot(noise, hits, misfit); }
+
+ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std) {
+  const auto weighted = [&](double spread2) {
+    double sum = 0, weights = 0, squares = 0;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const double w = 1 / (std[i] * std[i] + spread2);
+      sum += w * (value[i] - value.front());
+      weights += w;
+      squares += w * w;
+    }
+    return std::array{value.front() + sum / weights, weights, squares};
+  };
+  const auto [first, weights, squares] = weighted(0);
+  double chi2 = 0;
+  for (std::size_t i = 0; i < value.size(); ++i) chi2 += std::pow((value[i] - first) / std[i], 2);
+  const double degrees = static_cast<double>(value.size() - 1);
+  const double spread2 = std::max(0.0, (chi2 - degrees) / (weights - squares / weights));
+  const auto [mean, certainty, unused] = weighted(spread2);
+  static_cast<void>(unused);
+  const double noise2 = 1 / weights;
+  const double student = student_quantile(kCoverage, degrees) / kCoverage;
+  return {.mean = mean,
+          .std = std::sqrt(noise2),
+          .hits = student * std::sqrt(std::max(0.0, 1 / certainty - noise2)),
+          .spread = std::sqrt(spread2),
+          .deviate = chi2_deviate(chi2, degrees)};
+}
+
+void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const std::vector<double>& peak_N,
+                     std::vector<Mode>& modes) {
+  if (hits.points.size() < kMinHits || modes.empty()) return;
+  const std::vector<ModeWindow> windows = mode_windows(set, modes);
+  const auto linear = linearised_hit_poles(set, hits, modes, windows);
+  std::vector<ModeScatter> scatter;
+  for (const HitPoles& poles : linear) scatter.push_back(scatter_of_mode(poles));
+  for (const ModeWindow& window : windows) {
+    if (std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) { return scatter[m].significant(); }))
+      refine(set, hits, window, modes, scatter);
+  }
+  std::vector<HitSeries> series;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    Mode& mode = modes[m];
+    add_part(scatter[m].freq, mode.freq_std_parts_Hz, mode.hit_scatter_Hz, mode.freq_std_Hz);
+    add_part(scatter[m].damping, mode.damping_std_parts, mode.hit_scatter_damping, mode.damping_std);
+    const Known& known = scatter[m].known;
+    if (mode.hit_scatter_Hz > 0)
+      series.push_back({m, true, known.hits, known.freq_Hz, known.freq_std_Hz, scatter[m].freq.spread});
+    if (mode.hit_scatter_damping > 0)
+      series.push_back({m, false, known.hits, known.damping, known.damping_std, scatter[m].damping.spread});
+  }
+  explain_scatter(series, peak_N, modes);
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,28 @@
+#pragma once
+#include <vector>
+
+#include "identify/hits/hit_poles.hpp"
+#include "identify/model/mode.hpp"
+
+namespace percuss::identify {
+
+/// A mean of values that may scatter beyond their standard deviations (random effects, method of moments).
+struct ScatterOfHits {
+  double mean = 0;
+  double std = 0;      // of the mean, from the values' own standard deviations
+  double hits = 0;     // of the mean, from the scatter beyond these, with Student's factor for few hits
+  double spread = 0;   // between the values, beyond their standard deviations
+  double deviate = 0;  // the scatter's χ² as a normal deviate
+};
+/// shapes  value and std equal, at least two.
+ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std);
+
+/// Adds the scatter between the hits to the modes' standard deviations, and explains it by the hits' forces or their
+/// order, where it is significant. There the pole becomes the mean of the hits' own poles, because the average of
+/// different resonances is broader than each of them. Modes ascend in frequency and include those outside the band.
+/// peak_N  [hits] in the order of the test.
+/// theory (4.19)
+void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const std::vector<double>& peak_N,
+                     std::vector<Mode>& modes);
+
+}  // namespace percuss::identify

@@ -1,0 +1,63 @@
+#include "identify/hits/mode_windows.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "identify/fit/windowed_fit.hpp"
+
+namespace percuss::identify {
+namespace {
+
+// The last column that was computed, and the pole and the point that it belongs to.
+struct LastColumn {
+  std::optional<Pole> pole;
+  std::size_t point = 0;
+  ModeColumn column;
+};
+
+}  // namespace
+
+std::vector<Pole> ModeWindow::poles(const std::vector<Mode>& all) const {
+  std::vector<Pole> of;
+  of.reserve(modes.size());
+  for (const std::size_t m : modes) of.push_back(all[m].pole);
+  return of;
+}
+
+std::vector<ModeWindow> mode_windows(const FrfDataset& set, const std::vector<Mode>& modes) {
+  std::vector<Pole> poles;
+  poles.reserve(modes.size());
+  for (const Mode& mode : modes) poles.push_back(mode.pole);
+  WindowedFit fit(set);
+  fit.replace(poles);
+  std::vector<ModeWindow> windows;
+  std::size_t next = 0;  // groups are ascending, like the modes
+  for (const FitGroup& group : fit.groups()) {
+    ModeWindow window{.modes = {}, .first = group.first, .count = group.count};
+    for (std::size_t m = 0; m < group.fit.poles.size(); ++m) window.modes.push_back(next++);
+    windows.push_back(std::move(window));
+  }
+  return windows;
+}
+
+void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window,
+                          const std::vector<std::size_t>& residue_of, std::vector<Eigen::VectorXcd>& data) {
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (std::find(window.modes.begin(), window.modes.end(), m) != window.modes.end()) continue;
+    LastColumn last;
+    for (std::size_t o = 0; o < data.size(); ++o) {
+      const Residue& residue = modes[m].residues[residue_of[o]];
+      const Pole pole = residue.own_pole.value_or(modes[m].pole);
+      const std::size_t point = set.channels[o].point;
+      const PointForce& force = set.points[point];
+      const bool same_point = last.point == point || decays_within_record(pole, force, set.lines);
+      if (!last.pole || !(*last.pole == pole) || !same_point)
+        last = {.pole = pole,
+                .point = point,
+                .column = mode_column(pole, force, set.lines, window.first, window.count, ColumnContent::value)};
+      data[o] -= residue.value * last.column.value;
+    }
+  }
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,155 @@
+#include "identify/misfit/misfit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/math/linear_algebra.hpp"
+#include "core/math/tall_products.hpp"
+#include "core/parallel/parallel.hpp"
+#include "identify/fit/local_fit.hpp"
+#include "identify/fit/variable_projection.hpp"
+#include "identify/misfit/decay_terms.hpp"
+#include "identify/misfit/residual_correlation.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr double kCorrelated = 4.5;       // normal deviate: one white window in 300 000
+constexpr double kMinIndependent = 0.25;  // of the independent lines: left after the fit
+constexpr double kMinNoise = 1e-300;
+constexpr std::size_t kFlopsPerLine = 600;
+
+std::vector<VectorXcd> window_data(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window) {
+  std::vector<VectorXcd> data;
+  for (const FrfChannel& channel : set.channels)
+    data.emplace_back(Eigen::Map<const VectorXcd>(channel.frf.data() + window.first, static_cast<Index>(window.count)));
+  std::vector<std::size_t> same(data.size());
+  std::iota(same.begin(), same.end(), std::size_t{0});
+  subtract_other_modes(set, modes, window, same, data);
+  return data;
+}
+
+VectorXd noise_of(const ProjectedState& state, Index channels, double freedom) {
+  VectorXd noise(channels);
+  for (const ProjectedPart& part : state.parts) {
+    for (std::size_t i = 0; i < part.channels.size(); ++i)
+      noise(static_cast<Index>(part.channels[i])) =
+          std::max(kMinNoise, std::sqrt(part.residual.col(static_cast<Index>(i)).squaredNorm() / freedom));
+  }
+  return noise;
+}
+
+// Σ over the FRFs of the products of their residues over their noise, [2 modes, 2 modes].
+MatrixXcd residue_products(const ProjectedPart& part, const VectorXd& noise) {
+  const Index n = part.slopes.cols();
+  MatrixXcd sum = MatrixXcd::Zero(n, n);
+  for (std::size_t i = 0; i < part.channels.size(); ++i) {
+    const double w = noise(static_cast<Index>(part.channels[i]));
+    for (Index r = 0; r < n; ++r) {
+      for (Index c = 0; c < n; ++c)
+        sum(r, c) += std::conj(part.amplitude(r / 2, static_cast<Index>(i))) *
+                     part.amplitude(c / 2, static_cast<Index>(i)) / (w * w);
+    }
+  }
+  return sum;
+}
+
+// Covariance of the score for a residual with this correlation: its real and imaginary part have half the variance.
+MatrixXd score_covariance(const VariableProjection& projection, const ProjectedState& state, const VectorXd& noise,
+                          const ResidualCorrelation& correlation) {
+  const Index n = state.parts.front().slopes.cols();
+  MatrixXd sum = MatrixXd::Zero(n, n);
+  for (const ProjectedPart& part : state.parts) {
+    const MatrixXcd slopes = projection.projected_slopes(part);
+    const MatrixXcd residues = residue_products(part, noise);
+    sum += 0.5 * residues.cwiseProduct(lagged_product(slopes, slopes, 0)).real();
+    for (std::size_t l = 0; l < correlation.at_lag.size(); ++l) {
+      const MatrixXcd lagged = lagged_product(slopes, slopes, static_cast<Index>(l + 1));
+      const MatrixXd one = residues.cwiseProduct(lagged).real();
+      sum += 0.5 * correlation.at_lag[l] * (one + one.transpose());
+    }
+  }
+  return sum;
+}
+
+// The ratio of the scores' energy summed over the FRFs to the sum of their energies: 1 for independent residuals, the
+// number of FRFs for the same misfit in all.
+double common_to_channels(const VariableProjection& projection, const ProjectedState& state, const VectorXd& noise) {
+  double together = 0, apart = 0;
+  for (Index m = 0; m < state.parts.front().columns.cols(); ++m) {
+    VectorXd sum;
+    for (const ProjectedPart& part : state.parts) {
+      const MatrixXcd slopes = projection.projected_slopes(part);
+      for (std::size_t i = 0; i < part.channels.size(); ++i) {
+        const auto column = static_cast<Index>(i);
+        const double w = noise(static_cast<Index>(part.channels[i]));
+        const Complex residue = std::conj(part.amplitude(m, column)) / (w * w);
+        const VectorXd score = (residue * slopes.col(2 * m).conjugate().cwiseProduct(part.residual.col(column))).real();
+        sum = sum.size() == 0 ? score : VectorXd(sum + score);
+        apart += score.squaredNorm();
+      }
+    }
+    together += sum.squaredNorm();
+  }
+  return apart > 0 ? std::max(1.0, together / apart) : 1;
+}
+
+void widen(double misfit, StdParts& parts, double& std) {
+  if (!(misfit > parts.noise)) return;
+  parts.misfit = std::sqrt(misfit * misfit - parts.noise * parts.noise);
+  std = parts.total();
+}
+
+void add_misfit_of_window(const FrfDataset& set, const ModeWindow& window, std::vector<Mode>& modes) {
+  const std::vector<Pole> poles = window.poles(modes);
+  const auto data = window_data(set, modes, window);
+  const auto terms = static_cast<Index>(LocalFitOptions{}.residual_terms);
+  VariableProjection projection(set, data, VectorXd::Ones(static_cast<Index>(data.size())), window.first, window.count,
+                                static_cast<std::size_t>(terms));
+  const ProjectedState state = projection.evaluate(poles);
+  const double used = static_cast<double>(poles.size()) + static_cast<double>(terms);
+  const auto lines = static_cast<double>(window.count);
+  if (!(lines > 2 * used)) return;
+  const VectorXd noise = noise_of(state, static_cast<Index>(data.size()), lines - used);
+  const MatrixXd polynomial = orthonormal_polynomials(static_cast<Index>(window.count), terms);
+  const ResidualCorrelation correlation = residual_correlation(state, polynomial, noise);
+  if (!(correlation.deviate > kCorrelated)) return;
+  projection.set_weight(noise);
+  const MatrixXd inverse = inverse_gram(projection.normal_equations(state, poles.size()).matrix);
+  const MatrixXd covariance = inverse * score_covariance(projection, state, noise, correlation) * inverse;
+  // The fit follows a part of a smooth misfit, and the more, the fewer lines are independent.
+  const double independent = lines / correlation.lines;
+  const double freedom = independent / std::max(independent - used, kMinIndependent * independent);
+  const double factor = freedom * common_to_channels(projection, state, noise);
+  const VectorXd shift = decay_term_shift(set, window, poles, projection, state, noise);
+  for (std::size_t i = 0; i < poles.size(); ++i) {
+    const auto f = static_cast<Index>(2 * i);
+    Mode& mode = modes[window.modes[i]];
+    widen(std::max(std::sqrt(std::max(0.0, factor * covariance(f, f))), std::abs(shift(f))), mode.freq_std_parts_Hz,
+          mode.freq_std_Hz);
+    widen(std::max(std::sqrt(std::max(0.0, factor * covariance(f + 1, f + 1))), std::abs(shift(f + 1))),
+          mode.damping_std_parts, mode.damping_std);
+  }
+}
+
+}  // namespace
+
+void add_misfit(const FrfDataset& set, std::vector<Mode>& modes) {
+  // An exponential window correlates the noise itself.
+  if (modes.empty() || set.window_decay_per_s() != 0) return;
+  const std::vector<ModeWindow> windows = mode_windows(set, modes);
+  parallel_for_cost(windows.size(), kFlopsPerLine * windows.front().count * set.channels.size(), [&](std::size_t w) {
+    const bool scatters = std::any_of(windows[w].modes.begin(), windows[w].modes.end(),
+                                      [&](std::size_t m) { return modes[m].freq_scatter_Hz > 0; });
+    if (!scatters) add_misfit_of_window(set, windows[w], modes);
+  });
+}
+
+}  // namespace percuss::identify

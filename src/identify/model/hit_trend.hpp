@@ -1,0 +1,25 @@
+#pragma once
+
+namespace percuss::identify {
+
+/// The parts of a standard deviation. Their root sum of squares is the standard deviation.
+struct StdParts {
+  double noise = 0;   // of the channels
+  double hits = 0;    // scatter between the hits beyond the noise; 0: not significant
+  double misfit = 0;  // structure of the residual that neither explains; 0: not significant
+  double total() const;
+};
+
+/// A mode's frequency and damping ratio against the force of the hits, as straight lines, with standard deviations.
+struct AmplitudeTrend {
+  double freq_slope_Hz_per_N = 0, freq_slope_std = 0, freq_at_zero_Hz = 0;
+  double damping_slope_per_N = 0, damping_slope_std = 0, damping_at_zero = 0;
+  bool freq_follows = false, damping_follows = false;  // whether the force explains their scatter
+};
+
+/// The relative change of a mode's frequency per hit, in the order of the test.
+struct DriftTrend {
+  double freq_change_per_hit = 0, std = 0;
+};
+
+}  // namespace percuss::identify

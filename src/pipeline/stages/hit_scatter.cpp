@@ -1,0 +1,43 @@
+#include "pipeline/stages/hit_scatter.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "identify/hits/hit_scatter.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+// The points' places in the set: ascending by number.
+std::map<int, std::size_t> places_of_points(const TestSpectra& spectra, const std::vector<std::size_t>& used) {
+  std::map<int, std::size_t> places;
+  for (const std::size_t h : used) places[spectra.hits[h].point] = 0;
+  std::size_t next = 0;
+  for (auto& [point, place] : places) place = next++;
+  return places;
+}
+
+}  // namespace
+
+void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra& spectra,
+                              std::vector<identify::Mode>& modes) {
+  const std::vector<std::size_t> used = accepted_hits(spectra.hits);
+  if (used.size() < 2) return;
+  const auto places = places_of_points(spectra, used);
+  identify::HitFrfs hits{.set = {.lines = set.lines, .usable_bandwidth_Hz = set.usable_bandwidth_Hz}};
+  std::vector<double> peak_N;
+  for (const std::size_t h : used) {
+    const acquire::Hit& hit = spectra.hits[h].hit;
+    std::vector<frf::ForceBlock> block{frf::force_block(hit, spectra.lines.fs_Hz, spectra.window_decay_per_s)};
+    hits.set.points.push_back(identify::point_force(std::move(block), {spectra.force[h]}, spectra.lines, hit.noise_N));
+    hits.points.push_back(places.at(spectra.hits[h].point));
+    for (std::size_t c = 0; c < spectra.responses.of[h].size(); ++c) {
+      hits.set.channels.push_back({.point = hits.points.size() - 1, .channel = c, .frf = {}});
+      hits.accel.push_back(spectra.responses.of[h][c].spectrum);
+    }
+    peak_N.push_back(hit.peak_N);
+  }
+  identify::add_hit_scatter(set, hits, peak_N, modes);
+}
+
+}  // namespace percuss::pipeline

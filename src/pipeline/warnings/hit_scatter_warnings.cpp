@@ -1,0 +1,116 @@
+#include "pipeline/warnings/hit_scatter_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kMaxNamedModes = 4;
+constexpr double kMuchScatter = 3;  // hits' part over the noise's part, from which unexplained scatter is reported
+constexpr double kMuchMisfit = 5;   // misfit's part over the noise's
+constexpr double kPpm = 1e6;
+
+using identify::Mode;
+
+// The modes that `value` describes, by the size of `rank`, largest first.
+std::string named_modes(const std::vector<Mode>& modes, const std::function<double(const Mode&)>& rank,
+                        const std::function<std::string(const Mode&)>& value) {
+  std::vector<const Mode*> found;
+  for (const Mode& mode : modes) {
+    if (rank(mode) > 0) found.push_back(&mode);
+  }
+  std::stable_sort(found.begin(), found.end(), [&](const Mode* a, const Mode* b) { return rank(*a) > rank(*b); });
+  std::string list;
+  for (std::size_t i = 0; i < std::min(found.size(), kMaxNamedModes); ++i)
+    list += fmt::format("{}{:.6g} Hz {}", i == 0 ? "" : "; ", found[i]->pole.freq_Hz, value(*found[i]));
+  if (found.size() > kMaxNamedModes) list += fmt::format("; and {} more modes", found.size() - kMaxNamedModes);
+  return list;
+}
+
+std::string amplitude_text(const Mode& mode) {
+  const identify::AmplitudeTrend& trend = *mode.amplitude;
+  std::string text;
+  if (trend.freq_follows)
+    text += fmt::format("{} by {:.2g} ± {:.1g} Hz/N ({}; {:.6g} Hz at zero force)",
+                        trend.freq_slope_Hz_per_N < 0 ? "falls" : "rises", std::abs(trend.freq_slope_Hz_per_N),
+                        trend.freq_slope_std, trend.freq_slope_Hz_per_N < 0 ? "softening" : "hardening",
+                        trend.freq_at_zero_Hz);
+  if (trend.damping_follows) {
+    const bool falls = trend.damping_slope_per_N < 0;
+    text += fmt::format("{}damping {} by {:.2g} ± {:.1g} % of itself per 100 N ({})", text.empty() ? "" : ", ",
+                        falls ? "falls" : "rises", 1e4 * std::abs(trend.damping_slope_per_N) / mode.pole.damping_ratio,
+                        1e4 * trend.damping_slope_std / mode.pole.damping_ratio,
+                        falls ? "as dry friction does" : "as air or a loose joint does");
+  }
+  return text;
+}
+
+double amplitude_rank(const Mode& mode) {
+  if (!mode.amplitude) return 0;
+  return mode.hit_scatter_Hz / mode.pole.half_power_Hz() + mode.hit_scatter_damping / mode.pole.damping_ratio + 1e-12;
+}
+
+double unexplained_rank(const Mode& mode) {
+  if (mode.amplitude || mode.drift) return 0;
+  const double freq = mode.freq_std_parts_Hz.hits > kMuchScatter * mode.freq_std_parts_Hz.noise
+                          ? mode.hit_scatter_Hz / mode.pole.freq_Hz
+                          : 0;
+  const bool damping = mode.damping_std_parts.hits > kMuchScatter * mode.damping_std_parts.noise;
+  return freq + (damping ? mode.hit_scatter_damping : 0);
+}
+
+double misfit_rank(const Mode& mode) {
+  const auto over = [](const identify::StdParts& parts) {
+    return parts.noise > 0 && parts.misfit > kMuchMisfit * parts.noise ? parts.misfit / parts.noise : 0.0;
+  };
+  return std::max(over(mode.freq_std_parts_Hz), over(mode.damping_std_parts));
+}
+
+}  // namespace
+
+std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
+  std::vector<Warning> out;
+  const std::string amplitude = named_modes(modes, amplitude_rank, amplitude_text);
+  if (!amplitude.empty())
+    out.push_back({"nonlinear", "nonlinear: these modes depend on the strength of the hits: " + amplitude +
+                                    ". Each value is a mean over the hits, and its ± includes their scatter; quote the "
+                                    "force with it, or hit with equal strength"});
+  const std::string drift = named_modes(
+      modes, [](const Mode& mode) { return mode.drift ? std::abs(mode.drift->freq_change_per_hit) : 0; },
+      [](const Mode& mode) {
+        return fmt::format("{} by {:.2g} ± {:.1g} ppm per hit", mode.drift->freq_change_per_hit < 0 ? "falls" : "rises",
+                           kPpm * std::abs(mode.drift->freq_change_per_hit), kPpm * mode.drift->std);
+      });
+  if (!drift.empty())
+    out.push_back(
+        {"drifting", "frequencies drift from hit to hit, in the order of the test: " + drift +
+                         ". Possible causes: temperature, a support that settles, damage. Each value is a mean "
+                         "over the hits, and its ± includes the drift"});
+  const std::string rest = named_modes(modes, unexplained_rank, [](const Mode& mode) {
+    return fmt::format("(frequency by {:.2g} ppm, damping by {:.2g} %)", kPpm * mode.hit_scatter_Hz / mode.pole.freq_Hz,
+                       100 * mode.hit_scatter_damping / mode.pole.damping_ratio);
+  });
+  if (!rest.empty())
+    out.push_back({"hits_differ",
+                   "modes change from hit to hit by more than the noise explains, and neither the force "
+                   "nor the order of the hits explains it: " +
+                       rest +
+                       ". Each ± includes this scatter. Possible causes: the point or the direction of "
+                       "the hits, a second contact of the hammer, a loose sensor or support"});
+  const std::string misfit = named_modes(
+      modes, misfit_rank, [](const Mode& mode) { return fmt::format("({:.2g} times the noise)", misfit_rank(mode)); });
+  if (!misfit.empty())
+    out.push_back({"model_misfit",
+                   "the residual of the fit has structure that no linear mode explains, and determines "
+                   "the ± of: " +
+                       misfit +
+                       ". Possible causes: frequency or damping that changes while the structure rings, "
+                       "a weak mode beside a strong one, a sensor's or filter's own response"});
+  return out;
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,21 @@
+#include "core/math/significance.hpp"
+
+#include <gtest/gtest.h>
+
+namespace percuss::significance_test {
+
+TEST(StudentQuantile, AgreesWithTables) {
+  EXPECT_NEAR(student_quantile(1.959964, 1), 12.7062, 1e-3);
+  EXPECT_NEAR(student_quantile(1.959964, 2), 4.3027, 1e-3);
+  EXPECT_NEAR(student_quantile(1.959964, 4), 2.7764, 0.01);
+  EXPECT_NEAR(student_quantile(2.575829, 3), 5.8409, 0.06);
+  EXPECT_NEAR(student_quantile(1.959964, 1e6), 1.959964, 1e-4);
+}
+
+TEST(Chi2Deviate, IsTheNormalDeviateOfTheSameProbability) {
+  EXPECT_NEAR(chi2_deviate(9.488, 4), 1.645, 0.02) << "95 %";
+  EXPECT_NEAR(chi2_deviate(18.467, 4), 3.09, 0.03) << "99.9 %";
+  EXPECT_NEAR(chi2_deviate(10.828, 1), 3.09, 0.06) << "99.9 %";
+}
+
+}  // namespace percuss::significance_test

@@ -1,0 +1,119 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "pipeline/analysis.hpp"
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::pipeline::hit_scatter_test {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr double kFirst_Hz = 200, kSecond_Hz = 900;
+
+struct Modes {
+  double first_Hz = kFirst_Hz, second_Hz = kSecond_Hz, first_damping = 0.01, second_damping = 0.005;
+};
+
+synth::SynthSpec spec_of(const Modes& modes, std::size_t hits, std::uint64_t seed) {
+  synth::SynthSpec spec = test::bat_spec(
+      {{.freq_Hz = modes.first_Hz, .damping_ratio = modes.first_damping, .order = 1, .amplitude_per_sqrt_kg = 1.7},
+       {.freq_Hz = modes.second_Hz, .damping_ratio = modes.second_damping, .order = 2, .amplitude_per_sqrt_kg = 1.4}},
+      1);
+  spec.hits = hits;
+  spec.seed = seed;
+  spec.noise = {.force = 1e-4, .accel = 1e-4};
+  return spec;
+}
+
+// A test whose structure differs from hit to hit. The forces depend on the seed alone.
+acquire::Record record_of(const std::function<Modes(std::size_t hit)>& modes, std::size_t hits, std::uint64_t seed) {
+  std::vector<acquire::Record> records;
+  for (std::size_t h = 0; h < hits; ++h) records.push_back(synth::synthesise(spec_of(modes(h), hits, seed)).record);
+  acquire::Record record = records.front();
+  record.read_accel_mps2 = [records](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    records[row].read_accel_mps2(row, channel, first, out);
+  };
+  return record;
+}
+
+AnalysisOptions band() { return {.band_Hz = std::pair{60.0, 1600.0}, .threads = 1}; }
+
+std::vector<std::string> warnings_of(const Analysis& analysis) {
+  std::vector<std::string> out;
+  for (const Warning& warning : analysis.warnings()) out.push_back(warning.code + ": " + warning.message);
+  return out;
+}
+
+TEST(HitScatter, AddsNothingToEqualHits) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const Analysis analysis(record_of([](std::size_t) { return Modes{}; }, 5, seed), band());
+    ASSERT_THAT(analysis.modes(), SizeIs(2));
+    for (const identify::Mode& mode : analysis.modes()) {
+      EXPECT_EQ(mode.freq_std_parts_Hz.hits, 0) << seed;
+      EXPECT_EQ(mode.freq_std_parts_Hz.misfit, 0) << seed;
+      EXPECT_EQ(mode.freq_std_Hz, mode.freq_std_parts_Hz.noise) << seed;
+      EXPECT_EQ(mode.damping_std, mode.damping_std_parts.noise) << seed;
+      EXPECT_FALSE(mode.amplitude || mode.drift);
+    }
+    EXPECT_THAT(warnings_of(analysis), IsEmpty());
+  }
+}
+
+TEST(HitScatter, NamesADriftAndIncludesIt) {
+  const auto drifting = [](std::size_t hit) {
+    const double factor = 1 - 5e-4 * (static_cast<double>(hit) - 2);
+    return Modes{.first_Hz = kFirst_Hz * factor, .second_Hz = kSecond_Hz * factor};
+  };
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const Analysis analysis(record_of(drifting, 5, seed), band());
+    ASSERT_THAT(analysis.modes(), SizeIs(2)) << seed;
+    const identify::Mode& mode = analysis.modes().back();
+    ASSERT_TRUE(mode.drift) << seed;
+    EXPECT_NEAR(mode.drift->freq_change_per_hit, -5e-4, 2e-5);
+    EXPECT_NEAR(mode.pole.freq_Hz, kSecond_Hz, 3 * mode.freq_std_Hz);
+    EXPECT_GT(mode.freq_std_parts_Hz.hits, 3 * mode.freq_std_parts_Hz.noise);
+    EXPECT_NEAR(mode.pole.damping_ratio, 0.005, 4 * mode.damping_std) << "not broadened by the drift";
+    EXPECT_NEAR(std::hypot(mode.freq_std_parts_Hz.noise, mode.freq_std_parts_Hz.hits, mode.freq_std_parts_Hz.misfit),
+                mode.freq_std_Hz, 1e-12);
+    EXPECT_THAT(warnings_of(analysis), Contains(HasSubstr("drifting: frequencies drift from hit to hit")));
+  }
+}
+
+TEST(HitScatter, NamesSofteningWithItsSlope) {
+  constexpr double kSlope = -1e-3;  // Hz/N
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const Analysis equal(record_of([](std::size_t) { return Modes{}; }, 6, seed), band());
+    const auto softening = [&](std::size_t hit) {
+      return Modes{.first_Hz = kFirst_Hz, .second_Hz = kSecond_Hz + kSlope * equal.force_hits()[hit].hit.peak_N};
+    };
+    const Analysis analysis(record_of(softening, 6, seed), band());
+    ASSERT_THAT(analysis.modes(), SizeIs(2)) << seed;
+    EXPECT_FALSE(analysis.modes().front().amplitude);
+    const auto& trend = analysis.modes().back().amplitude;
+    ASSERT_TRUE(trend) << seed;
+    EXPECT_NEAR(trend->freq_slope_Hz_per_N, kSlope, 5 * trend->freq_slope_std);
+    EXPECT_NEAR(trend->freq_slope_Hz_per_N, kSlope, 0.05 * std::abs(kSlope));
+    EXPECT_NEAR(trend->freq_at_zero_Hz, kSecond_Hz, 0.02);
+    EXPECT_THAT(warnings_of(analysis), Contains(AllOf(HasSubstr("nonlinear: "), HasSubstr("softening"))));
+  }
+}
+
+TEST(HitScatter, IsIncludedWhereNothingExplainsIt) {
+  const std::vector<double> ppm{300, -300, 200, -350, 150};
+  const auto random = [&](std::size_t hit) { return Modes{.second_Hz = kSecond_Hz * (1 + 1e-6 * ppm[hit])}; };
+  const Analysis analysis(record_of(random, 5, 1), band());
+  ASSERT_THAT(analysis.modes(), SizeIs(2));
+  EXPECT_NEAR(analysis.modes().back().hit_scatter_Hz, 0.27, 0.05);
+  EXPECT_THAT(warnings_of(analysis), Contains(HasSubstr("hits_differ: ")));
+}
+
+}  // namespace percuss::pipeline::hit_scatter_test
