@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTrendTest = 2.576;   // normal deviate of the slope's t statistic: 1 %, two-sided
 constexpr double kMinExplained = 0.7;  // of the scatter's χ²
-constexpr std::size_t kMinHits = 3;
+constexpr std::size_t kMinHitsOfLaw = 3;
 constexpr double kMinForceRange = 1.2;  // largest force over the smallest: equal hits tell nothing of the amplitude
 constexpr double kMinVariation = 1e-9;
 
@@ -65,7 +65,7 @@ double support(const std::vector<HitSeries>& series, const Law& law) {
   double sum = 0;
   bool any = false;
   for (const HitSeries& one : series) {
-    if (one.hits.size() < kMinHits) continue;
+    if (one.hits.size() < kMinHitsOfLaw) continue;
     const Line line = fit_line(one, law);
     sum += static_cast<double>(one.hits.size()) * std::log(line.chi2_before / line.chi2_after);
     any = any || line.follows();
@@ -96,7 +96,7 @@ void describe_amplitude(const HitSeries& series, const Law& law, const Law& forc
 
 void explain_scatter(const std::vector<HitSeries>& series, const std::vector<double>& peak_N,
                      std::vector<Mode>& modes) {
-  if (series.empty() || peak_N.size() < kMinHits) return;
+  if (series.empty() || peak_N.size() < kMinHitsOfLaw) return;
   const Law order = [](std::size_t hit) { return static_cast<double>(hit); };
   const Law force = [&](std::size_t hit) { return std::abs(peak_N[hit]); };
   const Law square = [&](std::size_t hit) { return peak_N[hit] * peak_N[hit]; };
@@ -115,7 +115,7 @@ void explain_scatter(const std::vector<HitSeries>& series, const std::vector<dou
   const double of_order = support(series, order);
   if (std::max(of_force, of_order) < 0) return;
   for (const HitSeries& one : series) {
-    if (one.hits.size() < kMinHits) continue;
+    if (one.hits.size() < kMinHitsOfLaw) continue;
     if (of_order > of_force) describe_drift(one, order, modes[one.mode]);
     if (of_force >= of_order) describe_amplitude(one, *best, force, modes[one.mode]);
   }
