@@ -177,7 +177,7 @@ const std::vector<identify::Mode>& Analysis::modes() const {
     const ThreadLimit limit(options_.threads);
     return trace_.run("modes", [&] {
       std::vector<identify::Mode> found = identify::identify_modes(set, options_.modes);
-      add_scatter_between_hits(set, from, found);
+      add_scatter_between_hits(set, from, options_.modes, found);
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
       return std::move(split.within);

@@ -22,12 +22,21 @@ struct Line {
   double slope = 0, slope_std = 0, at_zero = 0;  // slope_std from the scatter around the line
   double chi2_before = 0, chi2_after = 0;        // around the mean and around the line
   double degrees = 0;
+  double spread = 0;  // standard deviation of the line's values over the hits
   double explained() const { return 1 - chi2_after / chi2_before; }
   bool follows() const {
     return degrees > 0 && explained() > kMinExplained &&
            std::abs(slope) > student_quantile(kTrendTest, degrees) * slope_std;
   }
 };
+
+double spread_of_law(const std::vector<double>& x) {
+  double sum = 0, squares = 0;
+  for (const double one : x) sum += one;
+  const double mean = sum / static_cast<double>(x.size());
+  for (const double one : x) squares += (one - mean) * (one - mean);
+  return std::sqrt(squares / static_cast<double>(x.size() - 1));
+}
 
 // Weighted least squares. The weights include the spread, so that a law that is not quite a line is not judged by a few
 // precise hits alone.
@@ -56,6 +65,7 @@ Line fit_line(const HitSeries& series, const Law& law) {
   line.chi2_after = std::max(yy - xy * xy / xx, 1e-12 * yy);
   line.slope_std = std::sqrt(line.chi2_after / line.degrees / xx);
   line.at_zero = y_mean - line.slope * x_mean;
+  line.spread = std::abs(line.slope) * spread_of_law(x);
   return line;
 }
 
@@ -73,6 +83,11 @@ double support(const std::vector<HitSeries>& series, const Law& law) {
   return any ? sum : -1;
 }
 
+void widen_to_spread(double spread, StdParts& parts, double& std) {
+  parts.hits = std::max(parts.hits, spread);
+  std = parts.total();
+}
+
 void describe_drift(const HitSeries& series, const Law& order, Mode& mode) {
   const Line line = fit_line(series, order);
   if (!series.is_freq || !line.follows()) return;
@@ -83,6 +98,8 @@ void describe_drift(const HitSeries& series, const Law& order, Mode& mode) {
 void describe_amplitude(const HitSeries& series, const Law& law, const Law& force, Mode& mode) {
   if (!fit_line(series, law).follows()) return;
   const Line line = fit_line(series, force);
+  if (series.is_freq) widen_to_spread(line.spread, mode.freq_std_parts_Hz, mode.freq_std_Hz);
+  if (!series.is_freq) widen_to_spread(line.spread, mode.damping_std_parts, mode.damping_std);
   if (!mode.amplitude)
     mode.amplitude = AmplitudeTrend{.freq_at_zero_Hz = mode.pole.freq_Hz, .damping_at_zero = mode.pole.damping_ratio};
   AmplitudeTrend& trend = *mode.amplitude;
@@ -93,6 +110,18 @@ void describe_amplitude(const HitSeries& series, const Law& law, const Law& forc
 }
 
 }  // namespace
+
+double trend_deviate(const HitSeries& series, const std::vector<double>& peak_N) {
+  if (series.hits.size() < kMinHitsOfLaw) return 0;
+  HitSeries noise = series;
+  noise.spread = 0;
+  const auto deviate = [&](const Law& law) {
+    const Line line = fit_line(noise, law);
+    return std::sqrt(std::max(0.0, line.chi2_before - line.chi2_after));
+  };
+  return std::max(deviate([](std::size_t hit) { return static_cast<double>(hit); }),
+                  deviate([&](std::size_t hit) { return std::abs(peak_N[hit]); }));
+}
 
 void explain_scatter(const std::vector<HitSeries>& series, const std::vector<double>& peak_N,
                      std::vector<Mode>& modes) {

@@ -15,8 +15,13 @@ struct HitSeries {
   double spread = 0;               // beyond `std`
 };
 
+/// The larger of the slopes over the hits' force and over their order, in standard deviations of the noise: a test that
+/// sees a trend before χ² does.
+double trend_deviate(const HitSeries& series, const std::vector<double>& peak_N);
+
 /// Decides for all series together whether the forces of the hits or their order explain the scatter, and describes the
-/// modes' trends accordingly (Mode::amplitude, Mode::drift). Neither, unless the F test is passed.
+/// modes' trends accordingly (Mode::amplitude, Mode::drift). Neither, unless the F test is passed. A value that follows
+/// one of them does not average out: its standard deviation is not less than the spread of the trend over the hits.
 /// peak_N  [hits of the test]
 void explain_scatter(const std::vector<HitSeries>& series, const std::vector<double>& peak_N, std::vector<Mode>& modes);
 

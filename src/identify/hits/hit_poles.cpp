@@ -18,6 +18,7 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr double kMaxUncertainty = 0.5;     // of the half-power bandwidth: beyond it a hit does not determine a pole
+constexpr double kMinModeGain = 4;          // F statistic of a mode over the fits of all hits
 constexpr double kMinNoise = 1e-9;          // of the data: the weight of an FRF without residual stays finite
 constexpr std::size_t kFlopsPerLine = 600;  // of a window's projection, per line
 
@@ -132,6 +133,48 @@ FrfDataset one_point(const FrfDataset& all, std::size_t point, std::size_t chann
   return one;
 }
 
+// [channels] weights from the residual of a fit.
+VectorXd residual_weights(const LocalFit& fit) { return fit.noise.cwiseMax(kMinNoise * fit.noise.maxCoeff() + 1e-300); }
+
+LocalFit fit_by_residual(const FrfDataset& set, const std::vector<VectorXcd>& data, const std::vector<Pole>& start,
+                         const ModeWindow& window) {
+  const LocalFitOptions options{.first = window.first, .count = window.count};
+  const VectorXd ones = VectorXd::Ones(static_cast<Index>(data.size()));
+  return fit_locally(set, data, residual_weights(fit_locally(set, data, ones, start, options)), start, options);
+}
+
+// Complete fits of all hits with these poles, as one sum of squares.
+struct HitCosts {
+  double cost = 0, degrees = 0;
+};
+
+HitCosts costs_of_hits(const HitFrfs& hits, const std::vector<VectorXcd>& data, const std::vector<VectorXd>& weights,
+                       const std::vector<Pole>& poles, const ModeWindow& window) {
+  const std::size_t channels = data.size() / hits.points.size();
+  HitCosts sum;
+  for (std::size_t h = 0; h < hits.points.size(); ++h) {
+    const auto first = data.begin() + static_cast<std::ptrdiff_t>(h * channels);
+    const LocalFit fit =
+        fit_locally(one_point(hits.set, h, channels), {first, first + static_cast<std::ptrdiff_t>(channels)},
+                    weights[h], poles, {.first = window.first, .count = window.count});
+    sum.cost += fit.cost;
+    sum.degrees += static_cast<double>(fit.degrees);
+  }
+  return sum;
+}
+
+std::vector<VectorXd> weights_of_hits(const HitFrfs& hits, const std::vector<VectorXcd>& data,
+                                      const std::vector<Pole>& poles, const ModeWindow& window) {
+  const std::size_t channels = data.size() / hits.points.size();
+  std::vector<VectorXd> weights;
+  for (std::size_t h = 0; h < hits.points.size(); ++h) {
+    const auto first = data.begin() + static_cast<std::ptrdiff_t>(h * channels);
+    const std::vector<VectorXcd> own{first, first + static_cast<std::ptrdiff_t>(channels)};
+    weights.push_back(residual_weights(fit_by_residual(one_point(hits.set, h, channels), own, poles, window)));
+  }
+  return weights;
+}
+
 }  // namespace
 
 std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
@@ -147,10 +190,7 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
                                        const ModeWindow& window) {
   const std::vector<Pole> start = window.poles(modes);
   const auto fit = [&](const FrfDataset& of, const std::vector<VectorXcd>& data) {
-    const LocalFitOptions options{.first = window.first, .count = window.count};
-    const VectorXd ones = VectorXd::Ones(static_cast<Index>(data.size()));
-    const VectorXd noise = fit_locally(of, data, ones, start, options).noise;
-    return fit_locally(of, data, noise.cwiseMax(kMinNoise * noise.maxCoeff() + 1e-300), start, options);
+    return fit_by_residual(of, data, start, window);
   };
   std::vector<HitPoles> out(start.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size()), .together = {}});
   const LocalFit together = fit(set, average_data(set, modes, window));
@@ -163,6 +203,37 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
     for (std::size_t i = 0; i < start.size(); ++i) out[i].hits[h] = pole_of_fit(one, i, start[i]);
   });
   return out;
+}
+
+std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const HitFrfs& hits,
+                                                const std::vector<Mode>& modes, const ModeWindow& window) {
+  std::vector<std::size_t> imitated, left = window.modes;
+  std::vector<Pole> poles = window.poles(modes);
+  if (poles.size() < 2) return imitated;
+  const auto data = hit_data(set, hits, modes, window);
+  const std::vector<VectorXd> weights = weights_of_hits(hits, data, poles, window);
+  HitCosts with = costs_of_hits(hits, data, weights, poles, window);
+  while (poles.size() > 1 && with.degrees > 0) {
+    std::size_t least = poles.size();
+    double least_f = kMinModeGain;
+    HitCosts least_costs;
+    for (std::size_t i = 0; i < poles.size(); ++i) {
+      std::vector<Pole> fewer = poles;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+      const HitCosts without = costs_of_hits(hits, data, weights, fewer, window);
+      const double f = (without.cost - with.cost) / (without.degrees - with.degrees) / (with.cost / with.degrees);
+      if (!(f < least_f)) continue;
+      least = i;
+      least_f = f;
+      least_costs = without;
+    }
+    if (least == poles.size()) break;
+    imitated.push_back(left[least]);
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(least));
+    poles.erase(poles.begin() + static_cast<std::ptrdiff_t>(least));
+    with = least_costs;
+  }
+  return imitated;
 }
 
 }  // namespace percuss::identify

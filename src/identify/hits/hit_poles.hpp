@@ -40,4 +40,9 @@ std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs&
 std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                        const ModeWindow& window);
 
+/// The modes of a window that hits of one resonance at different frequencies imitate: without them, complete fits of
+/// the single hits are as good. Never all modes.
+std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const HitFrfs& hits,
+                                                const std::vector<Mode>& modes, const ModeWindow& window);
+
 }  // namespace percuss::identify

@@ -11,6 +11,7 @@ namespace percuss::identify {
 namespace {
 
 constexpr double kSignificantScatter = 3.1;  // normal deviate of χ²: one clean value in 1000
+constexpr double kSignificantTrend = 3.7;    // standard deviations of a slope: of two slopes, one in 2000
 constexpr double kCoverage = 1.96;           // Student's factor holds the 95 % interval
 constexpr std::size_t kMinHits = 2;
 
@@ -37,14 +38,28 @@ Known known_of(const HitPoles& poles) {
 struct ModeScatter {
   Known known;
   ScatterOfHits freq, damping;
-  bool significant() const { return freq.deviate > kSignificantScatter || damping.deviate > kSignificantScatter; }
+  bool freq_differs = false, damping_differs = false;
+  bool significant() const { return freq_differs || damping_differs; }
+  HitSeries series(std::size_t mode, bool is_freq) const {
+    return {.mode = mode,
+            .is_freq = is_freq,
+            .hits = known.hits,
+            .value = is_freq ? known.freq_Hz : known.damping,
+            .std = is_freq ? known.freq_std_Hz : known.damping_std,
+            .spread = is_freq ? freq.spread : damping.spread};
+  }
 };
 
-ModeScatter scatter_of_mode(const HitPoles& poles) {
+ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& peak_N) {
   ModeScatter scatter{.known = known_of(poles), .freq = {}, .damping = {}};
   if (scatter.known.hits.size() < kMinHits) return scatter;
   scatter.freq = scatter_of_hits(scatter.known.freq_Hz, scatter.known.freq_std_Hz);
   scatter.damping = scatter_of_hits(scatter.known.damping, scatter.known.damping_std);
+  const auto differs = [&](const ScatterOfHits& of, bool is_freq) {
+    return of.deviate > kSignificantScatter || trend_deviate(scatter.series(0, is_freq), peak_N) > kSignificantTrend;
+  };
+  scatter.freq_differs = differs(scatter.freq, true);
+  scatter.damping_differs = differs(scatter.damping, false);
   return scatter;
 }
 
@@ -60,18 +75,17 @@ void take_mean(Mode& mode, const ModeScatter& scatter, const HitPole& together) 
 }
 
 void add_part(const ScatterOfHits& scatter, StdParts& parts, double& spread, double& total) {
-  if (!(scatter.deviate > kSignificantScatter)) return;
   parts.hits = scatter.hits;
   spread = scatter.spread;
   total = parts.total();
 }
 
-void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window, std::vector<Mode>& modes,
-            std::vector<ModeScatter>& scatter) {
+void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window, const std::vector<double>& peak_N,
+            std::vector<Mode>& modes, std::vector<ModeScatter>& scatter) {
   const auto fitted = fitted_hit_poles(set, hits, modes, window);
   for (std::size_t i = 0; i < window.modes.size(); ++i) {
     const std::size_t m = window.modes[i];
-    const ModeScatter again = scatter_of_mode(fitted[i]);
+    const ModeScatter again = scatter_of_mode(fitted[i], peak_N);
     if (!scatter[m].significant() || again.known.hits.size() < scatter[m].known.hits.size()) continue;
     scatter[m] = again;
     if (again.significant()) take_mean(modes[m], again, fitted[i].together);
@@ -115,23 +129,45 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const std::vect
   const std::vector<ModeWindow> windows = mode_windows(set, modes);
   const auto linear = linearised_hit_poles(set, hits, modes, windows);
   std::vector<ModeScatter> scatter;
-  for (const HitPoles& poles : linear) scatter.push_back(scatter_of_mode(poles));
+  for (const HitPoles& poles : linear) scatter.push_back(scatter_of_mode(poles, peak_N));
   for (const ModeWindow& window : windows) {
     if (std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) { return scatter[m].significant(); }))
-      refine(set, hits, window, modes, scatter);
+      refine(set, hits, window, peak_N, modes, scatter);
   }
   std::vector<HitSeries> series;
   for (std::size_t m = 0; m < modes.size(); ++m) {
     Mode& mode = modes[m];
-    add_part(scatter[m].freq, mode.freq_std_parts_Hz, mode.hit_scatter_Hz, mode.freq_std_Hz);
-    add_part(scatter[m].damping, mode.damping_std_parts, mode.hit_scatter_damping, mode.damping_std);
-    const Known& known = scatter[m].known;
-    if (mode.hit_scatter_Hz > 0)
-      series.push_back({m, true, known.hits, known.freq_Hz, known.freq_std_Hz, scatter[m].freq.spread});
-    if (mode.hit_scatter_damping > 0)
-      series.push_back({m, false, known.hits, known.damping, known.damping_std, scatter[m].damping.spread});
+    if (scatter[m].freq_differs) {
+      add_part(scatter[m].freq, mode.freq_std_parts_Hz, mode.hit_scatter_Hz, mode.freq_std_Hz);
+      series.push_back(scatter[m].series(m, true));
+    }
+    if (scatter[m].damping_differs) {
+      add_part(scatter[m].damping, mode.damping_std_parts, mode.hit_scatter_damping, mode.damping_std);
+      series.push_back(scatter[m].series(m, false));
+    }
   }
   explain_scatter(series, peak_N, modes);
+}
+
+std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs& hits,
+                                           const std::vector<double>& peak_N, const std::vector<Mode>& modes) {
+  if (hits.points.size() < kMinHits) return {};
+  const std::vector<ModeWindow> windows = mode_windows(set, modes);
+  const auto linear = linearised_hit_poles(set, hits, modes, windows);
+  std::vector<char> imitated(modes.size(), 0);
+  for (const ModeWindow& window : windows) {
+    const bool scatters = std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) {
+      return scatter_of_mode(linear[m], peak_N).significant() || !linear[m].hits.front().known;
+    });
+    if (!scatters) continue;
+    for (const std::size_t m : modes_from_hit_scatter(set, hits, modes, window)) imitated[m] = 1;
+  }
+  if (std::none_of(imitated.begin(), imitated.end(), [](char one) { return one != 0; })) return {};
+  std::vector<double> left_Hz;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (!imitated[m]) left_Hz.push_back(modes[m].pole.freq_Hz);
+  }
+  return left_Hz;
 }
 
 }  // namespace percuss::identify

@@ -17,6 +17,11 @@ struct ScatterOfHits {
 /// shapes  value and std equal, at least two.
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std);
 
+/// The frequencies of the modes without those that only imitate the scatter of another (modes_from_hit_scatter). Empty
+/// where there is none of these.
+std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs& hits,
+                                           const std::vector<double>& peak_N, const std::vector<Mode>& modes);
+
 /// Adds the scatter between the hits to the modes' standard deviations, and explains it by the hits' forces or their
 /// order, where it is significant. There the pole becomes the mean of the hits' own poles, because the average of
 /// different resonances is broader than each of them. Modes ascend in frequency and include those outside the band.

@@ -1,7 +1,6 @@
 #include "identify/hits/mode_windows.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "identify/fit/windowed_fit.hpp"
 
@@ -10,7 +9,8 @@ namespace {
 
 // The last column that was computed, and the pole and the point that it belongs to.
 struct LastColumn {
-  std::optional<Pole> pole;
+  bool any = false;
+  Pole pole;
   std::size_t point = 0;
   ModeColumn column;
 };
@@ -51,8 +51,9 @@ void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes,
       const std::size_t point = set.channels[o].point;
       const PointForce& force = set.points[point];
       const bool same_point = last.point == point || decays_within_record(pole, force, set.lines);
-      if (!last.pole || !(*last.pole == pole) || !same_point)
-        last = {.pole = pole,
+      if (!last.any || !(last.pole == pole) || !same_point)
+        last = {.any = true,
+                .pole = pole,
                 .point = point,
                 .column = mode_column(pole, force, set.lines, window.first, window.count, ColumnContent::value)};
       data[o] -= residue.value * last.column.value;

@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kMinGain = 25;      // F statistic of a term's two unknowns
+constexpr double kMinGain = 14;      // F statistic of a term's two unknowns: one clean mode in a million
 constexpr double kDifference = 0.1;  // half-power bandwidths, for the second derivative
 
 enum class Term { with_amplitude, with_time };

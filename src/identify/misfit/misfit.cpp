@@ -101,6 +101,23 @@ double common_to_channels(const VariableProjection& projection, const ProjectedS
   return apart > 0 ? std::max(1.0, together / apart) : 1;
 }
 
+// [2 modes] standard deviations for the residual's covariance; 0 where the residual is as white as noise.
+VectorXd smooth_misfit_std(const VariableProjection& projection, const ProjectedState& state, const VectorXd& noise,
+                           double used) {
+  const Index n = state.parts.front().slopes.cols();
+  const Index lines = state.parts.front().residual.rows();
+  const MatrixXd polynomial = orthonormal_polynomials(lines, static_cast<Index>(LocalFitOptions{}.residual_terms));
+  const ResidualCorrelation correlation = residual_correlation(state, polynomial, noise);
+  if (!(correlation.deviate > kCorrelated)) return VectorXd::Zero(n);
+  const MatrixXd inverse = inverse_gram(projection.normal_equations(state, static_cast<std::size_t>(n / 2)).matrix);
+  const MatrixXd covariance = inverse * score_covariance(projection, state, noise, correlation) * inverse;
+  // The fit follows a part of a smooth misfit, and the more, the fewer lines are independent.
+  const double independent = static_cast<double>(lines) / correlation.lines;
+  const double freedom = independent / std::max(independent - used, kMinIndependent * independent);
+  const double factor = freedom * common_to_channels(projection, state, noise);
+  return (factor * covariance.diagonal()).cwiseMax(0.0).cwiseSqrt();
+}
+
 void widen(double misfit, StdParts& parts, double& std) {
   if (!(misfit > parts.noise)) return;
   parts.misfit = std::sqrt(misfit * misfit - parts.noise * parts.noise);
@@ -118,24 +135,14 @@ void add_misfit_of_window(const FrfDataset& set, const ModeWindow& window, std::
   const auto lines = static_cast<double>(window.count);
   if (!(lines > 2 * used)) return;
   const VectorXd noise = noise_of(state, static_cast<Index>(data.size()), lines - used);
-  const MatrixXd polynomial = orthonormal_polynomials(static_cast<Index>(window.count), terms);
-  const ResidualCorrelation correlation = residual_correlation(state, polynomial, noise);
-  if (!(correlation.deviate > kCorrelated)) return;
   projection.set_weight(noise);
-  const MatrixXd inverse = inverse_gram(projection.normal_equations(state, poles.size()).matrix);
-  const MatrixXd covariance = inverse * score_covariance(projection, state, noise, correlation) * inverse;
-  // The fit follows a part of a smooth misfit, and the more, the fewer lines are independent.
-  const double independent = lines / correlation.lines;
-  const double freedom = independent / std::max(independent - used, kMinIndependent * independent);
-  const double factor = freedom * common_to_channels(projection, state, noise);
   const VectorXd shift = decay_term_shift(set, window, poles, projection, state, noise);
+  const VectorXd smooth = smooth_misfit_std(projection, state, noise, used);
   for (std::size_t i = 0; i < poles.size(); ++i) {
     const auto f = static_cast<Index>(2 * i);
     Mode& mode = modes[window.modes[i]];
-    widen(std::max(std::sqrt(std::max(0.0, factor * covariance(f, f))), std::abs(shift(f))), mode.freq_std_parts_Hz,
-          mode.freq_std_Hz);
-    widen(std::max(std::sqrt(std::max(0.0, factor * covariance(f + 1, f + 1))), std::abs(shift(f + 1))),
-          mode.damping_std_parts, mode.damping_std);
+    widen(std::max(smooth(f), shift(f)), mode.freq_std_parts_Hz, mode.freq_std_Hz);
+    widen(std::max(smooth(f + 1), shift(f + 1)), mode.damping_std_parts, mode.damping_std);
   }
 }
 

@@ -20,7 +20,7 @@ std::map<int, std::size_t> places_of_points(const TestSpectra& spectra, const st
 }  // namespace
 
 void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra& spectra,
-                              std::vector<identify::Mode>& modes) {
+                              const identify::IdentifyOptions& options, std::vector<identify::Mode>& modes) {
   const std::vector<std::size_t> used = accepted_hits(spectra.hits);
   if (used.size() < 2) return;
   const auto places = places_of_points(spectra, used);
@@ -36,6 +36,10 @@ void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra
       hits.accel.push_back(spectra.responses.of[h][c].spectrum);
     }
     peak_N.push_back(hit.peak_N);
+  }
+  if (options.start_Hz.empty() && !options.modes) {
+    const auto left_Hz = identify::without_imitated_modes(set, hits, peak_N, modes);
+    if (!left_Hz.empty()) modes = identify::identify_modes(set, {.effort = options.effort, .start_Hz = left_Hz});
   }
   identify::add_hit_scatter(set, hits, peak_N, modes);
 }

@@ -1,14 +1,16 @@
 #pragma once
 #include <vector>
 
-#include "identify/model/mode.hpp"
+#include "identify/identify.hpp"
 #include "pipeline/stages/frf_averages.hpp"
 
 namespace percuss::pipeline {
 
 /// Adds the scatter between the accepted hits to the modes' standard deviations and describes its trends
-/// (identify::add_hit_scatter). `modes` belong to `set`, the average of these hits, and are not limited to the band.
+/// (identify::add_hit_scatter). Where two modes only imitate one that scatters, the modes are identified again without
+/// the second, unless the options state the modes. `modes` belong to `set`, the average of these hits, and are not
+/// limited to the band.
 void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra& spectra,
-                              std::vector<identify::Mode>& modes);
+                              const identify::IdentifyOptions& options, std::vector<identify::Mode>& modes);
 
 }  // namespace percuss::pipeline
