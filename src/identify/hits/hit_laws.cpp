@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "core/math/significance.hpp"
 
@@ -15,12 +16,15 @@ constexpr double kMinExplained = 0.7;  // of the scatter's χ²
 constexpr std::size_t kMinHitsOfLaw = 3;
 constexpr double kMinForceRange = 1.2;  // largest force over the smallest: equal hits tell nothing of the amplitude
 constexpr double kMinVariation = 1e-9;
+constexpr int kBisections = 40;
 
 using Law = std::function<double(std::size_t hit)>;
 
 struct Line {
-  double slope = 0, slope_std = 0, at_zero = 0;  // slope_std from the scatter around the line
-  double chi2_before = 0, chi2_after = 0;        // around the mean and around the line
+  double slope = 0, slope_std = 0, at_zero = 0;
+  double chi2_before = 0, chi2_after = 0;  // around the mean and around the line
+  double scatter2 = 0;                     // variance around the line beyond the noise
+  double log_variances = 0;                // Σ ln of the hits' variances
   double degrees = 0;
   double spread = 0;  // standard deviation of the line's values over the hits
   double explained() const { return 1 - chi2_after / chi2_before; }
@@ -38,49 +42,66 @@ double spread_of_law(const std::vector<double>& x) {
   return std::sqrt(squares / static_cast<double>(x.size() - 1));
 }
 
-// Weighted least squares. The weights include the spread, so that a law that is not quite a line is not judged by a few
-// precise hits alone.
-Line fit_line(const HitSeries& series, const Law& law) {
+// Weighted least squares, where values scatter around the line by `scatter2` beyond their own noise.
+Line line_at(const HitSeries& series, const std::vector<double>& x, double scatter2) {
+  Line line{.scatter2 = scatter2, .degrees = static_cast<double>(x.size()) - 2};
   double w_sum = 0, x_mean = 0, y_mean = 0;
-  std::vector<double> x, w;
-  for (std::size_t i = 0; i < series.hits.size(); ++i) {
-    x.push_back(law(series.hits[i]));
-    w.push_back(1 / (series.std[i] * series.std[i] + series.spread * series.spread));
+  std::vector<double> w;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    w.push_back(1 / (series.std[i] * series.std[i] + scatter2));
     w_sum += w[i];
     x_mean += w[i] * x[i];
     y_mean += w[i] * (series.value[i] - series.value.front());
+    line.log_variances -= std::log(w[i]);
   }
   x_mean /= w_sum;
   y_mean = series.value.front() + y_mean / w_sum;
-  double xx = 0, xy = 0, yy = 0;
+  double xx = 0, xy = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double dx = x[i] - x_mean, dy = series.value[i] - y_mean;
     xx += w[i] * dx * dx;
     xy += w[i] * dx * dy;
-    yy += w[i] * dy * dy;
+    line.chi2_before += w[i] * dy * dy;
   }
-  Line line{.chi2_before = yy, .chi2_after = yy, .degrees = static_cast<double>(x.size()) - 2};
+  line.chi2_after = line.chi2_before;
   if (!(xx > kMinVariation * w_sum * x_mean * x_mean) || line.degrees <= 0) return line;
   line.slope = xy / xx;
-  line.chi2_after = std::max(yy - xy * xy / xx, 1e-12 * yy);
-  line.slope_std = std::sqrt(line.chi2_after / line.degrees / xx);
+  line.slope_std = 1 / std::sqrt(xx);
+  line.chi2_after = std::max(0.0, line.chi2_before - xy * xy / xx);
   line.at_zero = y_mean - line.slope * x_mean;
   line.spread = std::abs(line.slope) * spread_of_law(x);
   return line;
 }
 
-// Twice the logarithm of the likelihood of all series under a law, relative to none. Infinitely small where no series
-// follows it.
-double support(const std::vector<HitSeries>& series, const Law& law) {
+// The scatter around the line is as large as χ² demands (random effects): a law that is not quite a line is not judged
+// by a few precise hits alone.
+Line fit_line(const HitSeries& series, const Law& law) {
+  std::vector<double> x;
+  for (const std::size_t hit : series.hits) x.push_back(law(hit));
+  Line line = line_at(series, x, 0);
+  double low = 0, high = 0;
+  for (const double value : series.value) high = std::max(high, std::pow(value - series.value.front(), 2));
+  if (!(line.chi2_after > line.degrees)) return line;
+  for (int step = 0; step < kBisections; ++step) {
+    const double middle = step == 0 ? high : 0.5 * (low + high);
+    line = line_at(series, x, middle);
+    (line.chi2_after > line.degrees ? low : high) = middle;
+  }
+  return line;
+}
+
+// Logarithm of the likelihood of all series under a law; nothing where no series follows it.
+std::optional<double> support(const std::vector<HitSeries>& series, const Law& law) {
   double sum = 0;
   bool any = false;
   for (const HitSeries& one : series) {
     if (one.hits.size() < kMinHitsOfLaw) continue;
     const Line line = fit_line(one, law);
-    sum += static_cast<double>(one.hits.size()) * std::log(line.chi2_before / line.chi2_after);
+    sum -= 0.5 * (line.log_variances + line.chi2_after);
     any = any || line.follows();
   }
-  return any ? sum : -1;
+  if (!any) return std::nullopt;
+  return sum;
 }
 
 void widen_to_spread(double spread, StdParts& parts, double& std) {
@@ -91,6 +112,7 @@ void widen_to_spread(double spread, StdParts& parts, double& std) {
 void describe_drift(const HitSeries& series, const Law& order, Mode& mode) {
   const Line line = fit_line(series, order);
   if (!series.is_freq || !line.follows()) return;
+  widen_to_spread(line.spread, mode.freq_std_parts_Hz, mode.freq_std_Hz);
   mode.drift =
       DriftTrend{.freq_change_per_hit = line.slope / mode.pole.freq_Hz, .std = line.slope_std / mode.pole.freq_Hz};
 }
@@ -113,11 +135,11 @@ void describe_amplitude(const HitSeries& series, const Law& law, const Law& forc
 
 double trend_deviate(const HitSeries& series, const std::vector<double>& peak_N) {
   if (series.hits.size() < kMinHitsOfLaw) return 0;
-  HitSeries noise = series;
-  noise.spread = 0;
   const auto deviate = [&](const Law& law) {
-    const Line line = fit_line(noise, law);
-    return std::sqrt(std::max(0.0, line.chi2_before - line.chi2_after));
+    std::vector<double> x;
+    for (const std::size_t hit : series.hits) x.push_back(law(hit));
+    const Line line = line_at(series, x, 0);
+    return line.slope_std > 0 ? std::abs(line.slope) / line.slope_std : 0;
   };
   return std::max(deviate([](std::size_t hit) { return static_cast<double>(hit); }),
                   deviate([&](std::size_t hit) { return std::abs(peak_N[hit]); }));
@@ -133,20 +155,22 @@ void explain_scatter(const std::vector<HitSeries>& series, const std::vector<dou
   const Law* best = &force;
   const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto [least, most] = std::minmax_element(peak_N.begin(), peak_N.end(), by_size);
-  double of_force = -1;
+  std::optional<double> of_force;
   if (std::abs(*most) > kMinForceRange * std::abs(*least)) {
     for (const Law* law : std::array{&force, &square, &logarithm}) {
-      const double now = support(series, *law);
-      if (now > of_force) best = law;
-      of_force = std::max(of_force, now);
+      const auto now = support(series, *law);
+      if (!now || (of_force && *now <= *of_force)) continue;
+      best = law;
+      of_force = now;
     }
   }
-  const double of_order = support(series, order);
-  if (std::max(of_force, of_order) < 0) return;
+  const auto of_order = support(series, order);
+  if (!of_force && !of_order) return;
+  const bool drifts = of_order && (!of_force || *of_order > *of_force);
   for (const HitSeries& one : series) {
     if (one.hits.size() < kMinHitsOfLaw) continue;
-    if (of_order > of_force) describe_drift(one, order, modes[one.mode]);
-    if (of_force >= of_order) describe_amplitude(one, *best, force, modes[one.mode]);
+    if (drifts) describe_drift(one, order, modes[one.mode]);
+    if (!drifts) describe_amplitude(one, *best, force, modes[one.mode]);
   }
 }
 

@@ -12,7 +12,6 @@ struct HitSeries {
   bool is_freq = true;             // else the damping ratio
   std::vector<std::size_t> hits;   // that determine it
   std::vector<double> value, std;  // [hits]
-  double spread = 0;               // beyond `std`
 };
 
 /// The larger of the slopes over the hits' force and over their order, in standard deviations of the noise: a test that

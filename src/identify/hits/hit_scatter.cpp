@@ -45,8 +45,7 @@ struct ModeScatter {
             .is_freq = is_freq,
             .hits = known.hits,
             .value = is_freq ? known.freq_Hz : known.damping,
-            .std = is_freq ? known.freq_std_Hz : known.damping_std,
-            .spread = is_freq ? freq.spread : damping.spread};
+            .std = is_freq ? known.freq_std_Hz : known.damping_std};
   }
 };
 

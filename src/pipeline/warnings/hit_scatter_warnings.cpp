@@ -108,7 +108,8 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
                    "the residual of the fit has structure that no linear mode explains, and determines "
                    "the ± of: " +
                        misfit +
-                       ". Possible causes: frequency or damping that changes while the structure rings, "
+                       ". Possible causes: frequency or damping that changes during the decay (a "
+                       "dependence on the amplitude, a drift), "
                        "a weak mode beside a strong one, a sensor's or filter's own response"});
   return out;
 }
