@@ -63,13 +63,13 @@ ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& pe
 }
 
 // The mean of the hits' poles in place of the pole of their average. Both come from the same window, whose misfit
-// cancels in their difference.
+// cancels in their difference. Frequencies that differ broaden the average; damping ratios do not move it.
 void take_mean(Mode& mode, const ModeScatter& scatter, const HitPole& together) {
   if (!together.known) return;
   const double freq_shift_Hz = scatter.freq.mean - together.pole.freq_Hz;
   const double damping_shift = scatter.damping.mean - together.pole.damping_ratio;
   if (std::abs(freq_shift_Hz) > mode.pole.half_power_Hz() || -damping_shift > 0.5 * mode.pole.damping_ratio) return;
-  mode.pole.freq_Hz += freq_shift_Hz;
+  if (scatter.freq_differs) mode.pole.freq_Hz += freq_shift_Hz;
   mode.pole.damping_ratio += damping_shift;
 }
 

@@ -91,8 +91,13 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
                          ". Possible causes: temperature, a support that settles, damage. Each value is a mean "
                          "over the hits, and its ± includes the drift"});
   const std::string rest = named_modes(modes, unexplained_rank, [](const Mode& mode) {
-    return fmt::format("(frequency by {:.2g} ppm, damping by {:.2g} %)", kPpm * mode.hit_scatter_Hz / mode.pole.freq_Hz,
-                       100 * mode.hit_scatter_damping / mode.pole.damping_ratio);
+    std::string text;
+    if (mode.hit_scatter_Hz > 0)
+      text = fmt::format("frequency by {:.2g} ppm", kPpm * mode.hit_scatter_Hz / mode.pole.freq_Hz);
+    if (mode.hit_scatter_damping > 0)
+      text += fmt::format("{}damping by {:.2g} %", text.empty() ? "" : ", ",
+                          100 * mode.hit_scatter_damping / mode.pole.damping_ratio);
+    return "(" + text + ")";
   });
   if (!rest.empty())
     out.push_back({"hits_differ",
