@@ -16,6 +16,13 @@ struct HitFrfs {
   std::vector<std::size_t> points;              // [hits] index into FrfDataset::points of the test
 };
 
+/// [channels of hits.set] the index of each channel's residue in Mode::residues.
+std::vector<std::size_t> residue_indices(const FrfDataset& set, const HitFrfs& hits);
+
+/// The FRFs of the single hits over a window, without the modes outside it: [channels of hits.set][window.count].
+std::vector<Eigen::VectorXcd> hit_data(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
+                                       const ModeWindow& window);
+
 /// A mode's pole as one hit gives it, with one standard deviation from the hit's own residual. `known` is false where
 /// the hit does not determine the pole.
 struct HitPole {

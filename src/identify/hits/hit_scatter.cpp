@@ -6,6 +6,7 @@
 
 #include "core/math/significance.hpp"
 #include "identify/hits/hit_laws.hpp"
+#include "identify/hits/residues_by_hit.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -155,6 +156,7 @@ std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs&
   const auto linear = linearised_hit_poles(set, hits, modes, windows);
   std::vector<char> imitated(modes.size(), 0);
   for (const ModeWindow& window : windows) {
+    for (const std::size_t m : modes_of_some_hits(set, hits, modes, window)) imitated[m] = 1;
     const bool scatters = std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) {
       return scatter_of_mode(linear[m], peak_N).significant() || !linear[m].hits.front().known;
     });

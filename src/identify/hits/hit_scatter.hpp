@@ -17,7 +17,8 @@ struct ScatterOfHits {
 /// shapes  value and std equal, at least two.
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std);
 
-/// The frequencies of the modes without those that only imitate the scatter of another (modes_from_hit_scatter). Empty
+/// The frequencies of the modes without those that only imitate the scatter of another (modes_from_hit_scatter,
+/// modes_of_some_hits). Empty
 /// where there is none of these.
 std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs& hits,
                                            const std::vector<double>& peak_N, const std::vector<Mode>& modes);

@@ -85,6 +85,18 @@ HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipel
 
 namespace {
 
+// Where the noise is not the largest part of the frequency's or the damping ratio's standard deviation.
+std::string source_of_std(const identify::Mode& mode) {
+  const auto exceeds = [&](double identify::StdParts::*part) {
+    return mode.freq_std_parts_Hz.*part > mode.freq_std_parts_Hz.noise ||
+           mode.damping_std_parts.*part > mode.damping_std_parts.noise;
+  };
+  const bool hits = exceeds(&identify::StdParts::hits), misfit = exceeds(&identify::StdParts::misfit);
+  if (!hits && !misfit) return "";
+  return std::string("± from ") + (hits ? "the scatter of the hits" : "") + (hits && misfit ? " and " : "") +
+         (misfit ? "the misfit" : "");
+}
+
 std::string note_of(const pipeline::Analysis& analysis, std::size_t m) {
   const identify::ModeClassification& classification = analysis.classifications()[m];
   std::string note;
@@ -97,6 +109,8 @@ std::string note_of(const pipeline::Analysis& analysis, std::size_t m) {
   if (classification.family != identify::ModeType::unknown && classification.confidence < 0.95)
     add(fmt::format("{:.0f} % sure", classification.confidence * 100));
   if (classification.alternative) add(fmt::format("could be {}", name_of(*classification.alternative)));
+  const std::string source = source_of_std(analysis.modes()[m]);
+  if (!source.empty()) add(source);
   return note;
 }
 

@@ -1,0 +1,101 @@
+#include "identify/hits/residues_by_hit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identify/fit/local_fit.hpp"
+#include "identify/fit/variable_projection.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kBroader = 1.3;     // damping ratio over the stronger mode's
+constexpr double kWeaker = 0.5;      // peak over the stronger mode's
+constexpr double kDisagreement = 5;  // standard deviations between the best hit and the others
+constexpr double kLeastShare = 0.6;  // of the residue: a gain or a direction that varies changes it less
+
+double peak_of(const Mode& mode) {
+  double power = 0;
+  for (const Residue& residue : mode.residues) power += std::norm(residue.value);
+  return std::sqrt(power) / mode.pole.damping_ratio;
+}
+
+// Whether a stronger and narrower mode of the window overlaps this mode.
+bool is_under_another(const std::vector<Mode>& modes, const ModeWindow& window, std::size_t mode) {
+  const Pole& pole = modes[mode].pole;
+  return std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t other) {
+    const Pole& strong = modes[other].pole;
+    return other != mode && pole.damping_ratio > kBroader * strong.damping_ratio &&
+           peak_of(modes[mode]) < kWeaker * peak_of(modes[other]) &&
+           std::abs(pole.freq_Hz - strong.freq_Hz) < 0.5 * (pole.half_power_Hz() + strong.half_power_Hz());
+  });
+}
+
+// A mode's residue in one hit over its residue in the test, and the weight of that ratio, one over its variance.
+struct ResidueRatio {
+  double sum = 0, weight = 0;
+  double value() const { return sum / weight; }
+};
+
+std::vector<ResidueRatio> residue_ratios(const HitFrfs& hits, const ProjectedState& state, const Mode& mode,
+                                         const std::vector<std::size_t>& residue_of, Index at, double freedom) {
+  std::vector<ResidueRatio> ratios(hits.points.size());
+  for (const ProjectedPart& part : state.parts) {
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
+      const std::size_t o = part.channels[i];
+      const auto column = static_cast<Index>(i);
+      const double noise2 = std::max(part.residual.col(column).squaredNorm() / freedom, 1e-300);
+      const Complex expected = mode.residues[residue_of[o]].value;
+      const double scale = 2 / (noise2 * part.inverse_gram(at, at).real());  // the real part has half the variance
+      ResidueRatio& ratio = ratios[hits.set.channels[o].point];
+      ratio.sum += scale * (std::conj(expected) * part.amplitude(at, column)).real();
+      ratio.weight += scale * std::norm(expected);
+    }
+  }
+  return ratios;
+}
+
+bool disagree(const std::vector<ResidueRatio>& ratios) {
+  const auto best =
+      std::max_element(ratios.begin(), ratios.end(), [](const auto& a, const auto& b) { return a.weight < b.weight; });
+  ResidueRatio rest;
+  for (auto one = ratios.begin(); one != ratios.end(); ++one) {
+    if (one == best) continue;
+    rest.sum += one->sum;
+    rest.weight += one->weight;
+  }
+  if (!(rest.weight > 0 && best->weight > 0)) return false;
+  const double a = best->value(), b = rest.value();
+  return std::abs(a - b) > kDisagreement * std::sqrt(1 / best->weight + 1 / rest.weight) &&
+         std::min(a, b) < kLeastShare * std::max(a, b);
+}
+
+}  // namespace
+
+std::vector<std::size_t> modes_of_some_hits(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
+                                            const ModeWindow& window) {
+  std::vector<std::size_t> some;
+  if (std::none_of(window.modes.begin(), window.modes.end(),
+                   [&](std::size_t m) { return is_under_another(modes, window, m); }))
+    return some;
+  const std::vector<Pole> poles = window.poles(modes);
+  const auto data = hit_data(set, hits, modes, window);
+  const std::size_t terms = LocalFitOptions{}.residual_terms;
+  const VariableProjection projection(hits.set, data, VectorXd::Ones(static_cast<Index>(data.size())), window.first,
+                                      window.count, terms);
+  const ProjectedState state = projection.evaluate(poles);
+  const double freedom = std::max(1.0, static_cast<double>(window.count) - static_cast<double>(poles.size() + terms));
+  const auto residue_of = residue_indices(set, hits);
+  for (std::size_t i = 0; i < poles.size(); ++i) {
+    const std::size_t m = window.modes[i];
+    if (is_under_another(modes, window, m) &&
+        disagree(residue_ratios(hits, state, modes[m], residue_of, static_cast<Index>(i), freedom)))
+      some.push_back(m);
+  }
+  return some;
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,14 @@
+#pragma once
+#include <vector>
+
+#include "identify/hits/hit_poles.hpp"
+
+namespace percuss::identify {
+
+/// The modes of a window that no linear structure has: weak, broad modes under a stronger one whose residue in the hit
+/// that determines it best differs from the residue in all other hits. Friction, a stop or a stiffness that depends on
+/// the amplitude imitates such modes.
+std::vector<std::size_t> modes_of_some_hits(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
+                                            const ModeWindow& window);
+
+}  // namespace percuss::identify
