@@ -157,8 +157,10 @@ std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs&
   std::vector<char> imitated(modes.size(), 0);
   for (const ModeWindow& window : windows) {
     for (const std::size_t m : modes_of_some_hits(set, hits, modes, window)) imitated[m] = 1;
+    // Hits do not determine a pair that only imitates their scatter.
     const bool scatters = std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) {
-      return scatter_of_mode(linear[m], peak_N).significant() || !linear[m].hits.front().known;
+      const ModeScatter scatter = scatter_of_mode(linear[m], peak_N);
+      return scatter.significant() || scatter.known.hits.size() < hits.points.size();
     });
     if (!scatters) continue;
     for (const std::size_t m : modes_from_hit_scatter(set, hits, modes, window)) imitated[m] = 1;
