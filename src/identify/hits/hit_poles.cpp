@@ -17,8 +17,9 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kMaxUncertainty = 0.5;     // of the half-power bandwidth: beyond it a hit does not determine a pole
-constexpr double kMinModeGain = 4;          // F statistic of a mode over the fits of all hits
+constexpr double kMaxUncertainty = 0.5;  // of the half-power bandwidth: beyond it a hit does not determine a pole
+constexpr double kMinModeGain =
+    12;  // F statistic of a mode over the fits of all hits: a search for one finds 6 in noise
 constexpr double kMinNoise = 1e-9;          // of the data: the weight of an FRF without residual stays finite
 constexpr std::size_t kFlopsPerLine = 600;  // of a window's projection, per line
 
@@ -123,7 +124,6 @@ LocalFit fit_by_residual(const FrfDataset& set, const std::vector<VectorXcd>& da
 struct HitCosts {
   double cost = 0, degrees = 0;
 };
-
 HitCosts costs_of_hits(const HitFrfs& hits, const std::vector<VectorXcd>& data, const std::vector<VectorXd>& weights,
                        const std::vector<Pole>& poles, const ModeWindow& window) {
   const std::size_t channels = data.size() / hits.points.size();
@@ -137,6 +137,19 @@ HitCosts costs_of_hits(const HitFrfs& hits, const std::vector<VectorXcd>& data, 
     sum.degrees += static_cast<double>(fit.degrees);
   }
   return sum;
+}
+
+// The sum of squares where all hits have these poles.
+double common_cost(const HitFrfs& hits, const std::vector<VectorXcd>& data, const std::vector<VectorXd>& weights,
+                   const std::vector<Pole>& poles, const ModeWindow& window) {
+  VectorXd all(static_cast<Index>(data.size()));
+  Index next = 0;
+  for (const VectorXd& of_hit : weights) {
+    all.segment(next, of_hit.size()) = of_hit;
+    next += of_hit.size();
+  }
+  const std::size_t terms = LocalFitOptions{}.residual_terms;
+  return VariableProjection(hits.set, data, all, window.first, window.count, terms).evaluate(poles).cost;
 }
 
 std::vector<VectorXd> weights_of_hits(const HitFrfs& hits, const std::vector<VectorXcd>& data,
@@ -212,6 +225,7 @@ std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const Hit
   const auto data = hit_data(set, hits, modes, window);
   const std::vector<VectorXd> weights = weights_of_hits(hits, data, poles, window);
   HitCosts with = costs_of_hits(hits, data, weights, poles, window);
+  const double common = common_cost(hits, data, weights, poles, window);
   while (poles.size() > 1 && with.degrees > 0) {
     std::size_t least = poles.size();
     double least_f = kMinModeGain;
@@ -221,7 +235,7 @@ std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const Hit
       fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
       const HitCosts without = costs_of_hits(hits, data, weights, fewer, window);
       const double f = (without.cost - with.cost) / (without.degrees - with.degrees) / (with.cost / with.degrees);
-      if (!(f < least_f)) continue;
+      if (!(f < least_f && without.cost < common)) continue;
       least = i;
       least_f = f;
       least_costs = without;

@@ -48,7 +48,7 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
                                        const ModeWindow& window);
 
 /// The modes of a window that hits of one resonance at different frequencies imitate: without them, complete fits of
-/// the single hits are as good. Never all modes.
+/// the single hits are as good, and better than these modes with poles common to the hits. Never all modes.
 std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window);
 

@@ -158,10 +158,11 @@ std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs&
   for (const ModeWindow& window : windows) {
     for (const std::size_t m : modes_of_some_hits(set, hits, modes, window)) imitated[m] = 1;
     // Hits do not determine a pair that only imitates their scatter.
-    const bool scatters = std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) {
-      const ModeScatter scatter = scatter_of_mode(linear[m], peak_N);
-      return scatter.significant() || scatter.known.hits.size() < hits.points.size();
-    });
+    const bool scatters = residues_of_pair_scatter(set, hits, modes, window) ||
+                          std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) {
+                            const ModeScatter scatter = scatter_of_mode(linear[m], peak_N);
+                            return scatter.significant() || scatter.known.hits.size() < hits.points.size();
+                          });
     if (!scatters) continue;
     for (const std::size_t m : modes_from_hit_scatter(set, hits, modes, window)) imitated[m] = 1;
   }

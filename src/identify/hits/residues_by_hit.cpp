@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/significance.hpp"
 #include "identify/fit/local_fit.hpp"
 #include "identify/fit/variable_projection.hpp"
 
@@ -58,6 +59,57 @@ std::vector<ResidueRatio> residue_ratios(const HitFrfs& hits, const ProjectedSta
   return ratios;
 }
 
+// Whether two modes of the window overlap.
+bool any_overlap(const std::vector<Pole>& poles) {
+  for (std::size_t i = 0; i < poles.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (std::abs(poles[i].freq_Hz - poles[k].freq_Hz) < std::max(poles[i].half_power_Hz(), poles[k].half_power_Hz()))
+        return true;
+    }
+  }
+  return false;
+}
+
+bool scatter(const std::vector<ResidueRatio>& ratios) {
+  ResidueRatio all;
+  double chi2 = 0, degrees = -1;
+  for (const ResidueRatio& one : ratios) {
+    all.sum += one.sum;
+    all.weight += one.weight;
+  }
+  for (const ResidueRatio& one : ratios) {
+    if (!(one.weight > 0)) continue;
+    chi2 += one.weight * std::pow(one.value() - all.value(), 2);
+    ++degrees;
+  }
+  return degrees > 0 && chi2_deviate(chi2, degrees) > kDisagreement;
+}
+
+// The fit of the single hits over a window, at the modes' poles.
+class HitResidues {
+ public:
+  HitResidues(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes, const ModeWindow& window)
+      : hits_(hits), modes_(modes), window_(window), residue_of_(residue_indices(set, hits)) {
+    const std::vector<Pole> poles = window.poles(modes);
+    const auto data = hit_data(set, hits, modes, window);
+    const std::size_t terms = LocalFitOptions{}.residual_terms;
+    freedom_ = std::max(1.0, static_cast<double>(window.count) - static_cast<double>(poles.size() + terms));
+    const VectorXd ones = VectorXd::Ones(static_cast<Index>(data.size()));
+    state_ = VariableProjection(hits.set, data, ones, window.first, window.count, terms).evaluate(poles);
+  }
+  std::vector<ResidueRatio> ratios(std::size_t i) const {
+    return residue_ratios(hits_, state_, modes_[window_.modes[i]], residue_of_, static_cast<Index>(i), freedom_);
+  }
+
+ private:
+  const HitFrfs& hits_;
+  const std::vector<Mode>& modes_;
+  const ModeWindow& window_;
+  std::vector<std::size_t> residue_of_;
+  ProjectedState state_;
+  double freedom_ = 1;
+};
+
 bool disagree(const std::vector<ResidueRatio>& ratios) {
   const auto best =
       std::max_element(ratios.begin(), ratios.end(), [](const auto& a, const auto& b) { return a.weight < b.weight; });
@@ -81,21 +133,22 @@ std::vector<std::size_t> modes_of_some_hits(const FrfDataset& set, const HitFrfs
   if (std::none_of(window.modes.begin(), window.modes.end(),
                    [&](std::size_t m) { return is_under_another(modes, window, m); }))
     return some;
-  const std::vector<Pole> poles = window.poles(modes);
-  const auto data = hit_data(set, hits, modes, window);
-  const std::size_t terms = LocalFitOptions{}.residual_terms;
-  const VariableProjection projection(hits.set, data, VectorXd::Ones(static_cast<Index>(data.size())), window.first,
-                                      window.count, terms);
-  const ProjectedState state = projection.evaluate(poles);
-  const double freedom = std::max(1.0, static_cast<double>(window.count) - static_cast<double>(poles.size() + terms));
-  const auto residue_of = residue_indices(set, hits);
-  for (std::size_t i = 0; i < poles.size(); ++i) {
+  const HitResidues residues(set, hits, modes, window);
+  for (std::size_t i = 0; i < window.modes.size(); ++i) {
     const std::size_t m = window.modes[i];
-    if (is_under_another(modes, window, m) &&
-        disagree(residue_ratios(hits, state, modes[m], residue_of, static_cast<Index>(i), freedom)))
-      some.push_back(m);
+    if (is_under_another(modes, window, m) && disagree(residues.ratios(i))) some.push_back(m);
   }
   return some;
+}
+
+bool residues_of_pair_scatter(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
+                              const ModeWindow& window) {
+  if (!any_overlap(window.poles(modes))) return false;
+  const HitResidues residues(set, hits, modes, window);
+  for (std::size_t i = 0; i < window.modes.size(); ++i) {
+    if (scatter(residues.ratios(i))) return true;
+  }
+  return false;
 }
 
 }  // namespace percuss::identify
