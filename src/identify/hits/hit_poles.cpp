@@ -166,29 +166,6 @@ std::vector<VectorXd> weights_of_hits(const HitFrfs& hits, const std::vector<Vec
 
 }  // namespace
 
-std::vector<std::size_t> residue_indices(const FrfDataset& set, const HitFrfs& hits) {
-  const std::size_t channels = hits.set.channels.size() / hits.points.size();
-  std::vector<std::size_t> first(set.points.size());
-  for (std::size_t o = set.channels.size(); o-- > 0;) first[set.channels[o].point] = o;
-  std::vector<std::size_t> of;
-  for (const std::size_t point : hits.points) {
-    for (std::size_t c = 0; c < channels; ++c) of.push_back(first[point] + c);
-  }
-  return of;
-}
-
-std::vector<VectorXcd> hit_data(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                const ModeWindow& window) {
-  std::vector<VectorXcd> data(hits.accel.size(), VectorXcd(static_cast<Index>(window.count)));
-  for (std::size_t o = 0; o < data.size(); ++o) {
-    const Complex* force = hits.set.points[hits.set.channels[o].point].spectra.front().get() + window.first;
-    for (std::size_t k = 0; k < window.count; ++k)
-      data[o](static_cast<Index>(k)) = hits.accel[o][window.first + k] / force[k];
-  }
-  subtract_other_modes(hits.set, modes, window, residue_indices(set, hits), data);
-  return data;
-}
-
 std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                            const std::vector<ModeWindow>& windows) {
   std::vector<HitPoles> out(modes.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size()), .together = {}});
