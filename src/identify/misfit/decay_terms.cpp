@@ -5,6 +5,7 @@
 
 #include "core/math/linear_algebra.hpp"
 #include "core/math/tall_products.hpp"
+#include "identify/noise/window_noise.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -15,8 +16,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kMinGain = 14;      // F statistic of a term's two unknowns: one clean mode in a million
-constexpr double kDifference = 0.1;  // half-power bandwidths, for the second derivative
+constexpr double kMinGain = 14;        // F statistic of a term's two unknowns: one clean mode in a million
+constexpr double kMinExplained = 0.5;  // of the smooth residual: else the term only follows some other misfit
+constexpr double kDifference = 0.1;    // half-power bandwidths, for the second derivative
 
 enum class Term { with_amplitude, with_time };
 
@@ -71,6 +73,20 @@ double residual_cost(const ProjectedState& state, const VectorXd& noise) {
   return cost;
 }
 
+// The part of the cost that differs from line to line, as noise does: from second differences of the residual.
+double noise_cost(const ProjectedState& state, const VectorXd& noise) {
+  double cost = 0;
+  for (const ProjectedPart& part : state.parts) {
+    const Index lines = part.residual.rows() - 2;
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
+      const auto r = part.residual.col(static_cast<Index>(i));
+      const VectorXcd rough = r.segment(1, lines) - 0.5 * (r.head(lines) + r.tail(lines));
+      cost += rough.squaredNorm() / (kWhiteRoughness * std::pow(noise(static_cast<Index>(part.channels[i])), 2));
+    }
+  }
+  return cost;
+}
+
 }  // namespace
 
 VectorXd decay_term_shift(const FrfDataset& set, const ModeWindow& window, const std::vector<Pole>& poles,
@@ -78,6 +94,7 @@ VectorXd decay_term_shift(const FrfDataset& set, const ModeWindow& window, const
   const auto n = static_cast<Index>(2 * poles.size());
   VectorXd largest = VectorXd::Zero(n);
   const double cost = residual_cost(state, noise);
+  const double misfit = std::max(0.0, cost - noise_cost(state, noise));
   const double degrees = 2 * static_cast<double>(noise.size()) *
                          std::max(1.0, static_cast<double>(window.count) - static_cast<double>(poles.size()) - 3);
   for (std::size_t m = 0; m < poles.size(); ++m) {
@@ -87,7 +104,7 @@ VectorXd decay_term_shift(const FrfDataset& set, const ModeWindow& window, const
       const VectorXd few = inverse_gram(MatrixXd(normal.matrix.topLeftCorner(n, n))) * normal.right.head(n);
       const double gained = all.dot(normal.right) - few.dot(normal.right.head(n));
       const double left = std::max(cost - all.dot(normal.right), 1e-12 * cost);
-      if (!(gained > 2 * kMinGain * left / degrees)) continue;
+      if (!(gained > 2 * kMinGain * left / degrees && gained > kMinExplained * misfit)) continue;
       largest = largest.cwiseMax((all.head(n) - few).cwiseAbs());
     }
   }
