@@ -21,8 +21,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kCorrelated = 4.5;       // normal deviate: one white window in 300 000
-constexpr double kMinIndependent = 0.5;   // of the independent lines: left after the fit
+constexpr double kCorrelated = 4.5;      // normal deviate: one white window in 300 000
+constexpr double kMinIndependent = 0.5;  // of the independent lines: left after the fit
 constexpr double kMinNoise = 1e-300;
 constexpr std::size_t kFlopsPerLine = 600;
 
