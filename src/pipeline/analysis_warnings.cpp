@@ -1,6 +1,7 @@
 #include <iterator>
 
 #include "pipeline/analysis.hpp"
+#include "pipeline/findings/record_findings.hpp"
 #include "pipeline/warnings/channel_mode_warnings.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/hit_scatter_warnings.hpp"
@@ -27,6 +28,7 @@ std::vector<Warning> Analysis::warnings() const {
   add(hit_warnings(record(), graded));
   if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
   add(channel_warnings(record(), graded));
+  if (force_known && responses_.ready() && hits_.ready()) add(record_findings(record(), graded, responses()));
   if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
   add(rest_warnings(graded));
   if (modes_.ready()) add(channel_mode_warnings(record(), modes(), channel_findings(), force_known));

@@ -8,6 +8,9 @@
 #include "core/trace.hpp"
 #include "core/uninitialized_array.hpp"
 #include "frf/spectra.hpp"
+#include "pipeline/findings/recorded_window.hpp"
+#include "pipeline/findings/sample_faults.hpp"
+#include "pipeline/findings/tones.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
 
 namespace percuss::pipeline {
@@ -22,12 +25,21 @@ struct TransformOptions {
 /// One response to one hit.
 struct HitResponse {
   acquire::ResponseGrade grade;
+  NoiseHistory noise;
   std::span<const Complex> spectrum;  // [lines]
+};
+
+/// The faults found in the samples of one hit. Wrong and missing samples are replaced before the transform.
+struct HitFaults {
+  std::size_t hit = 0;
+  std::vector<SampleFault> faults;
 };
 
 struct HitResponses {
   std::vector<std::vector<HitResponse>> of;  // [hits][channels]; empty for hits that are not accepted
   UninitializedArray<Complex> lines;         // storage of the spectra
+  std::vector<HitFaults> faults{};           // ascending by hit
+  std::vector<Tone> tones{};                 // removed before the transform
 };
 
 /// Reads, grades and transforms the responses to the accepted hits. Stages: "read acceleration", "fft".

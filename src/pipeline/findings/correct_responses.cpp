@@ -1,0 +1,173 @@
+#include "pipeline/findings/correct_responses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel/parallel.hpp"
+#include "frf/spectra.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kMaxSuspects = 6;   // samples of one response that are looked at
+constexpr std::size_t kAfterPulse = 16;   // samples: the force still acts
+constexpr std::size_t kSameFault = 48;    // samples: nearer suspects are one fault
+
+using Samples = std::vector<std::vector<double>>;  // [channels]
+
+std::size_t end_of_pulse(const acquire::Hit& hit) {
+  return hit.gate_first - hit.first + hit.gated_N.size() + kAfterPulse;
+}
+
+std::vector<std::size_t> suspects(const std::vector<HitResponse>& responses) {
+  std::vector<std::size_t> all;
+  for (const HitResponse& response : responses) {
+    const auto of_channel = outstanding_samples(response.noise.after, kMaxSuspects);
+    all.insert(all.end(), of_channel.begin(), of_channel.end());
+  }
+  std::sort(all.begin(), all.end());
+  const auto same = [](std::size_t a, std::size_t b) { return b - a < kSameFault; };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all;
+}
+
+Samples read_all(const acquire::Record& record, const acquire::Hit& hit, std::size_t samples) {
+  Samples out(record.accel.size());
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    out[c].resize(samples);
+    record.read_accel_mps2(hit.row, c, hit.first, out[c]);
+  }
+  return out;
+}
+
+std::vector<std::span<const double>> views_of(const Samples& samples) { return {samples.begin(), samples.end()}; }
+
+bool same_fault(const std::vector<SampleFault>& faults, const SampleFault& fault) {
+  return std::any_of(faults.begin(), faults.end(), [&](const SampleFault& other) {
+    return other.first + kSameFault > fault.first && fault.first + kSameFault > other.first;
+  });
+}
+
+std::vector<SampleFault> find_faults(const Samples& samples, const std::vector<std::size_t>& at,
+                                     const DecayRange& range) {
+  std::vector<SampleFault> faults;
+  const auto channels = views_of(samples);
+  for (const std::size_t sample : at) {
+    auto fault = diagnose_samples(channels, sample, range);
+    if (fault && !same_fault(faults, *fault)) faults.push_back(std::move(*fault));
+  }
+  return faults;
+}
+
+bool repairable(const SampleFault& fault) { return fault.kind != SampleFault::Kind::jump; }
+
+// The samples of hit h with their faults repaired; empty where nothing is wrong.
+Samples repaired_hit(HitFaults& found, const HitResponses& responses, const acquire::Record& record,
+                     const acquire::Hit& hit, std::size_t samples) {
+  const auto at = suspects(responses.of[found.hit]);
+  if (at.empty()) return {};
+  Samples read = read_all(record, hit, samples);
+  found.faults = find_faults(read, at, {.first = end_of_pulse(hit), .end = samples});
+  if (std::none_of(found.faults.begin(), found.faults.end(), repairable)) return {};
+  return repaired(views_of(read), found.faults);
+}
+
+std::vector<ToneSignal> signals_of(const HitResponses& responses, const acquire::Hit& hit, std::size_t h,
+                                   const Samples& samples) {
+  std::vector<ToneSignal> signals;
+  for (std::size_t c = 0; c < samples.size(); ++c) {
+    const Extremes& extremes = responses.of[h][c].grade.extremes;
+    signals.push_back({.x = samples[c],
+                       .hit = h,
+                       .hit_sample = hit.peak - hit.first,
+                       .quiet = hit.gate_first > hit.first ? hit.gate_first - hit.first : 0,
+                       .largest = std::max(extremes.high, -extremes.low)});
+  }
+  return signals;
+}
+
+// Searches the first hit for tones, and where it has some, all hits. Their samples then lack the tones.
+void remove_tones(HitResponses& responses, std::vector<Samples>& corrected, const acquire::Record& record,
+                  const std::vector<AnalysedHit>& hits, const TransformOptions& options) {
+  const std::vector<std::size_t> used = accepted_hits(hits);
+  const auto samples_of = [&](std::size_t u) {
+    return corrected[u].empty() ? read_all(record, hits[used[u]].hit, options.lines.samples) : corrected[u];
+  };
+  const Samples first = samples_of(0);
+  const auto candidates = tone_candidates(signals_of(responses, hits[used[0]].hit, used[0], first));
+  if (candidates.empty()) return;
+  std::vector<Samples> samples(used.size());
+  std::vector<ToneSignal> signals;
+  for (std::size_t u = 0; u < used.size(); ++u) {
+    samples[u] = samples_of(u);
+    const auto of_hit = signals_of(responses, hits[used[u]].hit, used[u], samples[u]);
+    signals.insert(signals.end(), of_hit.begin(), of_hit.end());
+  }
+  const ToneFit fit = find_tones(signals, candidates, record.fs_Hz);
+  if (fit.tones.empty()) return;
+  responses.tones = fit.tones;
+  const std::size_t channels = record.accel.size();
+  parallel_for(signals.size(), options.threads, [&](std::size_t s) {
+    subtract_tones(fit, s, record.fs_Hz, samples[s / channels][s % channels]);
+  });
+  corrected = std::move(samples);
+}
+
+}  // namespace
+
+NoiseHistory noise_history(const acquire::Hit& hit, std::span<const double> accel_mps2) {
+  const std::size_t first = end_of_pulse(hit);
+  if (hit.gated_N.empty() || first >= accel_mps2.size()) return {};
+  const std::size_t quiet = hit.gate_first > hit.first ? hit.gate_first - hit.first : 0;
+  return {.after = difference_profile(accel_mps2, first),
+          .before = difference_rms(accel_mps2.first(std::min(quiet, accel_mps2.size())))};
+}
+
+std::vector<std::vector<double>> repaired(std::span<const std::span<const double>> channels,
+                                          const std::vector<SampleFault>& faults) {
+  std::vector<std::vector<double>> out;
+  std::vector<SampleFault> last_first = faults;  // insertions move what follows them
+  std::sort(last_first.begin(), last_first.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    std::vector<double> x(channels[c].begin(), channels[c].end());
+    for (const SampleFault& fault : last_first) {
+      const auto at = x.begin() + static_cast<std::ptrdiff_t>(fault.first);
+      const auto length = static_cast<std::ptrdiff_t>(fault.count);
+      if (fault.kind == SampleFault::Kind::jump || !fault.channels[c]) continue;
+      if (fault.kind == SampleFault::Kind::missing) std::move_backward(at, x.end() - length, x.end());
+      const auto expected = fault.repair.col(static_cast<Eigen::Index>(c));
+      std::copy(expected.begin(), expected.end(), at);
+    }
+    out.push_back(std::move(x));
+  }
+  return out;
+}
+
+void correct_responses(HitResponses& responses, const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                       const TransformOptions& options, Trace& trace) {
+  const std::vector<std::size_t> used = accepted_hits(hits);
+  const acquire::LineRange& range = options.lines;
+  const std::size_t channels = record.accel.size();
+  std::vector<Samples> corrected(used.size());
+  std::vector<HitFaults> found(used.size());
+  parallel_for(used.size(), options.threads, [&](std::size_t u) {
+    found[u].hit = used[u];
+    corrected[u] = repaired_hit(found[u], responses, record, hits[used[u]].hit, range.samples);
+  });
+  if (!used.empty()) trace.run("tones", [&] { remove_tones(responses, corrected, record, hits, options); });
+  for (HitFaults& faults : found) {
+    if (!faults.faults.empty()) responses.faults.push_back(std::move(faults));
+  }
+  parallel_for(used.size() * channels, options.threads, [&](std::size_t t) {
+    const auto& samples = corrected[t / channels];
+    if (samples.empty()) return;
+    const acquire::Hit& hit = hits[used[t / channels]].hit;
+    const std::vector<double>& accel = samples[t % channels];
+    HitResponse& response = responses.of[used[t / channels]][t % channels];
+    response.grade = acquire::grade_response(hit, accel, record.fs_Hz);
+    frf::accel_spectrum(hit, accel, range, options.window_decay_per_s,
+                        responses.lines.part(t * range.count, range.count));
+  });
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,23 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "core/trace.hpp"
+#include "pipeline/hits/hit_spectra.hpp"
+
+namespace percuss::pipeline {
+
+/// The noise of a response before and after its hit.
+NoiseHistory noise_history(const acquire::Hit& hit, std::span<const double> accel_mps2);
+
+/// Searches the responses for faults of the recording: wrong or missing samples, and tones. Replaces the samples of
+/// the responses concerned, grades and transforms them again. Reads only these again.
+void correct_responses(HitResponses& responses, const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                       const TransformOptions& options, Trace& trace);
+
+/// `channels` with their wrong samples replaced and their missing samples inserted; lengths stay.
+std::vector<std::vector<double>> repaired(std::span<const std::span<const double>> channels,
+                                          const std::vector<SampleFault>& faults);
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,167 @@
+#include "pipeline/findings/record_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "core/math/statistics.hpp"
+#include "core/units.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kMaxNamed = 8;       // hits or tones in one message
+constexpr double kMainsDeviation = 0.005;  // of the mains' frequency from 50 or 60 Hz
+
+// One kind of fault over all hits.
+struct FaultSummary {
+  std::string where;  // "hit 0 (3 samples at 81.3 ms), …"
+  std::size_t hits = 0, most = 0;
+  double size_mps2 = 0;
+};
+
+template <class Predicate>
+FaultSummary summary_of(const std::vector<HitFaults>& faults, const acquire::Record& record,
+                        const std::vector<AnalysedHit>& hits, Predicate&& concerns) {
+  FaultSummary out;
+  for (const HitFaults& of_hit : faults) {
+    const auto fault = std::find_if(of_hit.faults.begin(), of_hit.faults.end(), concerns);
+    if (fault == of_hit.faults.end()) continue;
+    const acquire::Hit& hit = hits[of_hit.hit].hit;
+    const double after_s = (static_cast<double>(hit.first + fault->first) - static_cast<double>(hit.peak)) / record.fs_Hz;
+    if (out.hits < kMaxNamed) {
+      out.where += fmt::format("{}hit {} ({} sample{}, {:.4g} ms after the blow)", out.hits == 0 ? "" : ", ",
+                               of_hit.hit, fault->count, fault->count == 1 ? "" : "s", after_s * 1e3);
+    }
+    ++out.hits;
+    out.most = std::max(out.most, fault->count);
+    out.size_mps2 = std::max(out.size_mps2, fault->size);
+  }
+  if (out.hits > kMaxNamed) out.where += fmt::format(" and {} more hits", out.hits - kMaxNamed);
+  return out;
+}
+
+bool is_missing(const SampleFault& fault) { return fault.kind == SampleFault::Kind::missing; }
+bool is_dropout(const SampleFault& fault) {
+  return fault.kind == SampleFault::Kind::wrong && (fault.constant || fault.count > 2);
+}
+bool is_spike(const SampleFault& fault) { return fault.kind == SampleFault::Kind::wrong && !is_dropout(fault); }
+
+// Largest sample of the accepted hits, m/s².
+double largest_response(const std::vector<AnalysedHit>& hits) {
+  double largest = 0;
+  for (const AnalysedHit& hit : hits) {
+    for (const acquire::ResponseGrade& grade : hit.responses)
+      largest = std::max({largest, grade.extremes.high, -grade.extremes.low});
+  }
+  return largest;
+}
+
+std::string tone_list(const std::vector<Tone>& tones) {
+  std::string list;
+  for (std::size_t t = 0; t < std::min(tones.size(), kMaxNamed); ++t)
+    list += fmt::format("{}{:.2f} Hz ({:.2g} %)", t == 0 ? "" : ", ", tones[t].freq_Hz, tones[t].share * 100);
+  if (tones.size() > kMaxNamed) list += fmt::format(" and {} smaller ones", tones.size() - kMaxNamed);
+  return list;
+}
+
+bool is_of_mains(double freq_Hz) {
+  constexpr std::array kMains_Hz = {50.0, 60.0};
+  return std::any_of(kMains_Hz.begin(), kMains_Hz.end(), [&](double mains_Hz) {
+    const double order = std::round(freq_Hz / mains_Hz);
+    return order >= 1 && std::abs(freq_Hz - order * mains_Hz) < kMainsDeviation * order * mains_Hz &&
+           std::abs(freq_Hz - order * mains_Hz) < 0.1 * mains_Hz;
+  });
+}
+
+}  // namespace
+
+std::vector<Warning> fault_warnings(const std::vector<HitFaults>& faults, const acquire::Record& record,
+                                    const std::vector<AnalysedHit>& hits) {
+  std::vector<Warning> out;
+  const double largest = largest_response(hits);
+  if (const FaultSummary lost = summary_of(faults, record, hits, is_missing); lost.hits > 0) {
+    out.push_back({"lost_samples",
+                   "the recorder lost samples: all channels jump ahead in " + lost.where +
+                       ". The gap was closed with samples predicted from both sides, so the modes are those of the "
+                       "whole decay; record again with a slower rate, fewer channels or a faster disk"});
+  }
+  if (const FaultSummary dropped = summary_of(faults, record, hits, is_dropout); dropped.hits > 0) {
+    out.push_back({"dropout",
+                   fmt::format("the accelerometers drop out in {}: the samples there are off by up to {:.2g} % of the "
+                               "largest response. They were replaced by samples predicted from both sides; check "
+                               "cables and connectors",
+                               dropped.where, 100 * dropped.size_mps2 / largest)});
+  }
+  if (const FaultSummary spikes = summary_of(faults, record, hits, is_spike); spikes.hits > 0) {
+    out.push_back({"spike",
+                   fmt::format("single samples stand out by up to {:.2g} % of the largest response in {}. They were "
+                               "replaced by samples predicted from both sides; check cables and earthing",
+                               100 * spikes.size_mps2 / largest, spikes.where)});
+  }
+  return out;
+}
+
+std::vector<Warning> tone_warnings(const std::vector<Tone>& tones) {
+  std::vector<Tone> mains, others;
+  for (const Tone& tone : tones) (is_of_mains(tone.freq_Hz) ? mains : others).push_back(tone);
+  const auto stronger = [](const Tone& a, const Tone& b) { return a.share > b.share; };
+  std::stable_sort(mains.begin(), mains.end(), stronger);
+  std::stable_sort(others.begin(), others.end(), stronger);
+  std::vector<Warning> out;
+  if (!mains.empty()) {
+    out.push_back({"hum", "hum of the mains and its harmonics, with their size relative to the largest response: " +
+                              tone_list(mains) +
+                              ". These sinusoids were fitted to the end of each response and removed; a mode within "
+                              "a few spectral lines of one is less certain than its ± says. Check the earthing and "
+                              "keep cables away from power lines"});
+  }
+  if (!others.empty()) {
+    out.push_back({"tone", "steady tones that no hit excites, with their size relative to the largest response: " +
+                               tone_list(others) +
+                               ". They were fitted to the end of each response and removed; what remains of a tone "
+                               "that wanders may look like a mode of low damping there. Look for a machine nearby, "
+                               "and measure while it stands still"});
+  }
+  return out;
+}
+
+std::vector<Warning> window_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                     const HitResponses& responses) {
+  std::vector<NoiseHistory> noise;
+  std::vector<double> hit_sample;
+  double row_s = 0;
+  for (const std::size_t h : accepted_hits(hits)) {
+    for (const HitResponse& response : responses.of[h]) noise.push_back(response.noise);
+    hit_sample.push_back(static_cast<double>(hits[h].hit.peak - hits[h].hit.first));
+    row_s = static_cast<double>(hits[h].hit.samples) / record.fs_Hz;
+  }
+  const auto window = find_recorded_window(noise, median(hit_sample), record.fs_Hz);
+  if (!window) return {};
+  if (!window->exponential) {
+    return {{"already_windowed",
+             fmt::format("the noise falls to {:.2g} % of its level towards the end, as under a Hann window: the "
+                         "recorder windowed the responses. Damping comes out too high and residues wrong, and neither "
+                         "can be corrected; switch the window off and record again",
+                         100 * window->end_level)}};
+  }
+  return {{"already_windowed",
+           fmt::format("the noise decays with {:.4g} ± {:.2g} /s, to {:.2g} % at the end of {:.3g} s: the recorder "
+                       "applied an exponential window to the responses. Every damping ratio is too high by {:.4g} Hz "
+                       "over its natural frequency; subtract this, or record again without a window",
+                       window->decay_per_s, window->decay_std, 100 * window->end_level, row_s,
+                       window->decay_per_s / kTwoPi)}};
+}
+
+std::vector<Warning> record_findings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                     const HitResponses& responses) {
+  std::vector<Warning> out = fault_warnings(responses.faults, record, hits);
+  for (auto& more : {tone_warnings(responses.tones), window_warnings(record, hits, responses)})
+    out.insert(out.end(), more.begin(), more.end());
+  return out;
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,21 @@
+#pragma once
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "pipeline/hits/hit_spectra.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+/// What the recording did to the responses: `lost_samples`, `dropout`, `spike`, `hum`, `tone`, `already_windowed`. Each
+/// message states the number that decided, the consequence and the remedy.
+std::vector<Warning> record_findings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                     const HitResponses& responses);
+
+std::vector<Warning> fault_warnings(const std::vector<HitFaults>& faults, const acquire::Record& record,
+                                    const std::vector<AnalysedHit>& hits);
+std::vector<Warning> tone_warnings(const std::vector<Tone>& tones);
+std::vector<Warning> window_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                     const HitResponses& responses);
+
+}  // namespace percuss::pipeline

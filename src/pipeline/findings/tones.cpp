@@ -1,0 +1,210 @@
+#include "pipeline/findings/tones.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "core/math/statistics.hpp"
+#include "core/units.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kMinSamples = 4096;   // of a row: shorter ones do not separate tones from modes
+constexpr double kAboveFloor = 40;          // times the median power around: noise exceeds 13 in ten thousand lines
+constexpr std::size_t kFloorLines = 24;     // on either side
+constexpr std::size_t kMainLobe = 4;        // lines on either side of the window's peak
+constexpr double kSteady = 0.2;             // largest change of the power between the segments
+constexpr std::size_t kMinHits = 4;         // that show whether the phase is fixed to the hit
+constexpr double kFixedPhase = 0.85;        // resultant length of the doubled phases; 1 for a mode
+constexpr double kMinBefore = 0.5, kMaxBefore = 1.5;  // of the tone, found before the hits
+constexpr double kBeforeClear = 5;          // standard deviations
+constexpr std::size_t kMaxTones = 60;
+
+// Blackman–Harris, 92 dB: what still rings beside a tone does not leak into it.
+double window_at(std::size_t n, std::size_t length) {
+  const double t = kTwoPi * (static_cast<double>(n) + 0.5) / static_cast<double>(length);
+  return 0.35875 - 0.48829 * std::cos(t) + 0.14128 * std::cos(2 * t) - 0.01168 * std::cos(3 * t);
+}
+
+// Half of the row, from `first` on.
+struct Segment {
+  std::size_t first = 0, length = 0;
+};
+Segment early_segment(std::size_t samples) { return {3 * samples / 8, samples / 2}; }
+Segment late_segment(std::size_t samples) { return {samples - samples / 2, samples / 2}; }
+
+std::vector<double> window_of(std::size_t length) {
+  std::vector<double> window(length);
+  double sum = 0;
+  for (std::size_t n = 0; n < length; ++n) sum += window[n] = window_at(n, length);
+  for (double& value : window) value *= 2 / sum;
+  return window;
+}
+
+// Amplitude of a sinusoid in a segment, its phase at sample 0 of the row.
+Complex amplitude_in(std::span<const double> x, const Segment& segment, const std::vector<double>& window,
+                     double turns_per_sample) {
+  const Complex step = std::polar(1.0, -kTwoPi * turns_per_sample);
+  Complex sum, phase;
+  for (std::size_t n = 0; n < segment.length; ++n) {
+    constexpr std::size_t kRestart = 256;  // rounding errors of the repeated product
+    const auto sample = static_cast<double>(segment.first + n);
+    phase = n % kRestart == 0 ? std::polar(1.0, -kTwoPi * std::fmod(turns_per_sample * sample, 1.0)) : phase * step;
+    sum += phase * (window[n] * x[segment.first + n]);
+  }
+  return sum;
+}
+
+std::vector<double> powers(std::span<const double> x, const Segment& segment, const std::vector<double>& window) {
+  std::vector<double> block(segment.length);
+  for (std::size_t n = 0; n < block.size(); ++n) block[n] = window[n] * x[segment.first + n];
+  const std::vector<Complex> lines = real_dft(block);
+  std::vector<double> power(lines.size());
+  std::transform(lines.begin(), lines.end(), power.begin(), [](Complex line) { return std::norm(line); });
+  return power;
+}
+
+bool is_narrow_peak(const std::vector<double>& power, std::size_t k) {
+  if (power[k] < power[k - 1] || power[k] <= power[k + 1]) return false;
+  const std::size_t below = k > kMainLobe + kFloorLines ? k - kMainLobe - kFloorLines : 0;
+  const auto at = [&](std::size_t i) { return power.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::vector<double> around(at(below), at(k - kMainLobe));
+  around.insert(around.end(), at(k + kMainLobe + 1), at(k + kMainLobe + 1 + kFloorLines));
+  return power[k] > kAboveFloor * median(std::move(around));
+}
+
+// The turns per sample of peaks in both segments of equal power.
+std::vector<double> candidates(const ToneSignal& signal, const std::vector<double>& window) {
+  const Segment early = early_segment(signal.x.size()), late = late_segment(signal.x.size());
+  const std::vector<double> power = powers(signal.x, late, window), before = powers(signal.x, early, window);
+  std::vector<double> found;
+  for (std::size_t k = kMainLobe + 1; k + kMainLobe + kFloorLines + 1 < power.size(); ++k) {
+    if (!is_narrow_peak(power, k) || std::abs(power[k] / before[k] - 1) > 2 * kSteady) continue;
+    found.push_back(static_cast<double>(k) / static_cast<double>(late.length));
+  }
+  return found;
+}
+
+// Frequency from the phase advance between the segments, over all signals; 0 where the power changes.
+double refined(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
+  const std::size_t samples = signals.front().x.size();
+  const Segment early = early_segment(samples), late = late_segment(samples);
+  const auto shift = static_cast<double>(late.first - early.first);
+  for (int pass = 0; pass < 2; ++pass) {
+    Complex advance;
+    double early_power = 0, late_power = 0;
+    for (const ToneSignal& signal : signals) {
+      const Complex a = amplitude_in(signal.x, early, window, turns), b = amplitude_in(signal.x, late, window, turns);
+      advance += b * std::conj(a);
+      early_power += std::norm(a);
+      late_power += std::norm(b);
+    }
+    if (!(early_power > 0) || std::abs(late_power / early_power - 1) > kSteady) return 0;
+    turns += std::arg(advance) / (kTwoPi * shift);
+  }
+  return turns;
+}
+
+// Whether the phase differs from hit to hit: that of a mode is fixed to the hit, up to its sign.
+bool has_free_phase(std::span<const ToneSignal> signals, const std::vector<Complex>& amplitude, double turns) {
+  Complex resultant;
+  double power = 0;
+  std::map<std::size_t, int> hits;
+  for (std::size_t s = 0; s < signals.size(); ++s) {
+    const Complex at_hit =
+        amplitude[s] * std::polar(1.0, kTwoPi * turns * static_cast<double>(signals[s].hit_sample));
+    resultant += at_hit * at_hit;
+    power += std::norm(at_hit);
+    ++hits[signals[s].hit];
+  }
+  return hits.size() >= kMinHits && std::abs(resultant) < kFixedPhase * power;
+}
+
+// Whether the sinusoid, extended to the time before the hits, is there.
+bool is_there_before(std::span<const ToneSignal> signals, const std::vector<Complex>& amplitude, double turns) {
+  double product = 0, square = 0, energy = 0, count = 0;
+  for (std::size_t s = 0; s < signals.size(); ++s) {
+    const auto quiet = signals[s].x.first(signals[s].quiet);
+    std::vector<double> tone(quiet.size());
+    double mean = 0, tone_mean = 0;
+    for (std::size_t n = 0; n < quiet.size(); ++n) {
+      tone[n] = (amplitude[s] * std::polar(1.0, kTwoPi * turns * static_cast<double>(n))).real();
+      mean += quiet[n] / static_cast<double>(quiet.size());
+      tone_mean += tone[n] / static_cast<double>(quiet.size());
+    }
+    for (std::size_t n = 0; n < quiet.size(); ++n) {
+      product += (quiet[n] - mean) * (tone[n] - tone_mean);
+      square += (tone[n] - tone_mean) * (tone[n] - tone_mean);
+      energy += (quiet[n] - mean) * (quiet[n] - mean);
+    }
+    count += static_cast<double>(quiet.size());
+  }
+  if (!(square > 0)) return false;
+  const double found = product / square;
+  const double std = std::sqrt(energy / count / square);
+  return found > std::max(kMinBefore, kBeforeClear * std) && found < kMaxBefore;
+}
+
+std::vector<double> distinct(std::vector<double> turns, std::size_t length) {
+  std::sort(turns.begin(), turns.end());
+  const double least = static_cast<double>(kMainLobe) / 2 / static_cast<double>(length);
+  const auto same = [&](double a, double b) { return b - a < least; };
+  turns.erase(std::unique(turns.begin(), turns.end(), same), turns.end());
+  if (turns.size() > kMaxTones) turns.resize(kMaxTones);
+  return turns;
+}
+
+}  // namespace
+
+std::vector<double> tone_candidates(std::span<const ToneSignal> signals) {
+  if (signals.empty() || signals.front().x.size() < kMinSamples) return {};
+  const std::size_t length = signals.front().x.size() / 2;
+  const std::vector<double> window = window_of(length);
+  std::vector<double> found;
+  for (const ToneSignal& signal : signals) {
+    const std::vector<double> of_signal = candidates(signal, window);
+    found.insert(found.end(), of_signal.begin(), of_signal.end());
+  }
+  return distinct(std::move(found), length);
+}
+
+ToneFit find_tones(std::span<const ToneSignal> signals, const std::vector<double>& turns_per_sample, double fs_Hz) {
+  ToneFit fit{.tones = {}, .amplitudes = std::vector<std::vector<Complex>>(signals.size())};
+  if (signals.empty()) return fit;
+  const std::size_t samples = signals.front().x.size();
+  const std::vector<double> window = window_of(samples / 2);
+  for (const double candidate : turns_per_sample) {
+    const double turns = refined(signals, window, candidate);
+    if (!(turns > 0)) continue;
+    std::vector<Complex> amplitude;
+    Tone tone{.freq_Hz = turns * fs_Hz};
+    for (const ToneSignal& signal : signals) {
+      amplitude.push_back(amplitude_in(signal.x, late_segment(samples), window, turns));
+      tone.largest = std::max(tone.largest, std::abs(amplitude.back()));
+      if (signal.largest > 0) tone.share = std::max(tone.share, std::abs(amplitude.back()) / signal.largest);
+    }
+    if (!has_free_phase(signals, amplitude, turns) && !is_there_before(signals, amplitude, turns)) continue;
+    fit.tones.push_back(tone);
+    for (std::size_t s = 0; s < signals.size(); ++s) fit.amplitudes[s].push_back(amplitude[s]);
+  }
+  return fit;
+}
+
+void subtract_tones(const ToneFit& fit, std::size_t s, double fs_Hz, std::span<double> x) {
+  for (std::size_t t = 0; t < fit.tones.size(); ++t) {
+    const double turns = fit.tones[t].freq_Hz / fs_Hz;
+    const Complex step = std::polar(1.0, kTwoPi * turns);
+    Complex value;
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      constexpr std::size_t kRestart = 256;
+      value = n % kRestart == 0
+                  ? fit.amplitudes[s][t] * std::polar(1.0, kTwoPi * std::fmod(turns * static_cast<double>(n), 1.0))
+                  : value * step;
+      x[n] -= value.real();
+    }
+  }
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,44 @@
+#pragma once
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/math/fft.hpp"
+
+namespace percuss::pipeline {
+
+/// A sinusoid that lasts from before a hit to the end of the record: hum of the mains, a machine.
+struct Tone {
+  double freq_Hz = 0;
+  double largest = 0;  // amplitude, of all responses
+  double share = 0;    // of the largest response of that channel
+};
+
+/// One response in which tones are searched: the samples of a row.
+struct ToneSignal {
+  std::span<const double> x;
+  std::size_t hit = 0;         // of which the tones have their own phase
+  std::size_t hit_sample = 0;  // at which the force has its peak
+  std::size_t quiet = 0;       // samples before the hit
+  double largest = 0;          // |x|
+};
+
+struct ToneFit {
+  std::vector<Tone> tones;
+  std::vector<std::vector<Complex>> amplitudes;  // [signals][tones] at sample 0 of the signal
+};
+
+/// Frequencies, in turns per sample, at which the last half of a signal has a narrow peak that does not decay. The
+/// signals have one length.
+std::vector<double> tone_candidates(std::span<const ToneSignal> signals);
+
+/// The candidates that are tones of the test and no modes: they were there before the hits with the same phase, or their
+/// phase is not fixed to the hits. Frequency and amplitudes come from the later part of the signals, where most of the
+/// structure's motion has decayed. The signals have one length. theory (1.11)
+ToneFit find_tones(std::span<const ToneSignal> signals, const std::vector<double>& turns_per_sample, double fs_Hz);
+
+/// Subtracts the tones of signal `s`.
+void subtract_tones(const ToneFit& fit, std::size_t s, double fs_Hz, std::span<double> x);
+
+}  // namespace percuss::pipeline
