@@ -9,9 +9,9 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMaxSuspects = 6;   // samples of one response that are looked at
-constexpr std::size_t kAfterPulse = 16;   // samples: the force still acts
-constexpr std::size_t kSameFault = 48;    // samples: nearer suspects are one fault
+constexpr std::size_t kMaxSuspects = 6;  // samples of one response that are looked at
+constexpr std::size_t kAfterPulse = 16;  // samples: the force still acts
+constexpr std::size_t kSameFault = 48;   // samples: nearer suspects are one fault
 
 using Samples = std::vector<std::vector<double>>;  // [channels]
 
@@ -61,15 +61,31 @@ std::vector<SampleFault> find_faults(const Samples& samples, const std::vector<s
 
 bool repairable(const SampleFault& fault) { return fault.kind != SampleFault::Kind::jump; }
 
-// The samples of hit h with their faults repaired; empty where nothing is wrong.
-Samples repaired_hit(HitFaults& found, const HitResponses& responses, const acquire::Record& record,
-                     const acquire::Hit& hit, std::size_t samples) {
+std::optional<BaselineChange> baseline_change(const HitResponse& response, std::size_t samples, double fs_Hz) {
+  const Extremes& extremes = response.grade.extremes;
+  return find_baseline_change(response.rest, samples, std::max(extremes.high, -extremes.low), fs_Hz);
+}
+
+// The samples of a hit with the faults repaired and the baseline removed; empty where nothing is wrong.
+Samples corrected_hit(HitFaults& found, HitResponses& responses, const acquire::Record& record, const acquire::Hit& hit,
+                      std::size_t samples) {
   const auto at = suspects(responses.of[found.hit]);
-  if (at.empty()) return {};
+  bool moves = false;
+  for (HitResponse& response : responses.of[found.hit]) {
+    response.baseline = baseline_change(response, samples, record.fs_Hz);
+    moves = moves || response.baseline;
+  }
+  if (at.empty() && !moves) return {};
   Samples read = read_all(record, hit, samples);
-  found.faults = find_faults(read, at, {.first = end_of_pulse(hit), .end = samples});
-  if (std::none_of(found.faults.begin(), found.faults.end(), repairable)) return {};
-  return repaired(views_of(read), found.faults);
+  if (!at.empty()) found.faults = find_faults(read, at, {.first = end_of_pulse(hit), .end = samples});
+  const bool faulty = std::any_of(found.faults.begin(), found.faults.end(), repairable);
+  if (!faulty && !moves) return {};
+  if (faulty) read = repaired(views_of(read), found.faults);
+  for (std::size_t c = 0; c < read.size(); ++c) {
+    if (const auto& change = responses.of[found.hit][c].baseline)
+      subtract_baseline(*change, hit.peak - hit.first, record.fs_Hz, read[c]);
+  }
+  return read;
 }
 
 std::vector<ToneSignal> signals_of(const HitResponses& responses, const acquire::Hit& hit, std::size_t h,
@@ -107,20 +123,20 @@ void remove_tones(HitResponses& responses, std::vector<Samples>& corrected, cons
   if (fit.tones.empty()) return;
   responses.tones = fit.tones;
   const std::size_t channels = record.accel.size();
-  parallel_for(signals.size(), options.threads, [&](std::size_t s) {
-    subtract_tones(fit, s, record.fs_Hz, samples[s / channels][s % channels]);
-  });
+  parallel_for(signals.size(), options.threads,
+               [&](std::size_t s) { subtract_tones(fit, s, record.fs_Hz, samples[s / channels][s % channels]); });
   corrected = std::move(samples);
 }
 
 }  // namespace
 
-NoiseHistory noise_history(const acquire::Hit& hit, std::span<const double> accel_mps2) {
+void examine_response(HitResponse& response, const acquire::Hit& hit, std::span<const double> accel_mps2) {
   const std::size_t first = end_of_pulse(hit);
-  if (hit.gated_N.empty() || first >= accel_mps2.size()) return {};
+  if (hit.gated_N.empty() || first >= accel_mps2.size()) return;
   const std::size_t quiet = hit.gate_first > hit.first ? hit.gate_first - hit.first : 0;
-  return {.after = difference_profile(accel_mps2, first),
-          .before = difference_rms(accel_mps2.first(std::min(quiet, accel_mps2.size())))};
+  response.noise = {.after = difference_profile(accel_mps2, first),
+                    .before = difference_rms(accel_mps2.first(std::min(quiet, accel_mps2.size())))};
+  response.rest = rest_levels(accel_mps2, quiet, first);
 }
 
 std::vector<std::vector<double>> repaired(std::span<const std::span<const double>> channels,
@@ -152,7 +168,7 @@ void correct_responses(HitResponses& responses, const acquire::Record& record, c
   std::vector<HitFaults> found(used.size());
   parallel_for(used.size(), options.threads, [&](std::size_t u) {
     found[u].hit = used[u];
-    corrected[u] = repaired_hit(found[u], responses, record, hits[used[u]].hit, range.samples);
+    corrected[u] = corrected_hit(found[u], responses, record, hits[used[u]].hit, range.samples);
   });
   if (!used.empty()) trace.run("tones", [&] { remove_tones(responses, corrected, record, hits, options); });
   for (HitFaults& faults : found) {

@@ -9,8 +9,8 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kOutstanding = 8;         // times the rms around: five for noise in a million samples
-constexpr std::size_t kSurroundings = 2;   // blocks on either side
+constexpr double kOutstanding = 8;        // times the rms around: five for noise in a million samples
+constexpr std::size_t kBlocksAround = 2;  // blocks on either side
 
 // Standard deviation of the differences of white noise of unit variance: √C(2n, n).
 double noise_gain() {
@@ -62,8 +62,8 @@ std::vector<std::size_t> outstanding_samples(const DifferenceProfile& profile, s
   std::vector<std::pair<double, std::size_t>> found;
   const std::size_t blocks = profile.rms.size();
   for (std::size_t b = 0; b < blocks; ++b) {
-    const std::size_t from = b > kSurroundings ? b - kSurroundings : 0;
-    const std::size_t to = std::min(blocks, b + kSurroundings + 1);
+    const std::size_t from = b > kBlocksAround ? b - kBlocksAround : 0;
+    const std::size_t to = std::min(blocks, b + kBlocksAround + 1);
     const double around = median({profile.rms.begin() + static_cast<std::ptrdiff_t>(from),
                                   profile.rms.begin() + static_cast<std::ptrdiff_t>(to)});
     if (profile.largest[b] > kOutstanding * around && around > 0)

@@ -10,9 +10,9 @@ namespace percuss::pipeline {
 /// kDifferenceOrder, scaled so that white noise keeps its standard deviation. The differences suppress what oscillates
 /// slowly against the sampling rate, so that noise, jumps and single wrong samples remain.
 struct DifferenceProfile {
-  std::size_t first = 0;              // sample of the signal at which the first block begins
-  std::vector<double> rms, largest;   // [blocks]
-  std::vector<std::size_t> at;        // [blocks] sample of `largest`, the middle of its difference
+  std::size_t first = 0;             // sample of the signal at which the first block begins
+  std::vector<double> rms, largest;  // [blocks]
+  std::vector<std::size_t> at;       // [blocks] sample of `largest`, the middle of its difference
 };
 inline constexpr std::size_t kDifferenceOrder = 12;
 inline constexpr std::size_t kDifferenceBlock = 256;

@@ -9,11 +9,12 @@
 
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
+#include "pipeline/findings/force_findings.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMaxNamed = 8;       // hits or tones in one message
+constexpr std::size_t kMaxListed = 8;      // hits or tones in one message
 constexpr double kMainsDeviation = 0.005;  // of the mains' frequency from 50 or 60 Hz
 
 // One kind of fault over all hits.
@@ -31,8 +32,9 @@ FaultSummary summary_of(const std::vector<HitFaults>& faults, const acquire::Rec
     const auto fault = std::find_if(of_hit.faults.begin(), of_hit.faults.end(), concerns);
     if (fault == of_hit.faults.end()) continue;
     const acquire::Hit& hit = hits[of_hit.hit].hit;
-    const double after_s = (static_cast<double>(hit.first + fault->first) - static_cast<double>(hit.peak)) / record.fs_Hz;
-    if (out.hits < kMaxNamed) {
+    const double after_s =
+        (static_cast<double>(hit.first + fault->first) - static_cast<double>(hit.peak)) / record.fs_Hz;
+    if (out.hits < kMaxListed) {
       out.where += fmt::format("{}hit {} ({} sample{}, {:.4g} ms after the blow)", out.hits == 0 ? "" : ", ",
                                of_hit.hit, fault->count, fault->count == 1 ? "" : "s", after_s * 1e3);
     }
@@ -40,7 +42,7 @@ FaultSummary summary_of(const std::vector<HitFaults>& faults, const acquire::Rec
     out.most = std::max(out.most, fault->count);
     out.size_mps2 = std::max(out.size_mps2, fault->size);
   }
-  if (out.hits > kMaxNamed) out.where += fmt::format(" and {} more hits", out.hits - kMaxNamed);
+  if (out.hits > kMaxListed) out.where += fmt::format(" and {} more hits", out.hits - kMaxListed);
   return out;
 }
 
@@ -62,9 +64,9 @@ double largest_response(const std::vector<AnalysedHit>& hits) {
 
 std::string tone_list(const std::vector<Tone>& tones) {
   std::string list;
-  for (std::size_t t = 0; t < std::min(tones.size(), kMaxNamed); ++t)
+  for (std::size_t t = 0; t < std::min(tones.size(), kMaxListed); ++t)
     list += fmt::format("{}{:.2f} Hz ({:.2g} %)", t == 0 ? "" : ", ", tones[t].freq_Hz, tones[t].share * 100);
-  if (tones.size() > kMaxNamed) list += fmt::format(" and {} smaller ones", tones.size() - kMaxNamed);
+  if (tones.size() > kMaxListed) list += fmt::format(" and {} smaller ones", tones.size() - kMaxListed);
   return list;
 }
 
@@ -90,17 +92,17 @@ std::vector<Warning> fault_warnings(const std::vector<HitFaults>& faults, const 
                        "whole decay; record again with a slower rate, fewer channels or a faster disk"});
   }
   if (const FaultSummary dropped = summary_of(faults, record, hits, is_dropout); dropped.hits > 0) {
-    out.push_back({"dropout",
-                   fmt::format("the accelerometers drop out in {}: the samples there are off by up to {:.2g} % of the "
-                               "largest response. They were replaced by samples predicted from both sides; check "
-                               "cables and connectors",
-                               dropped.where, 100 * dropped.size_mps2 / largest)});
+    out.push_back(
+        {"dropout", fmt::format("the accelerometers drop out in {}: the samples there are off by up to {:.2g} % of the "
+                                "largest response. They were replaced by samples predicted from both sides; check "
+                                "cables and connectors",
+                                dropped.where, 100 * dropped.size_mps2 / largest)});
   }
   if (const FaultSummary spikes = summary_of(faults, record, hits, is_spike); spikes.hits > 0) {
-    out.push_back({"spike",
-                   fmt::format("single samples stand out by up to {:.2g} % of the largest response in {}. They were "
-                               "replaced by samples predicted from both sides; check cables and earthing",
-                               100 * spikes.size_mps2 / largest, spikes.where)});
+    out.push_back(
+        {"spike", fmt::format("single samples stand out by up to {:.2g} % of the largest response in {}. They were "
+                              "replaced by samples predicted from both sides; check cables and earthing",
+                              100 * spikes.size_mps2 / largest, spikes.where)});
   }
   return out;
 }
@@ -125,6 +127,35 @@ std::vector<Warning> tone_warnings(const std::vector<Tone>& tones) {
                                ". They were fitted to the end of each response and removed; what remains of a tone "
                                "that wanders may look like a mode of low damping there. Look for a machine nearby, "
                                "and measure while it stands still"});
+  }
+  return out;
+}
+
+std::vector<Warning> baseline_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                       const HitResponses& responses) {
+  std::vector<Warning> out;
+  for (std::size_t c = 0; c < record.accel.size(); ++c) {
+    double step = 0, slope = 0;
+    for (const std::size_t h : accepted_hits(hits)) {
+      const auto& change = responses.of[h][c].baseline;
+      if (change) (change->step ? step : slope) = std::max(change->step ? step : slope, change->share);
+    }
+    const std::string name = one_line(record.accel[c].name, kMaxNameBytes);
+    if (step > 0) {
+      out.push_back({"zero_shift",
+                     fmt::format("the zero of {} shifts at the hits, by up to {:.2g} % of the largest response: the "
+                                 "shock overloads the sensor or its amplifier. The decaying step was fitted and "
+                                 "removed, but what the overload did to the first motion stays; strike more softly, or "
+                                 "use a sensor of larger range",
+                                 name, 100 * step)});
+    }
+    if (slope > 0) {
+      out.push_back(
+          {"offset", fmt::format("the baseline of {} drifts by up to {:.2g} % of the largest response within a record. "
+                                 "A straight slope was fitted and removed; let sensor and amplifier warm up, or use AC "
+                                 "coupling",
+                                 name, 100 * slope)});
+    }
   }
   return out;
 }
@@ -159,7 +190,9 @@ std::vector<Warning> window_warnings(const acquire::Record& record, const std::v
 std::vector<Warning> record_findings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                      const HitResponses& responses) {
   std::vector<Warning> out = fault_warnings(responses.faults, record, hits);
-  for (auto& more : {tone_warnings(responses.tones), window_warnings(record, hits, responses)})
+  for (const auto& more : {baseline_warnings(record, hits, responses), tone_warnings(responses.tones),
+                           window_warnings(record, hits, responses), analogue_clipping_warnings(record, hits),
+                           aliasing_warnings(record, hits, responses), duplicate_warnings(record, hits)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

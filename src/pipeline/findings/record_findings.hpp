@@ -7,13 +7,15 @@
 
 namespace percuss::pipeline {
 
-/// What the recording did to the responses: `lost_samples`, `dropout`, `spike`, `hum`, `tone`, `already_windowed`. Each
-/// message states the number that decided, the consequence and the remedy.
+/// What the recording did to the responses: `lost_samples`, `dropout`, `spike`, `zero_shift`, `offset`, `hum`, `tone`,
+/// `already_windowed`, and force_findings. Each message states the number that decided, the consequence and the remedy.
 std::vector<Warning> record_findings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                      const HitResponses& responses);
 
 std::vector<Warning> fault_warnings(const std::vector<HitFaults>& faults, const acquire::Record& record,
                                     const std::vector<AnalysedHit>& hits);
+std::vector<Warning> baseline_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                       const HitResponses& responses);
 std::vector<Warning> tone_warnings(const std::vector<Tone>& tones);
 std::vector<Warning> window_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                      const HitResponses& responses);

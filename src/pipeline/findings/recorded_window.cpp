@@ -14,7 +14,7 @@ constexpr double kMinFall = 0.15;          // of the logarithm over the fitted p
 constexpr double kClear = 8;               // standard deviations of the decay
 constexpr double kMaxMismatch = 0.15;      // of the logarithm of the level at the hit
 constexpr double kMaxCurvature = 0.12;     // of the logarithm: difference of the halves' falls, relative
-constexpr double kMaxTaperScatter = 0.15;   // of the logarithm of the noise over a Hann window, in the last half
+constexpr double kMaxTaperScatter = 0.15;  // of the logarithm of the noise over a Hann window, in the last half
 constexpr double kTaperEnd = 0.97;         // of the record: the part of the window that is compared
 
 // Logarithm of the median level over the responses, relative to the noise before the hit, by block.
@@ -66,7 +66,8 @@ std::optional<double> hann_end_level(const std::vector<NoiseHistory>& responses,
   std::vector<double> off;
   double end = 0, middle = 0;
   for (std::size_t b = blocks / 2; b < blocks; ++b) {
-    const double share = (static_cast<double>(first.first) + (static_cast<double>(b) + 0.5) * kDifferenceBlock) / samples;
+    const double share =
+        (static_cast<double>(first.first) + (static_cast<double>(b) + 0.5) * kDifferenceBlock) / samples;
     std::vector<double> levels;
     for (const NoiseHistory& response : responses) levels.push_back(response.after.rms[b]);
     end = median(levels);
@@ -101,7 +102,8 @@ LogLevels log_levels(const std::vector<NoiseHistory>& responses, std::size_t blo
 
 // The level of noise before the hit has few samples: its own error, from the scatter of the responses.
 double start_tolerance(const std::vector<NoiseHistory>& responses, const Line& line) {
-  return std::max(kMaxMismatch, 4 * std::hypot(line.at_zero_std, 0.25 / std::sqrt(static_cast<double>(responses.size()))));
+  return std::max(kMaxMismatch,
+                  4 * std::hypot(line.at_zero_std, 0.25 / std::sqrt(static_cast<double>(responses.size()))));
 }
 
 }  // namespace

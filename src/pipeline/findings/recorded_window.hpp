@@ -16,10 +16,10 @@ struct NoiseHistory {
 /// A window that the recorder applied to the responses. Noise does not decay: where it does, everything else decays
 /// with it, and damping comes out too high.
 struct RecordedWindow {
-  bool exponential = true;     // false: the noise falls to zero at the end as under a Hann window
+  bool exponential = true;  // false: the noise falls to zero at the end as under a Hann window
   double decay_per_s = 0, decay_std = 0;
-  double end_level = 0;        // noise at the end over noise before the hit, or in the middle of the record
-  double start_level = 0;      // exponential: the fitted noise at the hit over the noise before it
+  double end_level = 0;    // noise at the end over noise before the hit, or in the middle of the record
+  double start_level = 0;  // exponential: the fitted noise at the hit over the noise before it
 };
 
 /// The window that the noise of the responses shows, if any. An exponential window needs noise before the hit: a

@@ -106,8 +106,7 @@ std::vector<std::vector<double>> inserted(Channels channels, std::size_t splice,
   return out;
 }
 
-SampleFault with_missing(const SamplePrediction& prediction, Channels channels, std::size_t splice,
-                         std::size_t count) {
+SampleFault with_missing(const SamplePrediction& prediction, Channels channels, std::size_t splice, std::size_t count) {
   SampleFault out;
   out.kind = SampleFault::Kind::missing;
   out.first = splice;
@@ -144,7 +143,8 @@ std::optional<SampleFault> explain_missing(const SamplePrediction& prediction, C
   if (found->error_after > kRepaired) return std::nullopt;
   const double least = found->error_after * found->error_after;
   for (auto other = best.begin(); other != best.end(); ++other) {
-    const double freedom = static_cast<double>(2 * kPredictionOrder + other->count) * static_cast<double>(channels.size());
+    const double freedom =
+        static_cast<double>(2 * kPredictionOrder + other->count) * static_cast<double>(channels.size());
     if (other != found && (other->error_after * other->error_after / least - 1) * freedom < kDistinct)
       return std::nullopt;
   }

@@ -16,12 +16,12 @@ struct SampleFault {
   };
   Kind kind = Kind::jump;
   std::size_t first = 0, count = 0;
-  bool constant = false;        // wrong samples of a channel are equal to one another and to those of other channels
-  std::vector<bool> channels;   // that hold wrong samples; all for missing samples
-  double size = 0;              // largest difference between wrong and expected samples
-  double error_before = 0;      // rms of the prediction errors here over those around, as recorded
-  double error_after = 0;       // and with the repair
-  Eigen::MatrixXd repair;       // expected samples [count, channels]
+  bool constant = false;       // wrong samples of a channel are equal to one another and to those of other channels
+  std::vector<bool> channels;  // that hold wrong samples; all for missing samples
+  double size = 0;             // largest difference between wrong and expected samples
+  double error_before = 0;     // rms of the prediction errors here over those around, as recorded
+  double error_after = 0;      // and with the repair
+  Eigen::MatrixXd repair;      // expected samples [count, channels]
 };
 
 /// Part [first, end) of the samples, without the pulse of the force.

@@ -31,7 +31,7 @@ Equations equations_around(std::size_t first, std::size_t end, std::size_t at, s
   Equations out;
   const std::size_t low = at > gap ? at - gap : 0, high = at + gap;
   for (std::size_t n = first; n < end; ++n) {
-    const bool before = n < low, after = n > high;
+    const bool before = n<low, after = n> high;
     if (n >= first + kPredictionOrder && (before || n > high + kPredictionOrder)) out.forward.push_back(n);
     if (n + kPredictionOrder < end && (after || n + kPredictionOrder < low)) out.backward.push_back(n);
   }

@@ -9,8 +9,8 @@ namespace percuss::pipeline {
 
 /// Linear predictions of a sum of decaying oscillations: from the samples before, and from the samples after.
 struct SamplePrediction {
-  Eigen::VectorXd forward, backward;                  // [order] weights, the nearest sample first
-  std::vector<double> forward_std, backward_std;      // [channels] robust, of the errors
+  Eigen::VectorXd forward, backward;              // [order] weights, the nearest sample first
+  std::vector<double> forward_std, backward_std;  // [channels] robust, of the errors
 };
 inline constexpr std::size_t kPredictionOrder = 40;
 
@@ -28,7 +28,7 @@ std::optional<SamplePrediction> fit_prediction(std::span<const std::span<const d
 struct Interpolation {
   Eigen::VectorXd samples;
   double error = 0;
-  double square = 0;       // sum of squares of the scaled errors
+  double square = 0;        // sum of squares of the scaled errors
   std::size_t freedom = 0;  // their number without the unknowns
 };
 Interpolation interpolate_samples(const SamplePrediction& prediction, std::size_t channel, std::span<const double> x,

@@ -11,15 +11,15 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMinSamples = 4096;   // of a row: shorter ones do not separate tones from modes
-constexpr double kAboveFloor = 40;          // times the median power around: noise exceeds 13 in ten thousand lines
-constexpr std::size_t kFloorLines = 24;     // on either side
-constexpr std::size_t kMainLobe = 4;        // lines on either side of the window's peak
-constexpr double kSteady = 0.2;             // largest change of the power between the segments
-constexpr std::size_t kMinHits = 4;         // that show whether the phase is fixed to the hit
-constexpr double kFixedPhase = 0.85;        // resultant length of the doubled phases; 1 for a mode
+constexpr std::size_t kMinSamples = 4096;  // of a row: shorter ones do not separate tones from modes
+constexpr double kAboveFloor = 40;         // times the median power around: noise exceeds 13 in ten thousand lines
+constexpr std::size_t kFloorLines = 24;    // on either side
+constexpr std::size_t kMainLobe = 4;       // lines on either side of the window's peak
+constexpr double kSteady = 0.2;            // largest change of the power between the segments
+constexpr std::size_t kMinPhases = 4;      // that show whether the phase is fixed to the hit
+constexpr double kFixedPhase = 0.85;       // resultant length of the doubled phases; 1 for a mode
 constexpr double kMinBefore = 0.5, kMaxBefore = 1.5;  // of the tone, found before the hits
-constexpr double kBeforeClear = 5;          // standard deviations
+constexpr double kBeforeClear = 5;                    // standard deviations
 constexpr std::size_t kMaxTones = 60;
 
 // Blackman–Harris, 92 dB: what still rings beside a tone does not leak into it.
@@ -113,13 +113,12 @@ bool has_free_phase(std::span<const ToneSignal> signals, const std::vector<Compl
   double power = 0;
   std::map<std::size_t, int> hits;
   for (std::size_t s = 0; s < signals.size(); ++s) {
-    const Complex at_hit =
-        amplitude[s] * std::polar(1.0, kTwoPi * turns * static_cast<double>(signals[s].hit_sample));
+    const Complex at_hit = amplitude[s] * std::polar(1.0, kTwoPi * turns * static_cast<double>(signals[s].hit_sample));
     resultant += at_hit * at_hit;
     power += std::norm(at_hit);
     ++hits[signals[s].hit];
   }
-  return hits.size() >= kMinHits && std::abs(resultant) < kFixedPhase * power;
+  return hits.size() >= kMinPhases && std::abs(resultant) < kFixedPhase * power;
 }
 
 // Whether the sinusoid, extended to the time before the hits, is there.

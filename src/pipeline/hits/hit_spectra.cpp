@@ -29,9 +29,10 @@ HitResponses read_responses(const acquire::Record& record, const std::vector<Ana
     const auto accel = trace.run("read acceleration", [&, c = c] {
       return record.read_accel_mps2.view_or_read(hit.row, c, hit.first, range.samples, buffer);
     });
-    out.of[h][c] = {.grade = acquire::grade_response(hit, accel, record.fs_Hz),
-                    .noise = noise_history(hit, accel),
-                    .spectrum = spectrum};
+    HitResponse& response = out.of[h][c];
+    response.grade = acquire::grade_response(hit, accel, record.fs_Hz);
+    response.spectrum = spectrum;
+    examine_response(response, hit, accel);
     trace.run("fft", [&] { frf::accel_spectrum(hit, accel, range, options.window_decay_per_s, spectrum); });
   });
   correct_responses(out, record, hits, options, trace);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "core/trace.hpp"
 #include "core/uninitialized_array.hpp"
 #include "frf/spectra.hpp"
+#include "pipeline/findings/baseline.hpp"
 #include "pipeline/findings/recorded_window.hpp"
 #include "pipeline/findings/sample_faults.hpp"
 #include "pipeline/findings/tones.hpp"
@@ -26,7 +28,9 @@ struct TransformOptions {
 struct HitResponse {
   acquire::ResponseGrade grade;
   NoiseHistory noise;
-  std::span<const Complex> spectrum;  // [lines]
+  RestLevels rest;
+  std::optional<BaselineChange> baseline;  // removed before the transform
+  std::span<const Complex> spectrum;       // [lines]
 };
 
 /// The faults found in the samples of one hit. Wrong and missing samples are replaced before the transform.

@@ -1,0 +1,79 @@
+#include "pipeline/findings/baseline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kMinQuiet = 16;  // samples
+constexpr std::size_t kRowShare = 16;  // windows in a row
+constexpr std::size_t kStepWindows = 4;
+constexpr double kMaxOff = 0.15;  // of the step: a window's distance from the decaying step
+
+double mean_level(std::span<const double> x) {
+  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+}
+
+std::optional<BaselineChange> find_step(const RestLevels& levels, double largest, double fs_Hz) {
+  std::array<double, kStepWindows> shift{};
+  for (std::size_t w = 0; w < kStepWindows; ++w) shift[w] = levels.after[w] - *levels.before;
+  if (std::abs(shift[0]) < kMinBaselineChange * largest || shift[1] * shift[0] <= 0) return std::nullopt;
+  const double ratio = std::clamp((shift[1] + shift[2] + shift[3]) / (shift[0] + shift[1] + shift[2]), 1e-3, 1.0);
+  for (std::size_t w = 0; w < kStepWindows; ++w) {
+    const double expected = shift[0] * std::pow(ratio, static_cast<double>(w));
+    if (std::abs(shift[w] - expected) > kMaxOff * std::abs(shift[0])) return std::nullopt;
+  }
+  const double window_s = static_cast<double>(levels.window) / fs_Hz;
+  const double decay_per_s = -std::log(ratio) / window_s;
+  const double turn = decay_per_s * window_s;
+  const double first_mean = turn > 1e-9 ? (1 - std::exp(-turn)) / turn : 1;  // over the first window, of the step
+  const double size = shift[0] / first_mean;
+  return BaselineChange{.step = true, .size = size, .share = std::abs(size) / largest, .decay_per_s = decay_per_s};
+}
+
+// The line through the level before the hit and the level of the last windows; those between must lie on it.
+std::optional<BaselineChange> find_slope(const RestLevels& levels, std::size_t samples, double largest) {
+  const auto middle_of = [&](std::size_t w) {
+    return static_cast<double>(levels.first) + (static_cast<double>(w) + 0.5) * static_cast<double>(levels.window);
+  };
+  const double start = 0.5 * static_cast<double>(levels.quiet);
+  const double change = levels.after.back() - *levels.before;
+  const double per_sample = change / (middle_of(kRestWindows - 1) - start);
+  const double size = per_sample * static_cast<double>(samples);
+  if (std::abs(size) < kMinBaselineChange * largest) return std::nullopt;
+  for (std::size_t w = 0; w < kRestWindows; ++w) {
+    const double expected = *levels.before + per_sample * (middle_of(w) - start);
+    if (std::abs(levels.after[w] - expected) > kMaxOff * std::abs(size)) return std::nullopt;
+  }
+  return BaselineChange{.step = false, .size = size, .share = std::abs(size) / largest};
+}
+
+}  // namespace
+
+RestLevels rest_levels(std::span<const double> x, std::size_t quiet, std::size_t first) {
+  RestLevels out{.before = {}, .quiet = quiet, .first = first, .window = x.size() / kRowShare};
+  if (quiet < kMinQuiet || quiet > x.size() || out.window == 0 || first + kRestWindows * out.window > x.size())
+    return out;
+  out.before = mean_level(x.first(quiet));
+  for (std::size_t w = 0; w < kRestWindows; ++w)
+    out.after[w] = mean_level(x.subspan(first + w * out.window, out.window));
+  return out;
+}
+
+std::optional<BaselineChange> find_baseline_change(const RestLevels& levels, std::size_t samples, double largest,
+                                                   double fs_Hz) {
+  if (!levels.before || !(largest > 0)) return std::nullopt;
+  if (auto step = find_step(levels, largest, fs_Hz)) return step;
+  return find_slope(levels, samples, largest);
+}
+
+void subtract_baseline(const BaselineChange& change, std::size_t hit_sample, double fs_Hz, std::span<double> x) {
+  for (std::size_t n = change.step ? hit_sample : 0; n < x.size(); ++n) {
+    x[n] -= change.size * (change.step ? std::exp(-change.decay_per_s * static_cast<double>(n - hit_sample) / fs_Hz)
+                                       : static_cast<double>(n) / static_cast<double>(x.size()));
+  }
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,35 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace percuss::pipeline {
+
+/// Means of a response, in which the structure's oscillations cancel: before the hit, and over kRestWindows windows of
+/// a 16th of the row each after it.
+inline constexpr std::size_t kRestWindows = 12;
+struct RestLevels {
+  std::optional<double> before;
+  std::array<double, kRestWindows> after{};
+  std::size_t quiet = 0, first = 0, window = 0;  // samples before, first sample after, samples of each window
+};
+RestLevels rest_levels(std::span<const double> x, std::size_t quiet, std::size_t first);
+
+/// Motion of a sensor's zero: a step at the hit that decays exponentially, or a slope over the whole row.
+struct BaselineChange {
+  bool step = true;
+  double size = 0;         // of the step, or of the change over the row; m/s²
+  double share = 0;        // of the largest response
+  double decay_per_s = 0;  // of the step
+};
+
+/// Nothing where the means do not change by kMinBaselineChange of the largest response, or like neither.
+inline constexpr double kMinBaselineChange = 0.01;
+std::optional<BaselineChange> find_baseline_change(const RestLevels& levels, std::size_t samples, double largest,
+                                                   double fs_Hz);
+
+void subtract_baseline(const BaselineChange& change, std::size_t hit_sample, double fs_Hz, std::span<double> x);
+
+}  // namespace percuss::pipeline

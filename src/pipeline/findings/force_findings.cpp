@@ -1,0 +1,165 @@
+#include "pipeline/findings/force_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "core/math/statistics.hpp"
+#include "core/units.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kHeldLines = 6;     // lines per band of the pulse's spectrum
+constexpr double kMinAtNyquist = 0.03;    // of the pulse's largest line: below it nothing is excited there
+constexpr double kMaxFilterFall = 0.8;    // from 0.42 to 0.495 of the sampling rate; a filter falls further
+constexpr double kMinFolded = 0.02;       // of the response: its differences over its samples, just after the hit
+constexpr std::size_t kMinSameLevel = 4;  // hits that show a level
+constexpr double kMaxLevelSpread = 0.04;  // of the logarithm of the extremes
+constexpr double kMinForceSpread = 0.05;  // of the logarithm of the forces
+constexpr double kMaxLevelChance = 1e-3;
+constexpr std::size_t kMinPulse = 6;  // samples that are compared
+
+// rms magnitude of the spectrum of a pulse between two frequencies, in shares of the sampling rate.
+double pulse_level(const std::vector<double>& pulse, double from, double to) {
+  double square = 0;
+  for (std::size_t k = 0; k < kHeldLines; ++k) {
+    const double turns = from + (to - from) * (static_cast<double>(k) + 0.5) / static_cast<double>(kHeldLines);
+    Complex sum;
+    for (std::size_t n = 0; n < pulse.size(); ++n)
+      sum += pulse[n] * std::polar(1.0, -kTwoPi * turns * static_cast<double>(n));
+    square += std::norm(sum);
+  }
+  return std::sqrt(square / static_cast<double>(kHeldLines));
+}
+
+double spread_of_logs(const std::vector<double>& values) {
+  double sum = 0, square = 0;
+  for (const double value : values) sum += std::log(value) / static_cast<double>(values.size());
+  for (const double value : values) square += (std::log(value) - sum) * (std::log(value) - sum);
+  return std::sqrt(square / static_cast<double>(values.size() - 1));
+}
+
+// A positive or negative side of a channel at one point: the chance that its extremes are that equal.
+struct LevelSide {
+  std::size_t channel = 0;
+  double chance = 1, level = 0, spread = 0, force_spread = 0;
+};
+
+LevelSide side_of(std::size_t channel, const std::vector<double>& extremes, const std::vector<double>& forces) {
+  LevelSide side{.channel = channel, .level = median(extremes)};
+  side.spread = spread_of_logs(extremes);
+  side.force_spread = spread_of_logs(forces);
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < forces.size(); ++i) ratios.push_back(extremes[i] / forces[i]);
+  const double of_ratio = spread_of_logs(ratios);
+  if (side.spread < kMaxLevelSpread && side.force_spread > kMinForceSpread && of_ratio > side.spread)
+    side.chance = std::pow(side.spread / of_ratio, static_cast<double>(extremes.size() - 1));
+  return side;
+}
+
+std::vector<LevelSide> sides_of(const std::vector<AnalysedHit>& hits, std::size_t channels) {
+  std::map<int, std::vector<const AnalysedHit*>> points;
+  for (const AnalysedHit& hit : hits) {
+    if (hit.responses.size() == channels) points[hit.point].push_back(&hit);
+  }
+  std::vector<LevelSide> sides;
+  for (const auto& [point, members] : points) {
+    for (std::size_t s = 0; members.size() >= kMinSameLevel && s < 2 * channels; ++s) {
+      std::vector<double> extremes, forces;
+      for (const AnalysedHit* hit : members) {
+        const Extremes& of_hit = hit->responses[s / 2].extremes;
+        extremes.push_back(s % 2 == 0 ? of_hit.high : -of_hit.low);
+        forces.push_back(std::abs(hit->hit.peak_N));
+      }
+      const bool usable = std::all_of(extremes.begin(), extremes.end(), [](double value) { return value > 0; }) &&
+                          std::all_of(forces.begin(), forces.end(), [](double value) { return value > 0; });
+      if (usable) sides.push_back(side_of(s / 2, extremes, forces));
+    }
+  }
+  return sides;
+}
+
+bool equal_pulses(const acquire::Hit& a, const acquire::Hit& b) {
+  return a.gated_N.size() >= kMinPulse && a.noise_N > 0 && a.noise_N == b.noise_N && a.peak_N == b.peak_N &&
+         a.gated_N == b.gated_N;
+}
+
+}  // namespace
+
+std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                       const HitResponses& responses) {
+  std::vector<double> nyquist, fall, folded;
+  for (const std::size_t h : accepted_hits(hits)) {
+    const std::vector<double>& pulse = hits[h].hit.gated_N;
+    const double low = pulse_level(pulse, 0, 0.05), top = pulse_level(pulse, 0.49, 0.5);
+    if (!(low > 0)) continue;
+    nyquist.push_back(top / low);
+    fall.push_back(top / pulse_level(pulse, 0.41, 0.43));
+    for (const HitResponse& response : responses.of[h]) {
+      const Extremes& extremes = response.grade.extremes;
+      const double largest = std::max(extremes.high, -extremes.low);
+      if (!response.noise.after.rms.empty() && largest > 0)
+        folded.push_back(response.noise.after.rms.front() / largest);
+    }
+  }
+  if (nyquist.empty() || folded.empty()) return {};
+  if (median(nyquist) < kMinAtNyquist || median(fall) < kMaxFilterFall || median(folded) < kMinFolded) return {};
+  return {
+      {"aliasing",
+       fmt::format("no anti-alias filter before sampling at {:.6g} Hz: at half the sampling rate the force still has "
+                   "{:.0f} % of its largest level, and the responses do not fall towards it. Modes above {:.6g} Hz "
+                   "are folded into the band: their frequencies are false, and modes near them are biased; record "
+                   "with an anti-alias filter or a higher sampling rate",
+                   record.fs_Hz, 100 * median(nyquist), record.fs_Hz / 2)}};
+}
+
+std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
+  std::vector<LevelSide> sides = sides_of(hits, record.accel.size());
+  std::sort(sides.begin(), sides.end(), [](const LevelSide& a, const LevelSide& b) { return a.chance < b.chance; });
+  double chance = 1, least = 1;
+  std::size_t clipped = 0;
+  for (std::size_t k = 0; k < sides.size() && sides[k].chance < 0.1; ++k) {  // of so many sides, k + 1 by chance
+    chance *= sides[k].chance * static_cast<double>(sides.size() - k) / static_cast<double>(k + 1);
+    if (chance >= least) continue;
+    least = chance;
+    clipped = k + 1;
+  }
+  if (clipped == 0 || least > kMaxLevelChance) return {};
+  const LevelSide& clearest = sides.front();
+  return {
+      {"response_clipped",
+       fmt::format("{} reaches {:.4g} m/s² in every hit, equal to {:.2g} %, although the forces differ by {:.0f} %: "
+                   "its amplifier clips before the recorder's filter, which rounds the tops. Residues, damping and "
+                   "frequencies are off by more than their ±; lower the gain, use a sensor of larger range, or "
+                   "strike more softly",
+                   one_line(record.accel[clearest.channel].name, kMaxNameBytes), clearest.level, 100 * clearest.spread,
+                   100 * clearest.force_spread)}};
+}
+
+std::vector<Warning> duplicate_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
+  std::map<double, std::vector<std::size_t>> by_peak;
+  for (const std::size_t h : accepted_hits(hits)) by_peak[hits[h].hit.peak_N].push_back(h);
+  std::string pairs;
+  for (const auto& [peak_N, members] : by_peak) {
+    for (std::size_t i = 1; i < members.size(); ++i) {
+      const AnalysedHit &a = hits[members[0]], &b = hits[members[i]];
+      if (!equal_pulses(a.hit, b.hit)) continue;
+      const std::size_t file_a = record.rows[a.hit.row].file, file_b = record.rows[b.hit.row].file;
+      pairs += fmt::format("{}hits {} and {}", pairs.empty() ? "" : ", ", members[0], members[i]);
+      if (file_a != file_b && file_b < record.files.size())
+        pairs += " (" + one_line(record.files[file_a].path) + ", " + one_line(record.files[file_b].path) + ")";
+    }
+  }
+  if (pairs.empty()) return {};
+  return {{"duplicate",
+           "the same data twice: the pulses of " + pairs +
+               " are equal in every sample, the noise included. Each ± is too small, because a copy adds no "
+               "information; leave the copies out",
+           {"reject_hit"}}};
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,21 @@
+#pragma once
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "pipeline/hits/hit_spectra.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+/// `aliasing`: neither the pulses nor the responses fall towards half the sampling rate as behind an anti-alias filter.
+std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                       const HitResponses& responses);
+
+/// `response_clipped`: extremes of a response that are equal from hit to hit while the forces differ, although no two
+/// samples are equal: the signal was clipped before the recorder's filter.
+std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
+
+/// `duplicate`: hits whose pulses are equal in all samples, the noise included.
+std::vector<Warning> duplicate_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
+
+}  // namespace percuss::pipeline
