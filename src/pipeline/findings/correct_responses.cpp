@@ -9,6 +9,7 @@
 namespace percuss::pipeline {
 namespace {
 
+constexpr double kShock_s = 0.005;       // after the blow: the largest motion comes within this time
 constexpr std::size_t kMaxSuspects = 6;  // samples of one response that are looked at
 constexpr std::size_t kAfterPulse = 16;  // samples: the force still acts
 constexpr std::size_t kSameFault = 48;   // samples: nearer suspects are one fault
@@ -66,6 +67,15 @@ std::optional<BaselineChange> baseline_change(const HitResponse& response, std::
   return find_baseline_change(response.rest, samples, std::max(extremes.high, -extremes.low), fs_Hz);
 }
 
+// The sample at which a sensor is overloaded: the largest within kShock_s of the blow.
+std::size_t sample_of_shock(const acquire::Hit& hit, double fs_Hz, const std::vector<double>& x) {
+  const std::size_t first = hit.gate_first - hit.first;
+  const std::size_t end = std::min(x.size(), hit.peak - hit.first + static_cast<std::size_t>(kShock_s * fs_Hz) + 1);
+  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto at = [&](std::size_t n) { return x.begin() + static_cast<std::ptrdiff_t>(n); };
+  return static_cast<std::size_t>(std::max_element(at(first), at(end), smaller) - x.begin());
+}
+
 // The samples of a hit with the faults repaired and the baseline removed; empty where nothing is wrong.
 Samples corrected_hit(HitFaults& found, HitResponses& responses, const acquire::Record& record, const acquire::Hit& hit,
                       std::size_t samples) {
@@ -83,7 +93,7 @@ Samples corrected_hit(HitFaults& found, HitResponses& responses, const acquire::
   if (faulty) read = repaired(views_of(read), found.faults);
   for (std::size_t c = 0; c < read.size(); ++c) {
     if (const auto& change = responses.of[found.hit][c].baseline)
-      subtract_baseline(*change, hit.peak - hit.first, record.fs_Hz, read[c]);
+      subtract_baseline(*change, sample_of_shock(hit, record.fs_Hz, read[c]), record.fs_Hz, read[c]);
   }
   return read;
 }
@@ -95,7 +105,8 @@ std::vector<ToneSignal> signals_of(const HitResponses& responses, const acquire:
     const Extremes& extremes = responses.of[h][c].grade.extremes;
     signals.push_back({.x = samples[c],
                        .hit = h,
-                       .hit_sample = hit.peak - hit.first,
+                       .pulse_N = hit.gated_N,
+                       .pulse_first = hit.gate_first - hit.first,
                        .quiet = hit.gate_first > hit.first ? hit.gate_first - hit.first : 0,
                        .largest = std::max(extremes.high, -extremes.low)});
   }
@@ -160,7 +171,7 @@ std::vector<std::vector<double>> repaired(std::span<const std::span<const double
 }
 
 void correct_responses(HitResponses& responses, const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                       const TransformOptions& options, Trace& trace) {
+                       const TransformOptions& options) {
   const std::vector<std::size_t> used = accepted_hits(hits);
   const acquire::LineRange& range = options.lines;
   const std::size_t channels = record.accel.size();
@@ -170,7 +181,7 @@ void correct_responses(HitResponses& responses, const acquire::Record& record, c
     found[u].hit = used[u];
     corrected[u] = corrected_hit(found[u], responses, record, hits[used[u]].hit, range.samples);
   });
-  if (!used.empty()) trace.run("tones", [&] { remove_tones(responses, corrected, record, hits, options); });
+  if (!used.empty()) remove_tones(responses, corrected, record, hits, options);
   for (HitFaults& faults : found) {
     if (!faults.faults.empty()) responses.faults.push_back(std::move(faults));
   }
@@ -181,6 +192,7 @@ void correct_responses(HitResponses& responses, const acquire::Record& record, c
     const std::vector<double>& accel = samples[t % channels];
     HitResponse& response = responses.of[used[t / channels]][t % channels];
     response.grade = acquire::grade_response(hit, accel, record.fs_Hz);
+    response.rest = rest_levels(accel, response.rest.quiet, response.rest.first);
     frf::accel_spectrum(hit, accel, range, options.window_decay_per_s,
                         responses.lines.part(t * range.count, range.count));
   });

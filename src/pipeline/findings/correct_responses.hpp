@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "acquire/record/record.hpp"
-#include "core/trace.hpp"
 #include "pipeline/hits/hit_spectra.hpp"
 
 namespace percuss::pipeline {
@@ -14,7 +13,7 @@ void examine_response(HitResponse& response, const acquire::Hit& hit, std::span<
 /// Searches the responses for faults of the recording: wrong or missing samples, a moving baseline, and tones. Replaces
 /// the samples of the responses concerned, grades and transforms them again. Reads only these again.
 void correct_responses(HitResponses& responses, const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                       const TransformOptions& options, Trace& trace);
+                       const TransformOptions& options);
 
 /// `channels` with their wrong samples replaced and their missing samples inserted; lengths stay.
 std::vector<std::vector<double>> repaired(std::span<const std::span<const double>> channels,

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kHeldLines = 6;     // lines per band of the pulse's spectrum
 constexpr double kMinAtNyquist = 0.03;    // of the pulse's largest line: below it nothing is excited there
-constexpr double kMaxFilterFall = 0.8;    // from 0.42 to 0.495 of the sampling rate; a filter falls further
+constexpr double kMaxFilterFall = 0.7;    // from 0.42 to 0.495 of the sampling rate; a filter falls further
 constexpr double kMinFolded = 0.02;       // of the response: its differences over its samples, just after the hit
 constexpr std::size_t kMinSameLevel = 4;  // hits that show a level
 constexpr double kMaxLevelSpread = 0.04;  // of the logarithm of the extremes
@@ -61,19 +61,21 @@ LevelSide side_of(std::size_t channel, const std::vector<double>& extremes, cons
   return side;
 }
 
-std::vector<LevelSide> sides_of(const std::vector<AnalysedHit>& hits, std::size_t channels) {
-  std::map<int, std::vector<const AnalysedHit*>> points;
-  for (const AnalysedHit& hit : hits) {
-    if (hit.responses.size() == channels) points[hit.point].push_back(&hit);
+std::vector<LevelSide> sides_of(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
+                                std::size_t channels) {
+  std::map<int, std::vector<std::size_t>> points;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    if (hits[h].responses.size() == channels && responses.of[h].size() == channels) points[hits[h].point].push_back(h);
   }
   std::vector<LevelSide> sides;
   for (const auto& [point, members] : points) {
     for (std::size_t s = 0; members.size() >= kMinSameLevel && s < 2 * channels; ++s) {
       std::vector<double> extremes, forces;
-      for (const AnalysedHit* hit : members) {
-        const Extremes& of_hit = hit->responses[s / 2].extremes;
-        extremes.push_back(s % 2 == 0 ? of_hit.high : -of_hit.low);
-        forces.push_back(std::abs(hit->hit.peak_N));
+      for (const std::size_t h : members) {
+        const HitResponse& response = responses.of[h][s / 2];
+        const double rest = response.rest.before.value_or(0);
+        extremes.push_back(s % 2 == 0 ? response.grade.extremes.high - rest : rest - response.grade.extremes.low);
+        forces.push_back(std::abs(hits[h].hit.peak_N));
       }
       const bool usable = std::all_of(extremes.begin(), extremes.end(), [](double value) { return value > 0; }) &&
                           std::all_of(forces.begin(), forces.end(), [](double value) { return value > 0; });
@@ -117,8 +119,9 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
                    record.fs_Hz, 100 * median(nyquist), record.fs_Hz / 2)}};
 }
 
-std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
-  std::vector<LevelSide> sides = sides_of(hits, record.accel.size());
+std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                                const HitResponses& responses) {
+  std::vector<LevelSide> sides = sides_of(hits, responses, record.accel.size());
   std::sort(sides.begin(), sides.end(), [](const LevelSide& a, const LevelSide& b) { return a.chance < b.chance; });
   double chance = 1, least = 1;
   std::size_t clipped = 0;

@@ -13,7 +13,8 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
 
 /// `response_clipped`: extremes of a response that are equal from hit to hit while the forces differ, although no two
 /// samples are equal: the signal was clipped before the recorder's filter.
-std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
+std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                                const HitResponses& responses);
 
 /// `duplicate`: hits whose pulses are equal in all samples, the noise included.
 std::vector<Warning> duplicate_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);

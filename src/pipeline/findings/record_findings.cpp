@@ -190,9 +190,10 @@ std::vector<Warning> window_warnings(const acquire::Record& record, const std::v
 std::vector<Warning> record_findings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                      const HitResponses& responses) {
   std::vector<Warning> out = fault_warnings(responses.faults, record, hits);
-  for (const auto& more : {baseline_warnings(record, hits, responses), tone_warnings(responses.tones),
-                           window_warnings(record, hits, responses), analogue_clipping_warnings(record, hits),
-                           aliasing_warnings(record, hits, responses), duplicate_warnings(record, hits)})
+  for (const auto& more :
+       {baseline_warnings(record, hits, responses), tone_warnings(responses.tones),
+        window_warnings(record, hits, responses), analogue_clipping_warnings(record, hits, responses),
+        aliasing_warnings(record, hits, responses), duplicate_warnings(record, hits)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

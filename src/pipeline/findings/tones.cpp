@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
+#include <optional>
+#include <set>
 
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
@@ -17,6 +17,7 @@ constexpr std::size_t kFloorLines = 24;    // on either side
 constexpr std::size_t kMainLobe = 4;       // lines on either side of the window's peak
 constexpr double kSteady = 0.2;            // largest change of the power between the segments
 constexpr std::size_t kMinPhases = 4;      // that show whether the phase is fixed to the hit
+constexpr double kMinForce = 0.01;         // of the pulse's area: its spectrum below this has no sure phase
 constexpr double kFixedPhase = 0.85;       // resultant length of the doubled phases; 1 for a mode
 constexpr double kMinBefore = 0.5, kMaxBefore = 1.5;  // of the tone, found before the hits
 constexpr double kBeforeClear = 5;                    // standard deviations
@@ -107,16 +108,30 @@ double refined(std::span<const ToneSignal> signals, const std::vector<double>& w
   return turns;
 }
 
-// Whether the phase differs from hit to hit: that of a mode is fixed to the hit, up to its sign.
+// The direction of the pulse's spectrum; nothing where the pulse has hardly any force at this frequency.
+std::optional<Complex> force_direction(const ToneSignal& signal, double turns) {
+  Complex sum;
+  double most = 0;
+  for (std::size_t n = 0; n < signal.pulse_N.size(); ++n) {
+    sum += signal.pulse_N[n] * std::polar(1.0, -kTwoPi * turns * static_cast<double>(signal.pulse_first + n));
+    most += std::abs(signal.pulse_N[n]);
+  }
+  if (!(std::abs(sum) > kMinForce * most)) return std::nullopt;
+  return sum / std::abs(sum);
+}
+
+// Whether the phase relative to the force differs from hit to hit: that of a mode is fixed, up to its sign.
 bool has_free_phase(std::span<const ToneSignal> signals, const std::vector<Complex>& amplitude, double turns) {
   Complex resultant;
   double power = 0;
-  std::map<std::size_t, int> hits;
+  std::set<std::size_t> hits;
   for (std::size_t s = 0; s < signals.size(); ++s) {
-    const Complex at_hit = amplitude[s] * std::polar(1.0, kTwoPi * turns * static_cast<double>(signals[s].hit_sample));
-    resultant += at_hit * at_hit;
-    power += std::norm(at_hit);
-    ++hits[signals[s].hit];
+    const std::optional<Complex> force = force_direction(signals[s], turns);
+    if (!force) continue;
+    const Complex relative = amplitude[s] * std::conj(*force);
+    resultant += relative * relative;
+    power += std::norm(relative);
+    hits.insert(signals[s].hit);
   }
   return hits.size() >= kMinPhases && std::abs(resultant) < kFixedPhase * power;
 }

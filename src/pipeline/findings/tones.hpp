@@ -18,10 +18,11 @@ struct Tone {
 /// One response in which tones are searched: the samples of a row.
 struct ToneSignal {
   std::span<const double> x;
-  std::size_t hit = 0;         // of which the tones have their own phase
-  std::size_t hit_sample = 0;  // at which the force has its peak
-  std::size_t quiet = 0;       // samples before the hit
-  double largest = 0;          // |x|
+  std::size_t hit = 0;              // of which the tones have their own phase
+  std::span<const double> pulse_N;  // of the hit
+  std::size_t pulse_first = 0;      // its first sample
+  std::size_t quiet = 0;            // samples before the hit
+  double largest = 0;               // |x|
 };
 
 struct ToneFit {
@@ -35,7 +36,7 @@ std::vector<double> tone_candidates(std::span<const ToneSignal> signals);
 
 /// The candidates that are tones of the test and no modes: they were there before the hits with the same phase, or
 /// their phase is not fixed to the hits. Frequency and amplitudes come from the later part of the signals, where most
-/// of the structure's motion has decayed. The signals have one length. theory (1.11)
+/// of the structure's motion has decayed. The signals have one length. theory (1.9)
 ToneFit find_tones(std::span<const ToneSignal> signals, const std::vector<double>& turns_per_sample, double fs_Hz);
 
 /// Subtracts the tones of signal `s`.

@@ -35,7 +35,7 @@ HitResponses read_responses(const acquire::Record& record, const std::vector<Ana
     examine_response(response, hit, accel);
     trace.run("fft", [&] { frf::accel_spectrum(hit, accel, range, options.window_decay_per_s, spectrum); });
   });
-  correct_responses(out, record, hits, options, trace);
+  correct_responses(out, record, hits, options);
   return out;
 }
 

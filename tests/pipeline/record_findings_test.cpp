@@ -1,0 +1,173 @@
+#include "pipeline/findings/record_findings.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "pipeline/analysis.hpp"
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::pipeline::record_findings_test {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr std::size_t kBlow = 4000;  // samples after the beginning of a row that lie well within the decay
+
+synth::SynthSpec tube(std::size_t hits = 5) {
+  synth::SynthSpec spec =
+      test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7},
+                      {.freq_Hz = 1900,
+                       .damping_ratio = 0.004,
+                       .family = synth::SynthFamily::hoop,
+                       .order = 1,
+                       .amplitude_per_sqrt_kg = 2.4}},
+                     1);
+  spec.hits = hits;
+  spec.noise = {.force = 1e-4, .accel = 1e-4};
+  return spec;
+}
+
+using Change = std::function<void(std::size_t row, std::size_t channel, std::vector<double>& x)>;
+
+/// The record with `change` applied to whole rows of the accelerations.
+acquire::Record changed(acquire::Record record, const Change& change) {
+  record.read_accel_mps2 = [inner = record.read_accel_mps2, rows = record.rows, change](
+                               std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    std::vector<double> x(rows[row].samples);
+    inner(row, channel, 0, x);
+    change(row, channel, x);
+    std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+  };
+  return record;
+}
+
+AnalysisOptions band() { return {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1}; }
+
+std::vector<std::string> codes_of(const Analysis& analysis) {
+  analysis.modes();
+  std::vector<std::string> codes;
+  for (const Warning& warning : analysis.warnings()) codes.push_back(warning.code);
+  return codes;
+}
+
+/// Both modes and no others, within five of their standard deviations.
+void expect_true_modes(const Analysis& analysis) {
+  const std::vector<identify::Mode>& modes = analysis.modes();
+  ASSERT_EQ(modes.size(), 2U);
+  const auto near = [](double value, double truth, double std) { EXPECT_LT(std::abs(value - truth), 5 * std); };
+  near(modes[0].pole.freq_Hz, 200, modes[0].freq_std_Hz);
+  near(modes[0].pole.damping_ratio, 0.02, modes[0].damping_std);
+  near(modes[1].pole.freq_Hz, 1900, modes[1].freq_std_Hz);
+  near(modes[1].pole.damping_ratio, 0.004, modes[1].damping_std);
+}
+
+TEST(RecordFindings, AreNoneForAGoodTest) {
+  EXPECT_THAT(codes_of(Analysis(synth::synthesise(tube()).record, band())), IsEmpty());
+}
+
+class MissingSamples : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(MissingSamples, AreNamedAndPutBack) {
+  const std::size_t count = GetParam();
+  const Analysis analysis(changed(synth::synthesise(tube()).record,
+                                  [count](std::size_t row, std::size_t, std::vector<double>& x) {
+                                    const auto at = x.begin() + static_cast<std::ptrdiff_t>(kBlow / 3 + 100 * row);
+                                    std::move(at + static_cast<std::ptrdiff_t>(count), x.end(), at);
+                                  }),
+                          band());
+  EXPECT_THAT(codes_of(analysis), Contains("lost_samples"));
+  expect_true_modes(analysis);
+}
+
+INSTANTIATE_TEST_SUITE_P(RecordFindings, MissingSamples, testing::Values(1, 3, 16));
+
+class Dropout : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(Dropout, IsNamedAndReplaced) {
+  const std::size_t count = GetParam();
+  const Analysis analysis(changed(synth::synthesise(tube()).record,
+                                  [count](std::size_t row, std::size_t, std::vector<double>& x) {
+                                    std::fill_n(x.begin() + static_cast<std::ptrdiff_t>(kBlow / 4 + 77 * row), count,
+                                                0.0);
+                                  }),
+                          band());
+  EXPECT_THAT(codes_of(analysis), Contains("dropout"));
+  expect_true_modes(analysis);
+}
+
+INSTANTIATE_TEST_SUITE_P(RecordFindings, Dropout, testing::Values(1, 4, 32));
+
+TEST(RecordFindings, RemoveHumThatDiffersInPhaseFromHitToHit) {
+  const Analysis analysis(
+      changed(synth::synthesise(tube()).record,
+              [](std::size_t row, std::size_t channel, std::vector<double>& x) {
+                const double largest = *std::max_element(x.begin(), x.end());
+                for (std::size_t n = 0; n < x.size(); ++n) {
+                  const double turns = 149.91 * static_cast<double>(n) / 25600 + 0.37 * static_cast<double>(row * row);
+                  x[n] += 3e-3 * largest * std::cos(2 * std::numbers::pi * turns + static_cast<double>(channel));
+                }
+              }),
+      band());
+  EXPECT_THAT(codes_of(analysis), Contains("hum"));
+  ASSERT_EQ(analysis.modes().size(), 2U);
+  EXPECT_NEAR(analysis.modes()[0].pole.damping_ratio, 0.02, 1e-4);
+}
+
+TEST(RecordFindings, NameAnExponentialWindowByTheDecayOfTheNoise) {
+  const double decay_per_s = 3;
+  const Analysis analysis(changed(synth::synthesise(tube()).record,
+                                  [&](std::size_t, std::size_t, std::vector<double>& x) {
+                                    for (std::size_t n = 0; n < x.size(); ++n)
+                                      x[n] *= std::exp(-decay_per_s * static_cast<double>(n) / 25600);
+                                  }),
+                          band());
+  EXPECT_THAT(codes_of(analysis), Contains("already_windowed"));
+}
+
+TEST(RecordFindings, RemoveAStepOfTheZeroAndASlope) {
+  const acquire::Record good = synth::synthesise(tube()).record;
+  const Analysis step(changed(good,
+                              [](std::size_t, std::size_t, std::vector<double>& x) {
+                                const auto peak = std::max_element(x.begin(), x.end());
+                                const double size = 0.05 * *peak;
+                                for (auto at = peak; at != x.end(); ++at)
+                                  *at += size * std::exp(-static_cast<double>(at - peak) / (0.3 * 25600));
+                              }),
+                      band());
+  EXPECT_THAT(codes_of(step), Contains("zero_shift"));
+  ASSERT_EQ(step.modes().size(), 2U);
+  EXPECT_NEAR(step.modes()[0].pole.damping_ratio, 0.02, 2e-4);
+  const Analysis slope(changed(good,
+                               [](std::size_t, std::size_t, std::vector<double>& x) {
+                                 const double size = 0.06 * *std::max_element(x.begin(), x.end());
+                                 for (std::size_t n = 0; n < x.size(); ++n)
+                                   x[n] += size * (5 + static_cast<double>(n) / static_cast<double>(x.size()));
+                               }),
+                       band());
+  EXPECT_THAT(codes_of(slope), Contains("offset"));
+  ASSERT_EQ(slope.modes().size(), 2U);
+  EXPECT_NEAR(slope.modes()[0].pole.damping_ratio, 0.02, 2e-4);
+}
+
+TEST(RecordFindings, NameRowsThatAreCopies) {
+  acquire::Record record = synth::synthesise(tube(3)).record;
+  record.rows.push_back(record.rows.back());
+  record.read_force_N = [inner = record.read_force_N](std::size_t row, std::size_t first, std::span<double> out) {
+    inner(std::min<std::size_t>(row, 2), first, out);
+  };
+  record.read_accel_mps2 = [inner = record.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
+                                                            std::span<double> out) {
+    inner(std::min<std::size_t>(row, 2), channel, first, out);
+  };
+  EXPECT_THAT(codes_of(Analysis(record, band())), Contains("duplicate"));
+}
+
+}  // namespace percuss::pipeline::record_findings_test
