@@ -5,6 +5,7 @@
 
 #include "core/parallel/parallel.hpp"
 #include "frf/spectra.hpp"
+#include "pipeline/findings/sample_prediction.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -20,12 +21,14 @@ std::size_t end_of_pulse(const acquire::Hit& hit) {
   return hit.gate_first - hit.first + hit.gated_N.size() + kAfterPulse;
 }
 
-std::vector<std::size_t> suspects(const std::vector<HitResponse>& responses) {
+std::vector<std::size_t> suspects(const std::vector<HitResponse>& responses, const DecayRange& range) {
   std::vector<std::size_t> all;
   for (const HitResponse& response : responses) {
     const auto of_channel = outstanding_samples(response.noise.after, kMaxSuspects);
     all.insert(all.end(), of_channel.begin(), of_channel.end());
   }
+  std::erase_if(all,
+                [&](std::size_t at) { return at < range.first + kDiagnosisRoom || at + kDiagnosisRoom > range.end; });
   std::sort(all.begin(), all.end());
   const auto same = [](std::size_t a, std::size_t b) { return b - a < kSameFault; };
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
@@ -79,7 +82,8 @@ std::size_t sample_of_shock(const acquire::Hit& hit, double fs_Hz, const std::ve
 // The samples of a hit with the faults repaired and the baseline removed; empty where nothing is wrong.
 Samples corrected_hit(HitFaults& found, HitResponses& responses, const acquire::Record& record, const acquire::Hit& hit,
                       std::size_t samples) {
-  const auto at = suspects(responses.of[found.hit]);
+  const DecayRange decay{.first = end_of_pulse(hit), .end = samples};
+  const auto at = suspects(responses.of[found.hit], decay);
   bool moves = false;
   for (HitResponse& response : responses.of[found.hit]) {
     response.baseline = baseline_change(response, samples, record.fs_Hz);
@@ -87,7 +91,7 @@ Samples corrected_hit(HitFaults& found, HitResponses& responses, const acquire::
   }
   if (at.empty() && !moves) return {};
   Samples read = read_all(record, hit, samples);
-  if (!at.empty()) found.faults = find_faults(read, at, {.first = end_of_pulse(hit), .end = samples});
+  if (!at.empty()) found.faults = find_faults(read, at, decay);
   const bool faulty = std::any_of(found.faults.begin(), found.faults.end(), repairable);
   if (!faulty && !moves) return {};
   if (faulty) read = repaired(views_of(read), found.faults);

@@ -112,11 +112,12 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
   if (median(nyquist) < kMinAtNyquist || median(fall) < kMaxFilterFall || median(folded) < kMinFolded) return {};
   return {
       {"aliasing",
-       fmt::format("no anti-alias filter before sampling at {:.6g} Hz: at half the sampling rate the force still has "
-                   "{:.0f} % of its largest level, and the responses do not fall towards it. Modes above {:.6g} Hz "
-                   "are folded into the band: their frequencies are false, and modes near them are biased; record "
-                   "with an anti-alias filter or a higher sampling rate",
-                   record.fs_Hz, 100 * median(nyquist), record.fs_Hz / 2)}};
+       fmt::format(
+           "no anti-alias filter before sampling at {:.6g} Hz: at half the sampling rate the force still has "
+           "{:.0f} % of its level at low frequencies, and the responses do not fall towards it. Modes above {:.6g} Hz "
+           "are folded into the band: their frequencies are false, and modes near them are biased; record "
+           "with an anti-alias filter or a higher sampling rate",
+           record.fs_Hz, 100 * median(nyquist), record.fs_Hz / 2)}};
 }
 
 std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,

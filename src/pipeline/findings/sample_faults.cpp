@@ -154,8 +154,8 @@ std::optional<SampleFault> explain_missing(const SamplePrediction& prediction, C
 }  // namespace
 
 std::optional<SampleFault> diagnose_samples(Channels channels, std::size_t at, const DecayRange& range) {
-  constexpr std::size_t room = kReach + kMaxFault + 2 * kPredictionOrder;
-  if (channels.empty() || at < range.first + room || at + room > range.end) return std::nullopt;
+  static_assert(kDiagnosisRoom >= kReach + kMaxFault + 2 * kPredictionOrder);
+  if (channels.empty() || at < range.first + kDiagnosisRoom || at + kDiagnosisRoom > range.end) return std::nullopt;
   const std::size_t first = std::max(range.first, at - std::min(at, kSurroundings));
   const std::size_t end = std::min(range.end, at + kSurroundings);
   const auto prediction = fit_prediction(channels, first, end, at, kReach);

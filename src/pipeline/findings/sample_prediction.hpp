@@ -13,6 +13,8 @@ struct SamplePrediction {
   std::vector<double> forward_std, backward_std;  // [channels] robust, of the errors
 };
 inline constexpr std::size_t kPredictionOrder = 40;
+/// Samples on either side of a suspect sample that a diagnosis needs.
+inline constexpr std::size_t kDiagnosisRoom = 84 + 2 * kPredictionOrder;
 
 /// x[n] − its prediction. n needs kPredictionOrder samples before it, or after it.
 double forward_error(const SamplePrediction& prediction, std::span<const double> x, std::size_t n);

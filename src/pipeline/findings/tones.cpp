@@ -13,20 +13,23 @@ namespace {
 
 constexpr std::size_t kMinSamples = 4096;  // of a row: shorter ones do not separate tones from modes
 constexpr double kAboveFloor = 40;         // times the median power around: noise exceeds 13 in ten thousand lines
-constexpr std::size_t kFloorLines = 24;    // on either side
-constexpr std::size_t kMainLobe = 4;       // lines on either side of the window's peak
-constexpr double kSteady = 0.2;            // largest change of the power between the segments
-constexpr std::size_t kMinPhases = 4;      // that show whether the phase is fixed to the hit
-constexpr double kMinForce = 0.01;         // of the pulse's area: its spectrum below this has no sure phase
-constexpr double kFixedPhase = 0.85;       // resultant length of the doubled phases; 1 for a mode
+constexpr double kAboveFlank = 4;          // times the lines just beyond the window's main lobe
+constexpr std::size_t kFlankLines = 3;
+constexpr std::size_t kFloorLines = 24;               // on either side
+constexpr std::size_t kMainLobe = 4;                  // lines on either side of the window's peak
+constexpr double kSteady = 0.2;                       // largest change of the power between the segments
+constexpr std::size_t kMinPhases = 4;                 // that show whether the phase is fixed to the hit
+constexpr double kMinForce = 0.01;                    // of the pulse's area: its spectrum below this has no sure phase
+constexpr double kFixedPhase = 0.85;                  // resultant length of the doubled phases; 1 for a mode
 constexpr double kMinBefore = 0.5, kMaxBefore = 1.5;  // of the tone, found before the hits
 constexpr double kBeforeClear = 5;                    // standard deviations
 constexpr std::size_t kMaxTones = 60;
 
 // Blackman–Harris, 92 dB: what still rings beside a tone does not leak into it.
 double window_at(std::size_t n, std::size_t length) {
-  const double t = kTwoPi * (static_cast<double>(n) + 0.5) / static_cast<double>(length);
-  return 0.35875 - 0.48829 * std::cos(t) + 0.14128 * std::cos(2 * t) - 0.01168 * std::cos(3 * t);
+  const double c = std::cos(kTwoPi * (static_cast<double>(n) + 0.5) / static_cast<double>(length));
+  const double twice = 2 * c * c - 1, thrice = (2 * twice - 1) * c;  // cosines of the multiples
+  return 0.35875 - 0.48829 * c + 0.14128 * twice - 0.01168 * thrice;
 }
 
 // Half of the row, from `first` on.
@@ -69,6 +72,9 @@ std::vector<double> powers(std::span<const double> x, const Segment& segment, co
 
 bool is_narrow_peak(const std::vector<double>& power, std::size_t k) {
   if (power[k] < power[k - 1] || power[k] <= power[k + 1]) return false;
+  for (std::size_t i = kMainLobe + 1; i <= kMainLobe + kFlankLines; ++i) {
+    if (power[k] < kAboveFlank * power[k + i] || (k > i && power[k] < kAboveFlank * power[k - i])) return false;
+  }
   const std::size_t below = k > kMainLobe + kFloorLines ? k - kMainLobe - kFloorLines : 0;
   const auto at = [&](std::size_t i) { return power.begin() + static_cast<std::ptrdiff_t>(i); };
   std::vector<double> around(at(below), at(k - kMainLobe));
