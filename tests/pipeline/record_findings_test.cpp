@@ -19,7 +19,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-constexpr std::size_t kBlow = 4000;  // samples after the beginning of a row that lie well within the decay
+constexpr std::size_t kDecay = 1300;  // a sample of each row, well within the decay
+constexpr double kRate_Hz = 8192;
 
 synth::SynthSpec tube(std::size_t hits = 5) {
   synth::SynthSpec spec =
@@ -79,7 +80,7 @@ TEST_P(MissingSamples, AreNamedAndPutBack) {
   const std::size_t count = GetParam();
   const Analysis analysis(changed(synth::synthesise(tube()).record,
                                   [count](std::size_t row, std::size_t, std::vector<double>& x) {
-                                    const auto at = x.begin() + static_cast<std::ptrdiff_t>(kBlow / 3 + 100 * row);
+                                    const auto at = x.begin() + static_cast<std::ptrdiff_t>(kDecay + 100 * row);
                                     std::move(at + static_cast<std::ptrdiff_t>(count), x.end(), at);
                                   }),
                           band());
@@ -95,8 +96,7 @@ TEST_P(Dropout, IsNamedAndReplaced) {
   const std::size_t count = GetParam();
   const Analysis analysis(changed(synth::synthesise(tube()).record,
                                   [count](std::size_t row, std::size_t, std::vector<double>& x) {
-                                    std::fill_n(x.begin() + static_cast<std::ptrdiff_t>(kBlow / 4 + 77 * row), count,
-                                                0.0);
+                                    std::fill_n(x.begin() + static_cast<std::ptrdiff_t>(kDecay + 77 * row), count, 0.0);
                                   }),
                           band());
   EXPECT_THAT(codes_of(analysis), Contains("dropout"));
@@ -111,7 +111,8 @@ TEST(RecordFindings, RemoveHumThatDiffersInPhaseFromHitToHit) {
               [](std::size_t row, std::size_t channel, std::vector<double>& x) {
                 const double largest = *std::max_element(x.begin(), x.end());
                 for (std::size_t n = 0; n < x.size(); ++n) {
-                  const double turns = 149.91 * static_cast<double>(n) / 25600 + 0.37 * static_cast<double>(row * row);
+                  const double turns =
+                      149.91 * static_cast<double>(n) / kRate_Hz + 0.37 * static_cast<double>(row * row);
                   x[n] += 3e-3 * largest * std::cos(2 * std::numbers::pi * turns + static_cast<double>(channel));
                 }
               }),
@@ -126,7 +127,7 @@ TEST(RecordFindings, NameAnExponentialWindowByTheDecayOfTheNoise) {
   const Analysis analysis(changed(synth::synthesise(tube()).record,
                                   [&](std::size_t, std::size_t, std::vector<double>& x) {
                                     for (std::size_t n = 0; n < x.size(); ++n)
-                                      x[n] *= std::exp(-decay_per_s * static_cast<double>(n) / 25600);
+                                      x[n] *= std::exp(-decay_per_s * static_cast<double>(n) / kRate_Hz);
                                   }),
                           band());
   EXPECT_THAT(codes_of(analysis), Contains("already_windowed"));
@@ -139,7 +140,7 @@ TEST(RecordFindings, RemoveAStepOfTheZeroAndASlope) {
                                 const auto peak = std::max_element(x.begin(), x.end());
                                 const double size = 0.05 * *peak;
                                 for (auto at = peak; at != x.end(); ++at)
-                                  *at += size * std::exp(-static_cast<double>(at - peak) / (0.3 * 25600));
+                                  *at += size * std::exp(-static_cast<double>(at - peak) / (0.3 * kRate_Hz));
                               }),
                       band());
   EXPECT_THAT(codes_of(step), Contains("zero_shift"));

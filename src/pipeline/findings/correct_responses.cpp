@@ -10,10 +10,11 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kShock_s = 0.005;       // after the blow: the largest motion comes within this time
-constexpr std::size_t kMaxSuspects = 6;  // samples of one response that are looked at
-constexpr std::size_t kAfterPulse = 16;  // samples: the force still acts
-constexpr std::size_t kSameFault = 48;   // samples: nearer suspects are one fault
+constexpr double kShock_s = 0.005;          // after the blow: the largest motion comes within this time
+constexpr std::size_t kMaxSuspects = 6;     // samples of one response that are looked at
+constexpr std::size_t kFilterRinging = 72;  // samples
+constexpr std::size_t kAfterPulse = 16;     // samples: the force still acts
+constexpr std::size_t kSameFault = 48;      // samples: nearer suspects are one fault
 
 using Samples = std::vector<std::vector<double>>;  // [channels]
 
@@ -66,8 +67,8 @@ std::vector<SampleFault> find_faults(const Samples& samples, const std::vector<s
 bool repairable(const SampleFault& fault) { return fault.kind != SampleFault::Kind::jump; }
 
 std::optional<BaselineChange> baseline_change(const HitResponse& response, std::size_t samples, double fs_Hz) {
-  const Extremes& extremes = response.grade.extremes;
-  return find_baseline_change(response.rest, samples, std::max(extremes.high, -extremes.low), fs_Hz);
+  const double largest = response.grade.extremes.max_distance_from(response.rest.before.value_or(0));
+  return find_baseline_change(response.rest, samples, largest, fs_Hz);
 }
 
 // The sample at which a sensor is overloaded: the largest within kShock_s of the blow.
@@ -149,8 +150,10 @@ void examine_response(HitResponse& response, const acquire::Hit& hit, std::span<
   const std::size_t first = end_of_pulse(hit);
   if (hit.gated_N.empty() || first >= accel_mps2.size()) return;
   const std::size_t quiet = hit.gate_first > hit.first ? hit.gate_first - hit.first : 0;
+  // The recorder's filter rings before the pulse: where the force hides it, a response may show it.
+  const std::size_t silent = quiet > 2 * kFilterRinging ? quiet - kFilterRinging : quiet / 2;
   response.noise = {.after = difference_profile(accel_mps2, first),
-                    .before = difference_rms(accel_mps2.first(std::min(quiet, accel_mps2.size())))};
+                    .before = difference_rms(accel_mps2.first(std::min(silent, accel_mps2.size())))};
   response.rest = rest_levels(accel_mps2, quiet, first);
 }
 

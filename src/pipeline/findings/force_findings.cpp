@@ -14,7 +14,7 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kHeldLines = 6;     // lines per band of the pulse's spectrum
-constexpr double kMinAtNyquist = 0.03;    // of the pulse's largest line: below it nothing is excited there
+constexpr double kMinAtNyquist = 0.1;     // of the pulse's largest line: below it nothing is excited there
 constexpr double kMaxFilterFall = 0.7;    // from 0.42 to 0.495 of the sampling rate; a filter falls further
 constexpr double kMinFolded = 0.02;       // of the response: its differences over its samples, just after the hit
 constexpr std::size_t kMinSameLevel = 4;  // hits that show a level
@@ -109,15 +109,19 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
     }
   }
   if (nyquist.empty() || folded.empty()) return {};
-  if (median(nyquist) < kMinAtNyquist || median(fall) < kMaxFilterFall || median(folded) < kMinFolded) return {};
+  // What is folded adds to the pulse's own spectrum or cancels it, by the time of the pulse between two samples.
+  const double most = *std::max_element(nyquist.begin(), nyquist.end());
+  if (most < kMinAtNyquist || *std::max_element(fall.begin(), fall.end()) < kMaxFilterFall) return {};
+  if (median(folded) < kMinFolded) return {};
   return {
       {"aliasing",
        fmt::format(
-           "no anti-alias filter before sampling at {:.6g} Hz: at half the sampling rate the force still has "
+           "no steep anti-alias filter acts before sampling at {:.6g} Hz: at half the sampling rate the force still "
+           "has "
            "{:.0f} % of its level at low frequencies, and the responses do not fall towards it. Modes above {:.6g} Hz "
            "are folded into the band: their frequencies are false, and modes near them are biased; record "
            "with an anti-alias filter or a higher sampling rate",
-           record.fs_Hz, 100 * median(nyquist), record.fs_Hz / 2)}};
+           record.fs_Hz, 100 * most, record.fs_Hz / 2)}};
 }
 
 std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
