@@ -26,7 +26,7 @@ struct BaselineChange {
 };
 
 /// Nothing where the means do not change by kMinBaselineChange of the largest response, or like neither.
-inline constexpr double kMinBaselineChange = 0.01;
+inline constexpr double kMinBaselineChange = 0.02;
 std::optional<BaselineChange> find_baseline_change(const RestLevels& levels, std::size_t samples, double largest,
                                                    double fs_Hz);
 

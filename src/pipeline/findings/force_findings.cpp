@@ -20,6 +20,7 @@ constexpr double kMinFolded = 0.02;       // of the response: its differences ov
 constexpr std::size_t kMinSameLevel = 4;  // hits that show a level
 constexpr double kMaxLevelSpread = 0.04;  // of the logarithm of the extremes
 constexpr double kMinForceSpread = 0.05;  // of the logarithm of the forces
+constexpr double kEqualLevels = 0.05;     // chance that two levels agree
 constexpr double kMaxLevelChance = 1e-3;
 constexpr std::size_t kMinPulse = 6;  // samples that are compared
 
@@ -132,6 +133,10 @@ std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, c
   std::size_t clipped = 0;
   for (std::size_t k = 0; k < sides.size() && sides[k].chance < 0.1; ++k) {  // of so many sides, k + 1 by chance
     chance *= sides[k].chance * static_cast<double>(sides.size() - k) / static_cast<double>(k + 1);
+    // Amplifiers clip both signs, and often all channels, at one level; levels of a structure differ by tens of
+    // percent.
+    const double level_ratio = sides[k].level / sides.front().level;
+    chance *= std::min(1.0, kEqualLevels + 2 * std::abs(std::log(level_ratio)) + (k == 0 ? 1 : 0));
     if (chance >= least) continue;
     least = chance;
     clipped = k + 1;

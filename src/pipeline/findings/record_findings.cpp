@@ -62,7 +62,8 @@ double largest_response(const std::vector<AnalysedHit>& hits) {
   return largest;
 }
 
-std::string tone_list(const std::vector<Tone>& tones) {
+std::string tone_list(std::vector<Tone> tones) {
+  std::stable_sort(tones.begin(), tones.end(), [](const Tone& a, const Tone& b) { return a.share > b.share; });
   std::string list;
   for (std::size_t t = 0; t < std::min(tones.size(), kMaxListed); ++t)
     list += fmt::format("{}{:.2f} Hz ({:.2g} %)", t == 0 ? "" : ", ", tones[t].freq_Hz, tones[t].share * 100);
@@ -108,11 +109,9 @@ std::vector<Warning> fault_warnings(const std::vector<HitFaults>& faults, const 
 }
 
 std::vector<Warning> tone_warnings(const std::vector<Tone>& tones) {
-  std::vector<Tone> mains, others;
-  for (const Tone& tone : tones) (is_of_mains(tone.freq_Hz) ? mains : others).push_back(tone);
-  const auto stronger = [](const Tone& a, const Tone& b) { return a.share > b.share; };
-  std::stable_sort(mains.begin(), mains.end(), stronger);
-  std::stable_sort(others.begin(), others.end(), stronger);
+  std::vector<Tone> mains, steady, wandering;
+  for (const Tone& tone : tones)
+    (tone.wanders ? wandering : is_of_mains(tone.freq_Hz) ? mains : steady).push_back(tone);
   std::vector<Warning> out;
   if (!mains.empty()) {
     out.push_back({"hum", "hum of the mains and its harmonics, with their size relative to the largest response: " +
@@ -121,12 +120,20 @@ std::vector<Warning> tone_warnings(const std::vector<Tone>& tones) {
                               "a few spectral lines of one is less certain than its ± says. Check the earthing and "
                               "keep cables away from power lines"});
   }
-  if (!others.empty()) {
+  if (!steady.empty()) {
     out.push_back({"tone", "steady tones that no hit excites, with their size relative to the largest response: " +
-                               tone_list(others) +
-                               ". They were fitted to the end of each response and removed; what remains of a tone "
-                               "that wanders may look like a mode of low damping there. Look for a machine nearby, "
-                               "and measure while it stands still"});
+                               tone_list(steady) +
+                               ". They were fitted to the end of each response and removed. Look for a machine "
+                               "nearby, and measure while it stands still"});
+  }
+  if (!wandering.empty()) {
+    out.push_back({"tone",
+                   "tones that no hit excites and whose phase wanders, with their size relative to the largest "
+                   "response: " +
+                       tone_list(wandering) +
+                       ". They cannot be removed: modes near them may be missing or false, and damping there "
+                       "is off by more than its ±. Look for a machine nearby, and measure while it stands "
+                       "still"});
   }
   return out;
 }

@@ -23,6 +23,7 @@ constexpr double kMinForce = 0.01;                    // of the pulse's area: it
 constexpr double kFixedPhase = 0.85;                  // resultant length of the doubled phases; 1 for a mode
 constexpr double kMinBefore = 0.5, kMaxBefore = 1.5;  // of the tone, found before the hits
 constexpr double kBeforeClear = 5;                    // standard deviations
+constexpr double kMaxWander = 0.03;                   // of the power: 0.25 rad between the halves
 constexpr std::size_t kMaxTones = 60;
 
 // Blackman–Harris, 92 dB: what still rings beside a tone does not leak into it.
@@ -167,6 +168,20 @@ bool is_there_before(std::span<const ToneSignal> signals, const std::vector<Comp
   return found > std::max(kMinBefore, kBeforeClear * std) && found < kMaxBefore;
 }
 
+// Whether the amplitude, as a complex number, differs between the halves of the late segment.
+bool wanders_along(std::span<const ToneSignal> signals, double turns) {
+  const Segment late = late_segment(signals.front().x.size());
+  const Segment first{late.first, late.length / 2}, second{late.first + late.length / 2, late.length / 2};
+  const std::vector<double> window = window_of(late.length / 2);
+  double change = 0, power = 0;
+  for (const ToneSignal& signal : signals) {
+    const Complex a = amplitude_in(signal.x, first, window, turns), b = amplitude_in(signal.x, second, window, turns);
+    change += std::norm(b - a);
+    power += std::norm(a) + std::norm(b);
+  }
+  return change > kMaxWander * power;
+}
+
 std::vector<double> distinct(std::vector<double> turns, std::size_t length) {
   std::sort(turns.begin(), turns.end());
   const double least = static_cast<double>(kMainLobe) / 2 / static_cast<double>(length);
@@ -206,6 +221,7 @@ ToneFit find_tones(std::span<const ToneSignal> signals, const std::vector<double
       if (signal.largest > 0) tone.share = std::max(tone.share, std::abs(amplitude.back()) / signal.largest);
     }
     if (!has_free_phase(signals, amplitude, turns) && !is_there_before(signals, amplitude, turns)) continue;
+    tone.wanders = wanders_along(signals, turns);
     fit.tones.push_back(tone);
     for (std::size_t s = 0; s < signals.size(); ++s) fit.amplitudes[s].push_back(amplitude[s]);
   }
@@ -214,6 +230,7 @@ ToneFit find_tones(std::span<const ToneSignal> signals, const std::vector<double
 
 void subtract_tones(const ToneFit& fit, std::size_t s, double fs_Hz, std::span<double> x) {
   for (std::size_t t = 0; t < fit.tones.size(); ++t) {
+    if (fit.tones[t].wanders) continue;
     const double turns = fit.tones[t].freq_Hz / fs_Hz;
     const Complex step = std::polar(1.0, kTwoPi * turns);
     Complex value;

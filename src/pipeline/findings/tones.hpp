@@ -11,8 +11,9 @@ namespace percuss::pipeline {
 /// A sinusoid that lasts from before a hit to the end of the record: hum of the mains, a machine.
 struct Tone {
   double freq_Hz = 0;
-  double largest = 0;  // amplitude, of all responses
-  double share = 0;    // of the largest response of that channel
+  double largest = 0;    // amplitude, of all responses
+  double share = 0;      // of the largest response of that channel
+  bool wanders = false;  // its phase changes along the record, so that no sinusoid removes it
 };
 
 /// One response in which tones are searched: the samples of a row.
@@ -39,7 +40,7 @@ std::vector<double> tone_candidates(std::span<const ToneSignal> signals);
 /// of the structure's motion has decayed. The signals have one length. theory (1.9)
 ToneFit find_tones(std::span<const ToneSignal> signals, const std::vector<double>& turns_per_sample, double fs_Hz);
 
-/// Subtracts the tones of signal `s`.
+/// Subtracts the tones of signal `s` that do not wander.
 void subtract_tones(const ToneFit& fit, std::size_t s, double fs_Hz, std::span<double> x);
 
 }  // namespace percuss::pipeline
