@@ -14,6 +14,8 @@ constexpr double kShock_s = 0.005;          // after the blow: the largest motio
 constexpr std::size_t kMaxSuspects = 6;     // samples of one response that are looked at
 constexpr std::size_t kFilterRinging = 72;  // samples
 constexpr std::size_t kAfterPulse = 16;     // samples: the force still acts
+constexpr std::size_t kSearchStep = 80;     // samples: a diagnosis reaches 44 to either side
+constexpr std::size_t kEarlyShare = 4;      // part of the decay that is searched everywhere
 constexpr std::size_t kSameFault = 48;      // samples: nearer suspects are one fault
 
 using Samples = std::vector<std::vector<double>>;  // [channels]
@@ -64,6 +66,11 @@ std::vector<SampleFault> find_faults(const Samples& samples, const std::vector<s
   return faults;
 }
 
+bool has_gap(const HitFaults& found) {
+  return std::any_of(found.faults.begin(), found.faults.end(),
+                     [](const SampleFault& fault) { return fault.kind == SampleFault::Kind::missing; });
+}
+
 bool repairable(const SampleFault& fault) { return fault.kind != SampleFault::Kind::jump; }
 
 std::optional<BaselineChange> baseline_change(const HitResponse& response, std::size_t samples, double fs_Hz) {
@@ -80,11 +87,21 @@ std::size_t sample_of_shock(const acquire::Hit& hit, double fs_Hz, const std::ve
   return static_cast<std::size_t>(std::max_element(at(first), at(end), smaller) - x.begin());
 }
 
+enum class Search { suspects, everywhere };
+
+// Samples such that each one of the earlier part of the decay is near one of them.
+std::vector<std::size_t> everywhere(const DecayRange& range) {
+  std::vector<std::size_t> at;
+  const std::size_t end = range.first + (range.end - range.first) / kEarlyShare;
+  for (std::size_t n = range.first + kDiagnosisRoom; n + kDiagnosisRoom < end; n += kSearchStep) at.push_back(n);
+  return at;
+}
+
 // The samples of a hit with the faults repaired and the baseline removed; empty where nothing is wrong.
 Samples corrected_hit(HitFaults& found, HitResponses& responses, const acquire::Record& record, const acquire::Hit& hit,
-                      std::size_t samples) {
+                      std::size_t samples, Search search) {
   const DecayRange decay{.first = end_of_pulse(hit), .end = samples};
-  const auto at = suspects(responses.of[found.hit], decay);
+  const auto at = search == Search::everywhere ? everywhere(decay) : suspects(responses.of[found.hit], decay);
   bool moves = false;
   for (HitResponse& response : responses.of[found.hit]) {
     response.baseline = baseline_change(response, samples, record.fs_Hz);
@@ -186,8 +203,15 @@ void correct_responses(HitResponses& responses, const acquire::Record& record, c
   std::vector<HitFaults> found(used.size());
   parallel_for(used.size(), options.threads, [&](std::size_t u) {
     found[u].hit = used[u];
-    corrected[u] = corrected_hit(found[u], responses, record, hits[used[u]].hit, range.samples);
+    corrected[u] = corrected_hit(found[u], responses, record, hits[used[u]].hit, range.samples, Search::suspects);
   });
+  // A recorder that loses samples loses some at every hit: a gap where the motion hardly changes is no suspect.
+  if (std::any_of(found.begin(), found.end(), has_gap)) {
+    parallel_for(used.size(), options.threads, [&](std::size_t u) {
+      if (has_gap(found[u])) return;
+      corrected[u] = corrected_hit(found[u], responses, record, hits[used[u]].hit, range.samples, Search::everywhere);
+    });
+  }
   if (!used.empty()) remove_tones(responses, corrected, record, hits, options);
   for (HitFaults& faults : found) {
     if (!faults.faults.empty()) responses.faults.push_back(std::move(faults));

@@ -23,7 +23,9 @@ constexpr double kMinForce = 0.01;                    // of the pulse's area: it
 constexpr double kFixedPhase = 0.85;                  // resultant length of the doubled phases; 1 for a mode
 constexpr double kMinBefore = 0.5, kMaxBefore = 1.5;  // of the tone, found before the hits
 constexpr double kBeforeClear = 5;                    // standard deviations
-constexpr double kMaxWander = 0.03;                   // of the power: 0.25 rad between the halves
+constexpr double kMaxWander = 0.01;                   // of the power: 0.14 rad between the halves
+constexpr double kWanderNoise = 3;                    // times the power beside the tone
+constexpr std::size_t kRestart = 256;                 // samples: rounding errors of a repeated product add up
 constexpr std::size_t kMaxTones = 60;
 
 // Blackman–Harris, 92 dB: what still rings beside a tone does not leak into it.
@@ -54,7 +56,6 @@ Complex amplitude_in(std::span<const double> x, const Segment& segment, const st
   const Complex step = std::polar(1.0, -kTwoPi * turns_per_sample);
   Complex sum, phase;
   for (std::size_t n = 0; n < segment.length; ++n) {
-    constexpr std::size_t kRestart = 256;  // rounding errors of the repeated product
     const auto sample = static_cast<double>(segment.first + n);
     phase = n % kRestart == 0 ? std::polar(1.0, -kTwoPi * std::fmod(turns_per_sample * sample, 1.0)) : phase * step;
     sum += phase * (window[n] * x[segment.first + n]);
@@ -173,13 +174,16 @@ bool wanders_along(std::span<const ToneSignal> signals, double turns) {
   const Segment late = late_segment(signals.front().x.size());
   const Segment first{late.first, late.length / 2}, second{late.first + late.length / 2, late.length / 2};
   const std::vector<double> window = window_of(late.length / 2);
-  double change = 0, power = 0;
+  const double beside = turns + 1.5 * static_cast<double>(kMainLobe) / static_cast<double>(first.length);
+  double change = 0, power = 0, noise = 0;
   for (const ToneSignal& signal : signals) {
-    const Complex a = amplitude_in(signal.x, first, window, turns), b = amplitude_in(signal.x, second, window, turns);
+    const auto at = [&](const Segment& half, double f) { return amplitude_in(signal.x, half, window, f); };
+    const Complex a = at(first, turns), b = at(second, turns);
     change += std::norm(b - a);
     power += std::norm(a) + std::norm(b);
+    noise += std::norm(at(first, beside)) + std::norm(at(second, beside));
   }
-  return change > kMaxWander * power;
+  return change > kMaxWander * power + kWanderNoise * noise;
 }
 
 std::vector<double> distinct(std::vector<double> turns, std::size_t length) {
@@ -235,7 +239,6 @@ void subtract_tones(const ToneFit& fit, std::size_t s, double fs_Hz, std::span<d
     const Complex step = std::polar(1.0, kTwoPi * turns);
     Complex value;
     for (std::size_t n = 0; n < x.size(); ++n) {
-      constexpr std::size_t kRestart = 256;
       value = n % kRestart == 0
                   ? fit.amplitudes[s][t] * std::polar(1.0, kTwoPi * std::fmod(turns * static_cast<double>(n), 1.0))
                   : value * step;
