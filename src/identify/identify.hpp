@@ -5,6 +5,7 @@
 #include "identify/model/effort.hpp"
 #include "identify/model/frf_dataset.hpp"
 #include "identify/model/mode.hpp"
+#include "identify/select/held_starts.hpp"
 
 namespace percuss::identify {
 
@@ -16,5 +17,14 @@ struct IdentifyOptions {
 
 /// The modes of a set of FRFs in ascending frequency, with one standard deviation of each value.
 std::vector<Mode> identify_modes(const FrfDataset& set, const IdentifyOptions& options = {});
+
+/// The modes that a fit from the poles of another test finds; poles that are no modes of this one are left out.
+std::vector<Mode> modes_from_poles(const FrfDataset& set, const std::vector<Pole>& poles, Effort effort);
+
+/// The frequencies of options.start_Hz at which identify_modes() found no mode, and why. Repeats their fit.
+std::vector<RefusedStart> refused_starts(const FrfDataset& set, const IdentifyOptions& options);
+
+/// Keeps the `count` modes whose damping ratios have the smallest relative deviations, in ascending frequency.
+void keep_clearest(std::vector<Mode>& modes, std::size_t count);
 
 }  // namespace percuss::identify

@@ -200,9 +200,8 @@ std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, co
   CompletedDecays completed(set);
   std::vector<FittedMode> found;
   // The strong modes first: their truncation would look like additional modes.
-  SequentialFitOptions thorough = sequential_fit_options(options.effort);
-  thorough.modes = options.modes;
-  for (const SequentialFitOptions& pass : {SequentialFitOptions{.max_rounds = 0, .modes = options.modes}, thorough}) {
+  const SequentialFitOptions thorough = sequential_fit_options(options.effort);
+  for (const SequentialFitOptions& pass : {SequentialFitOptions{.max_rounds = 0}, thorough}) {
     const std::size_t before = found.size();
     found = fit_sequentially(few, pass);
     if (found.empty() || max_remaining_amplitude(set, found) > kMaxRemainingAmplitude) return std::nullopt;

@@ -176,10 +176,13 @@ const std::vector<identify::Mode>& Analysis::modes() const {
     const TestSpectra from = spectra();
     const ThreadLimit limit(options_.threads);
     return trace_.run("modes", [&] {
-      std::vector<identify::Mode> found = identify::identify_modes(set, options_.modes);
+      identify::IdentifyOptions all = options_.modes;
+      all.modes.reset();  // the number of modes counts those within the band, not those of its margin
+      std::vector<identify::Mode> found = identify::identify_modes(set, all);
       add_scatter_between_hits(set, from, options_.modes, found);
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
+      if (options_.modes.modes) identify::keep_clearest(split.within, *options_.modes.modes);
       return std::move(split.within);
     });
   });
@@ -214,9 +217,9 @@ const std::vector<HitMode>& Analysis::modes_per_hit() const {
     const std::vector<identify::Mode>& found = modes();
     const TestSpectra from = spectra();
     const auto dataset_of = [&](std::size_t hit) { return source_->dataset(from, {hit}, nullptr); };
-    return trace_.run("modes per hit", [&] {
-      return modes_of_hits(found, accepted_hits(from.hits), dataset_of, options_.modes.effort);
-    });
+    std::vector<HitOfPoint> used;
+    for (const std::size_t h : accepted_hits(from.hits)) used.push_back({.hit = h, .point = from.hits[h].point});
+    return trace_.run("modes per hit", [&] { return modes_of_hits(found, used, dataset_of, options_.modes.effort); });
   });
 }
 

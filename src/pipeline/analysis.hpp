@@ -19,6 +19,7 @@
 #include "pipeline/hits/hit_spectra.hpp"
 #include "pipeline/source/source.hpp"
 #include "pipeline/stages/fit_quality.hpp"
+#include "pipeline/stages/hit_modes.hpp"
 #include "pipeline/stages/mode_stages.hpp"
 #include "pipeline/warnings/warning.hpp"
 

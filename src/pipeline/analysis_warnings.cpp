@@ -38,7 +38,10 @@ std::vector<Warning> Analysis::warnings() const {
     add(mass_loading_warnings(modes()));
     add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
     if (!user_chose_modes) add(local_fit_warnings(modes()));
+    if (modes().size() < options_.modes.start_Hz.size())
+      add(refused_start_warnings(identify::refused_starts(fitted_frfs(), options_.modes)));
     if (!user_chose_modes) add(unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));
+    if (!user_chose_modes) add(unmodelled_pole_warnings(fitted_frfs(), modes(), band_Hz()));
   }
   if (classifications_.ready()) {
     add(object_warnings(classifications(), options_.classes));

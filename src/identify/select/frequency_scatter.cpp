@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/math/statistics.hpp"
+
 namespace percuss::identify {
 namespace {
 
@@ -20,6 +22,9 @@ constexpr double kScatterFStatistic = 25;  // F statistic of separate poles
 constexpr double kMaxScatterCostRatio = 15;
 constexpr double kMaxScatterWidths = 3;      // bandwidths: poles farther apart are separate modes
 constexpr double kMaxScatterWidthRatio = 6;  // of the half-power bandwidths: beyond it the poles are separate modes
+constexpr double kNormalMad = 1.4826;        // standard deviation of a normal distribution over its median deviation
+constexpr double kRunaway = 3;               // standard deviations from the median
+constexpr double kScatterPair = 4;           // standard deviations of the scatter between two poles that describe it
 constexpr double kMaxPoleOffset = 1;         // bandwidths: a separate pole farther away is another mode
 
 // The FRFs of one point as a data set, without their spectral lines.
@@ -66,7 +71,39 @@ struct Mean {
   double value = 0, std = 0, spread = 0;
 };
 
-Mean mean_of(const std::vector<double>& value, const std::vector<double>& std) {
+// The value that half of the weight lies below.
+double weighted_median(const std::vector<double>& value, const std::vector<double>& weight) {
+  std::vector<std::size_t> order(value.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return value[a] < value[b]; });
+  const double half = 0.5 * std::accumulate(weight.begin(), weight.end(), 0.0);
+  double sum = 0;
+  for (const std::size_t i : order) {
+    sum += weight[i];
+    if (sum >= half) return value[i];
+  }
+  return value.empty() ? 0 : value[order.back()];
+}
+
+// Adds what a weight cannot tell to the standard deviations. A point near a node has a small residue, so that other
+// modes and errors of the model move its pole in inverse proportion. A runaway lies far outside the others' scatter.
+std::vector<double> robust_std(const std::vector<double>& value, std::vector<double> std,
+                               const std::vector<double>& size) {
+  std::vector<double> weight, off;
+  for (const double s : size) weight.push_back(s * s);
+  const double middle = weighted_median(value, weight);
+  for (const double v : value) off.push_back(std::abs(v - middle));
+  const double scale = kNormalMad * median(off), typical = median(size);
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const double node = std::sqrt(std::max(0.0, std::pow(typical / size[i], 2) - 1)) * scale;
+    const double runaway = off[i] > kRunaway * std::hypot(scale, std[i]) ? off[i] : 0;
+    std[i] = std::hypot(std[i], node, runaway);
+  }
+  return std;
+}
+
+Mean mean_of(const std::vector<double>& value, const std::vector<double>& stated, const std::vector<double>& size) {
+  const std::vector<double> std = robust_std(value, stated, size);
   const auto weighted = [&](double spread2) {
     double sum = 0, weights = 0, squares = 0;
     for (std::size_t i = 0; i < value.size(); ++i) {
@@ -106,15 +143,16 @@ std::vector<std::size_t> points_observing(const PointFits& points, const FitGrou
 ScatteredMode scattered_mode(const WindowedFit& all, const FitGroup& group, const PointFits& points,
                              const std::vector<std::size_t>& observing, std::size_t mode) {
   const auto m = static_cast<Index>(mode);
-  std::vector<double> freq_Hz, freq_std_Hz, damping, damping_std;
+  std::vector<double> freq_Hz, freq_std_Hz, damping, damping_std, size;
   for (const std::size_t p : observing) {
+    size.push_back(points.fits[p].residues.col(m).norm());
     freq_Hz.push_back(points.fits[p].poles[mode].freq_Hz);
     freq_std_Hz.push_back(points.fits[p].freq_std_Hz(m));
     damping.push_back(points.fits[p].poles[mode].damping_ratio);
     damping_std.push_back(points.fits[p].damping_std(m));
   }
-  const Mean frequency = mean_of(freq_Hz, freq_std_Hz);
-  const Mean zeta = mean_of(damping, damping_std);
+  const Mean frequency = mean_of(freq_Hz, freq_std_Hz, size);
+  const Mean zeta = mean_of(damping, damping_std, size);
   const std::size_t channels = all.set().channels.size();
   ScatteredMode out{.pole = {.freq_Hz = frequency.value, .damping_ratio = zeta.value},
                     .freq_std_Hz = frequency.std,
@@ -137,6 +175,24 @@ ScatteredMode scattered_mode(const WindowedFit& all, const FitGroup& group, cons
     }
   }
   return out;
+}
+
+// True where one pole per point can stand for these common poles: its frequency scatters as widely as they lie apart.
+// A true pair has two fixed poles; the pole of a point then lies at one of them or between.
+bool scatter_reaches(const PointFits& points, const std::vector<Pole>& poles) {
+  std::vector<double> freq_Hz, off_Hz, size;
+  double width_Hz = 0;
+  for (const LocalFit& fit : points.fits) {
+    freq_Hz.push_back(fit.poles.front().freq_Hz);
+    size.push_back(fit.residues.squaredNorm());
+  }
+  const double middle_Hz = weighted_median(freq_Hz, size);
+  for (const double at_Hz : freq_Hz) off_Hz.push_back(std::abs(at_Hz - middle_Hz));
+  const auto [low, high] = std::minmax_element(poles.begin(), poles.end(),
+                                               [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
+  for (const Pole& pole : poles) width_Hz = std::max(width_Hz, pole.half_power_Hz());
+  const double reach_Hz = kScatterPair * kNormalMad * median(off_Hz);
+  return high->freq_Hz - low->freq_Hz < std::max(reach_Hz, width_Hz);
 }
 
 }  // namespace
@@ -166,7 +222,8 @@ bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, 
   if (set.points.size() < kMinPoints || more.fit.degrees == 0) return false;
   // Separate poles leave at most as many degrees of freedom as one more common mode.
   const double max_cost = kMaxScatterCostRatio * more.fit.cost;
-  return !fit_each_point(set, window, one, max_cost).fits.empty();
+  const PointFits points = fit_each_point(set, window, one, max_cost);
+  return !points.fits.empty() && (one.fit.poles.size() > 1 || scatter_reaches(points, more.fit.poles));
 }
 
 std::optional<Pole> merge_if_scattered(const WindowedFit& all, const FitGroup& group) {

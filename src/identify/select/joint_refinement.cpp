@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "identify/fit/joint_fit.hpp"
+#include "identify/noise/force_noise.hpp"
 #include "identify/noise/window_noise.hpp"
 
 namespace percuss::identify {
@@ -42,7 +43,28 @@ double energy_ratio(const FittedMode& local, const std::vector<Eigen::VectorXcd>
 
 }  // namespace
 
-void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes) {
+void take_joint_mode(const FrfDataset& set, const JointFit& joint, std::size_t m, FittedMode& found) {
+  const WindowNoise window(set);
+  const auto i = static_cast<Index>(m);
+  Mode& mode = found.mode;
+  found.joint = true;
+  mode.pole = joint.poles[m];
+  const double of_pole = std::sqrt(window.of_pole(mode.pole)), of_residue = std::sqrt(window.of_residue(mode.pole));
+  mode.freq_std_Hz = std::hypot(of_pole * joint.freq_std_Hz(i), kRounding * mode.pole.freq_Hz);
+  mode.damping_std = std::hypot(of_pole * joint.damping_std(i), kRoundingDamping * mode.pole.damping_ratio);
+  const bool is_new = mode.residues.empty();
+  mode.residues.resize(set.channels.size());
+  for (std::size_t o = 0; o < set.channels.size(); ++o) {
+    Residue& residue = mode.residues[o];
+    residue.point = set.channels[o].point;
+    residue.channel = set.channels[o].channel;
+    residue.value = joint.residues(static_cast<Index>(o), i);
+    residue.std = of_residue * joint.residue_std(static_cast<Index>(o), i);
+    if (is_new) residue.relative_std = gain_std(set, residue.point, mode.pole.freq_Hz);
+  }
+}
+
+std::vector<Eigen::VectorXcd> refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes) {
   std::vector<Pole> start;
   start.reserve(modes.size());
   for (const FittedMode& mode : modes) start.push_back(mode.mode.pole);
@@ -54,27 +76,17 @@ void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes) {
                        [&](const FittedMode& mode) { return joint_fit_is_as_good(mode, residual); });
   };
   const JointFit joint = fit_jointly(set, std::move(start), {.worth_continuing = is_good_for_any});
-  if (!joint.converged) return;
-  const WindowNoise window(set);
+  if (!joint.converged) return {};
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    Mode& mode = modes[m].mode;
-    mode.joint_misfit = energy_ratio(modes[m], joint.residual);
+    modes[m].mode.joint_misfit = energy_ratio(modes[m], joint.residual);
     if (!joint_fit_is_as_good(modes[m], joint.residual)) continue;
-    mode.joint_misfit = 0;
-    const auto i = static_cast<Index>(m);
-    modes[m].joint = true;
-    mode.pole = joint.poles[m];
-    const double of_pole = std::sqrt(window.of_pole(mode.pole)), of_residue = std::sqrt(window.of_residue(mode.pole));
-    mode.freq_std_Hz = std::hypot(of_pole * joint.freq_std_Hz(i), kRounding * mode.pole.freq_Hz);
-    mode.damping_std = std::hypot(of_pole * joint.damping_std(i), kRoundingDamping * mode.pole.damping_ratio);
-    for (std::size_t o = 0; o < set.channels.size(); ++o) {
-      mode.residues[o].value = joint.residues(static_cast<Index>(o), i);
-      mode.residues[o].std = of_residue * joint.residue_std(static_cast<Index>(o), i);
-    }
+    modes[m].mode.joint_misfit = 0;
+    take_joint_mode(set, joint, m, modes[m]);
   }
   // The fit may have exchanged close poles.
   std::stable_sort(modes.begin(), modes.end(),
                    [](const FittedMode& a, const FittedMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });
+  return joint.residual;
 }
 
 }  // namespace percuss::identify

@@ -1,6 +1,9 @@
 #pragma once
+#include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
+#include "identify/fit/joint_fit.hpp"
 #include "identify/model/frf_dataset.hpp"
 #include "identify/select/sequential_fit.hpp"
 
@@ -8,6 +11,10 @@ namespace percuss::identify {
 
 /// Fits all modes together. Each mode takes over the joint fit where its window is fitted as well as by the local fit.
 /// It keeps the local fit where the model of the whole band fails: frequency scatter, a mode too many or too few.
-void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes);
+/// Returns the residual of the joint fit, [channels][lines]; empty where that fit describes no mode.
+std::vector<Eigen::VectorXcd> refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes);
+
+/// Sets a mode's values to those of mode m of a joint fit.
+void take_joint_mode(const FrfDataset& set, const JointFit& joint, std::size_t m, FittedMode& mode);
 
 }  // namespace percuss::identify

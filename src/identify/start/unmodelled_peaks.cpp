@@ -8,6 +8,7 @@
 #include "identify/model/frf_synthesis.hpp"
 #include "identify/noise/line_noise.hpp"
 #include "identify/start/candidates.hpp"
+#include "identify/start/stable_poles.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -79,6 +80,26 @@ std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::v
     if (remains && level_dB >= -range_dB) peaks.push_back({.freq_Hz = set.lines.freq_Hz(line), .level_dB = level_dB});
   }
   return peaks;
+}
+
+std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode>& modes) {
+  if (set.lines.count < 8 || set.channels.empty()) return {};
+  const auto left = residual_of(set, modes);
+  auto resonances = residual_resonances(set, left);
+  std::erase_if(resonances, [&](const Resonance& at) { return !unexplained(set, left, at); });
+  if (resonances.empty()) return {};
+  std::vector<Pole> poles = stable_poles(set);
+  std::erase_if(poles, [&](const Pole& pole) {
+    const bool reached = set.usable_bandwidth_Hz <= 0 || pole.freq_Hz <= set.usable_bandwidth_Hz;
+    const double line = set.lines.position(pole.freq_Hz);
+    const bool remains = std::any_of(resonances.begin(), resonances.end(), [&](const Resonance& at) {
+      return std::abs(at.line - line) <= 2 * at.half_width;
+    });
+    return !reached || !remains || std::any_of(modes.begin(), modes.end(), [&](const Mode& mode) {
+      return std::abs(mode.pole.freq_Hz - pole.freq_Hz) <= std::max(mode.pole.half_power_Hz(), set.lines.df_Hz());
+    });
+  });
+  return poles;
 }
 
 }  // namespace percuss::identify

@@ -48,26 +48,6 @@ std::vector<identify::ModeClassification> classify_modes(const std::vector<ident
   return identify::classify(modes, sensors, overlays_dB, options);
 }
 
-std::vector<HitMode> modes_of_hits(const std::vector<identify::Mode>& modes, const std::vector<std::size_t>& hits,
-                                   const std::function<identify::FrfDataset(std::size_t hit)>& dataset_of,
-                                   identify::Effort effort) {
-  identify::IdentifyOptions options{.effort = effort};
-  for (const identify::Mode& mode : modes) options.start_Hz.push_back(mode.pole.freq_Hz);
-  std::vector<HitMode> out;
-  if (options.start_Hz.empty()) return out;
-  for (const std::size_t h : hits) {
-    const auto found = identify::identify_modes(dataset_of(h), options);
-    for (std::size_t m = 0; m < found.size() && m < modes.size(); ++m) {
-      out.push_back({.hit = h,
-                     .mode = m,
-                     .pole = found[m].pole,
-                     .freq_std_Hz = found[m].freq_std_Hz,
-                     .damping_std = found[m].damping_std});
-    }
-  }
-  return out;
-}
-
 identify::Stabilisation stabilisation_in_band(const identify::FrfDataset& set, std::pair<double, double> band_Hz) {
   identify::Stabilisation diagram = identify::stabilise(set);
   std::tie(diagram.low_Hz, diagram.high_Hz) = band_Hz;

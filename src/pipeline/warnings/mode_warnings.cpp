@@ -90,6 +90,49 @@ bool is_split_hoop(const std::vector<identify::Mode>& modes,
   return pair->separation_Hz <= kMaxSplitBandwidths * std::max(bandwidth_Hz(m), bandwidth_Hz(pair->partner));
 }
 
+std::vector<Warning> unmodelled_pole_warnings(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+                                              std::pair<double, double> band_Hz) {
+  std::string list;
+  std::size_t named = 0;
+  for (const identify::Pole& pole : identify::unmodelled_poles(set, modes)) {
+    if (pole.freq_Hz < band_Hz.first || pole.freq_Hz > band_Hz.second || named == kMaxNamedPeaks) continue;
+    list += fmt::format("{}{:.6g} Hz ({:.2g} %)", separator(list), pole.freq_Hz, 100 * pole.damping_ratio);
+    ++named;
+  }
+  if (list.empty()) return {};
+  return {{"unmodelled_poles",
+           "the stabilisation diagram shows stable poles that no mode stands for: " + list +
+               ". Modes may be missing there, and the values of their neighbours may be off by more than their ±: "
+               "analyse a narrower band around them, or state a starting frequency for each mode",
+           {"band", "start"}}};
+}
+
+std::vector<Warning> refused_start_warnings(const std::vector<identify::RefusedStart>& refused) {
+  std::vector<Warning> out;
+  for (const identify::RefusedStart& at : refused) {
+    std::string why;
+    switch (at.reason) {
+      case identify::RefusedStart::Reason::moved:
+        why = fmt::format("the fit moved to {:.6g} Hz, by {:.3g} of its bandwidths", at.pole.freq_Hz,
+                          std::abs(at.pole.freq_Hz - at.asked_Hz) / at.pole.half_power_Hz());
+        break;
+      case identify::RefusedStart::Reason::undamped:
+        why = fmt::format("the damping ratio of the fit, {:.2g} ± {:.2g} %, is consistent with zero",
+                          100 * at.pole.damping_ratio, 100 * at.damping_std);
+        break;
+      case identify::RefusedStart::Reason::no_resonance:
+        why = fmt::format("the fitted peak is only {:.2g} times as high as what the fit leaves around it",
+                          at.peak_to_residual);
+        break;
+    }
+    out.push_back({"start_refused",
+                   fmt::format("no mode near {:.6g} Hz: {}. It is not among the modes; state the frequency of a peak",
+                               at.asked_Hz, why),
+                   {"start"}});
+  }
+  return out;
+}
+
 std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& modes,
                                          const std::vector<identify::ModeClassification>& classifications) {
   std::string list;

@@ -5,6 +5,7 @@
 
 #include "identify/classify/classify.hpp"
 #include "identify/model/mode.hpp"
+#include "identify/select/held_starts.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
 #include "pipeline/warnings/warning.hpp"
 
@@ -28,6 +29,13 @@ bool is_split_hoop(const std::vector<identify::Mode>& modes,
 
 /// local_fits: modes that all modes together fit worse than their own surroundings do.
 std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes);
+
+/// unmodelled_poles: stable poles within the band whose resonance no mode describes.
+std::vector<Warning> unmodelled_pole_warnings(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+                                              std::pair<double, double> band_Hz);
+
+/// start_refused: starting frequencies at which no mode was found, with the reason.
+std::vector<Warning> refused_start_warnings(const std::vector<identify::RefusedStart>& refused);
 
 /// double_peak: split hoop modes, quoted by their first peak.
 std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& modes,

@@ -1,0 +1,82 @@
+#include "identify/select/held_starts.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/math/assignment.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kHeldReach = 0.005;               // of the asked frequency: it stands for the highest line within this …
+constexpr double kHeldReachLines = 4;              // … or within these lines
+constexpr double kHeldMaxWidth = 0.05;             // of the asked frequency: a broader fit may move by this much
+constexpr double kHeldDamping = 3;  // standard deviations of the damping ratio
+constexpr double kHeldPeakToResidual = 3;
+
+// The bandwidths that a fit has moved from the asked frequency, beyond what the frequency stands for.
+double moved(const FrfDataset& set, double asked_Hz, const Pole& pole) {
+  const double reach_Hz = std::max(kHeldReach * asked_Hz, kHeldReachLines * set.lines.df_Hz());
+  const double width_Hz = std::clamp(pole.half_power_Hz(), set.lines.df_Hz(), std::max(kHeldMaxWidth * asked_Hz, reach_Hz));
+  return std::max(0.0, std::abs(pole.freq_Hz - asked_Hz) - reach_Hz) / width_Hz;
+}
+
+// Which mode belongs to which start.
+std::vector<std::optional<std::size_t>> partners(const FrfDataset& set, const std::vector<double>& start_Hz,
+                                                 const std::vector<FittedMode>& modes) {
+  Eigen::MatrixXd cost(static_cast<Index>(start_Hz.size()), static_cast<Index>(modes.size()));
+  for (Index s = 0; s < cost.rows(); ++s) {
+    for (Index m = 0; m < cost.cols(); ++m) {
+      const double asked_Hz = start_Hz[static_cast<std::size_t>(s)];
+      const Pole& pole = modes[static_cast<std::size_t>(m)].mode.pole;
+      cost(s, m) = std::abs(pole.freq_Hz - asked_Hz) / asked_Hz + moved(set, asked_Hz, pole);
+    }
+  }
+  return assign_rows(cost, 1e9);
+}
+
+std::optional<RefusedStart> refusal(const FrfDataset& set, double asked_Hz, const FittedMode& found) {
+  RefusedStart at{.asked_Hz = asked_Hz,
+                  .pole = found.mode.pole,
+                  .damping_std = found.mode.damping_std,
+                  .peak_to_residual = found.peak_to_residual};
+  if (moved(set, asked_Hz, at.pole) > 1) {
+    at.reason = RefusedStart::Reason::moved;
+  } else if (at.pole.damping_ratio < kHeldDamping * at.damping_std) {
+    at.reason = RefusedStart::Reason::undamped;
+  } else if (at.peak_to_residual < kHeldPeakToResidual) {
+    at.reason = RefusedStart::Reason::no_resonance;
+  } else {
+    return std::nullopt;
+  }
+  return at;
+}
+
+}  // namespace
+
+HeldStarts fit_held_starts(const FrfDataset& set, std::vector<double> start_Hz, Effort effort) {
+  HeldStarts out;
+  SequentialFitOptions options = sequential_fit_options(effort);
+  options.start_Hz = std::move(start_Hz);
+  while (!options.start_Hz.empty()) {
+    out.modes = fit_sequentially(set, options);
+    const auto partner = partners(set, options.start_Hz, out.modes);
+    std::vector<double> held_Hz;
+    for (std::size_t s = 0; s < options.start_Hz.size(); ++s) {
+      const auto why = partner[s] ? refusal(set, options.start_Hz[s], out.modes[*partner[s]]) : std::nullopt;
+      if (why) out.refused.push_back(*why);
+      if (!why) held_Hz.push_back(options.start_Hz[s]);
+    }
+    if (held_Hz.size() == options.start_Hz.size()) return out;
+    options.start_Hz = std::move(held_Hz);
+  }
+  out.modes.clear();
+  return out;
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,66 @@
+#include "pipeline/stages/hit_modes.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/assignment.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kGap = 2;        // cost of a mode that a hit does not show: √2 bandwidths off, or other residues
+constexpr double kDoubling = 0.7;  // of a damping ratio, in nepers: costs as much as one bandwidth
+
+// The difference of the residues at a point over their size: 0 … 1, 1 for residues without likeness. A residue's size
+// counts, because one channel has no shape.
+double residue_distance(const identify::Mode& test, const identify::Mode& hit, int point) {
+  double apart = 0, size = 0;
+  for (const identify::Residue& own : hit.residues) {
+    for (const identify::Residue& known : test.residues) {
+      if (known.point != static_cast<std::size_t>(point) || known.channel != own.channel) continue;
+      apart += std::norm(own.value - known.value);
+      size += std::norm(own.value) + std::norm(known.value);
+    }
+  }
+  return size > 0 ? std::min(1.0, apart / size) : 0;
+}
+
+double cost_of(const identify::Mode& test, const identify::Mode& hit, int point) {
+  const double width_Hz = std::max({test.pole.half_power_Hz(), hit.pole.half_power_Hz(), 3 * hit.freq_std_Hz});
+  const double moved = (hit.pole.freq_Hz - test.pole.freq_Hz) / width_Hz;
+  const double damped = std::log(hit.pole.damping_ratio / test.pole.damping_ratio) / kDoubling;
+  return moved * moved + damped * damped + residue_distance(test, hit, point);
+}
+
+}  // namespace
+
+std::vector<HitMode> modes_of_hits(const std::vector<identify::Mode>& modes, const std::vector<HitOfPoint>& hits,
+                                   const std::function<identify::FrfDataset(std::size_t hit)>& dataset_of,
+                                   identify::Effort effort) {
+  std::vector<identify::Pole> poles;
+  for (const identify::Mode& mode : modes) poles.push_back(mode.pole);
+  std::vector<HitMode> out;
+  if (modes.empty()) return out;
+  for (const HitOfPoint& at : hits) {
+    const auto found = identify::modes_from_poles(dataset_of(at.hit), poles, effort);
+    Eigen::MatrixXd cost(static_cast<Eigen::Index>(modes.size()), static_cast<Eigen::Index>(found.size()));
+    for (Eigen::Index m = 0; m < cost.rows(); ++m) {
+      for (Eigen::Index k = 0; k < cost.cols(); ++k)
+        cost(m, k) = cost_of(modes[static_cast<std::size_t>(m)], found[static_cast<std::size_t>(k)], at.point);
+    }
+    const auto partner = assign_rows(cost, kGap);
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      if (!partner[m]) continue;
+      const identify::Mode& mode = found[*partner[m]];
+      out.push_back({.hit = at.hit,
+                     .mode = m,
+                     .pole = mode.pole,
+                     .freq_std_Hz = mode.freq_std_Hz,
+                     .damping_std = mode.damping_std});
+    }
+  }
+  return out;
+}
+
+}  // namespace percuss::pipeline

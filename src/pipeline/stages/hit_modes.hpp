@@ -1,0 +1,32 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "identify/identify.hpp"
+
+namespace percuss::pipeline {
+
+/// A mode fitted to the FRFs of one hit.
+struct HitMode {
+  std::size_t hit = 0;
+  std::size_t mode = 0;
+  identify::Pole pole;
+  double freq_std_Hz = 0;
+  double damping_std = 0;
+};
+
+/// A hit and the number of its point.
+struct HitOfPoint {
+  std::size_t hit = 0;
+  int point = 0;
+};
+
+/// Fits the modes of a test to each hit's FRFs and assigns what is found to the test's modes, by frequency, damping
+/// ratio and the residues at the hit's point. All modes of a hit are assigned together. A mode that the hit does not
+/// show has no entry. `dataset_of` gives the FRFs of one hit.
+std::vector<HitMode> modes_of_hits(const std::vector<identify::Mode>& modes, const std::vector<HitOfPoint>& hits,
+                                   const std::function<identify::FrfDataset(std::size_t hit)>& dataset_of,
+                                   identify::Effort effort);
+
+}  // namespace percuss::pipeline
