@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "identify/fit/joint_fit.hpp"
 #include "identify/noise/line_noise.hpp"
@@ -30,6 +31,10 @@ constexpr int kJointSteps = 40;         // of a joint fit
 constexpr std::size_t kMaxJointModes = 150;
 constexpr double kScatterReach = 4;    // standard deviations of a frequency's scatter between the poles of a pair
 constexpr double kPairGain = 15;   // residual energy of separate poles over a pair's: below it, the mode moves
+constexpr double kMinMisfit = 6;       // standard deviations of the residual's roughness
+constexpr double kPairStart = 0.4;     // half-power bandwidths from a mode to either of the pair that it may be
+constexpr std::size_t kMaxPairTrials = 6, kMaxWeakTrials = 3;  // at a time
+constexpr std::size_t kMaxTrials = 27;                         // of one more mode
 constexpr double kMinNoiseShare = 0.02;  // of the lines: an estimate of the independent ones, at least
 
 double least_width_Hz(const FrfDataset& set, const Pole& pole) {
@@ -238,20 +243,97 @@ std::vector<FittedMode> joint_modes(const FrfDataset& set, const JointFit& fit) 
   return modes;
 }
 
+// How far the residual around a mode is from noise, in standard deviations of its roughness; the worst FRF.
+double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole) {
+  const JointWindow window = window_around(set, pole);
+  double worst = 0;
+  for (std::size_t o = 0; o < residual.size(); ++o) {
+    const double part = noise_part(residual[o].segment(window.first, window.count));
+    worst = std::max(worst, (1 - part) * std::sqrt(static_cast<double>(window.count)));
+  }
+  return worst;
+}
+
 bool must_search(const FrfDataset& set, const std::vector<VectorXcd>& residual, const std::vector<FittedMode>& modes) {
   const auto alone = [](const FittedMode& mode) { return !mode.joint || mode.mode.freq_scatter_Hz > 0; };
+  const auto misfits = [&](const FittedMode& mode) {
+    return misfit_of(set, residual, mode.mode.pole) > kMinMisfit;
+  };
   return residual.empty() || std::any_of(modes.begin(), modes.end(), alone) ||
-         !residual_resonances(set, residual).empty();
+         std::any_of(modes.begin(), modes.end(), misfits) || !residual_resonances(set, residual).empty();
+}
+
+// The poles with one more: each misfitting mode as a close pair, and the clearest resonances of the residual.
+std::vector<std::vector<Pole>> with_one_more(const FrfDataset& set, const JointFit& fit) {
+  std::vector<std::pair<double, std::size_t>> misfits;
+  for (std::size_t m = 0; m < fit.poles.size(); ++m) {
+    const double misfit = misfit_of(set, fit.residual, fit.poles[m]);
+    if (misfit > kMinMisfit) misfits.emplace_back(misfit, m);
+  }
+  std::sort(misfits.rbegin(), misfits.rend());
+  misfits.resize(std::min(misfits.size(), kMaxPairTrials));
+  std::vector<std::vector<Pole>> trials;
+  for (const auto& [misfit, m] : misfits) {
+    Pole beside = fit.poles[m];
+    beside.freq_Hz += kPairStart * beside.half_power_Hz();
+    trials.push_back(fit.poles);
+    trials.back()[m].freq_Hz -= kPairStart * beside.half_power_Hz();
+    trials.back().push_back(beside);
+  }
+  std::vector<Pole> weak = residual_mode_poles(set, fit.residual);
+  weak.resize(std::min(weak.size(), kMaxWeakTrials));
+  for (const Pole& pole : weak) {
+    trials.push_back(fit.poles);
+    trials.back().push_back(pole);
+  }
+  return trials;
+}
+
+// Adds modes one by one, as long as the likelihood gains.
+JointFit grown(const FrfDataset& set, JointFit fit) {
+  const double least = kJointGain * static_cast<double>(2 + 2 * set.channels.size());
+  std::size_t tried = 0;
+  for (bool gained = true; gained && tried < kMaxTrials;) {
+    gained = false;
+    JointFit best;
+    double most = least;
+    for (std::vector<Pole>& poles : with_one_more(set, fit)) {
+      ++tried;
+      JointFit trial = fit_jointly(set, std::move(poles), {.max_steps = kJointSteps});
+      if (!trial.converged || without_weakest(set, trial).size() != trial.poles.size()) continue;
+      const double ratio = likelihood_ratio(set, fit.residual, trial.residual);
+      if (ratio <= most) continue;
+      most = ratio;
+      best = std::move(trial);
+      gained = true;
+    }
+    if (gained) fit = std::move(best);
+  }
+  return fit;
+}
+
+// The better of the joint fits from the modes found before and from the stable poles.
+std::optional<JointFit> best_fit(const FrfDataset& set, const std::vector<FittedMode>& modes) {
+  std::vector<Pole> starts = starts_of(set, modes);
+  if (starts.empty() || starts.size() > kMaxJointModes) return std::nullopt;
+  const std::size_t known = modes.size();
+  const bool more = starts.size() > known;
+  std::optional<JointFit> before = settled_fit(set, start_poles(modes));
+  std::optional<JointFit> after = more ? settled_fit(set, std::move(starts)) : std::nullopt;
+  if (!before || !after) return after ? std::move(after) : std::move(before);
+  const double per_mode = kJointGain * static_cast<double>(2 + 2 * set.channels.size());
+  const double added = static_cast<double>(after->poles.size()) - static_cast<double>(before->poles.size());
+  const double gain = likelihood_ratio(set, before->residual, after->residual);
+  return gain > per_mode * added ? std::move(after) : std::move(before);
 }
 
 }  // namespace
 
 void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residual, std::vector<FittedMode>& modes) {
   if (!must_search(set, residual, modes)) return;
-  std::vector<Pole> starts = starts_of(set, modes);
-  if (starts.empty() || starts.size() > kMaxJointModes) return;
-  const std::optional<JointFit> fit = settled_fit(set, std::move(starts));
+  std::optional<JointFit> fit = best_fit(set, modes);
   if (!fit) return;
+  fit = grown(set, *std::move(fit));
   const std::size_t before = unknowns_of(set, modes), after = fit->poles.size() * (2 + 2 * set.channels.size());
   const double least = kJointGain * static_cast<double>(after > before ? after - before : 2 + 2 * set.channels.size());
   if (likelihood_ratio(set, residual_before(set, modes, residual), fit->residual) < least) return;

@@ -83,7 +83,8 @@ std::vector<Pole> stable_poles_of(const FrfDataset& set, const Section& section)
 }  // namespace
 
 bool same_place(const Pole& a, const Pole& b) {
-  const auto [narrow, wide] = std::minmax(a.half_power_Hz(), b.half_power_Hz());
+  const double narrow = std::min(a.half_power_Hz(), b.half_power_Hz());
+  const double wide = std::max(a.half_power_Hz(), b.half_power_Hz());
   return std::abs(a.freq_Hz - b.freq_Hz) < kSameMode * wide && wide < kSameWidth * narrow;
 }
 
