@@ -70,11 +70,9 @@ std::vector<RefusedStart> refused_starts(const FrfDataset& set, const IdentifyOp
 void keep_clearest(std::vector<Mode>& modes, std::size_t count) {
   if (modes.size() <= count) return;
   const auto relative = [](const Mode& mode) { return mode.damping_std / mode.pole.damping_ratio; };
-  std::stable_sort(modes.begin(), modes.end(),
-                   [&](const Mode& a, const Mode& b) { return relative(a) < relative(b); });
+  std::stable_sort(modes.begin(), modes.end(), [&](const Mode& a, const Mode& b) { return relative(a) < relative(b); });
   modes.resize(count);
-  std::sort(modes.begin(), modes.end(),
-            [](const Mode& a, const Mode& b) { return a.pole.freq_Hz < b.pole.freq_Hz; });
+  std::sort(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) { return a.pole.freq_Hz < b.pole.freq_Hz; });
 }
 
 }  // namespace percuss::identify

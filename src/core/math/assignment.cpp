@@ -87,7 +87,8 @@ std::vector<std::optional<std::size_t>> assign_rows(const Eigen::MatrixXd& cost,
   for (std::size_t row = 1; row <= rows; ++row) assignment.add_row(row);
   for (std::size_t column = 1; column <= columns; ++column) {
     const std::size_t row = assignment.row_of(column);
-    if (row != 0 && cost(static_cast<Index>(row - 1), static_cast<Index>(column - 1)) < gap) partner[row - 1] = column - 1;
+    if (row != 0 && cost(static_cast<Index>(row - 1), static_cast<Index>(column - 1)) < gap)
+      partner[row - 1] = column - 1;
   }
   return partner;
 }

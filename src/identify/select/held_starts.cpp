@@ -13,16 +13,17 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kHeldReach = 0.005;               // of the asked frequency: it stands for the highest line within this …
-constexpr double kHeldReachLines = 4;              // … or within these lines
-constexpr double kHeldMaxWidth = 0.05;             // of the asked frequency: a broader fit may move by this much
-constexpr double kHeldDamping = 3;  // standard deviations of the damping ratio
+constexpr double kHeldReach = 0.005;    // of the asked frequency: it stands for the highest line within this …
+constexpr double kHeldReachLines = 4;   // … or within these lines
+constexpr double kHeldMaxWidth = 0.05;  // of the asked frequency: a broader fit may move by this much
+constexpr double kHeldDamping = 3;      // standard deviations of the damping ratio
 constexpr double kHeldPeakToResidual = 3;
 
 // The bandwidths that a fit has moved from the asked frequency, beyond what the frequency stands for.
 double moved(const FrfDataset& set, double asked_Hz, const Pole& pole) {
   const double reach_Hz = std::max(kHeldReach * asked_Hz, kHeldReachLines * set.lines.df_Hz());
-  const double width_Hz = std::clamp(pole.half_power_Hz(), set.lines.df_Hz(), std::max(kHeldMaxWidth * asked_Hz, reach_Hz));
+  const double width_Hz =
+      std::clamp(pole.half_power_Hz(), set.lines.df_Hz(), std::max(kHeldMaxWidth * asked_Hz, reach_Hz));
   return std::max(0.0, std::abs(pole.freq_Hz - asked_Hz) - reach_Hz) / width_Hz;
 }
 

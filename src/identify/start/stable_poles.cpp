@@ -10,13 +10,13 @@
 namespace percuss::identify {
 namespace {
 
-constexpr std::size_t kSectionOrder = 40;             // largest model order of a section
+constexpr std::size_t kSectionOrder = 40;                    // largest model order of a section
 constexpr std::size_t kMinSectionLines = 4 * kSectionOrder;  // of a section, for that order
-constexpr double kMinStableShare = 0.5;              // of the upper half of the orders: a stable pole appears in these
-constexpr double kSamePole = 0.25;             // half-power bandwidths between the poles of two orders
-constexpr double kSameMode = 0.5;              // … and between the poles of two sections
-constexpr double kSameWidth = 3;               // ratio of the bandwidths of such poles
-constexpr double kMaxStableWidth = 0.25;             // of a section: a broader pole belongs to a longer section
+constexpr double kMinStableShare = 0.5;   // of the upper half of the orders: a stable pole appears in these
+constexpr double kSamePole = 0.25;        // half-power bandwidths between the poles of two orders
+constexpr double kSameMode = 0.5;         // … and between the poles of two sections
+constexpr double kSameWidth = 3;          // ratio of the bandwidths of such poles
+constexpr double kMaxStableWidth = 0.25;  // of a section: a broader pole belongs to a longer section
 
 // Lines of the band, and those among them whose poles count: away from a neighbouring section's ends.
 struct Section {

@@ -9,7 +9,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kGap = 2;        // cost of a mode that a hit does not show: √2 bandwidths off, or other residues
+constexpr double kGap = 2;         // cost of a mode that a hit does not show: √2 bandwidths off, or other residues
 constexpr double kDoubling = 0.7;  // of a damping ratio, in nepers: costs as much as one bandwidth
 
 // The difference of the residues at a point over their size: 0 … 1, 1 for residues without likeness. A residue's size

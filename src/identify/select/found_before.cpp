@@ -1,0 +1,68 @@
+#include "identify/select/found_before.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identify/select/joint_selection.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+
+constexpr double kScatterReach = 4;  // standard deviations of a frequency's scatter between the poles of a pair
+constexpr double kPairGain = 15;     // residual energy of separate poles over a pair's: below it, the mode moves
+
+}  // namespace
+
+std::vector<VectorXcd> residual_before(const FrfDataset& set, const std::vector<FittedMode>& modes,
+                                       std::vector<VectorXcd> residual) {
+  if (residual.empty()) {
+    std::vector<Pole> poles;
+    for (const FittedMode& mode : modes) poles.push_back(mode.mode.pole);
+    const auto unknowns = static_cast<Index>(2 * modes.size());
+    residual = fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns)).residual;
+  }
+  for (const FittedMode& mode : modes) {
+    if (!(mode.mode.freq_scatter_Hz > 0)) continue;
+    for (std::size_t o = 0; o < residual.size(); ++o) {
+      auto window = residual[o].segment(static_cast<Index>(mode.first), static_cast<Index>(mode.count));
+      const double rms = window.norm() / std::sqrt(static_cast<double>(mode.count));
+      const double own = mode.noise(static_cast<Index>(o));
+      if (own < rms) window *= own / rms;
+    }
+  }
+  return residual;
+}
+
+std::size_t unknowns_of(const FrfDataset& set, const std::vector<FittedMode>& modes) {
+  std::size_t unknowns = modes.size() * (2 + 2 * set.channels.size());
+  for (const FittedMode& mode : modes) {
+    if (mode.mode.freq_scatter_Hz > 0) unknowns += 2 * (set.points.size() - 1);
+  }
+  return unknowns;
+}
+
+bool pair_is_scatter(const FrfDataset& set, const std::vector<FittedMode>& modes, const JointFit& fit) {
+  return std::any_of(modes.begin(), modes.end(), [&](const FittedMode& mode) {
+    if (!(mode.mode.freq_scatter_Hz > 0)) return false;
+    const double reach_Hz = std::max(kScatterReach * mode.mode.freq_scatter_Hz, least_width_Hz(set, mode.mode.pole));
+    std::vector<double> near;
+    for (const Pole& pole : fit.poles) {
+      if (std::abs(pole.freq_Hz - mode.mode.pole.freq_Hz) < reach_Hz) near.push_back(pole.freq_Hz);
+    }
+    if (near.size() < 2) return false;
+    const auto [low, high] = std::minmax_element(near.begin(), near.end());
+    double separate = 0, pair = 0;
+    for (std::size_t o = 0; o < fit.residual.size(); ++o) {
+      const double n = mode.noise(static_cast<Index>(o));
+      separate += n * n * static_cast<double>(mode.count);
+      pair += fit.residual[o].segment(static_cast<Index>(mode.first), static_cast<Index>(mode.count)).squaredNorm();
+    }
+    return *high - *low < reach_Hz && separate < kPairGain * pair;
+  });
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,23 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "identify/fit/joint_fit.hpp"
+#include "identify/select/fitted_mode.hpp"
+
+namespace percuss::identify {
+
+/// The residual of modes found before a joint search: `residual` of a fit of all of them together (empty: it is
+/// computed), or that of a mode's own window where the mode has its own pole at each point. [channels][lines]
+std::vector<Eigen::VectorXcd> residual_before(const FrfDataset& set, const std::vector<FittedMode>& modes,
+                                              std::vector<Eigen::VectorXcd> residual);
+
+/// Poles and complex residues, with a mode's own poles at each point.
+std::size_t unknowns_of(const FrfDataset& set, const std::vector<FittedMode>& modes);
+
+/// True where a pair of the joint fit may only describe the scatter of one mode's frequency. A drift during the decay
+/// then makes the pair fit somewhat better than separate poles.
+bool pair_is_scatter(const FrfDataset& set, const std::vector<FittedMode>& modes, const JointFit& fit);
+
+}  // namespace percuss::identify

@@ -1,0 +1,132 @@
+#include "identify/select/joint_selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identify/noise/line_noise.hpp"
+#include "identify/noise/window_noise.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXcd;
+
+constexpr double kJointSignificance = 6;    // standard deviations of a residue
+constexpr double kJointPeakToResidual = 3;  // a mode's peak over the rms residual around it
+constexpr double kJointMaxDamping = 0.98 * kMaxDampingRatio;
+constexpr double kJointCoincide = 0.05;   // bandwidths between two poles that the fit has merged
+constexpr double kJointWindowWidths = 5;  // half-power bandwidths on either side of a mode
+constexpr double kJointWindowLines = 8;
+constexpr double kMinNoiseShare = 0.02;  // of the lines: an estimate of the independent ones, at least
+
+// The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
+double noise_part(const VectorXcd& residual) {
+  const Index inner = residual.size() - 2;
+  if (inner < 1 || !(residual.squaredNorm() > 0)) return 1;
+  const double rough = (residual.segment(1, inner) - 0.5 * (residual.head(inner) + residual.tail(inner))).squaredNorm();
+  return std::clamp(rough / (kWhiteRoughness * residual.segment(1, inner).squaredNorm()), kMinNoiseShare, 1.0);
+}
+
+// [channels] energy of a residual over the noise.
+std::vector<double> energies_of(const FrfDataset& set, const std::vector<VectorXcd>& residual) {
+  const LineNoise noise(set);
+  std::vector<double> energy(residual.size());
+  for (std::size_t o = 0; o < residual.size(); ++o) {
+    const std::vector<double> power = noise.local(o);
+    for (std::size_t k = 0; k < power.size(); ++k)
+      if (power[k] > 0) energy[o] += std::norm(residual[o](static_cast<Index>(k))) / power[k];
+  }
+  return energy;
+}
+
+bool is_mode(const FrfDataset& set, const JointFit& fit, std::size_t mode, const Standing& standing) {
+  const Pole& pole = fit.poles[mode];
+  const auto m = static_cast<Index>(mode);
+  const bool inside = pole.freq_Hz > set.lines.freq_Hz(0) && pole.freq_Hz < set.lines.freq_Hz(set.lines.count - 1);
+  return inside && pole.damping_ratio < kJointMaxDamping && fit.damping_std(m) < pole.damping_ratio &&
+         fit.freq_std_Hz(m) < least_width_Hz(set, pole) && standing.significance > kJointSignificance &&
+         standing.peak_to_residual > kJointPeakToResidual;
+}
+
+}  // namespace
+
+double least_width_Hz(const FrfDataset& set, const Pole& pole) {
+  return std::max(pole.half_power_Hz(), 0.5 * set.lines.df_Hz());
+}
+
+JointWindow window_around(const FrfDataset& set, const Pole& pole) {
+  const double half = std::max(kJointWindowWidths * pole.half_power_Hz() / set.lines.df_Hz(), kJointWindowLines);
+  const double at = set.lines.position(pole.freq_Hz);
+  const auto first = static_cast<Index>(set.lines.at(at - half));
+  return {.first = first, .count = static_cast<Index>(set.lines.at(at + half)) - first + 1};
+}
+
+Standing standing_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit) {
+  const Pole& pole = fit.poles[mode];
+  const JointWindow window = window_around(set, pole);
+  const double peak = std::max(2 * pole.damping_ratio, set.lines.df_Hz() / pole.freq_Hz);
+  Standing best;
+  for (std::size_t o = 0; o < set.channels.size(); ++o) {
+    const VectorXcd left = fit.residual[o].segment(window.first, window.count);
+    const double size = std::abs(fit.residues(static_cast<Index>(o), static_cast<Index>(mode)));
+    const double std = fit.residue_std(static_cast<Index>(o), static_cast<Index>(mode));
+    const double rms = left.norm() / std::sqrt(static_cast<double>(window.count));
+    const double part = misfit == Misfit::counted ? noise_part(left) : 1;
+    if (std > 0) best.significance = std::max(best.significance, size / std * std::sqrt(part));
+    if (rms > 0) best.peak_to_residual = std::max(best.peak_to_residual, size / peak / rms);
+  }
+  return best;
+}
+
+std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Misfit misfit) {
+  const std::size_t count = fit.poles.size();
+  std::vector<double> significance(count);
+  std::vector<char> accepted(count);
+  for (std::size_t m = 0; m < count; ++m) {
+    const Standing standing = standing_of(set, fit, m, misfit);
+    significance[m] = standing.significance;
+    accepted[m] = is_mode(set, fit, m, standing);
+    for (std::size_t i = 0; i < m; ++i) {
+      const double apart_Hz = std::abs(fit.poles[i].freq_Hz - fit.poles[m].freq_Hz);
+      if (apart_Hz < kJointCoincide * std::min(least_width_Hz(set, fit.poles[i]), least_width_Hz(set, fit.poles[m])))
+        accepted[m] = 0;
+    }
+  }
+  std::vector<Pole> kept;
+  for (std::size_t m = 0; m < count; ++m) {
+    const auto weaker_beside = [&](std::size_t i) {
+      const double apart_Hz = std::abs(fit.poles[i].freq_Hz - fit.poles[m].freq_Hz);
+      const bool near = apart_Hz < 2 * std::max(least_width_Hz(set, fit.poles[i]), least_width_Hz(set, fit.poles[m]));
+      return i != m && !accepted[i] && near &&
+             (significance[i] < significance[m] || (significance[i] == significance[m] && i < m));
+    };
+    bool keep = accepted[m];
+    for (std::size_t i = 0; i < count && !keep; ++i) keep = weaker_beside(i);
+    if (keep) kept.push_back(fit.poles[m]);
+  }
+  return kept;
+}
+
+double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole) {
+  const JointWindow window = window_around(set, pole);
+  double worst = 0;
+  for (std::size_t o = 0; o < residual.size(); ++o) {
+    const double part = noise_part(residual[o].segment(window.first, window.count));
+    worst = std::max(worst, (1 - part) * std::sqrt(static_cast<double>(window.count)));
+  }
+  return worst;
+}
+
+double likelihood_ratio(const FrfDataset& set, const std::vector<VectorXcd>& before,
+                        const std::vector<VectorXcd>& after) {
+  const std::vector<double> more = energies_of(set, before), less = energies_of(set, after);
+  double ratio = 0;
+  for (std::size_t o = 0; o < more.size(); ++o) {
+    if (!(more[o] > 0) || !(less[o] > 0)) continue;
+    ratio += 2 * static_cast<double>(after[o].size()) * noise_part(after[o]) * std::log(more[o] / less[o]);
+  }
+  return ratio;
+}
+
+}  // namespace percuss::identify

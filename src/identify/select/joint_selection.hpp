@@ -1,0 +1,41 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "identify/fit/joint_fit.hpp"
+
+namespace percuss::identify {
+
+/// Lines around a mode: five half-power bandwidths on either side.
+struct JointWindow {
+  Eigen::Index first = 0, count = 0;
+};
+JointWindow window_around(const FrfDataset& set, const Pole& pole);
+
+/// The half-power bandwidth, at least half the line spacing.
+double least_width_Hz(const FrfDataset& set, const Pole& pole);
+
+/// Misfit counts against a mode only once no mode is missing: the residual of a missing mode looks like misfit.
+enum class Misfit { ignored, counted };
+
+/// A mode of a joint fit: how far it stands out of what the fit left around it.
+struct Standing {
+  double significance = 0;      // of its clearest residue, in standard deviations
+  double peak_to_residual = 0;  // largest over the FRFs
+};
+Standing standing_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit);
+
+/// The poles without those that are no modes. Of neighbours only the weakest goes: without it, the others may stand.
+std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Misfit misfit);
+
+/// How far the residual around a mode is from noise, in standard deviations of its roughness; the worst FRF.
+double misfit_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole);
+
+/// Likelihood ratio of two residuals (twice its logarithm), with as many degrees of freedom as the second one has
+/// independent lines: misfit, which is smooth, has few.
+/// theory (4.19)
+double likelihood_ratio(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& before,
+                        const std::vector<Eigen::VectorXcd>& after);
+
+}  // namespace percuss::identify
