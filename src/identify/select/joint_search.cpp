@@ -27,8 +27,9 @@ constexpr double kMinMisfit = 6;            // standard deviations of the residu
 constexpr double kPairStart = 0.4;          // half-power bandwidths from a mode to either of the pair that it may be
 constexpr std::size_t kMaxPairTrials = 6;   // at a time
 constexpr std::size_t kMaxSplitModes = 40;  // beyond it, close pairs are left to the residual
+constexpr int kLinearRounds = 4;
 constexpr int kResidualRounds = 4;
-constexpr double kMaxWork = 1e10;       // products: some seconds
+constexpr double kMaxWork = 3e10;       // products: some seconds
 constexpr double kTrialStep = 1e-3;     // tolerance of the poles while their number changes
 constexpr std::size_t kMaxTrials = 27;  // of one more mode
 
@@ -36,10 +37,13 @@ constexpr std::size_t kMaxTrials = 27;  // of one more mode
 class Work {
  public:
   // False where a fit of so many modes costs too much.
-  bool spend(const FrfDataset& set, std::size_t modes) {
-    const bool common = set.points.size() == 1 || set.points.front().complete;
+  bool spend(const FrfDataset& set, const std::vector<Pole>& poles) {
+    // FRFs share their columns where no record cuts a decay off.
+    const bool common = std::all_of(poles.begin(), poles.end(), [&](const Pole& pole) {
+      return decays_within_record(pole, set.points.front(), set.lines);
+    });
     const double parts = static_cast<double>(common ? 1 : set.points.size());
-    const double rows = 2 * static_cast<double>(set.lines.count), columns = static_cast<double>(2 * modes + 10);
+    const double rows = 2 * static_cast<double>(set.lines.count), columns = static_cast<double>(2 * poles.size() + 10);
     left_ -= parts * rows * columns * columns * kJointSteps;
     return left_ >= 0;
   }
@@ -48,11 +52,23 @@ class Work {
   double left_ = kMaxWork;
 };
 
+// The starts whose residues are significant at the starts themselves: a linear fit, at a small part of the work.
+std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> poles) {
+  for (int round = 0; round < kLinearRounds && !poles.empty(); ++round) {
+    const auto unknowns = static_cast<Index>(2 * poles.size());
+    std::vector<Pole> kept =
+        without_weakest(set, fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns)), Misfit::counted);
+    if (kept.size() == poles.size()) break;
+    poles = std::move(kept);
+  }
+  return poles;
+}
+
 // The joint fit from these poles, insignificant ones dropped; nothing where it does not settle. The set of modes
 // settles before their values.
 std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, Work& work) {
   JointFitOptions options{.max_steps = kJointSteps, .tolerance = kTrialStep};
-  for (int round = 0; round < kDroppingRounds && !poles.empty() && work.spend(set, poles.size()); ++round) {
+  for (int round = 0; round < kDroppingRounds && !poles.empty() && work.spend(set, poles); ++round) {
     JointFit fit = fit_jointly(set, poles, options);
     const bool converged = fit.converged;
     const auto unknowns = static_cast<Index>(2 * fit.poles.size());
@@ -169,7 +185,7 @@ JointFit with_close_modes(const FrfDataset& set, JointFit fit, Work& work) {
     std::optional<JointFit> best;
     for (std::vector<Pole>& poles : with_one_more(set, fit)) {
       ++tried;
-      if (!work.spend(set, poles.size())) return fit;
+      if (!work.spend(set, poles)) return fit;
       JointFit trial = fit_jointly(set, std::move(poles), {.max_steps = kJointSteps});
       if (!trial.converged || without_weakest(set, trial, Misfit::counted).size() != trial.poles.size()) continue;
       if (!best || likelihood_ratio(set, best->residual, trial.residual) > 0) best = std::move(trial);
@@ -200,7 +216,7 @@ std::optional<JointFit> best_fit(const FrfDataset& set, const std::vector<Fitted
   Work work;
   std::optional<JointFit> fit = settled_fit(set, start_poles(modes), work);
   if (starts.size() > modes.size()) {
-    std::optional<JointFit> after = settled_fit(set, std::move(starts), work);
+    std::optional<JointFit> after = settled_fit(set, significant_starts(set, std::move(starts)), work);
     if (fit) {
       take_if_better(set, *fit, std::move(after));
     } else {
