@@ -12,7 +12,7 @@ namespace percuss::identify {
 /// their own. Insignificant modes are dropped one by one; the residual's correlation between lines, which is misfit,
 /// counts against a mode's significance. Replaces `modes` only where the new modes explain significantly more.
 /// `residual` belongs to a fit of all `modes` together, [channels][lines]; empty: unknown.
-/// theory (4.19)
+/// theory (4.21)
 void search_jointly(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual,
                     std::vector<FittedMode>& modes);
 

@@ -34,7 +34,7 @@ double misfit_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& res
 
 /// Likelihood ratio of two residuals (twice its logarithm), with as many degrees of freedom as the second one has
 /// independent lines: misfit, which is smooth, has few.
-/// theory (4.19)
+/// theory (4.21)
 double likelihood_ratio(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& before,
                         const std::vector<Eigen::VectorXcd>& after);
 
