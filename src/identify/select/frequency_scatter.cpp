@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/math/statistics.hpp"
+#include "identify/select/robust_mean.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -22,8 +23,6 @@ constexpr double kScatterFStatistic = 25;  // F statistic of separate poles
 constexpr double kMaxScatterCostRatio = 15;
 constexpr double kMaxScatterWidths = 3;      // bandwidths: poles farther apart are separate modes
 constexpr double kMaxScatterWidthRatio = 6;  // of the half-power bandwidths: beyond it the poles are separate modes
-constexpr double kNormalMad = 1.4826;        // standard deviation of a normal distribution over its median deviation
-constexpr double kRunaway = 3;               // standard deviations from the median
 constexpr double kScatterPair = 4;           // standard deviations of the scatter between two poles that describe it
 constexpr double kMaxPoleOffset = 1;         // bandwidths: a separate pole farther away is another mode
 
@@ -66,64 +65,6 @@ std::vector<std::size_t> strongest_first(const FrfDataset& set, const std::vecto
   return order;
 }
 
-// The mean of values that scatter more than their standard deviations (random effects, method of moments).
-struct Mean {
-  double value = 0, std = 0, spread = 0;
-};
-
-// The value that half of the weight lies below.
-double weighted_median(const std::vector<double>& value, const std::vector<double>& weight) {
-  std::vector<std::size_t> order(value.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return value[a] < value[b]; });
-  const double half = 0.5 * std::accumulate(weight.begin(), weight.end(), 0.0);
-  double sum = 0;
-  for (const std::size_t i : order) {
-    sum += weight[i];
-    if (sum >= half) return value[i];
-  }
-  return value.empty() ? 0 : value[order.back()];
-}
-
-// Adds what a weight cannot tell to the standard deviations. A point near a node has a small residue, so that other
-// modes and errors of the model move its pole in inverse proportion. A runaway lies far outside the others' scatter.
-std::vector<double> robust_std(const std::vector<double>& value, std::vector<double> std,
-                               const std::vector<double>& size) {
-  std::vector<double> weight, off;
-  for (const double s : size) weight.push_back(s * s);
-  const double middle = weighted_median(value, weight);
-  for (const double v : value) off.push_back(std::abs(v - middle));
-  const double scale = kNormalMad * median(off), typical = median(size);
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const double node = std::sqrt(std::max(0.0, std::pow(typical / size[i], 2) - 1)) * scale;
-    const double runaway = off[i] > kRunaway * std::hypot(scale, std[i]) ? off[i] : 0;
-    std[i] = std::hypot(std[i], node, runaway);
-  }
-  return std;
-}
-
-Mean mean_of(const std::vector<double>& value, const std::vector<double>& stated, const std::vector<double>& size) {
-  const std::vector<double> std = robust_std(value, stated, size);
-  const auto weighted = [&](double spread2) {
-    double sum = 0, weights = 0, squares = 0;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      const double w = 1 / (std[i] * std[i] + spread2);
-      sum += w * value[i];
-      weights += w;
-      squares += w * w;
-    }
-    return std::array{sum / weights, weights, squares};
-  };
-  const auto [first, weights, squares] = weighted(0);
-  double chi2 = 0;
-  for (std::size_t i = 0; i < value.size(); ++i) chi2 += std::pow((value[i] - first) / std[i], 2);
-  const double excess = chi2 - static_cast<double>(value.size() - 1);
-  const double spread2 = std::max(0.0, excess / (weights - squares / weights));
-  const auto [mean, certainty, unused] = weighted(spread2);
-  static_cast<void>(unused);
-  return {.value = mean, .std = 1 / std::sqrt(certainty), .spread = std::sqrt(spread2)};
-}
-
 // The points whose separate fit determines this mode.
 std::vector<std::size_t> points_observing(const PointFits& points, const FitGroup& group, std::size_t mode,
                                           double width_Hz) {
@@ -151,8 +92,8 @@ ScatteredMode scattered_mode(const WindowedFit& all, const FitGroup& group, cons
     damping.push_back(points.fits[p].poles[mode].damping_ratio);
     damping_std.push_back(points.fits[p].damping_std(m));
   }
-  const Mean frequency = mean_of(freq_Hz, freq_std_Hz, size);
-  const Mean zeta = mean_of(damping, damping_std, size);
+  const RobustMean frequency = robust_mean(freq_Hz, freq_std_Hz, size);
+  const RobustMean zeta = robust_mean(damping, damping_std, size);
   const std::size_t channels = all.set().channels.size();
   ScatteredMode out{.pole = {.freq_Hz = frequency.value, .damping_ratio = zeta.value},
                     .freq_std_Hz = frequency.std,

@@ -1,0 +1,78 @@
+#include "identify/select/robust_mean.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "core/math/statistics.hpp"
+
+namespace percuss::identify {
+namespace {
+
+constexpr double kRunaway = 3;     // standard deviations from the median
+constexpr double kNodeSize = 0.3;  // of the median residue: a smaller one is near a node
+
+// Standard deviations with a runaway's own distance added: it lies far outside the others' scatter.
+std::vector<double> robust_std(const std::vector<double>& value, std::vector<double> std,
+                               const std::vector<double>& size) {
+  std::vector<double> weight, off;
+  for (const double s : size) weight.push_back(s * s);
+  const double middle = weighted_median(value, weight);
+  for (const double v : value) off.push_back(std::abs(v - middle));
+  const double scale = kNormalMad * median(off);
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (off[i] > kRunaway * std::hypot(scale, std[i])) std[i] = std::hypot(std[i], off[i]);
+  }
+  return std;
+}
+
+// The part of the scatter's variance that counts for a point. Near a node the residue is small, and other modes and
+// errors of the model move the pole in inverse proportion.
+std::vector<double> node_factors(const std::vector<double>& size) {
+  const double typical = median(size);
+  std::vector<double> factor;
+  for (const double s : size) factor.push_back(std::max(1.0, std::pow(kNodeSize * typical / s, 2)));
+  return factor;
+}
+
+}  // namespace
+
+double weighted_median(const std::vector<double>& value, const std::vector<double>& weight) {
+  std::vector<std::size_t> order(value.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return value[a] < value[b]; });
+  const double half = 0.5 * std::accumulate(weight.begin(), weight.end(), 0.0);
+  double sum = 0;
+  for (const std::size_t i : order) {
+    sum += weight[i];
+    if (sum >= half) return value[i];
+  }
+  return value.empty() ? 0 : value[order.back()];
+}
+
+RobustMean robust_mean(const std::vector<double>& value, const std::vector<double>& stated,
+                       const std::vector<double>& size) {
+  const std::vector<double> std = robust_std(value, stated, size), factor = node_factors(size);
+  const auto weighted = [&](double spread2) {
+    double sum = 0, weights = 0, squares = 0;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const double w = 1 / (std[i] * std[i] + spread2 * factor[i]);
+      sum += w * value[i];
+      weights += w;
+      squares += w * w;
+    }
+    return std::array{sum / weights, weights, squares};
+  };
+  const auto [first, weights, squares] = weighted(0);
+  double chi2 = 0;
+  for (std::size_t i = 0; i < value.size(); ++i) chi2 += std::pow((value[i] - first) / std[i], 2);
+  const double excess = chi2 - static_cast<double>(value.size() - 1);
+  const double spread2 = std::max(0.0, excess / (weights - squares / weights));
+  const auto [mean, certainty, unused] = weighted(spread2);
+  static_cast<void>(unused);
+  return {.value = mean, .std = 1 / std::sqrt(certainty), .spread = std::sqrt(spread2)};
+}
+
+}  // namespace percuss::identify
