@@ -10,6 +10,7 @@
 #include "identify/select/joint_refinement.hpp"
 #include "identify/select/joint_selection.hpp"
 #include "identify/start/candidates.hpp"
+#include "identify/start/residual_smoothness.hpp"
 #include "identify/start/stable_poles.hpp"
 
 namespace percuss::identify {
@@ -123,7 +124,8 @@ bool must_search(const FrfDataset& set, const std::vector<VectorXcd>& residual, 
   const auto alone = [](const FittedMode& mode) { return !mode.joint || mode.mode.freq_scatter_Hz > 0; };
   const auto misfits = [&](const FittedMode& mode) { return misfit_of(set, residual, mode.mode.pole) > kMinMisfit; };
   return residual.empty() || std::any_of(modes.begin(), modes.end(), alone) ||
-         std::any_of(modes.begin(), modes.end(), misfits) || !residual_resonances(set, residual).empty();
+         std::any_of(modes.begin(), modes.end(), misfits) ||
+         (smooth_somewhere(residual) && !residual_resonances(set, residual).empty());
 }
 
 // The poles with one more: each misfitting mode as a close pair.

@@ -8,6 +8,7 @@
 #include "identify/model/frf_synthesis.hpp"
 #include "identify/noise/line_noise.hpp"
 #include "identify/start/candidates.hpp"
+#include "identify/start/residual_smoothness.hpp"
 #include "identify/start/stable_poles.hpp"
 
 namespace percuss::identify {
@@ -85,6 +86,7 @@ std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::v
 std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode>& modes) {
   if (set.lines.count < 8 || set.channels.empty()) return {};
   const auto left = residual_of(set, modes);
+  if (!smooth_somewhere(left)) return {};
   auto resonances = residual_resonances(set, left);
   std::erase_if(resonances, [&](const Resonance& at) { return !unexplained(set, left, at); });
   if (resonances.empty()) return {};

@@ -1,0 +1,11 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+namespace percuss::identify {
+
+/// True where a residual, [channels][lines], is smooth over some block of lines beyond a straight line, which noise is
+/// not: a quick test before a search for resonances.
+bool smooth_somewhere(const std::vector<Eigen::VectorXcd>& residual);
+
+}  // namespace percuss::identify
