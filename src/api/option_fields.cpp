@@ -13,7 +13,7 @@ struct FieldName {
   std::string_view aggregate, field;
 };
 
-constexpr std::array<FieldName, 53> kFields{{
+constexpr std::array<FieldName, 54> kFields{{
     {"ReadOptions", "fs_Hz"},
     {"ReadOptions", "df_Hz"},
     {"ReadOptions", "force_channel"},

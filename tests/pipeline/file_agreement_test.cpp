@@ -26,7 +26,7 @@ TEST(FileAgreement, HoldsForFilesOfOneStructure) {
 }
 
 TEST(FileAgreement, FailsForFilesOfTwoStructures) {
-  for (const std::size_t hits : {1, 2, 5}) {
+  for (const std::size_t hits : {1U, 2U, 5U}) {
     const auto found = disagreement({file_of("wood-bat", hits, 1), file_of("aluminium-bat", hits, 2)});
     ASSERT_TRUE(found) << hits;
     EXPECT_LT(found->explained, 0.5);
