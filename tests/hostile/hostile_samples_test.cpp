@@ -68,8 +68,7 @@ TEST_F(HostileSamples, AreAcceptedWithoutADefect) {
   for (const auto& path : {hdf5_, csv_}) {
     for (const auto& command : {std::vector<std::string>{"analyze", path},
                                 {"frf", path},
-                                {"info", path},
-                                {"calibrate", path, "--mass", "1"}}) {
+                                {"info", path}}) {
       const auto outcome = test::run_percuss(command);
       EXPECT_EQ(outcome.code, 0) << testing::PrintToString(command) << outcome.err;
     }

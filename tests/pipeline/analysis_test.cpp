@@ -235,14 +235,14 @@ TEST(AnalysesOfRuns, NumberTheRunsOfSeveralRecordsInOrder) {
   for (int i = 0; i < 4; ++i) EXPECT_EQ(analyses[static_cast<std::size_t>(i)].run, i);
 }
 
-TEST(AnalysesOfRuns, AssumeTheAnglesOfTwoAccelerometersAndNoteIt) {
+TEST(AnalysesOfRuns, AssumeTheAnglesOfTwoAccelerometers) {
   acquire::Record record = synth::synthesise(bat()).record;
   for (acquire::SignalInfo& signal : record.accel) signal.angle_rad.reset();
   const auto analyses = analyses_of_runs(std::variant<acquire::Record, acquire::FrfRecord>(std::move(record)), {});
   const acquire::Record& assumed = analyses.front().analysis->record();
   EXPECT_EQ(assumed.accel[0].angle_rad, 0);
   EXPECT_NEAR(*assumed.accel[1].angle_rad, 1.5707963267948966, 1e-15);
-  EXPECT_EQ(assumed.notes.size(), 1U);
+  EXPECT_TRUE(assumed.notes.empty());  // the modes decide whether they hold: warning assumed_tube or not_a_tube
 }
 
 // 60 modes take seconds; the budget ends them within one check of each fit.

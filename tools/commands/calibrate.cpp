@@ -78,7 +78,7 @@ void require_uncalibrated(const CalibrateFlags& flags, const acquire::Record& re
   const auto unit = parse_unit(record.force.unit);
   const bool stated = !flags.read.options.force_unit.empty() || !flags.read.options.force_scale.empty() ||
                       flags.read.force_sensitivity_mV_per_N.has_value() || !flags.read.setup_path.empty();
-  if (stated || !unit || unit->quantity != Quantity::force) return;
+  if (stated || record.force.unit_assumed || !unit || unit->quantity != Quantity::force) return;
   throw InputError(fmt::format("the force channel {} is in {} already; by this mass, 1 N of the file is {} N",
                                one_line(record.force.name, 40), record.force.unit,
                                report::value_with_std(std::abs(calibration.scale), calibration.scale_std)),

@@ -23,6 +23,7 @@ struct InputFile {
 struct SignalInfo {
   std::string name;                  // of the column, the data set or the channel set-up's entry
   std::string unit;                  // as stored, for people ("g", "cm/s2"); empty: not stated
+  bool unit_assumed = false;         // `unit` is not stated in the file
   double to_SI = 1;                  // stored value × to_SI = value in N or m/s²; carries sign and calibration
   std::optional<double> angle_rad;   // around the barrel
   std::optional<double> position_m;  // from the barrel's end

@@ -23,7 +23,7 @@ struct RecordedWindow {
 };
 
 /// The window that the noise of the responses shows, if any. An exponential window needs noise before the hit: a
-/// decaying response starts above it, windowed noise starts at it. `hit_sample` is the sample of the hit. theory (1.8)
+/// decaying response starts above it, windowed noise starts at it. `hit_sample` is the sample of the hit. theory (1.9)
 std::optional<RecordedWindow> find_recorded_window(const std::vector<NoiseHistory>& responses, double hit_sample,
                                                    double fs_Hz);
 

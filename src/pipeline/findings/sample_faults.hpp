@@ -32,7 +32,7 @@ struct DecayRange {
 /// What is wrong near sample `at` of the responses to one hit, [channels], all of the same length. A linear prediction
 /// of each sample from those before it, and of each from those after it, is fitted to the surroundings: a sum of
 /// decaying oscillations obeys both. The forward errors show where a fault begins, the backward errors where it ends.
-/// Nothing where the prediction is not disturbed or the surroundings are too short. theory (1.7)
+/// Nothing where the prediction is not disturbed or the surroundings are too short. theory (1.8)
 std::optional<SampleFault> diagnose_samples(std::span<const std::span<const double>> channels, std::size_t at,
                                             const DecayRange& range);
 

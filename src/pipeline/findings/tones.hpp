@@ -37,7 +37,7 @@ std::vector<double> tone_candidates(std::span<const ToneSignal> signals);
 
 /// The candidates that are tones of the test and no modes: they were there before the hits with the same phase, or
 /// their phase is not fixed to the hits. Frequency and amplitudes come from the later part of the signals, where most
-/// of the structure's motion has decayed. The signals have one length. theory (1.9)
+/// of the structure's motion has decayed. The signals have one length. theory (1.10)
 ToneFit find_tones(std::span<const ToneSignal> signals, const std::vector<double>& turns_per_sample, double fs_Hz);
 
 /// Subtracts the tones of signal `s` that do not wander.

@@ -42,8 +42,7 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
   } else if (has_sensitivities(options)) {
     table.notes.emplace_back(
         "stored numbers are fractions of full scale, and full scale is taken as 1 V: forces and accelerations are "
-        "wrong "
-        "by the recorder's true voltage at full scale; give this voltage over the sensitivity as the scale",
+        "wrong by the recorder's true voltage at full scale; give this voltage over the sensitivity as the scale",
         std::vector<OptionId>{"force_scale", "accel_scale"});
   }
 }

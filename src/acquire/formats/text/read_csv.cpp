@@ -37,6 +37,7 @@ SignalInfo describe_force(const CsvColumn& column, const ReadOptions& options, c
   apply_force_overrides(signal, choice, file + ": column " + column.name, notes);
   if (assumed) {
     signal.unit = "N";
+    signal.unit_assumed = true;
     notes.emplace_back(fmt::format("the unit of {} is not stated; taken as N", column.name),
                        std::vector<OptionId>{"force_unit"});
   }
@@ -51,6 +52,7 @@ SignalInfo describe_accel(const CsvColumn& column, const ReadOptions& options, s
   apply_overrides(signal, choice, Quantity::acceleration, file + ": column " + column.name);
   if (assumed) {
     signal.unit = "m/s^2";
+    signal.unit_assumed = true;
     notes.emplace_back(fmt::format("the unit of {} is not stated; taken as m/s^2", column.name),
                        std::vector<OptionId>{"unit"});
   }

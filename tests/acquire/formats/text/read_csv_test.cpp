@@ -48,7 +48,7 @@ TEST(ReadCsv, GivesTheSameNumbersInEveryDialect) {
 }
 
 TEST(ReadCsv, NotesAssumedUnits) {
-  const Record record = csv_record("time,force,acc\n0,1,2\n0.1,3,4\n0.2,1,2\n");
+  const Record record = csv_record("time,force,acc\n0,1,2\n0.001,3,4\n0.002,1,2\n");
   EXPECT_THAT(test::texts(record.notes), ElementsAre(HasSubstr("force is not stated; taken as N"),
                                                      HasSubstr("acc is not stated; taken as m/s^2")));
 }
