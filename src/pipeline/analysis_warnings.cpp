@@ -1,7 +1,7 @@
 #include <iterator>
 
 #include "pipeline/analysis.hpp"
-#include "pipeline/findings/record_findings.hpp"
+#include "pipeline/warnings/record_findings.hpp"
 #include "pipeline/warnings/channel_mode_warnings.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/hit_scatter_warnings.hpp"

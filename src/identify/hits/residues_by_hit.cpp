@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 constexpr double kBroader = 1.3;     // damping ratio over the stronger mode's
 constexpr double kWeaker = 0.5;      // peak over the stronger mode's
 constexpr double kDisagreement = 5;  // standard deviations between the best hit and the others
-constexpr double kLeastShare = 0.6;  // of the residue: a gain or a direction that varies changes it less
+constexpr double kMinShare = 0.6;  // of the residue: a gain or a direction that varies changes it less
 
 double peak_of(const Mode& mode) {
   double power = 0;
@@ -122,7 +122,7 @@ bool disagree(const std::vector<ResidueRatio>& ratios) {
   if (!(rest.weight > 0 && best->weight > 0)) return false;
   const double a = best->value(), b = rest.value();
   return std::abs(a - b) > kDisagreement * std::sqrt(1 / best->weight + 1 / rest.weight) &&
-         std::min(a, b) < kLeastShare * std::max(a, b);
+         std::min(a, b) < kMinShare * std::max(a, b);
 }
 
 }  // namespace

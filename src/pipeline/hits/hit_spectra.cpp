@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/parallel/parallel.hpp"
-#include "pipeline/findings/correct_responses.hpp"
+#include "pipeline/hits/correct_responses.hpp"
 
 namespace percuss::pipeline {
 

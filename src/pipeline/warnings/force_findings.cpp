@@ -1,4 +1,4 @@
-#include "pipeline/findings/force_findings.hpp"
+#include "pipeline/warnings/force_findings.hpp"
 
 #include <fmt/format.h>
 

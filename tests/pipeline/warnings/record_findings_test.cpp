@@ -1,4 +1,4 @@
-#include "pipeline/findings/record_findings.hpp"
+#include "pipeline/warnings/record_findings.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "pipeline/findings/record_findings.hpp"
+#include "pipeline/warnings/record_findings.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
-#include "pipeline/findings/force_findings.hpp"
+#include "pipeline/warnings/force_findings.hpp"
 
 namespace percuss::pipeline {
 namespace {

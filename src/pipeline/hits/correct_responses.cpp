@@ -1,4 +1,4 @@
-#include "pipeline/findings/correct_responses.hpp"
+#include "pipeline/hits/correct_responses.hpp"
 
 #include <algorithm>
 #include <cmath>
