@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "acquire/hits/pulse_shape.hpp"
@@ -18,6 +20,8 @@ constexpr double kFlank = 0.2, kNothing = 0.01;  // of the peak, of neighbouring
 constexpr double kMinSignal = 30;                // peak over noise: the noise changes the flatness by a few hundredths
 constexpr std::size_t kOversampling = 16, kKernel = 16;
 constexpr std::size_t kLongPulse = 32;  // samples, of a pulse that needs no interpolation
+constexpr double kMaxAlias =
+    0.005;  // of the pulse's impulse, at half the sampling rate: errors of the flatness of 0.02
 
 // Band-limited interpolation: a short pulse has few samples near its top.
 std::vector<double> interpolated(const std::vector<double>& x, std::size_t steps) {
@@ -76,6 +80,22 @@ bool has_cut_flank(const Hit& hit) {
   return false;
 }
 
+// Whether the pulse reaches half the sampling rate, beyond its noise: its samples then do not tell its shape. Recorders
+// with a filter leave nothing there.
+bool is_aliased(const std::vector<double>& pulse, double noise) {
+  constexpr std::array<double, 2> kOfNyquist{0.96, 1.0};
+  double impulse = 0, power = 0;
+  for (const double x : pulse) impulse += x;
+  for (const double share : kOfNyquist) {
+    std::complex<double> sum = 0;
+    for (std::size_t n = 0; n < pulse.size(); ++n)
+      sum += pulse[n] * std::polar(1.0, -std::numbers::pi * share * static_cast<double>(n));
+    power += std::norm(sum) / static_cast<double>(kOfNyquist.size());
+  }
+  power -= noise * noise * static_cast<double>(pulse.size());
+  return power > std::pow(kMaxAlias * impulse, 2);
+}
+
 bool has_overload(const Hit& hit) {
   return std::any_of(hit.findings.begin(), hit.findings.end(),
                      [](const Finding& f) { return f.code == FindingCode::overload; });
@@ -95,6 +115,7 @@ double top_flatness(const Hit& hit) {
 void grade_flat_tops(std::vector<Hit>& hits) {
   for (Hit& hit : hits) {
     if (std::abs(hit.peak_N) < kMinSignal * hit.noise_N || has_overload(hit) || has_cut_flank(hit)) continue;
+    if (is_aliased(pulse_of(hit), hit.noise_N)) continue;
     const double flatness = top_flatness(hit);
     if (flatness <= kMaxFlatness) continue;
     hit.findings.push_back(

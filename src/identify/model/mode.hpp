@@ -41,6 +41,7 @@ struct Mode {
   /// Residual energy of the fit of all modes together around this mode, over that of the fit of its own window, where
   /// the latter was kept because of it; infinite where all modes together did not converge; else 0.
   double joint_misfit = 0;
+  double joint_residual = 0;  // of that fit, relative to the FRFs around the mode
 };
 
 }  // namespace percuss::identify

@@ -41,6 +41,17 @@ double energy_ratio(const FittedMode& local, const std::vector<Eigen::VectorXcd>
   return alone > 0 ? joint / alone : 0;
 }
 
+// Residual of the joint fit relative to the FRFs, in the mode's window.
+double relative_residual(const FrfDataset& set, const FittedMode& local,
+                         const std::vector<Eigen::VectorXcd>& residual) {
+  double left = 0, all = 0;
+  for (std::size_t o = 0; o < residual.size(); ++o) {
+    left += residual[o].segment(static_cast<Index>(local.first), static_cast<Index>(local.count)).squaredNorm();
+    for (std::size_t k = local.first; k < local.first + local.count; ++k) all += std::norm(set.channels[o].frf[k]);
+  }
+  return all > 0 ? std::sqrt(left / all) : 0;
+}
+
 }  // namespace
 
 void take_joint_mode(const FrfDataset& set, const JointFit& joint, std::size_t m, FittedMode& found) {
@@ -71,7 +82,10 @@ std::vector<Eigen::VectorXcd> refine_jointly(const FrfDataset& set, std::vector<
   // A joint fit that is worse for every mode needs no real residues and no standard deviations.
   for (FittedMode& mode : modes) mode.mode.joint_misfit = std::numeric_limits<double>::infinity();
   const auto is_good_for_any = [&](const std::vector<Eigen::VectorXcd>& residual) {
-    for (FittedMode& mode : modes) mode.mode.joint_misfit = energy_ratio(mode, residual);
+    for (FittedMode& mode : modes) {
+      mode.mode.joint_misfit = energy_ratio(mode, residual);
+      mode.mode.joint_residual = relative_residual(set, mode, residual);
+    }
     return std::any_of(modes.begin(), modes.end(),
                        [&](const FittedMode& mode) { return joint_fit_is_as_good(mode, residual); });
   };
@@ -79,6 +93,7 @@ std::vector<Eigen::VectorXcd> refine_jointly(const FrfDataset& set, std::vector<
   if (!joint.converged) return {};
   for (std::size_t m = 0; m < modes.size(); ++m) {
     modes[m].mode.joint_misfit = energy_ratio(modes[m], joint.residual);
+    modes[m].mode.joint_residual = relative_residual(set, modes[m], joint.residual);
     if (!joint_fit_is_as_good(modes[m], joint.residual)) continue;
     modes[m].mode.joint_misfit = 0;
     take_joint_mode(set, joint, m, modes[m]);

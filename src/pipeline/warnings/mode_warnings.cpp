@@ -10,9 +10,10 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kWorthNaming = 10;        // times the residual energy: three times the noise
-constexpr std::size_t kMaxNamedPeaks = 8;  // in one warning
-constexpr double kMaxSplitBandwidths = 5;  // separation of two peaks that asymmetry or damage splits
+constexpr double kMaterialResidual = 0.01;  // relative: below, the model's own approximations may cause it
+constexpr double kWorthNaming = 10;         // times the residual energy: three times the noise
+constexpr std::size_t kMaxNamedPeaks = 8;   // in one warning
+constexpr double kMaxSplitBandwidths = 5;   // separation of two peaks that asymmetry or damage splits
 
 const char* separator(const std::string& list) { return list.empty() ? "" : ", "; }
 
@@ -44,6 +45,7 @@ std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes
   std::size_t count = 0, unsettled = 0;
   for (const identify::Mode& mode : modes) {
     if (!(mode.joint_misfit > kWorthNaming)) continue;
+    if (std::isfinite(mode.joint_misfit) && mode.joint_residual < kMaterialResidual) continue;
     ++count;
     if (!std::isfinite(mode.joint_misfit)) {
       ++unsettled;

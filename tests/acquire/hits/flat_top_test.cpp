@@ -63,4 +63,18 @@ TEST(FlatTop, IsFoundInEachHitThatWasClippedBeforeTheFilter) {
   }
 }
 
+// Without a filter, the samples of a half-sine of 5 samples do not tell its shape: the flatness reads up to 0.57.
+TEST(FlatTop, IsNotFoundInAShortPulseWithoutAnAntiAliasFilter) {
+  std::vector<std::vector<double>> rows;
+  for (const double onset : {500.0, 500.2, 500.4, 500.6, 500.8}) {
+    std::vector<double>& row = rows.emplace_back(kSamples);
+    for (std::size_t n = 500; n < 507; ++n) {
+      const double phase = (static_cast<double>(n) - onset) / 5.12;
+      if (phase > 0 && phase < 1) row[n] = 300 * std::sin(std::numbers::pi * phase);
+    }
+    test::add_noise(row, 0.01, 1);
+  }
+  for (const Hit& hit : hits_of(rows)) EXPECT_TRUE(hit.findings.empty()) << hit.onset_s;
+}
+
 }  // namespace percuss::acquire::flat_top_test
