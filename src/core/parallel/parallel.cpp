@@ -64,9 +64,9 @@ void parallel_for(std::size_t count, std::size_t threads, const Task& task) {
     }
     return;
   }
+  const Loop loop{.task = task, .budget = current_budget()};
   loops_begun.fetch_add(1, std::memory_order_release);
   const LoopEnd end{};
-  const Loop loop{.task = task, .budget = current_budget()};
   run_in_arena(count, threads, run_task, &loop);
 }
 
