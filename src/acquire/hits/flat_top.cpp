@@ -20,8 +20,8 @@ constexpr double kFlank = 0.2, kNothing = 0.01;  // of the peak, of neighbouring
 constexpr double kMinSignal = 30;                // peak over noise: the noise changes the flatness by a few hundredths
 constexpr std::size_t kOversampling = 16, kKernel = 16;
 constexpr std::size_t kLongPulse = 32;  // samples, of a pulse that needs no interpolation
-constexpr double kMaxAlias =
-    0.005;  // of the pulse's impulse, at half the sampling rate: errors of the flatness of 0.02
+// Of the pulse's impulse, at half the sampling rate: errors of the flatness of 0.02.
+constexpr double kMaxAlias = 0.005;
 
 // Band-limited interpolation: a short pulse has few samples near its top.
 std::vector<double> interpolated(const std::vector<double>& x, std::size_t steps) {
@@ -96,6 +96,10 @@ bool is_aliased(const std::vector<double>& pulse, double noise) {
   return power > std::pow(kMaxAlias * impulse, 2);
 }
 
+bool holds_its_peak(const Hit& hit) {
+  return hit.peak >= hit.gate_first && hit.peak - hit.gate_first < hit.gated_N.size();
+}
+
 bool has_overload(const Hit& hit) {
   return std::any_of(hit.findings.begin(), hit.findings.end(),
                      [](const Finding& f) { return f.code == FindingCode::overload; });
@@ -104,7 +108,7 @@ bool has_overload(const Hit& hit) {
 }  // namespace
 
 double top_flatness(const Hit& hit) {
-  if (hit.gated_N.empty() || hit.peak < hit.gate_first || hit.peak - hit.gate_first >= hit.gated_N.size()) return 0;
+  if (!holds_its_peak(hit)) return 0;
   const std::vector<double> pulse = pulse_of(hit);
   const std::vector<double> x = interpolated(pulse, pulse.size() < 2 * kKernel + kLongPulse ? kOversampling : 1);
   const auto peak = static_cast<std::size_t>(std::max_element(x.begin(), x.end()) - x.begin());
@@ -114,7 +118,9 @@ double top_flatness(const Hit& hit) {
 
 void grade_flat_tops(std::vector<Hit>& hits) {
   for (Hit& hit : hits) {
-    if (std::abs(hit.peak_N) < kMinSignal * hit.noise_N || has_overload(hit) || has_cut_flank(hit)) continue;
+    if (!holds_its_peak(hit) || std::abs(hit.peak_N) < kMinSignal * hit.noise_N || has_overload(hit) ||
+        has_cut_flank(hit))
+      continue;
     if (is_aliased(pulse_of(hit), hit.noise_N)) continue;
     const double flatness = top_flatness(hit);
     if (flatness <= kMaxFlatness) continue;

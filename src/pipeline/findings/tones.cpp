@@ -84,18 +84,6 @@ bool is_narrow_peak(const std::vector<double>& power, std::size_t k) {
   return power[k] > kAboveFloor * median(std::move(around));
 }
 
-// The turns per sample of peaks in both segments of equal power.
-std::vector<double> candidates(const ToneSignal& signal, const std::vector<double>& window) {
-  const Segment early = early_segment(signal.x.size()), late = late_segment(signal.x.size());
-  const std::vector<double> power = powers(signal.x, late, window), before = powers(signal.x, early, window);
-  std::vector<double> found;
-  for (std::size_t k = kMainLobe + 1; k + kMainLobe + kFloorLines + 1 < power.size(); ++k) {
-    if (!is_narrow_peak(power, k) || std::abs(power[k] / before[k] - 1) > 2 * kSteady) continue;
-    found.push_back(static_cast<double>(k) / static_cast<double>(late.length));
-  }
-  return found;
-}
-
 // Frequency from the phase advance between the segments, over all signals; 0 where the power changes.
 double refined(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
   const std::size_t samples = signals.front().x.size();
@@ -197,24 +185,29 @@ std::vector<double> distinct(std::vector<double> turns, std::size_t length) {
 
 }  // namespace
 
-std::vector<double> tone_candidates(std::span<const ToneSignal> signals) {
-  if (signals.empty() || signals.front().x.size() < kMinSamples) return {};
-  const std::size_t length = signals.front().x.size() / 2;
-  const std::vector<double> window = window_of(length);
+std::vector<double> tone_candidates(std::span<const double> x) {
+  if (x.size() < kMinSamples) return {};
+  const Segment early = early_segment(x.size()), late = late_segment(x.size());
+  const std::vector<double> window = window_of(late.length);
+  const std::vector<double> power = powers(x, late, window);
+  std::vector<double> before;  // most responses have no narrow peak: it is then not needed
   std::vector<double> found;
-  for (const ToneSignal& signal : signals) {
-    const std::vector<double> of_signal = candidates(signal, window);
-    found.insert(found.end(), of_signal.begin(), of_signal.end());
+  for (std::size_t k = kMainLobe + 1; k + kMainLobe + kFloorLines + 1 < power.size(); ++k) {
+    if (!is_narrow_peak(power, k)) continue;
+    if (before.empty()) before = powers(x, early, window);
+    // Peaks in both segments of equal power.
+    if (std::abs(power[k] / before[k] - 1) > 2 * kSteady) continue;
+    found.push_back(static_cast<double>(k) / static_cast<double>(late.length));
   }
-  return distinct(std::move(found), length);
+  return found;
 }
 
-ToneFit find_tones(std::span<const ToneSignal> signals, const std::vector<double>& turns_per_sample, double fs_Hz) {
+ToneFit find_tones(std::span<const ToneSignal> signals, std::vector<double> candidates, double fs_Hz) {
   ToneFit fit{.tones = {}, .amplitudes = std::vector<std::vector<Complex>>(signals.size())};
   if (signals.empty()) return fit;
   const std::size_t samples = signals.front().x.size();
   const std::vector<double> window = window_of(samples / 2);
-  for (const double candidate : turns_per_sample) {
+  for (const double candidate : distinct(std::move(candidates), samples / 2)) {
     const double turns = refined(signals, window, candidate);
     if (!(turns > 0)) continue;
     std::vector<Complex> amplitude;

@@ -31,14 +31,13 @@ struct ToneFit {
   std::vector<std::vector<Complex>> amplitudes;  // [signals][tones] at sample 0 of the signal
 };
 
-/// Frequencies, in turns per sample, at which the last half of a signal has a narrow peak that does not decay. The
-/// signals have one length.
-std::vector<double> tone_candidates(std::span<const ToneSignal> signals);
+/// Frequencies, in turns per sample, at which the last half of a response has a narrow peak that does not decay.
+std::vector<double> tone_candidates(std::span<const double> x);
 
-/// The candidates that are tones of the test and no modes: they were there before the hits with the same phase, or
-/// their phase is not fixed to the hits. Frequency and amplitudes come from the later part of the signals, where most
-/// of the structure's motion has decayed. The signals have one length. theory (1.10)
-ToneFit find_tones(std::span<const ToneSignal> signals, const std::vector<double>& turns_per_sample, double fs_Hz);
+/// The candidates, of one or several responses, that are tones of the test and no modes: they were there before the
+/// hits with the same phase, or their phase is not fixed to the hits. Frequency and amplitudes come from the later part
+/// of the signals, where most of the structure's motion has decayed. The signals have one length. theory (1.10)
+ToneFit find_tones(std::span<const ToneSignal> signals, std::vector<double> candidates, double fs_Hz);
 
 /// Subtracts the tones of signal `s` that do not wander.
 void subtract_tones(const ToneFit& fit, std::size_t s, double fs_Hz, std::span<double> x);

@@ -135,6 +135,16 @@ std::vector<ToneSignal> signals_of(const HitResponses& responses, const acquire:
   return signals;
 }
 
+// Of the first hit. Its responses were searched when they were read; corrected samples are searched again.
+std::vector<double> candidates_for_tones(const std::vector<HitResponse>& responses, const Samples& corrected) {
+  std::vector<double> all;
+  for (std::size_t c = 0; c < responses.size(); ++c) {
+    const auto of_channel = corrected.empty() ? responses[c].tone_candidates : tone_candidates(corrected[c]);
+    all.insert(all.end(), of_channel.begin(), of_channel.end());
+  }
+  return all;
+}
+
 // Searches the first hit for tones, and where it has some, all hits. Their samples then lack the tones.
 void remove_tones(HitResponses& responses, std::vector<Samples>& corrected, const acquire::Record& record,
                   const std::vector<AnalysedHit>& hits, const TransformOptions& options) {
@@ -142,8 +152,7 @@ void remove_tones(HitResponses& responses, std::vector<Samples>& corrected, cons
   const auto samples_of = [&](std::size_t u) {
     return corrected[u].empty() ? read_all(record, hits[used[u]].hit, options.lines.samples) : corrected[u];
   };
-  const Samples first = samples_of(0);
-  const auto candidates = tone_candidates(signals_of(responses, hits[used[0]].hit, used[0], first));
+  std::vector<double> candidates = candidates_for_tones(responses.of[used[0]], corrected[0]);
   if (candidates.empty()) return;
   std::vector<Samples> samples(used.size());
   std::vector<ToneSignal> signals;
@@ -152,7 +161,7 @@ void remove_tones(HitResponses& responses, std::vector<Samples>& corrected, cons
     const auto of_hit = signals_of(responses, hits[used[u]].hit, used[u], samples[u]);
     signals.insert(signals.end(), of_hit.begin(), of_hit.end());
   }
-  const ToneFit fit = find_tones(signals, candidates, record.fs_Hz);
+  const ToneFit fit = find_tones(signals, std::move(candidates), record.fs_Hz);
   if (fit.tones.empty()) return;
   responses.tones = fit.tones;
   const std::size_t channels = record.accel.size();

@@ -33,6 +33,7 @@ HitResponses read_responses(const acquire::Record& record, const std::vector<Ana
     response.grade = acquire::grade_response(hit, accel, record.fs_Hz);
     response.spectrum = spectrum;
     examine_response(response, hit, accel);
+    if (h == tasks.front().first) response.tone_candidates = tone_candidates(accel);
     trace.run("fft", [&] { frf::accel_spectrum(hit, accel, range, options.window_decay_per_s, spectrum); });
   });
   correct_responses(out, record, hits, options);

@@ -30,6 +30,7 @@ struct HitResponse {
   NoiseHistory noise;
   RestLevels rest;
   std::optional<BaselineChange> baseline;  // removed before the transform
+  std::vector<double> tone_candidates;     // turns per sample; of the first accepted hit alone
   std::span<const Complex> spectrum;       // [lines]
 };
 
