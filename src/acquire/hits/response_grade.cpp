@@ -81,7 +81,9 @@ bool rings_before(const Hit& hit, std::span<const double> accel) {
   return before > kRingingBefore * rms_about_mean(accel.last(window)) && before > kNegligible * start;
 }
 
-constexpr double kMaxTravelPulses = 5, kMaxTravel_s = 0.02;  // the later one: limit of the first motion's delay
+// The later one limits the delay of the first motion: a recorder that reads its channels in blocks delays some by tens
+// of milliseconds.
+constexpr double kMaxTravelPulses = 5, kMaxTravel_s = 0.05;
 
 // The sign of the velocity once it reaches kMinOnsetVelocity of its largest value. The acceleration itself may be
 // ringing of the anti-alias filter, which has both signs and leaves no velocity.
