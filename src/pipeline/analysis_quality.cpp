@@ -55,7 +55,7 @@ const ChannelFindings& Analysis::channel_findings() const {
     return trace_.run("channels", [&]() -> ChannelFindings {
       return {.delays = channel_delays(set, found, hits(), channels),
               .corrected_delays = corrected_delays(),
-              .clocks = channel_clocks(set, channels),
+              .clocks = channel_clocks(set, found, channels),
               .pairs = compare_channels(found, channels),
               .largest_velocity_mps = largest_velocity_mps(set, found)};
     });

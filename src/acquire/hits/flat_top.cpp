@@ -23,22 +23,36 @@ constexpr std::size_t kLongPulse = 32;  // samples, of a pulse that needs no int
 // Of the pulse's impulse, at half the sampling rate: errors of the flatness of 0.02.
 constexpr double kMaxAlias = 0.005;
 
+// [kOversampling][2 kKernel]: weights of the samples around a place between two samples, the first at 1 − kKernel.
+using InterpolationWeights = std::array<std::array<double, 2 * kKernel>, kOversampling>;
+
+InterpolationWeights interpolation_weights() {
+  InterpolationWeights weights{};
+  for (std::size_t step = 1; step < kOversampling; ++step) {
+    for (std::size_t n = 0; n < 2 * kKernel; ++n) {
+      const double away = static_cast<double>(step) / static_cast<double>(kOversampling) +
+                          static_cast<double>(kKernel) - 1 - static_cast<double>(n);
+      const double turn = std::numbers::pi * away;
+      const double window = 0.5 + 0.5 * std::cos(turn / static_cast<double>(kKernel));
+      weights[step][n] = std::sin(turn) / turn * window;
+    }
+  }
+  return weights;
+}
+
 // Band-limited interpolation: a short pulse has few samples near its top.
-std::vector<double> interpolated(const std::vector<double>& x, std::size_t steps) {
-  std::vector<double> out((x.size() - 1) * steps + 1);
+std::vector<double> interpolated(const std::vector<double>& x) {
+  static const InterpolationWeights weights = interpolation_weights();
+  std::vector<double> out((x.size() - 1) * kOversampling + 1);
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const std::size_t at = i / steps;
-    if (i % steps == 0) {
+    const std::size_t at = i / kOversampling, step = i % kOversampling;
+    if (step == 0) {
       out[i] = x[at];
       continue;
     }
-    const double t = static_cast<double>(i) / static_cast<double>(steps);
     const std::size_t first = at + 1 > kKernel ? at + 1 - kKernel : 0;
-    for (std::size_t n = first; n < std::min(x.size(), at + 1 + kKernel); ++n) {
-      const double away = t - static_cast<double>(n), turn = std::numbers::pi * away;
-      const double window = 0.5 + 0.5 * std::cos(turn / static_cast<double>(kKernel));
-      out[i] += x[n] * std::sin(turn) / turn * window;
-    }
+    for (std::size_t n = first; n < std::min(x.size(), at + 1 + kKernel); ++n)
+      out[i] += x[n] * weights[step][n + kKernel - 1 - at];
   }
   return out;
 }
@@ -110,7 +124,7 @@ bool has_overload(const Hit& hit) {
 double top_flatness(const Hit& hit) {
   if (!holds_its_peak(hit)) return 0;
   const std::vector<double> pulse = pulse_of(hit);
-  const std::vector<double> x = interpolated(pulse, pulse.size() < 2 * kKernel + kLongPulse ? kOversampling : 1);
+  const std::vector<double> x = pulse.size() < 2 * kKernel + kLongPulse ? interpolated(pulse) : pulse;
   const auto peak = static_cast<std::size_t>(std::max_element(x.begin(), x.end()) - x.begin());
   const double low = length_above(x, peak, kLow * x[peak]);
   return low > 0 ? length_above(x, peak, kHigh * x[peak]) / low : 0;

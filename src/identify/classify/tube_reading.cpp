@@ -1,6 +1,7 @@
 #include "identify/classify/tube_reading.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,15 +13,27 @@ using std::numbers::pi;
 constexpr std::size_t kTubePlanes = 45;  // 2° apart over 90°
 constexpr double kPriors = 2.05;         // of bending, hoop and the others; RatioLikelihood::other() includes its own
 
-// Logarithm of the likelihood over that of any ratio, for one plane and one placement of the sensors.
-double log_factor(const std::vector<RatioAngle>& ratios, const RatioLikelihood& likelihood, double plane_rad,
-                  std::size_t placement) {
+// The likelihoods of one ratio for each plane and for each placement of the sensors.
+struct RatioTable {
+  std::array<double, kTubePlanes> bending{};
+  std::array<double, RatioLikelihood::kPlacements> hoop{};
+  double other = 0;
+};
+
+RatioTable table_of(const RatioAngle& ratio, const RatioLikelihood& likelihood) {
+  RatioTable table;
+  for (std::size_t p = 0; p < kTubePlanes; ++p)
+    table.bending[p] = likelihood.bending(ratio, pi / 2 * static_cast<double>(p) / kTubePlanes);
+  for (std::size_t e = 0; e < RatioLikelihood::kPlacements; ++e) table.hoop[e] = likelihood.hoop(ratio, e);
+  table.other = likelihood.other(ratio);
+  return table;
+}
+
+// Logarithm of the likelihood over that of any ratio, for one plane and one placement.
+double log_factor(const std::vector<RatioTable>& tables, std::size_t plane, std::size_t placement) {
   double sum = 0;
-  for (const RatioAngle& ratio : ratios) {
-    const double tube =
-        likelihood.bending(ratio, plane_rad) + likelihood.hoop(ratio, placement) + likelihood.other(ratio);
-    sum += std::log(pi * tube / kPriors);
-  }
+  for (const RatioTable& table : tables)
+    sum += std::log(pi * (table.bending[plane] + table.hoop[placement] + table.other) / kPriors);
   return sum;
 }
 
@@ -28,14 +41,15 @@ double log_factor(const std::vector<RatioAngle>& ratios, const RatioLikelihood& 
 
 double log_tube_evidence(const std::vector<RatioAngle>& ratios, const RatioLikelihood& likelihood) {
   if (ratios.empty()) return 0;
+  std::vector<RatioTable> tables;
+  tables.reserve(ratios.size());
+  for (const RatioAngle& ratio : ratios) tables.push_back(table_of(ratio, likelihood));
   std::vector<double> logs;
   double weights = 0;
   for (std::size_t e = 0; e < RatioLikelihood::kPlacements; ++e) {
     weights += kTubePlanes * RatioLikelihood::weight_of(e);
-    for (std::size_t p = 0; p < kTubePlanes; ++p) {
-      const double plane_rad = pi / 2 * static_cast<double>(p) / kTubePlanes;
-      logs.push_back(log_factor(ratios, likelihood, plane_rad, e) + std::log(RatioLikelihood::weight_of(e)));
-    }
+    for (std::size_t p = 0; p < kTubePlanes; ++p)
+      logs.push_back(log_factor(tables, p, e) + std::log(RatioLikelihood::weight_of(e)));
   }
   const double most = *std::max_element(logs.begin(), logs.end());
   double sum = 0;

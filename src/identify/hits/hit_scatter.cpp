@@ -15,6 +15,7 @@ constexpr double kSignificantScatter = 3.1;  // normal deviate of χ²: one clea
 constexpr double kSignificantTrend = 3.7;    // standard deviations of a slope: of two slopes, one in 2000
 constexpr double kCoverage = 1.96;           // Student's factor holds the 95 % interval
 constexpr std::size_t kMinHits = 2;
+constexpr double kClear = 20;  // standard deviations of a mode's residue in one hit, which then determines its pole
 
 // One quantity of the hits that determine a mode.
 struct Known {
@@ -92,6 +93,19 @@ void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window
   }
 }
 
+// Whether the mode is clear in a hit that does not determine its pole. A hit near a node determines none.
+bool is_undetermined(const HitFrfs& hits, const std::vector<std::size_t>& residue_of, const Mode& mode,
+                     const HitPoles& poles) {
+  for (std::size_t o = 0; o < residue_of.size(); ++o) {
+    const std::size_t h = hits.set.channels[o].point;
+    if (poles.hits[h].known) continue;
+    const auto at_point = std::count(hits.points.begin(), hits.points.end(), hits.points[h]);
+    const Residue& residue = mode.residues[residue_of[o]];
+    if (std::abs(residue.value) > kClear * residue.std * std::sqrt(static_cast<double>(at_point))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 double StdParts::total() const { return std::hypot(noise, hits, misfit); }
@@ -123,14 +137,20 @@ ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vecto
           .deviate = chi2_deviate(chi2, degrees)};
 }
 
-void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const std::vector<double>& peak_N,
-                     std::vector<Mode>& modes) {
-  if (hits.points.size() < kMinHits || modes.empty()) return;
-  const std::vector<ModeWindow> windows = mode_windows(set, modes);
-  const auto linear = linearised_hit_poles(set, hits, modes, windows);
+WindowedHitPoles windowed_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes) {
+  WindowedHitPoles out;
+  if (hits.points.size() < kMinHits || modes.empty()) return out;
+  out.windows = mode_windows(set, modes);
+  out.poles = linearised_hit_poles(set, hits, modes, out.windows);
+  return out;
+}
+
+void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
+                     const std::vector<double>& peak_N, std::vector<Mode>& modes) {
+  if (linear.windows.empty()) return;
   std::vector<ModeScatter> scatter;
-  for (const HitPoles& poles : linear) scatter.push_back(scatter_of_mode(poles, peak_N));
-  for (const ModeWindow& window : windows) {
+  for (const HitPoles& poles : linear.poles) scatter.push_back(scatter_of_mode(poles, peak_N));
+  for (const ModeWindow& window : linear.windows) {
     if (std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) { return scatter[m].significant(); }))
       refine(set, hits, window, peak_N, modes, scatter);
   }
@@ -149,20 +169,20 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const std::vect
   explain_scatter(series, peak_N, modes);
 }
 
-std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs& hits,
+std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
                                            const std::vector<double>& peak_N, const std::vector<Mode>& modes) {
-  if (hits.points.size() < kMinHits) return {};
-  const std::vector<ModeWindow> windows = mode_windows(set, modes);
-  const auto linear = linearised_hit_poles(set, hits, modes, windows);
+  const std::vector<std::size_t> residue_of = residue_indices(set, hits);
   std::vector<char> imitated(modes.size(), 0);
-  for (const ModeWindow& window : windows) {
+  for (const ModeWindow& window : linear.windows) {
     for (const std::size_t m : modes_of_some_hits(set, hits, modes, window)) imitated[m] = 1;
+    if (window.modes.size() < 2) continue;
     // Hits do not determine a pair that only imitates their scatter.
-    const bool scatters = residues_of_pair_scatter(set, hits, modes, window) ||
-                          std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) {
-                            const ModeScatter scatter = scatter_of_mode(linear[m], peak_N);
-                            return scatter.significant() || scatter.known.hits.size() < hits.points.size();
-                          });
+    const auto differs = [&](std::size_t m) {
+      return scatter_of_mode(linear.poles[m], peak_N).significant() ||
+             is_undetermined(hits, residue_of, modes[m], linear.poles[m]);
+    };
+    const bool scatters = std::any_of(window.modes.begin(), window.modes.end(), differs) ||
+                          residues_of_pair_scatter(set, hits, modes, window);
     if (!scatters) continue;
     for (const std::size_t m : modes_from_hit_scatter(set, hits, modes, window)) imitated[m] = 1;
   }

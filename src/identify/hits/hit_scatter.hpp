@@ -17,18 +17,27 @@ struct ScatterOfHits {
 /// shapes  value and std equal, at least two.
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std);
 
+/// The windows of a set of modes and, about them, the modes' poles in each hit (linearised_hit_poles).
+struct WindowedHitPoles {
+  std::vector<ModeWindow> windows;
+  std::vector<HitPoles> poles;  // [modes]
+};
+WindowedHitPoles windowed_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes);
+
 /// The frequencies of the modes without those that only imitate the scatter of another (modes_from_hit_scatter,
-/// modes_of_some_hits). Empty
-/// where there is none of these.
-std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs& hits,
+/// modes_of_some_hits). Empty where there is none of these.
+/// linear  windowed_hit_poles of these modes
+/// peak_N  [hits] in the order of the test
+std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
                                            const std::vector<double>& peak_N, const std::vector<Mode>& modes);
 
 /// Adds the scatter between the hits to the modes' standard deviations, and explains it by the hits' forces or their
 /// order, where it is significant. There the pole becomes the mean of the hits' own poles, because the average of
 /// different resonances is broader than each of them. Modes ascend in frequency and include those outside the band.
-/// peak_N  [hits] in the order of the test.
+/// linear  windowed_hit_poles of these modes
+/// peak_N  [hits] in the order of the test
 /// theory (4.19)
-void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const std::vector<double>& peak_N,
-                     std::vector<Mode>& modes);
+void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
+                     const std::vector<double>& peak_N, std::vector<Mode>& modes);
 
 }  // namespace percuss::identify

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/parallel/parallel.hpp"
@@ -46,19 +47,31 @@ std::optional<ChannelClock> compare(const std::vector<identify::Mode>& first,
   return ChannelClock{.excess = slope.slope, .std = slope.std, .modes = excess.size(), .log_chance = slope.log_chance};
 }
 
+// Different frequencies of one mode leave a misfit, or are taken for two modes.
+bool may_differ(const std::vector<identify::Mode>& modes) {
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (modes[m].freq_std_parts_Hz.misfit > 0 || modes[m].joint_misfit > 0) return true;
+    const double apart_Hz =
+        m > 0 ? modes[m].pole.freq_Hz - modes[m - 1].pole.freq_Hz : std::numeric_limits<double>::infinity();
+    if (apart_Hz < modes[m].pole.half_power_Hz()) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool ChannelClock::established() const { return log_chance < kMaxLogChance && std::abs(excess) > kSureSlope * std; }
 
-std::vector<ChannelClock> channel_clocks(const identify::FrfDataset& set, std::size_t channels) {
+std::vector<ChannelClock> channel_clocks(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+                                         std::size_t channels) {
   std::vector<ChannelClock> out;
-  if (channels < 2 || channels > kMaxChannels) return out;
-  std::vector<std::vector<identify::Mode>> modes(channels);
+  if (channels < 2 || channels > kMaxChannels || !may_differ(modes)) return out;
+  std::vector<std::vector<identify::Mode>> alone(channels);
   parallel_for_cost(channels, kFitFlops, [&](std::size_t c) {
-    modes[c] = identify::identify_modes(only(set, c), {.effort = identify::Effort::quick});
+    alone[c] = identify::identify_modes(only(set, c), {.effort = identify::Effort::quick});
   });
   for (std::size_t c = 1; c < channels; ++c) {
-    if (auto clock = compare(modes.front(), modes[c])) {
+    if (auto clock = compare(alone.front(), alone[c])) {
       clock->channel = c;
       out.push_back(*clock);
     }

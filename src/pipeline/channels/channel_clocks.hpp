@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "identify/model/frf_dataset.hpp"
+#include "identify/model/mode.hpp"
 
 namespace percuss::pipeline {
 
@@ -16,7 +17,10 @@ struct ChannelClock {
 };
 
 /// One factor between the frequencies of all modes is a clock: no structure and no sensor does that. Each channel's
-/// FRFs are fitted alone; modes that both channels show are compared. Empty for one channel and for more than eight.
-std::vector<ChannelClock> channel_clocks(const identify::FrfDataset& set, std::size_t channels);
+/// FRFs are fitted alone; modes that both channels show are compared. Empty for one channel, for more than eight, and
+/// where the modes of all channels together leave no misfit and none overlap: one clock then explains all channels.
+/// modes  of all channels, ascending
+std::vector<ChannelClock> channel_clocks(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+                                         std::size_t channels);
 
 }  // namespace percuss::pipeline

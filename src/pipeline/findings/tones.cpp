@@ -1,6 +1,7 @@
 #include "pipeline/findings/tones.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -35,12 +36,15 @@ double window_at(std::size_t n, std::size_t length) {
   return 0.35875 - 0.48829 * c + 0.14128 * twice - 0.01168 * thrice;
 }
 
-// Half of the row, from `first` on.
+// A quarter to half of the row, from `first` on: a power of two, for which a transform is planned fast.
 struct Segment {
   std::size_t first = 0, length = 0;
 };
-Segment early_segment(std::size_t samples) { return {3 * samples / 8, samples / 2}; }
-Segment late_segment(std::size_t samples) { return {samples - samples / 2, samples / 2}; }
+std::size_t segment_length(std::size_t samples) { return std::bit_floor(samples / 2); }
+Segment late_segment(std::size_t samples) { return {samples - segment_length(samples), segment_length(samples)}; }
+Segment early_segment(std::size_t samples) {
+  return {samples - segment_length(samples) - samples / 8, segment_length(samples)};
+}
 
 std::vector<double> window_of(std::size_t length) {
   std::vector<double> window(length);
@@ -206,8 +210,8 @@ ToneFit find_tones(std::span<const ToneSignal> signals, std::vector<double> cand
   ToneFit fit{.tones = {}, .amplitudes = std::vector<std::vector<Complex>>(signals.size())};
   if (signals.empty()) return fit;
   const std::size_t samples = signals.front().x.size();
-  const std::vector<double> window = window_of(samples / 2);
-  for (const double candidate : distinct(std::move(candidates), samples / 2)) {
+  const std::vector<double> window = window_of(segment_length(samples));
+  for (const double candidate : distinct(std::move(candidates), segment_length(samples))) {
     const double turns = refined(signals, window, candidate);
     if (!(turns > 0)) continue;
     std::vector<Complex> amplitude;

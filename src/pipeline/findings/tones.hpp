@@ -31,7 +31,7 @@ struct ToneFit {
   std::vector<std::vector<Complex>> amplitudes;  // [signals][tones] at sample 0 of the signal
 };
 
-/// Frequencies, in turns per sample, at which the last half of a response has a narrow peak that does not decay.
+/// Frequencies, in turns per sample, at which the last part of a response has a narrow peak that does not decay.
 std::vector<double> tone_candidates(std::span<const double> x);
 
 /// The candidates, of one or several responses, that are tones of the test and no modes: they were there before the

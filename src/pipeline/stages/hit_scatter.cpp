@@ -37,11 +37,15 @@ void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra
     }
     peak_N.push_back(hit.peak_N);
   }
+  identify::WindowedHitPoles linear = identify::windowed_hit_poles(set, hits, modes);
   if (options.start_Hz.empty() && !options.modes) {
-    const auto left_Hz = identify::without_imitated_modes(set, hits, peak_N, modes);
-    if (!left_Hz.empty()) modes = identify::identify_modes(set, {.effort = options.effort, .start_Hz = left_Hz});
+    const auto left_Hz = identify::without_imitated_modes(set, hits, linear, peak_N, modes);
+    if (!left_Hz.empty()) {
+      modes = identify::identify_modes(set, {.effort = options.effort, .start_Hz = left_Hz});
+      linear = identify::windowed_hit_poles(set, hits, modes);
+    }
   }
-  identify::add_hit_scatter(set, hits, peak_N, modes);
+  identify::add_hit_scatter(set, hits, linear, peak_N, modes);
 }
 
 }  // namespace percuss::pipeline
