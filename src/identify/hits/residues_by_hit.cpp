@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "core/math/linear_algebra.hpp"
 #include "core/math/significance.hpp"
 #include "identify/fit/local_fit.hpp"
 #include "identify/fit/variable_projection.hpp"
@@ -11,12 +13,15 @@ namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr double kBroader = 1.3;     // damping ratio over the stronger mode's
 constexpr double kWeaker = 0.5;      // peak over the stronger mode's
 constexpr double kDisagreement = 5;  // standard deviations between the best hit and the others
-constexpr double kMinShare = 0.6;  // of the residue: a gain or a direction that varies changes it less
+constexpr double kMinShare = 0.6;    // of the residue: a gain or a direction that varies changes it less
 
 double peak_of(const Mode& mode) {
   double power = 0;
@@ -59,15 +64,8 @@ std::vector<ResidueRatio> residue_ratios(const HitFrfs& hits, const ProjectedSta
   return ratios;
 }
 
-// Whether two modes of the window overlap.
-bool any_overlap(const std::vector<Pole>& poles) {
-  for (std::size_t i = 0; i < poles.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      if (std::abs(poles[i].freq_Hz - poles[k].freq_Hz) < std::max(poles[i].half_power_Hz(), poles[k].half_power_Hz()))
-        return true;
-    }
-  }
-  return false;
+bool overlap(const Pole& a, const Pole& b) {
+  return std::abs(a.freq_Hz - b.freq_Hz) < std::max(a.half_power_Hz(), b.half_power_Hz());
 }
 
 bool scatter(const std::vector<ResidueRatio>& ratios) {
@@ -97,11 +95,46 @@ class HitResidues {
     const VectorXd ones = VectorXd::Ones(static_cast<Index>(data.size()));
     state_ = VariableProjection(hits.set, data, ones, window.first, window.count, terms).evaluate(poles);
   }
+  // The difference between two modes' ratios, hit by hit: an error of the force's gain is common to both.
+  std::vector<ResidueRatio> contrasts(std::size_t i, std::size_t k) const {
+    const auto modes = static_cast<Index>(window_.modes.size());
+    std::vector<MatrixXd> matrix(hits_.points.size(), MatrixXd::Zero(modes, modes));
+    std::vector<VectorXd> right(hits_.points.size(), VectorXd::Zero(modes));
+    for (const ProjectedPart& part : state_.parts) add_ratio_equations(part, matrix, right);
+    std::vector<ResidueRatio> out(hits_.points.size());
+    const auto first = static_cast<Index>(i), second = static_cast<Index>(k);
+    for (std::size_t h = 0; h < out.size(); ++h) {
+      const MatrixXd covariance = core::inverse_gram(matrix[h]);
+      const VectorXd ratio = covariance * right[h];
+      const double variance = covariance(first, first) + covariance(second, second) - 2 * covariance(first, second);
+      if (variance > 0) out[h] = {.sum = (ratio(first) - ratio(second)) / variance, .weight = 1 / variance};
+    }
+    return out;
+  }
+
   std::vector<ResidueRatio> ratios(std::size_t i) const {
     return residue_ratios(hits_, state_, modes_[window_.modes[i]], residue_of_, static_cast<Index>(i), freedom_);
   }
 
  private:
+  // Adds a part's share of the normal equations of each hit's ratios, by the residues' covariance.
+  void add_ratio_equations(const ProjectedPart& part, std::vector<MatrixXd>& matrix,
+                           std::vector<VectorXd>& right) const {
+    const Index modes = right.front().size();
+    const MatrixXcd gram = core::inverse_gram(MatrixXcd(part.inverse_gram.topLeftCorner(modes, modes)));
+    for (std::size_t n = 0; n < part.channels.size(); ++n) {
+      const std::size_t o = part.channels[n], hit = hits_.set.channels[o].point;
+      const auto column = static_cast<Index>(n);
+      const double noise2 = std::max(part.residual.col(column).squaredNorm() / freedom_, 1e-300);
+      VectorXcd expected(modes);
+      for (Index m = 0; m < modes; ++m)
+        expected(m) = modes_[window_.modes[static_cast<std::size_t>(m)]].residues[residue_of_[o]].value;
+      const MatrixXcd weighted = (2 / noise2) * expected.conjugate().asDiagonal() * gram;
+      matrix[hit] += (weighted * expected.asDiagonal()).real();
+      right[hit] += (weighted * part.amplitude.col(column).head(modes)).real();
+    }
+  }
+
   const HitFrfs& hits_;
   const std::vector<Mode>& modes_;
   const ModeWindow& window_;
@@ -143,10 +176,12 @@ std::vector<std::size_t> modes_of_some_hits(const FrfDataset& set, const HitFrfs
 
 bool residues_of_pair_scatter(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                               const ModeWindow& window) {
-  if (!any_overlap(window.poles(modes))) return false;
-  const HitResidues residues(set, hits, modes, window);
-  for (std::size_t i = 0; i < window.modes.size(); ++i) {
-    if (scatter(residues.ratios(i))) return true;
+  const std::vector<Pole> poles = window.poles(modes);
+  std::optional<HitResidues> residues;
+  for (std::size_t i = 1; i < poles.size(); ++i) {
+    if (!overlap(poles[i - 1], poles[i])) continue;
+    if (!residues) residues.emplace(set, hits, modes, window);
+    if (scatter(residues->contrasts(i - 1, i))) return true;
   }
   return false;
 }

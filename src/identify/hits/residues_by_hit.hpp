@@ -11,8 +11,8 @@ namespace percuss::identify {
 std::vector<std::size_t> modes_of_some_hits(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                             const ModeWindow& window);
 
-/// Whether modes of the window overlap and their residues differ between the hits: two fixed poles follow one resonance
-/// that moves by their residues.
+/// Whether modes of the window overlap and the ratio of their residues differs between the hits: two fixed poles follow
+/// one resonance that moves by their residues. A gain common to both does not count.
 bool residues_of_pair_scatter(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                               const ModeWindow& window);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "core/parallel/parallel.hpp"
@@ -47,15 +46,14 @@ std::optional<ChannelClock> compare(const std::vector<identify::Mode>& first,
   return ChannelClock{.excess = slope.slope, .std = slope.std, .modes = excess.size(), .log_chance = slope.log_chance};
 }
 
-// Different frequencies of one mode leave a misfit, or are taken for two modes.
+// Different frequencies of one mode leave a misfit, or are taken for two modes. A clock does that to several modes.
 bool may_differ(const std::vector<identify::Mode>& modes) {
+  std::size_t pairs = 0;
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (modes[m].freq_std_parts_Hz.misfit > 0 || modes[m].joint_misfit > 0) return true;
-    const double apart_Hz =
-        m > 0 ? modes[m].pole.freq_Hz - modes[m - 1].pole.freq_Hz : std::numeric_limits<double>::infinity();
-    if (apart_Hz < modes[m].pole.half_power_Hz()) return true;
+    if (m > 0 && modes[m].pole.freq_Hz - modes[m - 1].pole.freq_Hz < modes[m].pole.half_power_Hz()) ++pairs;
   }
-  return false;
+  return pairs > 1;
 }
 
 }  // namespace

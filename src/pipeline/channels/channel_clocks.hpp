@@ -18,7 +18,7 @@ struct ChannelClock {
 
 /// One factor between the frequencies of all modes is a clock: no structure and no sensor does that. Each channel's
 /// FRFs are fitted alone; modes that both channels show are compared. Empty for one channel, for more than eight, and
-/// where the modes of all channels together leave no misfit and none overlap: one clock then explains all channels.
+/// where the modes of all channels together leave no misfit and at most two overlap: one clock then explains them.
 /// modes  of all channels, ascending
 std::vector<ChannelClock> channel_clocks(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                          std::size_t channels);
