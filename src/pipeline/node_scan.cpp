@@ -51,8 +51,9 @@ MeasuredPoints measured_points(const Analysis& analysis, const ScanPositions& po
     }
   }
   if (!missing.empty()) {
-    warnings.push_back(
-        {"missing_position", "no usable hit at " + missing + ": the nodes are found without these positions"});
+    warnings.push_back(with_remedy(
+        {"missing_position", "no usable hit at " + missing + ": the nodes are found without these positions"},
+        "repeat the hits there"));
   }
   return measured;
 }

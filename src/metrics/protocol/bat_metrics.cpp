@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "metrics/protocol/plausibility.hpp"
 #include "metrics/protocol/resolution.hpp"
@@ -12,6 +13,20 @@ namespace {
 
 constexpr double kMinBelow = 2.1, kMaxBelow = 3.0;  // class −3: length in inches minus weight in ounces
 constexpr double kMinExponent = 0.08, kMaxExponent = 0.37;
+
+constexpr auto kMetricsRanking = std::to_array<RankedMetricsCode>({
+    {"rebound_speed", MetricsSeverity::reject},
+    {"implausible_value", MetricsSeverity::reject},
+    {"swing_exponent", MetricsSeverity::warn},
+    {"drop_class", MetricsSeverity::info},
+    {"swing_speed_constant", MetricsSeverity::info},
+});
+
+std::size_t rank_of(const MetricsWarning& warning) {
+  const auto* const at = std::find_if(kMetricsRanking.begin(), kMetricsRanking.end(),
+                                      [&](const RankedMetricsCode& known) { return known.code == warning.code; });
+  return static_cast<std::size_t>(at - kMetricsRanking.begin());
+}
 
 // f(numbers), or nothing when a number is absent.
 template <class F, class... T>
@@ -69,32 +84,47 @@ const char* name_of(MetricsSeverity severity) {
   return severity == MetricsSeverity::reject ? "reject" : severity == MetricsSeverity::warn ? "warn" : "info";
 }
 
+std::span<const RankedMetricsCode> ranked_metrics_codes() { return kMetricsRanking; }
+
 std::vector<MetricsWarning> metrics_warnings(const BatReadings& r, const BatMetrics& m) {
   std::vector<MetricsWarning> out = implausible_values(r, m);
   const SwingModel standard;
   if (m.swing_mps && !r.swing_mps && r.swing.v0_mps == standard.v0_mps) {
-    out.push_back(
+    out.push_back(with_remedy(
         {"swing_speed_constant",
          "the swing model uses v0 = 60 mph: the source prints 40 mph, which gives 44 mph at the barrel, not the "
          "66 mph that it states",
-         {"v0_mph"},
-         "",
-         MetricsSeverity::info});
+         {"v0_mph"}},
+        "state v0 or the swing speed if another one is meant"));
   }
   if (r.swing.exponent < kMinExponent || r.swing.exponent > kMaxExponent) {
-    out.push_back({"swing_exponent",
-                   fmt::format("exponents of players range from {} to {}; the exponent is {:g}", kMinExponent,
-                               kMaxExponent, r.swing.exponent),
-                   {"swing_exponent"}});
+    out.push_back(with_remedy({"swing_exponent",
+                               fmt::format("the swing exponent is {:g}, but exponents of players range from {} to {}: "
+                                           "the swing speed and the batted-ball speed may be off",
+                                           r.swing.exponent, kMinExponent, kMaxExponent),
+                               {"swing_exponent"}},
+                              "state an exponent within this range"));
   }
   if (m.drop && !m.drop_class) {
-    out.push_back({"drop_class", fmt::format("a drop of {:.3f} is not in class -3 (2.1 to 3.0 oz below the length)",
-                                             m.drop->value())});
+    out.push_back(
+        with_remedy({"drop_class",
+                     fmt::format("a drop of {:.3f} is not in class -3 (2.1 to 3.0 oz below the length): the limits "
+                                 "of this class do not apply to the bat",
+                                 m.drop->value()),
+                     {"length_in", "weight_oz"}},
+                    "check length and weight if it is a bat of class -3"));
   }
   if (r.in_mps && r.out_mps && r.out_mps->value() > r.in_mps->value())
-    out.push_back({"rebound_speed", "the rebound is faster than the inbound ball: are the two speeds exchanged?"});
+    out.push_back(with_remedy(
+        {"rebound_speed",
+         fmt::format("the rebound, {:.4g} mph, is faster than the inbound ball, {:.4g} mph: BESR, BBCOR and the "
+                     "batted-ball speed are wrong",
+                     r.out_mps->value() / kMilePerHour_mps, r.in_mps->value() / kMilePerHour_mps),
+         {"v_in_mph", "v_out_mph"}},
+        "exchange the two speeds, or correct them"));
   std::stable_sort(out.begin(), out.end(),
-                   [](const MetricsWarning& a, const MetricsWarning& b) { return a.severity < b.severity; });
+                   [](const MetricsWarning& a, const MetricsWarning& b) { return rank_of(a) < rank_of(b); });
+  for (MetricsWarning& warning : out) warning.severity = kMetricsRanking.at(rank_of(warning)).severity;
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,23 @@ struct MetricsWarning {
   MetricsSeverity severity = MetricsSeverity::warn;
 };
 
-/// Warns of implausible values, then of inconsistent constants of the source: most serious first.
+/// The warning with a remedy, which ends its message: "MESSAGE; REMEDY".
+inline MetricsWarning with_remedy(MetricsWarning warning, std::string remedy) {
+  warning.message += "; " + remedy;
+  warning.remedy = std::move(remedy);
+  return warning;
+}
+
+struct RankedMetricsCode {
+  std::string_view code;
+  MetricsSeverity severity;
+};
+
+/// All codes of metrics_warnings(), most serious first. docs/reference/warnings.md has a row for each.
+std::span<const RankedMetricsCode> ranked_metrics_codes();
+
+/// Warns of implausible values, then of inconsistent constants of the source: most serious first, each with the
+/// severity of its code.
 std::vector<MetricsWarning> metrics_warnings(const BatReadings& readings, const BatMetrics& metrics);
 
 }  // namespace percuss::metrics

@@ -38,13 +38,12 @@ void add_if_implausible(const Check& check, std::vector<MetricsWarning>& out) {
   const double value = check.value->value() / check.unit_SI;
   if (value >= check.low && value <= check.high) return;
   const char* const blank = *check.unit == '\0' ? "" : " ";
-  out.push_back({.code = "implausible_value",
-                 .message = fmt::format(
-                     "{} of {:.4g}{}{} is implausible: the usual range is {:.4g} to {:.4g}{}{}; {}; {}", check.what,
-                     value, blank, check.unit, check.low, check.high, blank, check.unit, check.why, check.remedy),
-                 .options = check.options,
-                 .remedy = check.remedy,
-                 .severity = MetricsSeverity::reject});
+  out.push_back(with_remedy(
+      {"implausible_value",
+       fmt::format("{} of {:.4g}{}{} is implausible: the usual range is {:.4g} to {:.4g}{}{}; {}", check.what, value,
+                   blank, check.unit, check.low, check.high, blank, check.unit, check.why),
+       check.options},
+      check.remedy));
 }
 
 void check_bat(const BatReadings& r, std::vector<MetricsWarning>& out) {
@@ -146,7 +145,7 @@ void check_shot(const BatReadings& r, std::vector<MetricsWarning>& out) {
                       "state it in mph",
                       {"v_in_mph"}},
                      out);
-  if (r.out_mps && r.in_mps) {
+  if (r.out_mps && r.in_mps && r.out_mps->value() <= r.in_mps->value()) {  // a faster one: warning rebound_speed
     add_if_implausible({"a rebound speed",
                         "mph",
                         r.out_mps,

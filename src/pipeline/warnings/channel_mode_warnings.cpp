@@ -72,39 +72,40 @@ std::vector<Warning> skew(const acquire::Record& record, const std::vector<ident
   Warning warning{"skew",
                   fmt::format("channels were not sampled together: {}. The residues' phase grows evenly with frequency "
                               "over {} modes, to {:.0f}° at {:.6g} Hz. Residues and shapes are turned by it, and "
-                              "frequencies and damping ratios are off once it is more than a turn or so",
+                              "frequencies and damping ratios are off once it exceeds a turn or so. Possible causes: "
+                              "the recorder, unequal filters, the mounting of one sensor",
                               list, most->modes, most->largest_phase() * kRadian_deg, most->highest_Hz)};
-  warning.message +=
-      correctable ? ". Take the delays out. The cause is the recorder, unequal filters, or the mounting of one sensor"
-                  : ". Measure again with equal filters and one clock, or shift the FRFs";
-  if (correctable) warning.options = {"delay"};
-  return {warning};
+  if (!correctable)
+    return {with_remedy(std::move(warning), "measure again with equal filters and one clock, or shift the FRFs")};
+  warning.options = {"delay"};
+  return {with_remedy(std::move(warning), "take the delays out")};
 }
 
 std::vector<Warning> corrected_skew(const acquire::Record& record, const std::vector<identify::Mode>& modes,
                                     const std::vector<ChannelDelay>& delays) {
   const auto& [list, most] = list_of(record, modes, delays);
   if (most == nullptr) return {};
-  return {{"skew",
-           fmt::format("delays were taken out of the channels: {}, from the phases of {} modes. All results are those "
-                       "of channels sampled together",
-                       list, most->modes)}};
+  return {{.code = "skew",
+           .message = fmt::format("delays were taken out of the channels: {}, from the phases of {} modes. All results "
+                                  "hold for channels that are sampled together",
+                                  list, most->modes),
+           .severity = acquire::Severity::info}};
 }
 
 std::vector<Warning> clocks(const acquire::Record& record, const std::vector<ChannelClock>& clocks) {
   std::vector<Warning> out;
   for (const ChannelClock& clock : clocks) {
     if (!clock.established()) continue;
-    out.push_back(
+    out.push_back(with_remedy(
         {"clock_mismatch",
-         fmt::format("{} shows the {} modes that it shares with {} at frequencies {} ± {} ppm {}: their recorders' "
-                     "clocks differ by this factor. Frequencies are uncertain by as much, damping ratios are off, and "
-                     "one mode may appear as two. Record all channels with one clock, or analyse each recorder's "
-                     "channels alone",
+         fmt::format("{} shows the {} modes that it shares with {} at frequencies {} ± {} ppm {}: the clocks of their "
+                     "recorders differ by this factor. Frequencies are uncertain by as much, damping ratios are off, "
+                     "and one mode may appear as two",
                      name_of(record, clock.channel), clock.modes, name_of(record, 0),
                      significant(std::abs(clock.excess) * 1e6, 4), significant(clock.std * 1e6, 2),
                      clock.excess > 0 ? "higher" : "lower"),
-         {"accel_channel"}});
+         {"accel_channel"}},
+        "record all channels with one clock, or analyse each recorder's channels alone"));
   }
   return out;
 }
@@ -115,21 +116,24 @@ std::vector<Warning> units(const acquire::Record& record, const ChannelFindings&
     const double factor = std::max(pair.ratio, 1 / pair.ratio);
     if (factor < kUnitFactor / kUnitSpread || factor > kUnitFactor * kUnitSpread) continue;
     const bool second = pair.ratio > 1;
-    out.push_back({"units_differ",
-                   fmt::format("{} is {:.3g} times {} in the median of {} modes: is one of them in mm/s² or mV, or a "
-                               "sensitivity wrong by 1000? Residues, shapes and the kind of each mode are wrong then; "
-                               "state the unit or the scale of each channel",
-                               name_of(record, second ? pair.second : pair.first), factor,
-                               name_of(record, second ? pair.first : pair.second), pair.modes),
-                   {"unit", "accel_scale"}});
+    out.push_back(
+        with_remedy({"units_differ",
+                     fmt::format("{} is {:.3g} times {} in the median of {} modes: is one of them in mm/s² or mV, or a "
+                                 "sensitivity wrong by 1000? Residues, shapes and mode types are wrong then",
+                                 name_of(record, second ? pair.second : pair.first), factor,
+                                 name_of(record, second ? pair.first : pair.second), pair.modes),
+                     {"unit", "accel_scale"}},
+                    "state the unit or the scale of each channel"));
   }
   if (out.empty() && findings.largest_velocity_mps > kFastest_mps) {
-    out.push_back({"implausible_motion",
-                   fmt::format("a mode moves at {:.3g} m/s after the hits, faster than any hammer: a unit or a "
-                               "sensitivity is wrong (mm/s² for m/s², mV for V, kN for N). Frequencies and damping "
-                               "ratios hold, residues do not; state the units or the scales",
-                               findings.largest_velocity_mps),
-                   {"unit", "force_unit", "accel_scale", "force_scale"}});
+    out.push_back(
+        with_remedy({"implausible_motion",
+                     fmt::format("a mode moves at {:.3g} m/s after the hits, faster than any hammer: a unit or a "
+                                 "sensitivity is wrong (mm/s² for m/s², mV for V, kN for N). Frequencies and damping "
+                                 "ratios hold, residues do not",
+                                 findings.largest_velocity_mps),
+                     {"unit", "force_unit", "accel_scale", "force_scale"}},
+                    "state the units or the scales"));
   }
   return out;
 }
@@ -148,20 +152,20 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
     const auto angle_rad = angle_between(record, pair);
     if (pair.alikeness < kOppositeMotion && angle_rad.value_or(0) < kOneSide_rad) {
       out.push_back(
-          {"reversed",
-           fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all modes "
-                       "agree. Shapes have the wrong sign there; check which way the sensors point, and state "
-                       "a negative scale for the reversed one",
-                       name_of(record, pair.second), name_of(record, pair.first), pair.modes),
-           {"accel_scale"}});
+          with_remedy({"reversed",
+                       fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all "
+                                   "modes agree. Shapes have the wrong sign there",
+                                   name_of(record, pair.second), name_of(record, pair.first), pair.modes),
+                       {"accel_scale"}},
+                      "check which way the sensors point, and state a negative scale for the reversed one"));
     } else if (pair.alikeness > kSameMotion && angle_rad && *angle_rad > kOwnPlace_rad) {
-      out.push_back(
+      out.push_back(with_remedy(
           {"same_motion",
-           fmt::format("{} and {} show the same motion in all {} modes, but are stated {:.0f}° apart: an "
-                       "angle is wrong, or one signal was recorded twice. Bending and hoop cannot be told "
-                       "apart then; state the places of the sensors",
+           fmt::format("{} and {} show the same motion in all {} modes, but their stated angles are {:.0f}° apart: an "
+                       "angle is wrong, or one signal was recorded twice. Bending and hoop are not distinguished then",
                        name_of(record, pair.first), name_of(record, pair.second), pair.modes, *angle_rad * kRadian_deg),
-           {"angle"}});
+           {"angle"}},
+          "state the angle of each sensor"));
     }
   }
   return out;
@@ -176,10 +180,10 @@ std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& mo
                         significant(100 * one.largest_fall, 2), one.points);
   }
   if (list.empty()) return {};
-  return {{"mass_loading", "frequencies fall with the square of the mode's motion at each point: " + list +
-                               ". The mass of a sensor that is moved from point to point does this: the frequencies "
-                               "are too low and the shapes flattened. Use a lighter sensor, rove the hammer, or put "
-                               "the same mass at every point"}};
+  return {with_remedy({"mass_loading", "frequencies fall with the square of the mode's motion at each point: " + list +
+                                           ". The mass of a roving sensor does this: frequencies are too low and "
+                                           "shapes flattened"},
+                      "use a lighter sensor, rove the hammer, or put the same mass at every point")};
 }
 
 std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const std::vector<identify::Mode>& modes,

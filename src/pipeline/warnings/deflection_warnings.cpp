@@ -11,8 +11,9 @@ namespace percuss::pipeline {
 std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
   std::vector<Warning> out;
   if (test.used < test.impacts) {
-    out.push_back({"no_pulse", fmt::format("{} of {} hits show no impact and are left out", test.impacts - test.used,
-                                           test.impacts)});
+    out.push_back(with_remedy({"no_pulse", fmt::format("{} of {} hits show no impact and are left out",
+                                                       test.impacts - test.used, test.impacts)},
+                              "check the cables and the channels of these hits"));
   }
   if (!test.rest_recorded) {
     out.push_back(with_remedy(

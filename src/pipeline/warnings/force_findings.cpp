@@ -114,15 +114,14 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
   const double most = *std::max_element(nyquist.begin(), nyquist.end());
   if (most < kMinAtNyquist || *std::max_element(fall.begin(), fall.end()) < kMaxFilterFall) return {};
   if (median(folded) < kMinFolded) return {};
-  return {
+  return {with_remedy(
       {"aliasing",
-       fmt::format(
-           "no steep anti-alias filter acts before sampling at {:.6g} Hz: at half the sampling rate the force still "
-           "has "
-           "{:.0f} % of its level at low frequencies, and the responses do not fall towards it. Modes above {:.6g} Hz "
-           "are folded into the band: their frequencies are false, and modes near them are biased; record "
-           "with an anti-alias filter or a higher sampling rate",
-           record.fs_Hz, 100 * most, record.fs_Hz / 2)}};
+       fmt::format("no steep anti-alias filter acts before sampling at {:.6g} Hz: at half the sampling rate the force "
+                   "still has {:.0f} % of its level at low frequencies, and the responses do not fall towards it. "
+                   "Modes above {:.6g} Hz are folded into the band: their frequencies are false, and modes near them "
+                   "are biased",
+                   record.fs_Hz, 100 * most, record.fs_Hz / 2)},
+      "record with an anti-alias filter or a higher sampling rate")};
 }
 
 std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
@@ -143,14 +142,14 @@ std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, c
   }
   if (clipped == 0 || least > kMaxLevelChance) return {};
   const LevelSide& clearest = sides.front();
-  return {
+  return {with_remedy(
       {"response_clipped",
        fmt::format("{} reaches {:.4g} m/s² in every hit, equal to {:.2g} %, although the forces differ by {:.0f} %: "
                    "its amplifier clips before the recorder's filter, which rounds the tops. Residues, damping and "
-                   "frequencies are off by more than their ±; lower the gain, use a sensor of larger range, or "
-                   "strike more softly",
+                   "frequencies are off by more than their ±",
                    one_line(record.accel[clearest.channel].name, kMaxNameBytes), clearest.level, 100 * clearest.spread,
-                   100 * clearest.force_spread)}};
+                   100 * clearest.force_spread)},
+      "lower the gain, use a sensor of larger range, or strike more softly")};
 }
 
 std::vector<Warning> duplicate_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
@@ -168,11 +167,12 @@ std::vector<Warning> duplicate_warnings(const acquire::Record& record, const std
     }
   }
   if (pairs.empty()) return {};
-  return {{"duplicate",
-           "the same data twice: the pulses of " + pairs +
-               " are equal in every sample, the noise included. Each ± is too small, because a copy adds no "
-               "information; leave the copies out",
-           {"reject_hit"}}};
+  return {with_remedy({"duplicate",
+                       "the same data twice: the pulses of " + pairs +
+                           " are equal in every sample, the noise included. Each ± is too small, because a copy adds "
+                           "no information",
+                       {"reject_hit"}},
+                      "leave the copies out")};
 }
 
 }  // namespace percuss::pipeline

@@ -76,9 +76,10 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
   std::vector<Warning> out;
   const std::string amplitude = named_modes(modes, amplitude_rank, amplitude_text);
   if (!amplitude.empty())
-    out.push_back({"nonlinear", "nonlinear: these modes depend on the strength of the hits: " + amplitude +
-                                    ". Each value is a mean over the hits, and its ± includes their scatter; quote the "
-                                    "force with it, or hit with equal strength"});
+    out.push_back(with_remedy({"nonlinear", "nonlinear: these modes depend on the strength of the hits: " + amplitude +
+                                                ". Each value is a mean over the hits, and its ± includes their "
+                                                "scatter"},
+                              "quote the force with each value, or hit with equal strength"));
   const std::string drift = named_modes(
       modes, [](const Mode& mode) { return mode.drift ? std::abs(mode.drift->freq_change_per_hit) : 0; },
       [](const Mode& mode) {
@@ -86,10 +87,11 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
                            kPpm * std::abs(mode.drift->freq_change_per_hit), kPpm * mode.drift->std);
       });
   if (!drift.empty())
-    out.push_back(
+    out.push_back(with_remedy(
         {"drifting", "frequencies drift from hit to hit, in the order of the test: " + drift +
-                         ". Possible causes: temperature, a support that settles, damage. Each value is a mean "
-                         "over the hits, and its ± includes the drift"});
+                         ". Each value is a mean over the hits, and its ± includes the drift. Possible causes: "
+                         "temperature, a support that settles, damage"},
+        "wait until temperature and support are steady, and repeat the test"));
   const std::string rest = named_modes(modes, unexplained_rank, [](const Mode& mode) {
     std::string text;
     if (mode.hit_scatter_Hz > 0)
@@ -100,22 +102,24 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
     return "(" + text + ")";
   });
   if (!rest.empty())
-    out.push_back({"hits_differ",
-                   "modes change from hit to hit by more than the noise explains, and neither the force "
-                   "nor the order of the hits explains it: " +
-                       rest +
-                       ". Each ± includes this scatter. Possible causes: the point or the direction of "
-                       "the hits, a second contact of the hammer, a loose sensor or support"});
+    out.push_back(with_remedy({"hits_differ",
+                               "modes change from hit to hit by more than the noise explains, and neither the force "
+                               "nor the order of the hits explains it: " +
+                                   rest +
+                                   ". Each ± includes this scatter. Possible causes: the point or the direction of "
+                                   "the hits, a second contact of the hammer, a loose sensor or support"},
+                              "fasten sensors and support, and strike one point in one direction"));
   const std::string misfit = named_modes(
       modes, misfit_rank, [](const Mode& mode) { return fmt::format("({:.2g} times the noise)", misfit_rank(mode)); });
   if (!misfit.empty())
-    out.push_back({"model_misfit",
-                   "the residual of the fit has structure that no linear mode explains, and determines "
-                   "the ± of: " +
-                       misfit +
-                       ". Possible causes: frequency or damping that changes during the decay (a "
-                       "dependence on the amplitude, a drift), "
-                       "a weak mode beside a strong one, a sensor's or filter's own response"});
+    out.push_back(with_remedy({"model_misfit",
+                               "the residual of the fit has structure that no linear mode explains, and determines "
+                               "the ± of: " +
+                                   misfit +
+                                   ". Possible causes: frequency or damping that changes during the decay (with the "
+                                   "amplitude or with time), a weak mode beside a strong one, a sensor's or filter's "
+                                   "own response"},
+                              "compare softer and stronger hits, and look at the fit around these modes"));
   return out;
 }
 

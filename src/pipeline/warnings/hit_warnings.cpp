@@ -3,36 +3,38 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
+
+#include "pipeline/warnings/hit_list.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
 constexpr double kPoorCoherence = 0.5;
 
-bool any_accepted_with(const std::vector<AnalysedHit>& hits, acquire::FindingCode code) {
-  return std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& hit) {
-    return hit.accepted && std::any_of(hit.hit.findings.begin(), hit.hit.findings.end(),
-                                       [&](const acquire::Finding& finding) { return finding.code == code; });
-  });
-}
+// The accepted hits with a finding of this code, and the least value of these findings.
+struct HitsWithFinding {
+  std::vector<std::size_t> hits;
+  double least = 0;
+};
 
-// "hits 0, 2": accepted hits whose coherence with the others is poor; empty when there are none.
-std::string poorly_coherent_hits(const std::vector<AnalysedHit>& hits) {
-  std::string out;
+HitsWithFinding accepted_hits_with(const std::vector<AnalysedHit>& hits, acquire::FindingCode code,
+                                   double below = std::numeric_limits<double>::infinity()) {
+  HitsWithFinding out;
   for (const std::size_t h : accepted_hits(hits)) {
-    const auto& findings = hits[h].hit.findings;
-    const bool poor = std::any_of(findings.begin(), findings.end(), [](const acquire::Finding& finding) {
-      return finding.code == acquire::FindingCode::low_coherence && finding.value < kPoorCoherence;
-    });
-    if (poor) out += fmt::format("{}{}", out.empty() ? "hits " : ", ", h);
+    for (const acquire::Finding& finding : hits[h].hit.findings) {
+      if (finding.code != code || !(finding.value < below)) continue;
+      out.least = out.hits.empty() ? finding.value : std::min(out.least, finding.value);
+      out.hits.push_back(h);
+    }
   }
   return out;
 }
 
-Warning disagreement(const std::string& hits, bool several_files) {
-  Warning warning{"hits_disagree", hits +
-                                       " explain less than half of the other hits' response: was another structure, "
+Warning disagreement(const HitsWithFinding& poor, bool several_files) {
+  Warning warning{"hits_disagree", hit_list(poor.hits) + (poor.hits.size() == 1 ? " explains" : " explain") +
+                                       " less than half of the other hits' response: was another structure, "
                                        "point or sensor measured? The modes are those of a mixture"};
   if (!several_files) return with_remedy(std::move(warning), "analyse the hits of each structure and point apart");
   warning.options = {"files"};
@@ -48,32 +50,40 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
     out.push_back({"rejected_hits",
                    fmt::format("{} of {} hits not used; each hit's verdict gives the reason", rejected, hits.size())});
   }
-  if (const std::string poor = poorly_coherent_hits(hits); !poor.empty())
+  if (const auto poor = accepted_hits_with(hits, acquire::FindingCode::low_coherence, kPoorCoherence);
+      !poor.hits.empty())
     out.push_back(disagreement(poor, record.files.size() > 1));
-  if (any_accepted_with(hits, acquire::FindingCode::polarity)) {
+  if (const auto negative = accepted_hits_with(hits, acquire::FindingCode::polarity); !negative.hits.empty()) {
     out.push_back(with_remedy({"polarity",
-                               "the force is negative during the pulse: the FRFs have the wrong sign unless the force "
-                               "is scaled by a negative factor",
+                               fmt::format("the force of {} is negative during the pulse, down to {:.4g} N: the FRFs "
+                                           "have the wrong sign",
+                                           hit_list(negative.hits), negative.least),
                                {"force_scale"}},
                               "state a negative scale of the force"));
   }
-  if (any_accepted_with(hits, acquire::FindingCode::low_bandwidth)) {
+  if (const auto low = accepted_hits_with(hits, acquire::FindingCode::low_bandwidth); !low.hits.empty()) {
     out.push_back(with_remedy(
-        {"low_bandwidth", "the hammer's force does not reach the end of the band: modes there are weakly excited"},
-        "use a harder tip or a lighter hammer"));
+        {"low_bandwidth",
+         fmt::format("the force of {} does not reach the end of the band: it falls by 20 dB up to {:.0f} Hz. Modes "
+                     "beyond are weakly excited and less certain",
+                     hit_list(low.hits), low.least),
+         {"band"}},
+        "use a harder tip or a lighter hammer, or narrow the band"));
   }
   return out;
 }
 
 std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits) {
-  const bool rings = std::any_of(hits.begin(), hits.end(), [](const AnalysedHit& hit) {
-    return hit.accepted && std::any_of(hit.responses.begin(), hit.responses.end(),
-                                       [](const acquire::ResponseGrade& grade) { return grade.rings_before; });
-  });
-  if (!rings) return {};
-  return {with_remedy(
-      {"not_at_rest", "the structure was still ringing before a hit: the damping may be off by more than its ±"},
-      "wait longer between hits")};
+  std::vector<std::size_t> ringing;
+  for (const std::size_t h : accepted_hits(hits)) {
+    const auto& responses = hits[h].responses;
+    if (std::any_of(responses.begin(), responses.end(), [](const auto& grade) { return grade.rings_before; }))
+      ringing.push_back(h);
+  }
+  if (ringing.empty()) return {};
+  return {with_remedy({"not_at_rest", "the structure was still ringing before " + hit_list(ringing) +
+                                          ": the damping may be off by more than its ±"},
+                      "wait longer between hits")};
 }
 
 }  // namespace percuss::pipeline

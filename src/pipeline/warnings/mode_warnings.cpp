@@ -35,9 +35,11 @@ std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& mo
       list += fmt::format("{}{:.1f} Hz (by {:.2g} Hz)", separator(list), mode.pole.freq_Hz, mode.freq_scatter_Hz);
   }
   if (list.empty()) return {};
-  return {{"moving_modes", "natural frequencies differ from point to point: " + list +
-                               ". The means over the points are quoted, and their ± includes the scatter. Possible "
-                               "causes: temperature, the strength of the hits, a sensor that was moved"}};
+  return {with_remedy({"moving_modes", "natural frequencies differ from point to point: " + list +
+                                           ". The means over the points are quoted, and their ± includes the "
+                                           "scatter. Possible causes: temperature, the strength of the hits, a sensor "
+                                           "that was moved"},
+                      "measure all points in one session, with equal hits and fixed sensors")};
 }
 
 std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes) {
@@ -57,11 +59,13 @@ std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes
   if (count == 0) return {};
   const std::string why = list.empty() ? "the fit of all modes together did not converge"
                                        : "all modes together leave more residual energy around them: " + list;
-  return {{"local_fits",
-           fmt::format("{} of {} modes keep the fit of their own surroundings, because {}. Their ± is somewhat larger "
-                       "than it could be; the record holds something that no set of fixed modes explains, or a mode is "
-                       "missing",
-                       count, modes.size(), why)}};
+  return {with_remedy(
+      {"local_fits",
+       fmt::format("{} of {} modes keep their local fits, because {}. Their ± is somewhat larger than in a joint fit. "
+                   "The record holds something that no set of fixed modes explains, or a mode is missing",
+                   count, modes.size(), why),
+       {"band", "start"}},
+      "analyse a narrower band around these modes, or state a starting frequency for a missing one")};
 }
 
 std::vector<Warning> unmodelled_peak_warnings(std::vector<identify::UnmodelledPeak> peaks,
@@ -102,11 +106,11 @@ std::vector<Warning> unmodelled_pole_warnings(const identify::FrfDataset& set, c
     ++named;
   }
   if (list.empty()) return {};
-  return {{"unmodelled_poles",
-           "the stabilisation diagram shows stable poles that no mode stands for: " + list +
-               ". Modes may be missing there, and the values of their neighbours may be off by more than their ±: "
-               "analyse a narrower band around them, or state a starting frequency for each mode",
-           {"band", "start"}}};
+  return {with_remedy({"unmodelled_poles",
+                       "the stabilisation diagram shows stable poles that no mode describes: " + list +
+                           ". Modes may be missing there, and their neighbours may be off by more than their ±",
+                       {"band", "start"}},
+                      "analyse a narrower band around them, or state a starting frequency for each mode")};
 }
 
 std::vector<Warning> refused_start_warnings(const std::vector<identify::RefusedStart>& refused) {
@@ -123,14 +127,15 @@ std::vector<Warning> refused_start_warnings(const std::vector<identify::RefusedS
                           100 * at.pole.damping_ratio, 100 * at.damping_std);
         break;
       case identify::RefusedStart::Reason::no_resonance:
-        why = fmt::format("the fitted peak is only {:.2g} times as high as what the fit leaves around it",
-                          at.peak_to_residual);
+        why =
+            fmt::format("the fitted peak is only {:.2g} times as high as the residual around it", at.peak_to_residual);
         break;
     }
-    out.push_back({"start_refused",
-                   fmt::format("no mode near {:.6g} Hz: {}. It is not among the modes; state the frequency of a peak",
-                               at.asked_Hz, why),
-                   {"start"}});
+    out.push_back(
+        with_remedy({"start_refused",
+                     fmt::format("no mode near {:.6g} Hz: {}. The table has no mode for it", at.asked_Hz, why),
+                     {"start"}},
+                    "state the frequency of a peak"));
   }
   return out;
 }

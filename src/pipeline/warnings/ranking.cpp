@@ -6,53 +6,61 @@
 #include <array>
 #include <map>
 
+#include "pipeline/warnings/hit_list.hpp"
+
 namespace percuss::pipeline {
 namespace {
 
 using acquire::Severity;
 
-struct RankedCode {
-  std::string_view code;
-  Severity severity;
-};
-
-// Most serious first: wrong quantities and mixed tests, then distorted signals, structures that are not linear or not
-// at rest, what the fit leaves open, and remarks.
+// Most serious first: wrong quantities and mixed tests, then distorted or incomplete signals, structures that are not
+// linear or not at rest, what the fit leaves open, and remarks.
 constexpr auto kRanking = std::to_array<RankedCode>({
-    {"files_disagree", Severity::warn},
     {"hits_disagree", Severity::reject},
     {"units_differ", Severity::reject},
+    {"implausible_motion", Severity::reject},
     {"reversed", Severity::reject},
     {"clock_mismatch", Severity::reject},
     {"polarity", Severity::reject},
     {"dead_channel", Severity::reject},
-    {"lost_samples", Severity::reject},
     {"already_windowed", Severity::reject},
+    {"aliasing", Severity::reject},
     {"force_clipped", Severity::reject},
     {"response_clipped", Severity::reject},
-    {"dropout", Severity::reject},
+    {"files_disagree", Severity::warn},
+    {"same_motion", Severity::warn},
     {"duplicate", Severity::warn},
+    {"lost_samples", Severity::warn},
+    {"dropout", Severity::warn},
     {"skew", Severity::warn},
-    {"rattle", Severity::warn},
+    {"zero_shift", Severity::warn},
     {"drifting", Severity::warn},
-    {"moving", Severity::warn},
     {"moving_modes", Severity::warn},
     {"nonlinear", Severity::warn},
+    {"hits_differ", Severity::warn},
     {"mass_loading", Severity::warn},
     {"not_at_rest", Severity::warn},
+    {"dropped_points", Severity::warn},
+    {"start_refused", Severity::warn},
     {"outlier", Severity::warn},
     {"low_coherence", Severity::warn},
     {"overload", Severity::warn},
     {"double_hit", Severity::warn},
+    {"double_hits_used", Severity::warn},
     {"no_pulse", Severity::warn},
     {"late_trigger", Severity::warn},
+    {"short_hit", Severity::warn},
     {"coarse_steps", Severity::warn},
     {"hum", Severity::warn},
     {"tone", Severity::warn},
+    {"spike", Severity::warn},
     {"driving_point_sign", Severity::warn},
     {"reciprocity", Severity::warn},
     {"frac", Severity::warn},
+    {"model_misfit", Severity::warn},
     {"unclaimed_peaks", Severity::warn},
+    {"unmodelled_poles", Severity::warn},
+    {"local_fits", Severity::warn},
     {"double_peak", Severity::warn},
     {"sensor_on_node", Severity::warn},
     {"assumed_tube", Severity::warn},
@@ -67,6 +75,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"few_points", Severity::warn},
     {"input", Severity::warn},
     {"not_a_tube", Severity::info},
+    {"offset", Severity::info},
     {"rejected_hits", Severity::info},
     {"truncated_decay", Severity::info},
     {"no_geometry", Severity::info},
@@ -83,30 +92,28 @@ int order_of(Severity severity) { return severity == Severity::reject ? 0 : seve
 // The hits that share one finding.
 struct SharedFinding {
   std::vector<std::size_t> used, rejected;
-  const acquire::Finding* first = nullptr;  // among the hits that are used, if any is
+  const acquire::Finding *first_used = nullptr, *first_rejected = nullptr;
 };
-
-std::string hit_list(const std::vector<std::size_t>& hits) {
-  constexpr std::size_t kMaxListed = 8;
-  std::string list = hits.size() == 1 ? "hit " : "hits ";
-  for (std::size_t i = 0; i < std::min(hits.size(), kMaxListed); ++i)
-    list += fmt::format("{}{}", i > 0 ? ", " : "", hits[i]);
-  if (hits.size() > kMaxListed) list += fmt::format(" and {} more", hits.size() - kMaxListed);
-  return list;
-}
 
 Warning statement_of(const SharedFinding& shared) {
   const bool used = !shared.used.empty();
   std::string who = used ? hit_list(shared.used) : hit_list(shared.rejected) + " (not used)";
   if (used && !shared.rejected.empty()) who += " and " + hit_list(shared.rejected) + " (not used)";
   const std::size_t count = shared.used.size() + shared.rejected.size();
-  return {.code = name_of(shared.first->code),
-          .message = fmt::format("{}: {}{}", who, shared.first->message, count > 1 ? " (the first of them)" : ""),
-          .options = shared.first->options,
-          .severity = used ? shared.first->severity : Severity::info};
+  const acquire::Finding& first = used ? *shared.first_used : *shared.first_rejected;
+  return {.code = name_of(first.code),
+          .message = fmt::format("{}: {}{}", who, first.message, count > 1 ? " (the first of them)" : ""),
+          .options = first.options,
+          .severity = used ? first.severity : Severity::info};
+}
+
+bool states(const std::vector<Warning>& warnings, std::string_view code) {
+  return std::any_of(warnings.begin(), warnings.end(), [&](const Warning& warning) { return warning.code == code; });
 }
 
 }  // namespace
+
+std::span<const RankedCode> ranked_codes() { return kRanking; }
 
 Severity severity_of(std::string_view code) {
   const RankedCode* known = find_code(code);
@@ -132,16 +139,22 @@ std::vector<Warning> trust_statements(const std::vector<Warning>& warnings, cons
   for (std::size_t h = 0; h < hits.size(); ++h) {
     for (const acquire::Finding& finding : hits[h].hit.findings) {
       SharedFinding& shared = findings[finding.code];
-      if (shared.first == nullptr || (hits[h].accepted && shared.used.empty())) shared.first = &finding;
+      const acquire::Finding*& first = hits[h].accepted ? shared.first_used : shared.first_rejected;
+      if (first == nullptr) first = &finding;
       auto& list = hits[h].accepted ? shared.used : shared.rejected;
       if (list.empty() || list.back() != h) list.push_back(h);
     }
   }
-  std::vector<Warning> out = warnings;
-  for (const auto& [code, shared] : findings) {
-    // A warning with the code of a finding summarises it.
-    const auto same = [name = name_of(code)](const Warning& warning) { return warning.code == name; };
-    if (std::none_of(warnings.begin(), warnings.end(), same)) out.push_back(statement_of(shared));
+  std::vector<Warning> out;
+  for (const Warning& warning : warnings) {
+    if (std::none_of(out.begin(), out.end(), [&](const Warning& known) { return known.message == warning.message; }))
+      out.push_back(warning);
+  }
+  for (auto& [code, shared] : findings) {
+    // A warning with the code of a finding summarises it; double_hits_used does so for the hits that are used.
+    if (states(warnings, name_of(code))) continue;
+    if (code == acquire::FindingCode::double_hit && states(warnings, "double_hits_used")) shared.used.clear();
+    if (!shared.used.empty() || !shared.rejected.empty()) out.push_back(statement_of(shared));
   }
   return ranked(std::move(out));
 }

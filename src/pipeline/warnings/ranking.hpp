@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,6 +8,15 @@
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
+
+struct RankedCode {
+  std::string_view code;
+  acquire::Severity severity;
+};
+
+/// All codes of warnings and findings, most serious first within each severity. docs/reference/warnings.md has a row
+/// for each.
+std::span<const RankedCode> ranked_codes();
 
 /// The severity of a warning's code; `warn` for a code that the ranking does not know.
 acquire::Severity severity_of(std::string_view code);
@@ -17,7 +27,7 @@ std::vector<Warning> ranked(std::vector<Warning> warnings);
 
 /// Warnings and the hits' findings together, ranked: each code of a finding once, with the number of its hits and the
 /// message of its first hit. A finding that rejected its hit limits the results less than one of a hit that is used:
-/// it counts as `info`.
+/// it counts as `info`. Equal messages count once.
 std::vector<Warning> trust_statements(const std::vector<Warning>& warnings, const std::vector<AnalysedHit>& hits);
 
 }  // namespace percuss::pipeline

@@ -14,7 +14,8 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMaxListed = 8;      // hits or tones in one message
+constexpr std::size_t kMaxListed = 8;  // hits or tones in one message
+constexpr const char* kStopMachine = "look for a machine nearby, and measure while it stands still";
 constexpr double kMainsDeviation = 0.005;  // of the mains' frequency from 50 or 60 Hz
 
 // One kind of fault over all hits.
@@ -87,23 +88,25 @@ std::vector<Warning> fault_warnings(const std::vector<HitFaults>& faults, const 
   std::vector<Warning> out;
   const double largest = largest_response(hits);
   if (const FaultSummary lost = summary_of(faults, record, hits, is_missing); lost.hits > 0) {
-    out.push_back({"lost_samples",
-                   "the recorder lost samples: all channels jump ahead in " + lost.where +
-                       ". The gap was closed with samples predicted from both sides, so the modes are those of the "
-                       "whole decay; record again with a slower rate, fewer channels or a faster disk"});
+    out.push_back(with_remedy(
+        {"lost_samples", "the recorder lost samples: all channels jump ahead in " + lost.where +
+                             ". Samples predicted from both sides close the gap, so the modes describe the whole "
+                             "decay"},
+        "record again with a lower sampling rate, fewer channels or a faster disk"));
   }
   if (const FaultSummary dropped = summary_of(faults, record, hits, is_dropout); dropped.hits > 0) {
-    out.push_back(
+    out.push_back(with_remedy(
         {"dropout", fmt::format("the accelerometers drop out in {}: the samples there are off by up to {:.2g} % of the "
-                                "largest response. They were replaced by samples predicted from both sides; check "
-                                "cables and connectors",
-                                dropped.where, 100 * dropped.size_mps2 / largest)});
+                                "largest response. Samples predicted from both sides replace them",
+                                dropped.where, 100 * dropped.size_mps2 / largest)},
+        "check cables and connectors"));
   }
   if (const FaultSummary spikes = summary_of(faults, record, hits, is_spike); spikes.hits > 0) {
     out.push_back(
-        {"spike", fmt::format("single samples stand out by up to {:.2g} % of the largest response in {}. They were "
-                              "replaced by samples predicted from both sides; check cables and earthing",
-                              100 * spikes.size_mps2 / largest, spikes.where)});
+        with_remedy({"spike", fmt::format("single samples stand out by up to {:.2g} % of the largest response in {}. "
+                                          "Samples predicted from both sides replace them",
+                                          100 * spikes.size_mps2 / largest, spikes.where)},
+                    "check cables and earthing"));
   }
   return out;
 }
@@ -114,26 +117,29 @@ std::vector<Warning> tone_warnings(const std::vector<Tone>& tones) {
     (tone.wanders ? wandering : is_of_mains(tone.freq_Hz) ? mains : steady).push_back(tone);
   std::vector<Warning> out;
   if (!mains.empty()) {
-    out.push_back({"hum", "hum of the mains and its harmonics, with their size relative to the largest response: " +
-                              tone_list(mains) +
-                              ". These sinusoids were fitted to the end of each response and removed; a mode within "
-                              "a few spectral lines of one is less certain than its ± says. Check the earthing and "
-                              "keep cables away from power lines"});
+    out.push_back(with_remedy(
+        {"hum",
+         "hum of the mains and its harmonics, with their size relative to the largest response: " + tone_list(mains) +
+             ". These sinusoids were fitted to the end of each response and removed. A mode within a few "
+             "spectral lines of one is less certain than its ± says"},
+        "check the earthing, and keep cables away from power lines"));
   }
   if (!steady.empty()) {
-    out.push_back({"tone", "steady tones that no hit excites, with their size relative to the largest response: " +
-                               tone_list(steady) +
-                               ". They were fitted to the end of each response and removed. Look for a machine "
-                               "nearby, and measure while it stands still"});
+    out.push_back(with_remedy(
+        {"tone",
+         "steady tones that no hit excites, with their size relative to the largest response: " + tone_list(steady) +
+             ". They were fitted to the end of each response and removed. A mode within a few "
+             "spectral lines of one is less certain than its ± says"},
+        kStopMachine));
   }
   if (!wandering.empty()) {
-    out.push_back({"tone",
-                   "tones that no hit excites and whose phase wanders, with their size relative to the largest "
-                   "response: " +
-                       tone_list(wandering) +
-                       ". They cannot be removed: modes near them may be missing or false, and damping there "
-                       "is off by more than its ±. Look for a machine nearby, and measure while it stands "
-                       "still"});
+    out.push_back(with_remedy({"tone",
+                               "tones that no hit excites and whose phase wanders, with their size relative to the "
+                               "largest response: " +
+                                   tone_list(wandering) +
+                                   ". They cannot be removed: modes near them may be missing or false, and damping "
+                                   "there is off by more than its ±"},
+                              kStopMachine));
   }
   return out;
 }
@@ -149,19 +155,20 @@ std::vector<Warning> baseline_warnings(const acquire::Record& record, const std:
     }
     const std::string name = one_line(record.accel[c].name, kMaxNameBytes);
     if (step > 0) {
-      out.push_back({"zero_shift",
-                     fmt::format("the zero of {} shifts at the hits, by up to {:.2g} % of the largest response: the "
-                                 "shock overloads the sensor or its amplifier. The decaying step was fitted and "
-                                 "removed, but what the overload did to the first motion stays; strike more softly, or "
-                                 "use a sensor of larger range",
-                                 name, 100 * step)});
+      out.push_back(with_remedy(
+          {"zero_shift",
+           fmt::format("the zero of {} shifts at the hits, by up to {:.2g} % of the largest response: the shock "
+                       "overloads the sensor or its amplifier. The decaying step was fitted and removed, but the "
+                       "overload also distorts the first motion, which stays",
+                       name, 100 * step)},
+          "strike more softly, or use a sensor of larger range"));
     }
     if (slope > 0) {
-      out.push_back(
-          {"offset", fmt::format("the baseline of {} drifts by up to {:.2g} % of the largest response within a record. "
-                                 "A straight slope was fitted and removed; let sensor and amplifier warm up, or use AC "
-                                 "coupling",
-                                 name, 100 * slope)});
+      out.push_back(with_remedy({"offset", fmt::format("the baseline of {} drifts by up to {:.2g} % of the largest "
+                                                       "response within a record. A straight slope was fitted and "
+                                                       "removed",
+                                                       name, 100 * slope)},
+                                "let sensor and amplifier warm up, or use AC coupling"));
     }
   }
   return out;
@@ -180,18 +187,22 @@ std::vector<Warning> window_warnings(const acquire::Record& record, const std::v
   const auto window = find_recorded_window(noise, median(hit_sample), record.fs_Hz);
   if (!window) return {};
   if (!window->exponential) {
-    return {{"already_windowed",
-             fmt::format("the noise falls to {:.2g} % of its level towards the end, as under a Hann window: the "
-                         "recorder windowed the responses. Damping comes out too high and residues wrong, and neither "
-                         "can be corrected; switch the window off and record again",
-                         100 * window->end_level)}};
+    return {with_remedy(
+        {"already_windowed",
+         fmt::format("the noise falls to {:.2g} % of its level towards the end, as under a Hann window: the recorder "
+                     "windowed the responses. Damping comes out too high and residues wrong, and neither can be "
+                     "corrected",
+                     100 * window->end_level)},
+        "switch the window off and record again")};
   }
-  return {{"already_windowed",
-           fmt::format("the noise decays with {:.4g} ± {:.2g} /s, to {:.2g} % at the end of {:.3g} s: the recorder "
-                       "applied an exponential window to the responses. Every damping ratio is too high by {:.4g} Hz "
-                       "over its natural frequency; subtract this, or record again without a window",
-                       window->decay_per_s, window->decay_std, 100 * window->end_level, row_s,
-                       window->decay_per_s / kTwoPi)}};
+  return {with_remedy(
+      {"already_windowed",
+       fmt::format("the noise decays with {:.4g} ± {:.2g} /s, to {:.2g} % at the end of {:.3g} s: the recorder "
+                   "applied an exponential window to the responses. Every damping ratio is too high by {:.4g} Hz "
+                   "over its natural frequency",
+                   window->decay_per_s, window->decay_std, 100 * window->end_level, row_s,
+                   window->decay_per_s / kTwoPi)},
+      "subtract this from each damping ratio, or record again without a window")};
 }
 
 std::vector<Warning> record_findings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,

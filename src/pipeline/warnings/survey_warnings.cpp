@@ -47,9 +47,10 @@ void warn_of_nodes(const SurveyResults& survey, std::vector<Warning>& out) {
     if (survey.shapes[m].significance < kMaxNoiseRms) add_name(nowhere, mode_name(survey, m));
   }
   if (!nowhere.empty()) {
-    out.push_back({"sensor_on_node", "the residues of mode " + nowhere +
-                                         " lie within their noise at every point: every sensor may sit on a node of "
-                                         "this mode"});
+    out.push_back(with_remedy({"sensor_on_node", "the residues of mode " + nowhere +
+                                                     " lie within their noise at every point: every sensor may sit on "
+                                                     "a node of this mode"},
+                              "place a sensor where the mode moves"));
   }
   if (survey.roving != identify::Roving::hammer) return;
   for (std::size_t c = 0; c < accel.size() && accel.size() > 1; ++c) {
@@ -59,9 +60,10 @@ void warn_of_nodes(const SurveyResults& survey, std::vector<Warning>& out) {
         add_name(blind, mode_name(survey, m));
     }
     if (blind.empty()) continue;
-    out.push_back(
+    out.push_back(with_remedy(
         {"sensor_on_node", fmt::format("{} sits on a node of mode {}: only the other sensors measure its shape",
-                                       one_line(accel[c].name, kMaxNameBytes), blind)});
+                                       one_line(accel[c].name, kMaxNameBytes), blind)},
+        "move this sensor if the others do not suffice"));
   }
 }
 
@@ -126,9 +128,11 @@ void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {
       add_name(wrong, fmt::format("mode {} at point {}, channel {}", check.mode, check.at.point, check.at.channel));
   }
   if (!wrong.empty()) {
-    out.push_back({"driving_point_sign", "a driving point's residue must be positive, and is not for " + wrong +
-                                             ": the sensor or the hammer may point the other way, or they may not be "
-                                             "at the same point"});
+    out.push_back(with_remedy(
+        {"driving_point_sign", "a driving point's residue must be positive, and is not for " + wrong +
+                                   ": the sensor or the hammer may point the other way, or they may not be at the same "
+                                   "point. Modal masses and the sign of shapes are wrong then"},
+        "check direction and place of the sensor and of the hits"));
   }
   std::string broken;
   for (const identify::ReciprocityCheck& check : survey.reciprocity) {
@@ -154,9 +158,9 @@ void warn_of_frac(const SurveyResults& survey, std::vector<Warning>& out) {
   }
   if (count == 0) return;
   if (count > kMaxNamed) poor += fmt::format(" and {} more", count - kMaxNamed);
-  out.push_back({"frac", "the modes explain less than 99 % (FRAC) of the FRF of " + poor +
-                             ": modes may be missing, or hits may be poor; noise changes from line to line, and more "
-                             "averages reduce it"});
+  out.push_back(with_remedy({"frac", "the modes explain less than 99 % (FRAC) of the FRF of " + poor +
+                                         ": modes may be missing, hits may be poor, or noise is large"},
+                            "look at these FRFs and their hits, and add hits where noise is the rest"));
 }
 
 void warn_of_pairs(const SurveyResults& survey, std::vector<Warning>& out) {

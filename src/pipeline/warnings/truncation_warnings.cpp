@@ -70,12 +70,17 @@ std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& mode
     return {{"truncated_decay", "these modes still ring when the record ends, with this part of their amplitude: " +
                                     ringing + "; the fit of the damping allows for the missing decay"}};
   }
-  return {{"truncated_decay",
-           fmt::format("the spacing of the spectral lines corresponds to records of {:.4g} s, at whose end these modes "
-                       "still rang with this part of their amplitude: {}. The fit cannot allow for it without the "
-                       "force: residues may be off by as much, and the damping is too high if the recorder applied an "
-                       "exponential window",
-                       1 / lines.df_Hz(), ringing)}};
+  return {with_remedy(
+      {"truncated_decay",
+       fmt::format("the spacing of the spectral lines corresponds to records of {:.4g} s, at whose end these modes "
+                   "still rang with this part of their amplitude: {}. The fit cannot allow for it without the "
+                   "force: residues may be off by as much, and the damping is too high if the recorder applied an "
+                   "exponential window",
+                   1 / lines.df_Hz(), ringing),
+       {},
+       "",
+       acquire::Severity::warn},
+      "analyse the records, or measure FRFs over a longer time")};
 }
 
 }  // namespace percuss::pipeline

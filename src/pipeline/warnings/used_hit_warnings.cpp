@@ -67,11 +67,12 @@ void add_short_hit(std::vector<Warning>& out, const acquire::Record& record, con
   const std::size_t file = record.rows[hits[shortest].hit.row].file;
   const std::string where =
       record.files.size() > 1 ? " of " + one_line(record.files[file].path, kMaxNameBytes) : std::string();
-  out.push_back({"short_hit",
-                 fmt::format("hit {}{} lasts {:.3g} s, the others {:.3g} s: every FRF is cut to its length, which "
-                             "costs resolution and damping; leave this hit out or record it again",
-                             shortest, where, least / record.fs_Hz, typical / record.fs_Hz),
-                 {"reject_hit"}});
+  out.push_back(with_remedy({"short_hit",
+                             fmt::format("hit {}{} lasts {:.3g} s, the others {:.3g} s: every FRF is cut to its "
+                                         "length, which costs resolution and makes damping less certain",
+                                         shortest, where, least / record.fs_Hz, typical / record.fs_Hz),
+                             {"reject_hit"}},
+                            "leave this hit out or record it again"));
 }
 
 }  // namespace
@@ -81,25 +82,30 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
   std::vector<Warning> out;
   if (!any_accepted(hits)) return out;
   if (const UsedInSpite clipped = used_in_spite_of(hits, FindingCode::force_clipped); !clipped.hits.empty()) {
-    out.push_back({"force_clipped",
-                   fmt::format("the force of hits {} was clipped before the recorder's filter (flat tops, {:.0f} % as "
-                               "long at 80 % of the peak as at 30 %; at most 51 % is possible): frequencies and "
-                               "damping hold, but FRFs, residues and masses are off by several percent or more; lower "
-                               "the gain of the hammer's amplifier or hit softer",
-                               listed(clipped.hits), clipped.largest * 100)});
+    out.push_back(with_remedy(
+        {"force_clipped",
+         fmt::format("the force of hits {} was clipped before the recorder's filter (flat tops, {:.0f} % as long at "
+                     "80 % of the peak as at 30 %; at most 51 % is possible): frequencies and damping hold, but FRFs, "
+                     "residues and masses are off by several percent or more",
+                     listed(clipped.hits), clipped.largest * 100)},
+        "lower the gain of the hammer's amplifier or hit softer"));
   }
   if (const UsedInSpite twice = used_in_spite_of(hits, FindingCode::double_hit); !twice.hits.empty()) {
-    out.push_back({"double_hits_used",
-                   fmt::format("hits {} have a second hit (up to {:.1f} % of the main one) and are used, because their "
-                               "points have too few others; the force holds both contacts",
-                               listed(twice.hits), twice.largest * 100)});
+    out.push_back(with_remedy(
+        {"double_hits_used",
+         fmt::format("hits {} have a second hit (up to {:.1f} % of the main one) and are used, because their points "
+                     "have too few others. The force holds both contacts, but its spectrum is uneven",
+                     listed(twice.hits), twice.largest * 100)},
+        "repeat the hits of these points"));
   }
   if (const std::vector<std::size_t> points = dropped_points(hits); !points.empty()) {
-    out.push_back({"dropped_points",
-                   fmt::format("no hit can be used at point{} {}: FRFs and shapes lack {}; each hit's verdict gives "
-                               "the reason",
-                               points.size() == 1 ? "" : "s", listed(points), points.size() == 1 ? "it" : "them"),
-                   {"accept_hit"}});
+    out.push_back(
+        with_remedy({"dropped_points",
+                     fmt::format("no hit can be used at point{} {}: FRFs and shapes lack {}. Each hit's "
+                                 "verdict gives the reason",
+                                 points.size() == 1 ? "" : "s", listed(points), points.size() == 1 ? "it" : "them"),
+                     {"accept_hit"}},
+                    "repeat these hits, or accept one despite its findings"));
   }
   add_short_hit(out, record, hits, samples);
   return out;

@@ -30,7 +30,11 @@ std::string hits_section(const pipeline::Analysis& analysis) {
   const HitsTable table = hits_table(analysis, analysis.hits());
   const std::string more =
       table.left_out > 0 ? page_paragraph(fmt::format("… and {} more accepted hits.", table.left_out)) : "";
-  std::string shown = table.shown.html() + more;
+  const bool excluded = std::any_of(analysis.hits().begin(), analysis.hits().end(),
+                                    [](const pipeline::AnalysedHit& hit) { return !hit.accepted; });
+  const std::string key =
+      excluded ? page_paragraph("Values struck through belong to rejected hits and are in no result.") : "";
+  std::string shown = table.shown.html() + key + more;
   if (analysis.hits().size() > kMaxListed) {
     shown =
         fmt::format("<details>\n<summary>Table of {} hits</summary>\n{}</details>\n", analysis.hits().size(), shown);
@@ -44,6 +48,11 @@ std::string hits_section(const pipeline::Analysis& analysis) {
                           page_findings(analysis, {low_bandwidth}) +
                           page_plot("decay", "Decay of the responses in decibels over time.") +
                           page_findings(analysis, {truncated_decay, low_coherence, outlier}));
+}
+
+std::string quoted_modes_key(const std::vector<identify::ModeClassification>& classifications) {
+  if (std::all_of(classifications.begin(), classifications.end(), is_quoted)) return "";
+  return page_paragraph("Values struck through belong to the peak of a split mode that is not quoted.");
 }
 
 namespace {
@@ -86,6 +95,7 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
                                                  : hits_sentence(analysis);
   std::string found = "<p class=\"verdict\">" + html_escape(summary) + "</p>\n";
   if (!classifications.empty()) found += modes_table(analysis, wants(ReportSection::classes)).html();
+  if (wants(ReportSection::classes)) found += quoted_modes_key(classifications);
   const std::string title = title_of(analysis.record().files);
   std::string body = page_header(title, test_conditions(analysis, with_hits ? analysis.hits().size() : 0)) + "<main>\n";
   body += page_section(modes ? "modes" : "result", modes ? "Modes" : "Result", found);

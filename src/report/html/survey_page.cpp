@@ -85,7 +85,7 @@ std::string survey_page(const pipeline::Survey& survey, const Provenance& proven
   std::string found = "<p class=\"verdict\">" + html_escape(summary) + "</p>\n", shapes;
   std::string data = "[" + analysis_plot_data(analysis, classifications, {.stabilisation = false});
   if (!classifications.empty()) {
-    found += survey_modes_table(survey).html();
+    found += survey_modes_table(survey).html() + quoted_modes_key(classifications);
     data += "," + ascii_text(Json{{"shapes", shapes_plot_json(wireframe(survey))}});
     shapes = page_section("shapes", "Mode shapes",
                           page_plot("shapes", "Animated points of the structure in each mode.") + mac_html(survey));

@@ -78,7 +78,7 @@ HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipel
     cells.push_back(pulse ? fmt::format("{:.2f} ms", hit.pulse_s * 1e3) : "–");
     cells.push_back(pulse ? rounded_frequency_text(std::round(hit.bandwidth_Hz)) : "–");
     cells.push_back(hit_verdict(hits[i]));
-    table.add(std::move(cells));
+    table.add(std::move(cells), hits[i].accepted);
   }
   return {std::move(table), left_out};
 }
@@ -142,9 +142,13 @@ TextTable modes_table(const pipeline::Analysis& analysis, bool classes) {
       cells.push_back(overlay_dB ? decibels(*overlay_dB) : "–");
     }
     cells.push_back(classes ? note_of(analysis, m) : "");
-    table.add(std::move(cells));
+    table.add(std::move(cells), !classes || is_quoted(analysis.classifications()[m]));
   }
   return table;
+}
+
+bool is_quoted(const identify::ModeClassification& classification) {
+  return !classification.split_mode || classification.split_mode->quoted;
 }
 
 std::string mode_type_of(const identify::ModeClassification& classification) {

@@ -22,6 +22,9 @@ TextTable modes_table(const pipeline::Analysis& analysis, bool classes);
 /// The conditions of the test: "25.6 kHz · 5 hits × 2 accelerometers (0°, 90°) · band 60–3200 Hz"
 std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits);
 
+/// Whether the mode's values stand for it: false for the peak of a split mode that is not quoted.
+bool is_quoted(const identify::ModeClassification& classification);
+
 /// "hoop 1"; "bending" or "unknown" without an order.
 std::string mode_type_of(const identify::ModeClassification& classification);
 /// "hoop 1"; "mode 3", by its number, for a mode without an order.

@@ -67,7 +67,7 @@ TextTable survey_modes_table(const pipeline::Survey& survey) {
                                           : "–");
     }
     cells.push_back(note_cell(survey.classifications()[m]));
-    table.add(std::move(cells));
+    table.add(std::move(cells), is_quoted(survey.classifications()[m]));
   }
   return table;
 }

@@ -116,8 +116,8 @@ std::string TextTable::html() const {
   std::vector<std::string> kinds;
   for (std::size_t c = 0; c < columns_.size(); ++c)
     kinds.emplace_back(columns_[c].align == Align::right ? " class=\"right\"" : wraps(c) ? " class=\"words\"" : "");
-  const auto line = [&](const char* tag, const std::vector<std::string>& cells) {
-    std::string out = "<tr>";
+  const auto line = [&](const char* tag, const std::vector<std::string>& cells, bool in_result) {
+    std::string out = in_result ? "<tr>" : "<tr class=\"excluded\">";
     for (std::size_t c = 0; c < cells.size(); ++c) {
       out += fmt::format("<{0}{1}>{2}</{0}>", tag, kinds[c], html_escape(cells[c]));
     }
@@ -125,8 +125,8 @@ std::string TextTable::html() const {
   };
   std::vector<std::string> heads;
   for (const Column& column : columns_) heads.push_back(column.head);
-  std::string out = "<table>\n<thead>" + line("th", heads) + "</thead>\n<tbody>\n";
-  for (const auto& row : rows_) out += line("td", row);
+  std::string out = "<table>\n<thead>" + line("th", heads, true) + "</thead>\n<tbody>\n";
+  for (std::size_t row = 0; row < rows_.size(); ++row) out += line("td", rows_[row], in_result_[row]);
   return out + "</tbody>\n</table>\n";
 }
 

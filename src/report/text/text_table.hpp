@@ -14,7 +14,11 @@ class TextTable {
     Align align = Align::left;
   };
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
-  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  /// `in_result`: false for values that no result contains. The page strikes them through.
+  void add(std::vector<std::string> cells, bool in_result = true) {
+    rows_.push_back(std::move(cells));
+    in_result_.push_back(in_result);
+  }
   std::string text(std::size_t width) const;
   /// The table as an HTML element, its cells escaped.
   std::string html() const;
@@ -22,6 +26,7 @@ class TextTable {
  private:
   std::vector<Column> columns_;
   std::vector<std::vector<std::string>> rows_;
+  std::vector<bool> in_result_;  // per row
 };
 
 /// Number of characters of a UTF-8 text.

@@ -165,6 +165,28 @@ TEST(BatMetrics, NamesImplausibleValues) {
   EXPECT_THAT(implausible(shot), HasSubstr("a rebound speed of -31.32 mph is implausible"));
 }
 
+// A rebound faster than the inbound ball is named once, with both speeds and the remedy.
+TEST(BatMetrics, NamesExchangedSpeedsOnce) {
+  BatReadings r;
+  r.in_mps = 14;
+  r.out_mps = 60;
+  const auto warnings = metrics_warnings(r, bat_metrics(r));
+  EXPECT_EQ(implausible(r).find("a rebound speed"), std::string::npos) << "the same once more";
+  EXPECT_EQ(warnings.front().code, "rebound_speed");
+  EXPECT_EQ(warnings.front().severity, MetricsSeverity::reject);
+  EXPECT_NE(warnings.front().message.find("134.2 mph"), std::string::npos) << warnings.front().message;
+}
+
+TEST(BatMetrics, EndsEachWarningWithItsRemedy) {
+  BatReadings r = readings_of({}, 0);
+  r.swing.exponent = 0.5;
+  r.mass_kg = 20 * kOunce_kg;
+  for (const auto& warning : metrics_warnings(r, bat_metrics(r))) {
+    EXPECT_NE(warning.remedy, "") << warning.code;
+    EXPECT_TRUE(warning.message.ends_with("; " + warning.remedy)) << warning.message;
+  }
+}
+
 TEST(BatMetrics, PutsImplausibleValuesFirst) {
   BatReadings r = readings_of({}, 0);
   r.period_s = 1250;

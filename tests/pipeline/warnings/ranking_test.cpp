@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pipeline/warnings/hit_list.hpp"
+
 namespace percuss::pipeline::ranking_test {
 
 using acquire::FindingCode;
@@ -54,6 +56,28 @@ TEST(TrustStatements, NameEachFindingOnceWithItsHits) {
 TEST(TrustStatements, LeaveFindingsToTheWarningOfTheirCode) {
   const std::vector<AnalysedHit> hits{hit_with(FindingCode::polarity, Severity::warn, true)};
   EXPECT_THAT(codes_of(trust_statements({{"polarity", "all hits"}}, hits)), ElementsAre("polarity"));
+}
+
+TEST(TrustStatements, StateEqualMessagesOnce) {
+  EXPECT_THAT(codes_of(trust_statements({{"input", "a note"}, {"input", "a note"}, {"input", "another"}}, {})),
+              ElementsAre("input", "input"));
+}
+
+// double_hits_used summarises the findings of the hits that are used, not those of rejected hits.
+TEST(TrustStatements, StateDoubleHitsOnce) {
+  const Warning used{"double_hits_used", "hits 0"};
+  std::vector<AnalysedHit> hits{hit_with(FindingCode::double_hit, Severity::warn, true)};
+  EXPECT_THAT(codes_of(trust_statements({used}, hits)), ElementsAre("double_hits_used"));
+  hits.push_back(hit_with(FindingCode::double_hit, Severity::reject, false));
+  const auto out = trust_statements({used}, hits);
+  EXPECT_THAT(codes_of(out), ElementsAre("double_hits_used", "double_hit"));
+  EXPECT_EQ(out[1].message, "hit 1 (not used): what was found");
+}
+
+TEST(HitList, NamesEightHitsAndCountsTheOthers) {
+  EXPECT_EQ(hit_list({3}), "hit 3");
+  EXPECT_EQ(hit_list({0, 2}), "hits 0, 2");
+  EXPECT_EQ(hit_list({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}), "hits 0, 1, 2, 3, 4, 5, 6, 7 and 2 more");
 }
 
 }  // namespace percuss::pipeline::ranking_test

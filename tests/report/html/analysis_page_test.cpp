@@ -72,6 +72,16 @@ class AnalysisPage : public testing::Test {
   test::ScratchFolder folder_;
 };
 
+TEST_F(AnalysisPage, StrikesThroughTheValuesOfRejectedHits) {
+  test::write_small_test(folder_.file("bat.h5"));
+  const std::string whole = page_of(folder_.file("bat.h5"));
+  EXPECT_THAT(whole, Not(HasSubstr("<tr class=\"excluded\">")));
+  EXPECT_THAT(whole, Not(HasSubstr("rejected hits and are in no result")));
+  const std::string page = page_of(folder_.file("bat.h5"), {"--reject-hit", "1"});
+  EXPECT_THAT(page, HasSubstr("<tr class=\"excluded\"><td class=\"right\">1</td>"));
+  EXPECT_THAT(page, HasSubstr("rejected hits and are in no result"));
+}
+
 TEST_F(AnalysisPage, ContainsVerdictTableAndPlots) {
   test::write_small_test(folder_.file("bat.h5"));
   const std::string page = page_of(folder_.file("bat.h5"));

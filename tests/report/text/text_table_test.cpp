@@ -57,6 +57,15 @@ TEST(TextTable, AlignsItsColumns) {
   EXPECT_EQ(table.text(80), " n  name  note\n 1  µ     first\n10  abc\n");
 }
 
+TEST(TextTable, MarksRowsThatAreInNoResultOnThePage) {
+  TextTable table({{"hit", TextTable::Align::right}, {"verdict"}});
+  table.add({"0", "ok"});
+  table.add({"1", "rejected"}, false);
+  const std::string html = table.html();
+  EXPECT_NE(html.find("<tr><td class=\"right\">0</td>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<tr class=\"excluded\"><td class=\"right\">1</td>"), std::string::npos) << html;
+}
+
 TEST(TextTable, WrapsItsLastColumnUnderItself) {
   TextTable table({{"hit", TextTable::Align::right}, {"verdict"}});
   table.add({"0", "rejected: second hit after 11.2 ms, 31 % of the first"});
