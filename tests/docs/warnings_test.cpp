@@ -78,7 +78,7 @@ Codes keys_of(const std::map<std::string, std::string>& map) {
 }
 
 TEST(WarningCodes, AreFoundInSources) {
-  EXPECT_EQ(codes_constructed_in(R"(Warning a{"one", "text"}; out.push_back({"two",
+  EXPECT_EQ(codes_constructed_in(R"(Warning a{"one", "a text"}; out.push_back({"two",
       fmt::format("x"), {"angle", "object"}}); return {{.code = "three", .message = m}}; b({"angle"});)"),
             (Codes{"one", "two", "three"}));
   EXPECT_THAT(codes_constructed_in(R"(table.add({"one", "Two words"});)"), testing::IsEmpty());
