@@ -37,7 +37,7 @@ int parse_and_run(int argc, char** argv) {
   const int code = line.run(argc, argv);
   std::cout.flush();
   return std::cout ? code
-                   : print_error("could not write to standard output; is the disk full or the pipe closed?", kBadInput);
+                   : print_error("could not write to standard output; is the disk full, the pipe closed or memory exhausted?", kBadInput);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "pipeline/stages/hit_scatter.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "identify/hits/hit_scatter.hpp"
@@ -9,21 +10,34 @@ namespace percuss::pipeline {
 namespace {
 
 // The points' places in the set: ascending by number.
-std::map<int, std::size_t> places_of_points(const TestSpectra& spectra, const std::vector<std::size_t>& used) {
+std::map<int, std::size_t> places_of_points(const TestSpectra& spectra) {
   std::map<int, std::size_t> places;
-  for (const std::size_t h : used) places[spectra.hits[h].point] = 0;
+  for (const std::size_t h : accepted_hits(spectra.hits)) places[spectra.hits[h].point] = 0;
   std::size_t next = 0;
   for (auto& [point, place] : places) place = next++;
   return places;
+}
+
+// The hits that are compared. The force of a double contact has zeros along the frequency, near which the FRF of that
+// hit alone is poor: it is left out where two other hits remain.
+std::vector<std::size_t> compared_hits(const TestSpectra& spectra) {
+  const std::vector<std::size_t> used = accepted_hits(spectra.hits);
+  std::vector<std::size_t> single;
+  std::copy_if(used.begin(), used.end(), std::back_inserter(single), [&](std::size_t h) {
+    const std::vector<acquire::Finding>& findings = spectra.hits[h].hit.findings;
+    return std::none_of(findings.begin(), findings.end(),
+                        [](const auto& finding) { return finding.code == acquire::FindingCode::double_hit; });
+  });
+  return single.size() < 2 ? used : single;
 }
 
 }  // namespace
 
 void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra& spectra,
                               const identify::IdentifyOptions& options, std::vector<identify::Mode>& modes) {
-  const std::vector<std::size_t> used = accepted_hits(spectra.hits);
+  const std::vector<std::size_t> used = compared_hits(spectra);
   if (used.size() < 2) return;
-  const auto places = places_of_points(spectra, used);
+  const auto places = places_of_points(spectra);
   identify::HitFrfs hits{.set = {.lines = set.lines, .usable_bandwidth_Hz = set.usable_bandwidth_Hz}};
   std::vector<double> peak_N;
   for (const std::size_t h : used) {
