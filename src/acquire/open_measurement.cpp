@@ -25,7 +25,8 @@ void refuse_variable_name(const FrfReadOptions& options, const std::string& path
 // Reads all of a pipe, unless its first bytes show a format that cannot be read from one.
 Measurement open_standard_input(const FrfReadOptions& options, Content content) {
   refuse_variable_name(options, "-");
-  const FileBytes stream = read_input("-", kMaxPipe_bytes, [](std::string_view bytes) {
+  GrowthCheck check_growth;
+  const auto check_head = [&](std::string_view bytes) {
     const FileHead head{"-", bytes};
     const FileFormat& format = detected_format(head);
     if (format.sandboxed) {
@@ -33,6 +34,10 @@ Measurement open_standard_input(const FrfReadOptions& options, Content content) 
                        "give the file's name");
     }
     if (format.check != nullptr) format.check(head);
+    if (format.growth_check != nullptr) check_growth = format.growth_check("-");
+  };
+  const FileBytes stream = read_input("-", kMaxPipe_bytes, check_head, [&](std::string_view text) {
+    if (check_growth) check_growth(text);
   });
   const FileFormat& format = detected_format({"-", stream.view()});
   return format.open({"-", &stream}, options, content);

@@ -3,7 +3,6 @@
 #include <sys/resource.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -161,6 +160,9 @@ TEST_F(LongInput, OfJsonTakesMemoryAsItsSize) {
       {head, "0", "]}"},
       {head + R"(],"x":[)", "{}", "]}"},
       {head + R"({"frequency_hz":9,"residues":[)", residue, "]}]}"},
+      {head, R"("")", "]}"},
+      {head, "[[[0]]]", "]}"},
+      {"[", R"({"schema":"percuss/analysis/1","modes":[]})", "]"},
   };
 #ifdef PERCUSS_SANITIZED
   constexpr std::size_t kPerByte = 40;
@@ -177,23 +179,40 @@ TEST_F(LongInput, OfJsonTakesMemoryAsItsSize) {
   }
 }
 
-// The first and last line of the text are short; a line of 300 MB is between them.
-TEST_F(LongInput, OfOneLineIsRefusedInSeconds) {
-  const std::string path = folder_.file("long.csv");
-  {
-    std::ofstream out(path, std::ios::binary);
-    std::string block;
-    while (block.size() < 1'000'000) block += "1.25,2.5,\" ,";
-    out << "time,force,accel\n0,1,2\n1,2,3\n";
-    for (int i = 0; i < 300; ++i) out << block;
-    out << "\n2,3,4\n";
+// A gigabyte without a line end. It is a hole in the file, so that the test writes 100 kB. The file was in memory as a
+// whole before the line was refused.
+TEST_F(LongInput, OfOneLineIsRefusedInSecondsWithLittleMemory) {
+  constexpr std::size_t kMax_bytes = 250'000'000;  // of this process before the start, and 17 MB of the file
+  const std::string path = folder_.file("long.csv"), head = "time,force,accel\n";
+  std::string lines = head;
+  while (lines.size() < 100'000) lines += "0,1,2\n";
+  test::write_bytes(path, lines);
+  std::filesystem::resize_file(path, 1'000'000'000);
+  const auto number = 2 + (lines.size() - head.size()) / 6;
+  for (const bool piped : {false, true}) {
+    const auto began = std::chrono::steady_clock::now();
+    const ProcessOutcome outcome = run_percuss({"info", piped ? "-" : path}, {.input = piped ? path : ""});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("a line of more than 1 MiB"));
+    EXPECT_THAT(outcome.err, HasSubstr("line " + std::to_string(number)));
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
+#ifndef PERCUSS_SANITIZED
+    EXPECT_LT(outcome.peak_bytes, kMax_bytes);
+#endif
   }
-  const auto began = std::chrono::steady_clock::now();
-  const ProcessOutcome outcome = run_percuss({"info", path});
-  EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("a line of more than 1 MiB"));
-  EXPECT_THAT(outcome.err, HasSubstr("line 4"));
-  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
+}
+
+TEST_F(LongInput, OfALineAmongShortOnesIsRefusedWithItsNumber) {
+  const std::string path = folder_.file("long.csv");
+  for (const std::string& line_end : {std::string("\n"), std::string("\r\n"), std::string("\r")}) {
+    std::string text = "time,force,accel" + line_end + "0,1,2" + line_end + "1,2,3" + line_end;
+    while (text.size() < 2'000'000) text += "1.25,2.5,\" ,";
+    test::write_bytes(path, text + line_end + "2,3,4" + line_end);
+    const ProcessOutcome outcome = run_percuss({"info", path});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("a line of more than 1 MiB"));
+    EXPECT_THAT(outcome.err, HasSubstr("line 4"));
+  }
 }
 
 }  // namespace percuss::limits_test

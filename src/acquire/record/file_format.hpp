@@ -39,6 +39,8 @@ struct FileFormat {
   /// Refuses an input before the rest of it is read.
   /// errors  InputError.
   void (*check)(const FileHead& head) = nullptr;
+  /// The check of an input while it grows, if there is one.
+  GrowthCheck (*growth_check)(const std::string& path) = nullptr;
   /// Opens the input and decides whether it is a record or FRFs.
   /// errors  InputError.
   Measurement (*open)(const FormatInput& input, const FrfReadOptions& options, Content content);

@@ -19,6 +19,7 @@ inline namespace core {
 namespace {
 
 constexpr std::size_t kHead_bytes = std::size_t{1} << 16U;
+constexpr std::size_t kCheckInterval_bytes = std::size_t{1} << 24U;  // between two calls of a GrowthCheck
 constexpr std::size_t kLargestFirstGuess_bytes = std::size_t{1}
                                                  << 30U;  // memory for larger files grows with the bytes read
 
@@ -107,17 +108,20 @@ class GrowingBuffer {
 };
 
 FileBytes read_all(const Descriptor& file, std::size_t first_guess, std::uint64_t limit, const HeadCheck& check_head,
-                   const std::string& path) {
+                   const GrowthCheck& check_growth, const std::string& path) {
   GrowingBuffer buffer;
   buffer.reserve(kHead_bytes);
   std::size_t size = read_fully(file, buffer.data(), kHead_bytes, path);
   if (check_head) check_head({buffer.data(), size});
   if (size == kHead_bytes && first_guess > size) buffer.reserve(first_guess);
-  while (size == buffer.capacity() || (size == kHead_bytes && buffer.capacity() > size)) {
+  for (bool ended = size < kHead_bytes; !ended;) {
     if (size == buffer.capacity()) buffer.reserve(2 * size);
-    const std::size_t got = read_fully(file, buffer.data() + size, buffer.capacity() - size, path);
+    const std::size_t room = buffer.capacity() - size;
+    const std::size_t wanted = check_growth ? std::min(room, kCheckInterval_bytes) : room;
+    const std::size_t got = read_fully(file, buffer.data() + size, wanted, path);
     size += got;
-    if (got == 0) break;
+    ended = got < wanted;
+    if (check_growth) check_growth({buffer.data(), size});
     if (size > limit) {
       throw InputError(fmt::format("longer than {} MiB", limit >> 20U), input_name(path),
                        "split it, or save it as HDF5");
@@ -153,13 +157,14 @@ std::string first_bytes(const std::string& path, std::size_t count) {
   return head;
 }
 
-FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const HeadCheck& check_head) {
-  if (path == "-") return read_all(Descriptor{STDIN_FILENO, false}, 0, limit_bytes, check_head, path);
+FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const HeadCheck& check_head,
+                     const GrowthCheck& check_growth) {
+  if (path == "-") return read_all(Descriptor{STDIN_FILENO, false}, 0, limit_bytes, check_head, check_growth, path);
   std::uint64_t size = 0;
   const Descriptor file{open_regular_file(path, limit_bytes, size), true};
   // One byte more than the file, so that its end is found without growing.
   const auto guess = static_cast<std::size_t>(std::min<std::uint64_t>(size + 1, kLargestFirstGuess_bytes));
-  return read_all(file, guess, limit_bytes, check_head, path);
+  return read_all(file, guess, limit_bytes, check_head, check_growth, path);
 }
 
 }  // namespace core

@@ -27,6 +27,9 @@ FileBytes lazy_input(const std::string& path, std::uint64_t limit_bytes);
 /// Checks the first bytes (up to 64 KiB) before the rest is read. Throws InputError for a wrong kind of file.
 using HeadCheck = std::function<void(std::string_view head)>;
 
+/// Checks all bytes that were read so far, `text`, each time more of them are there. Throws InputError to stop reading.
+using GrowthCheck = std::function<void(std::string_view text)>;
+
 /// `path` for messages: "standard input" for "-".
 std::string input_name(const std::string& path);
 
@@ -39,9 +42,10 @@ int open_regular_file(const std::string& path, std::uint64_t limit_bytes, std::u
 std::string first_bytes(const std::string& path, std::size_t count);
 
 /// The bytes of a regular file, or of standard input for "-". Memory grows with the bytes read, never with a size that
-/// a file claims.
-/// errors  as first_bytes; longer than `limit_bytes`; the errors of `check_head`
-FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const HeadCheck& check_head = {});
+/// a file claims. `check_growth` is called every 16 MiB at least.
+/// errors  as first_bytes; longer than `limit_bytes`; the errors of `check_head` and `check_growth`
+FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const HeadCheck& check_head = {},
+                     const GrowthCheck& check_growth = {});
 
 }  // namespace core
 }  // namespace percuss

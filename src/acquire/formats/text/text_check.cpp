@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/error.hpp"
+#include "core/io/csv_dialect.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -21,6 +22,25 @@ constexpr std::array kNotReadable = {
     Magic{"\x93NUMPY", "a NumPy array"},
     Magic{"%PDF", "a PDF document"},
 };
+
+constexpr std::size_t kLineLimit_bytes = std::size_t{1} << 20U;
+
+// Checks the lines from `first` on and returns the start of the last 1 MiB. Finds the last end of a line in each
+// window, so that short lines are hardly looked at.
+std::size_t require_short_lines_from(std::size_t first, std::string_view text, std::string_view line_ends,
+                                     const std::string& name) {
+  while (text.size() - first > kLineLimit_bytes) {
+    const std::size_t last = text.substr(first, kLineLimit_bytes + 1).find_last_of(line_ends);
+    if (last == std::string_view::npos) {
+      const std::string_view before = text.substr(0, first);
+      const auto line = 1 + std::count(before.begin(), before.end(), find_line_end(before));
+      throw InputError("a line of more than 1 MiB", name + ": line " + std::to_string(line),
+                       "save one line per sample");
+    }
+    first += last + 1;
+  }
+  return first;
+}
 
 }  // namespace
 
@@ -41,17 +61,11 @@ void require_text(std::string_view head, const std::string& name) {
 }
 
 void require_short_lines(std::string_view text, char line_end, const std::string& name) {
-  constexpr std::size_t kLineLimit_bytes = std::size_t{1} << 20U;
-  // Finds the last end of a line in each window, so that short lines are hardly looked at.
-  for (std::string_view rest = text; rest.size() > kLineLimit_bytes;) {
-    const std::size_t last = rest.substr(0, kLineLimit_bytes + 1).rfind(line_end);
-    if (last == std::string_view::npos) {
-      const auto line = 1 + std::count(text.data(), rest.data(), line_end);
-      throw InputError("a line of more than 1 MiB", name + ": line " + std::to_string(line),
-                       "save one line per sample");
-    }
-    rest.remove_prefix(last + 1);
-  }
+  require_short_lines_from(0, text, {&line_end, 1}, name);
+}
+
+void LineLengthCheck::operator()(std::string_view text) {
+  checked_ = require_short_lines_from(checked_, text, "\r\n", name_);
 }
 
 }  // namespace percuss::acquire

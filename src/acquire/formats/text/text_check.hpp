@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace percuss::acquire {
 
@@ -11,5 +12,18 @@ void require_text(std::string_view head, const std::string& name);
 /// Requires that no line is longer than 1 MiB. Takes little time: it reads only the ends of lines 1 MiB apart.
 /// errors  InputError: a longer line, with its number
 void require_short_lines(std::string_view text, char line_end, const std::string& name);
+
+/// The same for a text that grows while it is read, whose line end is not known yet: CR and LF both end a line. It
+/// refuses an endless line before the rest of the file takes memory.
+class LineLengthCheck {
+ public:
+  explicit LineLengthCheck(std::string name) : name_(std::move(name)) {}
+  /// errors  InputError: a longer line, with its number
+  void operator()(std::string_view text);
+
+ private:
+  std::string name_;
+  std::size_t checked_ = 0;  // of the text; a line end precedes
+};
 
 }  // namespace percuss::acquire

@@ -19,8 +19,10 @@ constexpr std::uint64_t kMaxText_bytes = std::uint64_t{16} << 30U;
 constexpr std::array<std::string_view, 1> kLvmExtensions{".lvm"};
 constexpr std::array<std::string_view, 5> kTextExtensions{".csv", ".tsv", ".txt", ".dat", ".asc"};
 
+GrowthCheck check_lines(const std::string& path) { return LineLengthCheck(input_name(path)); }
+
 FileBytes text_of(const FormatInput& input) {
-  return input.stream != nullptr ? *input.stream : read_input(input.path, kMaxText_bytes);
+  return input.stream != nullptr ? *input.stream : read_input(input.path, kMaxText_bytes, {}, check_lines(input.path));
 }
 
 void check_text(const FileHead& head) { require_text(head.bytes, input_name(head.path)); }
@@ -56,6 +58,7 @@ const FileFormat kLvmFormat{.name = "LabVIEW",
                             .extensions = kLvmExtensions,
                             .detect = [](const FileHead& head) { return is_lvm(head.bytes); },
                             .check = check_text,
+                            .growth_check = check_lines,
                             .open = open_lvm_file};
 
 const FileFormat kTextFormat{.name = "text",
@@ -63,6 +66,7 @@ const FileFormat kTextFormat{.name = "text",
                              .written = std::span(kTextExtensions).first(1),
                              .detect = [](const FileHead& /*head*/) { return true; },
                              .check = check_text,
+                             .growth_check = check_lines,
                              .open = open_text_file,
                              .write_record = write_record_csv,
                              .write_frfs = write_frf_csv_file,
