@@ -1,5 +1,6 @@
 #pragma once
-/// Time and memory that one analysis may take. Where an analysis needs more, its accessors throw BudgetSpent.
+/// Time and memory that one analysis may take. Where an analysis needs more, its accessors throw BudgetSpent. The
+/// functions of models have no budget; the commands `percuss model` do.
 ///
 /// @code
 /// #include <iostream>
@@ -36,11 +37,13 @@ struct Budget {
 Budget default_budget(std::uint64_t input_bytes);
 
 enum class Resource { time, memory };
+enum class BudgetedWork { analysis, model };
 
-/// An analysis needs more than its budget.
+/// An analysis or a model needs more than its budget.
 class BudgetSpent : public InputError {
  public:
-  BudgetSpent(Resource resource, const Budget& budget, const std::string& where);
+  BudgetSpent(Resource resource, const Budget& budget, const std::string& where,
+              BudgetedWork work = BudgetedWork::analysis);
   Resource resource() const { return resource_; }
 
  private:

@@ -47,6 +47,7 @@ def impact(
     step: float | None = ...,
     sweep: _Text | None = ...,
     threads: int | None = ...,
+    budget: _Numbers | None = ...,
 ) -> Result: ...
 
 def rigid(
@@ -79,6 +80,7 @@ def trampoline(
     b: float | None = ...,
     m2: float | None = ...,
     c2: float | None = ...,
+    budget: _Numbers | None = ...,
 ) -> Result: ...
 
 def bat(
@@ -99,6 +101,7 @@ def bat(
     at: _Text | None = ...,
     wave: float | None = ...,
     wave_times: _Text | None = ...,
+    budget: _Numbers | None = ...,
 ) -> Result: ...
 
 def shell(

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace percuss {
 inline namespace core {
@@ -68,16 +69,28 @@ SharedMemory& shared_memory() {
   return memory;
 }
 
-std::string problem_of(Resource resource, const Budget& budget) {
+std::string problem_of(Resource resource, const Budget& budget, BudgetedWork work) {
+  const char* name = work == BudgetedWork::analysis ? "analysis" : "model";
   return resource == Resource::time
-             ? fmt::format("the analysis is not finished after its budget of {:.4g} s", budget.time_s)
-             : fmt::format("the analysis needs more memory than its budget of {:.4g} GB",
+             ? fmt::format("the {} is not finished after its budget of {:.4g} s", name, budget.time_s)
+             : fmt::format("the {} needs more memory than its budget of {:.4g} GB", name,
                            static_cast<double>(budget.memory_bytes) / 1e9);
+}
+
+const char* remedy_of(BudgetedWork work) {
+  return work == BudgetedWork::analysis ? "limit the band, choose a lower effort, or raise the budget"
+                                        : "ask for fewer values, modes or steps, or raise the budget";
+}
+
+std::vector<OptionId> options_of(BudgetedWork work) {
+  if (work == BudgetedWork::model) return {"budget"};
+  return {"band", "effort", "budget"};
 }
 
 }  // namespace
 
-BudgetMeter::BudgetMeter(const Budget& budget, std::string where) : budget_(budget), where_(std::move(where)) {
+BudgetMeter::BudgetMeter(const Budget& budget, std::string where, BudgetedWork work)
+    : budget_(budget), where_(std::move(where)), work_(work) {
   shared_memory().add(budget_);
 }
 
@@ -85,10 +98,10 @@ BudgetMeter::~BudgetMeter() { shared_memory().remove(budget_); }
 
 void BudgetMeter::check() {
   const double now = now_s();
-  if (spent_s_ + (now - began_s_) > budget_.time_s) throw BudgetSpent(Resource::time, budget_, where_);
+  if (spent_s_ + (now - began_s_) > budget_.time_s) throw BudgetSpent(Resource::time, budget_, where_, work_);
   double due = next_memory_s_;
   if (now < due || !next_memory_s_.compare_exchange_strong(due, now + kMemoryInterval_s)) return;
-  if (shared_memory().spent()) throw BudgetSpent(Resource::memory, budget_, where_);
+  if (shared_memory().spent()) throw BudgetSpent(Resource::memory, budget_, where_, work_);
 }
 
 BudgetMeter* current_budget() { return meter_of_thread; }
@@ -116,9 +129,7 @@ Budget default_budget(std::uint64_t input_bytes) {
           .memory_bytes = kMinMemory_bytes + kMemoryPerByte * std::min(input_bytes, kMaxMemory_bytes)};
 }
 
-BudgetSpent::BudgetSpent(Resource resource, const Budget& budget, const std::string& where)
-    : InputError(problem_of(resource, budget), where, "limit the band, choose a lower effort, or raise the budget",
-                 {"band", "effort", "budget"}),
-      resource_(resource) {}
+BudgetSpent::BudgetSpent(Resource resource, const Budget& budget, const std::string& where, BudgetedWork work)
+    : InputError(problem_of(resource, budget, work), where, remedy_of(work), options_of(work)), resource_(resource) {}
 
 }  // namespace percuss

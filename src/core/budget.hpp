@@ -9,12 +9,12 @@
 namespace percuss {
 inline namespace core {
 
-/// Accounts for one analysis. Its memory is the growth of the process while analyses run. Several analyses at the same
-/// time share the sum of their memory budgets.
+/// Accounts for one analysis or model. Its memory is the growth of the process while analyses run. Several analyses at
+/// the same time share the sum of their memory budgets.
 class BudgetMeter {
  public:
   /// `where` names the input in the error.
-  BudgetMeter(const Budget& budget, std::string where);
+  BudgetMeter(const Budget& budget, std::string where, BudgetedWork work = BudgetedWork::analysis);
   ~BudgetMeter();
   BudgetMeter(const BudgetMeter&) = delete;
   BudgetMeter& operator=(const BudgetMeter&) = delete;
@@ -28,6 +28,7 @@ class BudgetMeter {
 
   Budget budget_;
   std::string where_;
+  BudgetedWork work_;
   double spent_s_ = 0;                    // in scopes that have ended
   std::atomic<double> began_s_{0};        // of the present scope
   std::atomic<double> next_memory_s_{0};  // when the memory is measured again

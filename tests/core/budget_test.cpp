@@ -117,6 +117,21 @@ TEST(Budget, NamesItsLimitTheInputAndTheOptions) {
   }
 }
 
+TEST(Budget, OfAModelNamesItsOptionOnly) {
+  BudgetMeter meter({.time_s = 0}, "model bat", BudgetedWork::model);
+  const BudgetScope scope(meter);
+  wait_s(0.001);
+  try {
+    check_budget();
+    FAIL();
+  } catch (const BudgetSpent& error) {
+    EXPECT_STREQ(error.what(),
+                 "the model is not finished after its budget of 0 s (model bat); ask for fewer values, modes or steps, "
+                 "or raise the budget");
+    EXPECT_EQ(error.options(), std::vector<OptionId>{"budget"});
+  }
+}
+
 TEST(Budget, DoesNotLimitWithoutAScope) { EXPECT_NO_THROW(check_budget()); }
 
 }  // namespace percuss::budget_test

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/budget.hpp"
 #include "core/math/linear_algebra.hpp"
 #include "core/parallel/parallel.hpp"
 #include "identify/model/residual_terms.hpp"
@@ -125,6 +126,7 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
     part.columns.col(at) = plan.background.col(term);
     if (columns_per_term == 2) turn(part.columns.col(at), part.columns.col(at + 1));
   }
+  check_budget();
   part.inverse = inverse_gram(MatrixXd(part.columns.transpose() * part.columns));
   part.amplitude.resize(part.columns.cols(), plan.data.cols());
   part.residual.resize(rows, plan.data.cols());
@@ -152,12 +154,15 @@ NormalEquations JointProjection::normal_equations(const JointState& state) const
   const auto modes = static_cast<Index>(state.model.poles.size());
   NormalEquations out{.matrix = MatrixXd::Zero(2 * modes, 2 * modes), .right = VectorXd::Zero(2 * modes)};
   for (const JointPart& part : state.parts) {
+    check_budget();  // with hundreds of modes, each of these products takes up to a second
     // The slopes with their projection on the columns removed (Kaufman's Jacobian).
     const MatrixXd cross = part.columns.transpose() * part.slopes;
+    check_budget();
     const MatrixXd gram = part.slopes.transpose() * part.slopes - cross.transpose() * part.inverse * cross;
     const MatrixXd score = part.slopes.transpose() * part.residual;
     for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const auto o = static_cast<Index>(i);
+      check_budget();
       const MatrixXd residues = residue_matrix(state, part, o);
       out.matrix += residues.transpose() * gram * residues;
       out.right += residues.transpose() * score.col(o) / noise_(static_cast<Index>(part.channels[i]));

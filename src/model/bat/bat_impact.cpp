@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/budget.hpp"
 #include "core/units.hpp"
 
 namespace percuss::model {
@@ -43,6 +44,7 @@ BatImpact::BatImpact(const BatModes& bat, std::size_t modes, const BatCollision&
       rate_mps_(closing_mps_) {}
 
 void BatImpact::step() {
+  check_budget();
   const double h = contact_.step_s;
   bat_.advance(contact_, force_N_);
   ball_m_ += h * ball_mps_ - h * h / 3 * force_N_ / ball_.mass_kg;
@@ -135,6 +137,7 @@ double BatImpact::exponent_at(double u) const {
 bool BatImpact::will_recontact() {
   const double end_s = time_s_ + recontact_window_s_;
   while (time_s_ < end_s && !has_separated()) {
+    check_budget();
     const ModalState before = bat_;
     bat_.advance(free_, 0);
     const double ball_m = ball_m_ + free_.step_s * ball_mps_;

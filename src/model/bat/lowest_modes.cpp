@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/budget.hpp"
 #include "core/error.hpp"
 
 namespace percuss::model {
@@ -44,6 +45,7 @@ class Lanczos {
     diagonal_.conservativeResize(wanted);
     off_diagonal_.conservativeResize(wanted);
     for (; at < wanted && !exhausted_; ++at) {
+      check_budget();
       known_ = at + 1;
       vectors_.col(at) = next_;
       mass_vectors_.col(at) = mass_ * next_;

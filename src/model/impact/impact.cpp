@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/budget.hpp"
 #include "core/error.hpp"
 #include "core/math/roots.hpp"
 #include "model/impact/ball_on_beam.hpp"
@@ -18,6 +19,7 @@ constexpr double kFirstPassSteps = 32;            // of the first pass, per Hert
 constexpr double kMaxImpactError = 5e-10;         // of the coefficient of restitution, and of the energy
 constexpr double kTargetImpactError = 2e-10;      // from which the next shorter step is chosen
 constexpr std::size_t kMaxModeSteps = 5'000'000;  // modes times steps in one pass: less than a second
+constexpr std::size_t kStepsPerCheck = 64;        // of the budget: below 1 ms
 constexpr double kClassicStep_s = 1e-5;
 constexpr std::size_t kSeriesContact = 400, kSeriesFree = 4000;
 
@@ -64,6 +66,7 @@ class ContactPass {
                          "check ball and beam for a wrong value, or use a longer step or fewer modes",
                          {"hertz", "ball_mass", "speed", "ei", "rho_a", "step", "modes"});
       }
+      if (result_.steps % kStepsPerCheck == 0) check_budget();
       const BallOnBeamReading before = now_;
       double dt_s = next_step_s();
       saved_ = state_;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/budget.hpp"
 #include "core/error.hpp"
 #include "core/math/roots.hpp"
 
@@ -136,6 +137,7 @@ BallAndBarrel ContactSolver::follow(const BallAndBarrel& start) {
   auto next = now;
   double h = kFirstStep, steps = 0;
   for (bool holds = true; holds;) {
+    check_budget();
     if (++steps > kMaxContactSteps)
       throw InputError("the contact does not end", "trampoline model", "use a higher hoop frequency", {"hoop"});
     const double error = stepper_->take(now, h, next);

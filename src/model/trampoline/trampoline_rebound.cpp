@@ -1,6 +1,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/budget.hpp"
 #include "core/error.hpp"
 #include "core/math/roots.hpp"
 #include "core/units.hpp"
@@ -35,6 +36,7 @@ class FreeFlight {
     const double interval_s = kTwoPi / barrel_.omega_radps / kIntervalsPerPeriod;
     const double amplitude_bound_m = barrel_.amplitude_bound_m({.x_m = start_.barrel_m, .v_mps = start_.barrel_mps});
     for (int i = 1; i < kMaxIntervals; ++i) {
+      check_budget();
       const double time_s = i * interval_s;
       if (contact_margin(time_s) > 0) {
         const auto crossing = [&](double t) { return contact_margin(t); };

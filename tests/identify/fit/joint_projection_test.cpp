@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/budget.hpp"
 #include "support/modal_frfs.hpp"
 
 namespace percuss::identify::joint_projection_test {
@@ -52,6 +53,18 @@ TEST(JointProjection, RightHandSideIsMinusHalfTheSlopeOfTheCost) {
     const auto at = static_cast<Eigen::Index>(i);
     EXPECT_LE(std::abs(-2 * normal.right(at) - slope), kTolerance * std::abs(slope)) << i;
   }
+}
+
+// With hundreds of modes, each of the two takes seconds.
+TEST(JointProjection, ChecksTheBudget) {
+  const FrfDataset set = three_modes();
+  const JointProjection projection(set, kTruth);
+  const JointModel model{.poles = kTruth, .real = {1, 0, 1}};
+  const JointState state = projection.evaluate(model);
+  BudgetMeter spent({.time_s = 0}, "a.h5");
+  const BudgetScope scope(spent);
+  EXPECT_THROW(projection.normal_equations(state), BudgetSpent);
+  EXPECT_THROW(projection.evaluate(model), BudgetSpent);
 }
 
 TEST(JointProjection, FindsTheNoiseOfEachFrf) {

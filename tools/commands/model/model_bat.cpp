@@ -4,6 +4,7 @@
 #include "cli/ranges.hpp"
 #include "cli/report_output.hpp"
 #include "commands/model/bat_profile_file.hpp"
+#include "commands/model/model_budget.hpp"
 #include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
 #include "report/bat_report.hpp"
@@ -21,6 +22,7 @@ struct BatFlags {
   model::BatCollision collision;
   std::size_t modes = model::BatModesOptions{}.modes;
   std::optional<double> wave_m;
+  std::vector<double> budget;
   OutputFlags output;
 };
 
@@ -47,6 +49,7 @@ std::optional<report::BatWaveRequest> wave_of(const BatFlags& flags, double leng
 
 int model_bat(const BatFlags& flags) {
   check_report_outputs(flags.output);
+  const ModelBudget budget(flags.budget, "model bat");
   const model::BatProfile profile = read_bat_profile(flags.profile, flags.unit);
   const std::vector<double> z_m = impact_positions_m(flags, profile.length_m());
   const auto wave = wave_of(flags, profile.length_m());
@@ -129,6 +132,7 @@ void add_model_bat(CommandLine& line) {
       .value("--wave-times", flags->wave_times, "Show the deflection of --wave at these times in s, from first contact")
       .type("LO:STEP:HI")
       .show_default();
+  add_model_budget(command, flags->budget);
   add_output_flags(command, flags->output, kReportKinds);
 }
 

@@ -7,6 +7,7 @@
 #include "cli/ranges.hpp"
 #include "cli/report_output.hpp"
 #include "commands/model/beam_flags.hpp"
+#include "commands/model/model_budget.hpp"
 #include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
@@ -28,6 +29,7 @@ struct ModelImpactFlags {
   std::optional<double> step_s;
   std::vector<std::string> sweeps;
   std::size_t threads = 0;
+  std::vector<double> budget;
   OutputFlags output;
 };
 
@@ -89,6 +91,7 @@ model::ImpactOptions impact_options(const ModelImpactFlags& flags, const model::
 
 int model_impact(const ModelImpactFlags& flags) {
   check_report_outputs(flags.output);
+  const ModelBudget budget(flags.budget, "model impact");
   model::Impact impact = flags.impact;
   impact.beam = beam_of(flags.beam);
   check_impact_position("at", impact.at_m, impact.beam);
@@ -160,6 +163,7 @@ void add_model_impact(CommandLine& line) {
   command.value("--threads", flags->threads, "Use this many threads (default: all; the result is the same)")
       .within(0, 1024)
       .type("N");
+  add_model_budget(command, flags->budget);
   add_output_flags(command, flags->output, kReportKinds);
 }
 

@@ -5,6 +5,7 @@
 #include "cli/option_error.hpp"
 #include "cli/ranges.hpp"
 #include "cli/report_output.hpp"
+#include "commands/model/model_budget.hpp"
 #include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
 #include "core/io/number_table.hpp"
@@ -23,6 +24,7 @@ struct TrampolineFlags {
   double speed_mps = 60.80, extra_mass_kg = 0;
   std::optional<double> free_hoop_Hz, loaded_hoop_Hz;
   std::vector<std::string> ccor;
+  std::vector<double> budget;
   OutputFlags output;
 };
 
@@ -97,6 +99,7 @@ std::optional<double> mass_from_shift(const TrampolineFlags& flags) {
 
 int model_trampoline(const TrampolineFlags& flags) {
   check_report_outputs(flags.output);
+  const ModelBudget budget(flags.budget, "model trampoline");
   model::Trampoline model = model_of(flags);
   const Range hoop = parse_range("hoop", flags.hoop);
   if (!(hoop.low >= 1)) throw OptionError({"hoop"}, "starts below 1 Hz", "give LO:STEP:HI, such as 100:25:10000");
@@ -169,6 +172,7 @@ void add_model_trampoline(CommandLine& line) {
             "Fit a and b to measured CCOR first: speed in m/s, COR and its standard deviation; or a file of such lines")
       .type("SPEED:COR:STD,...");
   add_constants(command, *flags);
+  add_model_budget(command, flags->budget);
   add_output_flags(command, flags->output, kReportKinds);
 }
 
