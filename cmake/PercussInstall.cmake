@@ -36,5 +36,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-    "libfftw3-dev, libgsl-dev, libtbb-dev, libfmt-dev, libhdf5-dev, libmatio-dev, libsndfile1-dev, libseccomp-dev, libssl-dev, pkg-config")
+    "libfftw3-dev, libgsl-dev, libtbb-dev, libfmt-dev, libhdf5-dev, libmatio-dev, libsndfile1-dev, libseccomp-dev, libssl-dev, zlib1g-dev, pkg-config")
 include(CPack)
