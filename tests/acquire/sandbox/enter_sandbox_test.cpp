@@ -225,6 +225,18 @@ TEST_F(EnterSandbox, ChangesNeitherFilesNorItsLimits) {
   EXPECT_FALSE(std::filesystem::exists(folder_.file("new")));
 }
 
+// What the sandbox leaves open; docs/project/security.md says so.
+TEST_F(EnterSandbox, LeavesNamesAndSizesOfFilesVisible) {
+  if (!test::has_seccomp()) return;
+  const std::string link = folder_.file("link");
+  std::filesystem::create_symlink(other_, link);
+  struct stat status {};
+  std::array<char, 16> target{};
+  EXPECT_EQ(successes({{"stat", [&] { return ::stat(other_.c_str(), &status); }},
+                       {"readlink", [&] { return ::readlink(link.c_str(), target.data(), target.size()); }}}),
+            "stat, readlink");
+}
+
 #if defined(__x86_64__)
 // The numbers of another interface of the processor (x32) would otherwise pass by the filter.
 TEST_F(EnterSandbox, EndsAProcessThatUsesAnotherInterface) {
