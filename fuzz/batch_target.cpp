@@ -1,8 +1,12 @@
+#include <unistd.h>
+
 #include <cstdlib>
 
 #include "batch/journal.hpp"
 #include "batch/manifest.hpp"
 #include "batch/part.hpp"
+#include "batch/plan.hpp"
+#include "batch/row_writer.hpp"
 #include "batch/serialized_frf.hpp"
 #include "metrics/study/study_batch.hpp"
 #include "targets.hpp"
@@ -25,6 +29,17 @@ void read_manifest(const std::string& path) {
   for (std::size_t i = 0; i < manifest.size(); ++i) manifest.record(i);
 }
 
+// Adds the lines of a part to the files that `batch merge` writes; without commit() they leave no file.
+void merge_rows(std::string_view bytes) {
+  const batch::BatchTotals totals{.version = "0", .head = {.frf = true}};
+  const std::string path = "/tmp/percuss-fuzz-" + std::to_string(::getpid());
+  for (const std::string kind : {".csv", ".h5"}) {
+    if (kind == ".h5" && bytes.find(batch::kFrfRow) == std::string_view::npos) continue;
+    const auto writer = batch::row_writer(path + kind, totals, true);
+    for (const std::string& row : batch::parse_path_list(bytes)) accepted([&] { writer->add(row, "fuzzed"); });
+  }
+}
+
 }  // namespace
 
 void run_batch(std::string_view bytes) {
@@ -34,6 +49,7 @@ void run_batch(std::string_view bytes) {
   accepted([&] { batch::journal_state(file.path()); });
   accepted([&] { batch::deserialize_frfs(bytes.substr(0, bytes.find('\n')), "fuzzed"); });
   if (metrics::holds_batch(bytes)) accepted([&] { metrics::batch_bats(bytes, "fuzzed"); });
+  if (bytes.starts_with(R"({"row":)")) accepted([&] { merge_rows(bytes); });
 }
 
 }  // namespace percuss::fuzz
