@@ -66,7 +66,7 @@ BatPerformance bat_performance(const BatReadings& readings) {
                      .v_contact_mps = api::measured(results.contact_mps),
                      .v_swing_mps = api::measured(results.swing_mps),
                      .k = api::measured(results.k)};
-  for (const metrics::MetricsWarning& warning : metrics::metrics_warnings(internal, results))
+  for (const metrics::MetricsWarning& warning : metrics::metrics_warnings(internal, results)) {
     out.warnings.push_back({.code = warning.code,
                             .message = warning.message,
                             .options = warning.options,
@@ -74,6 +74,7 @@ BatPerformance bat_performance(const BatReadings& readings) {
                             .severity = warning.severity == metrics::MetricsSeverity::reject ? Severity::reject
                                         : warning.severity == metrics::MetricsSeverity::warn ? Severity::warn
                                                                                              : Severity::info});
+  }
   return out;
 }
 
