@@ -88,9 +88,12 @@ std::vector<Pole> start_poles(const std::vector<FittedMode>& modes) {
   return poles;
 }
 
-// The starts: every stable pole, and the modes found before that none of them stands for.
-std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<FittedMode>& modes) {
+// The starts: every stable pole where the residual matters, and the modes found before. Without noise, rounding errors
+// make a hundred stable poles that no residual asks for.
+std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>& residual,
+                            const std::vector<FittedMode>& modes) {
   std::vector<Pole> starts = stable_poles(set);
+  std::erase_if(starts, [&](const Pole& pole) { return !is_material(set, residual, pole); });
   for (const Pole& known : start_poles(modes)) {
     const auto near = [&](const Pole& pole) {
       return std::abs(pole.freq_Hz - known.freq_Hz) < 0.5 * least_width_Hz(set, known) && same_place(pole, known);
@@ -120,12 +123,18 @@ std::vector<FittedMode> joint_modes(const FrfDataset& set, const JointFit& fit) 
   return modes;
 }
 
+// `residual` is that of `modes`.
 bool must_search(const FrfDataset& set, const std::vector<VectorXcd>& residual, const std::vector<FittedMode>& modes) {
-  const auto alone = [](const FittedMode& mode) { return !mode.joint || mode.mode.freq_scatter_Hz > 0; };
-  const auto misfits = [&](const FittedMode& mode) { return misfit_of(set, residual, mode.mode.pole) > kMinMisfit; };
-  return residual.empty() || std::any_of(modes.begin(), modes.end(), alone) ||
-         std::any_of(modes.begin(), modes.end(), misfits) ||
-         (smooth_somewhere(residual) && !residual_resonances(set, residual).empty());
+  const auto scatters = [](const FittedMode& mode) { return mode.mode.freq_scatter_Hz > 0; };
+  const auto misfits = [&](const FittedMode& mode) {
+    const Pole& pole = mode.mode.pole;
+    return misfit_of(set, residual, pole) > kMinMisfit && is_material(set, residual, pole);
+  };
+  if (std::any_of(modes.begin(), modes.end(), scatters) || std::any_of(modes.begin(), modes.end(), misfits))
+    return true;
+  if (!smooth_somewhere(residual)) return false;
+  const std::vector<Pole> poles = residual_mode_poles(set, residual);
+  return std::any_of(poles.begin(), poles.end(), [&](const Pole& pole) { return is_material(set, residual, pole); });
 }
 
 // The poles with one more: each misfitting mode as a close pair.
@@ -212,8 +221,9 @@ JointFit without_misfit_modes(const FrfDataset& set, JointFit fit, Work& work) {
 }
 
 // The better of the joint fits from the modes found before and from the stable poles, with what their residual shows.
-std::optional<JointFit> best_fit(const FrfDataset& set, const std::vector<FittedMode>& modes) {
-  std::vector<Pole> starts = starts_of(set, modes);
+std::optional<JointFit> best_fit(const FrfDataset& set, const std::vector<VectorXcd>& residual,
+                                 const std::vector<FittedMode>& modes) {
+  std::vector<Pole> starts = starts_of(set, residual, modes);
   if (starts.empty() || starts.size() > kMaxJointModes) return std::nullopt;
   Work work;
   std::optional<JointFit> fit = settled_fit(set, start_poles(modes), work);
@@ -234,12 +244,14 @@ std::optional<JointFit> best_fit(const FrfDataset& set, const std::vector<Fitted
 }  // namespace
 
 void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residual, std::vector<FittedMode>& modes) {
-  if (!must_search(set, residual, modes)) return;
-  const std::optional<JointFit> fit = best_fit(set, modes);
+  const std::vector<VectorXcd> before = residual_before(set, modes, residual);
+  if (!must_search(set, before, modes)) return;
+  const std::optional<JointFit> fit = best_fit(set, before, modes);
   if (!fit) return;
-  const std::size_t before = unknowns_of(set, modes), after = fit->poles.size() * (2 + 2 * set.channels.size());
-  const double least = kJointGain * static_cast<double>(after > before ? after - before : 2 + 2 * set.channels.size());
-  if (likelihood_ratio(set, residual_before(set, modes, residual), fit->residual) < least) return;
+  const std::size_t unknowns = unknowns_of(set, modes), after = fit->poles.size() * (2 + 2 * set.channels.size());
+  const double least =
+      kJointGain * static_cast<double>(after > unknowns ? after - unknowns : 2 + 2 * set.channels.size());
+  if (likelihood_ratio(set, before, fit->residual) < least) return;
   if (pair_is_scatter(set, modes, *fit)) return;
   modes = joint_modes(set, *fit);
 }

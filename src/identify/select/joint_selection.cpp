@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/noise/force_noise.hpp"
 #include "identify/noise/line_noise.hpp"
 #include "identify/noise/window_noise.hpp"
 
@@ -18,7 +19,9 @@ constexpr double kJointMaxDamping = 0.98 * kMaxDampingRatio;
 constexpr double kJointCoincide = 0.05;   // bandwidths between two poles that the fit has merged
 constexpr double kJointWindowWidths = 5;  // half-power bandwidths on either side of a mode
 constexpr double kJointWindowLines = 8;
-constexpr double kMinNoiseShare = 0.02;  // of the lines: an estimate of the independent ones, at least
+constexpr double kMaterialResidual = 1e-5;  // of the FRF: less moves no mode by more than 1e-5 bandwidths
+constexpr double kGainNoise = 4;            // standard deviations of the gain error from the force's noise
+constexpr double kMinNoiseShare = 0.02;     // of the lines: an estimate of the independent ones, at least
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
 double noise_part(const VectorXcd& residual) {
@@ -116,6 +119,17 @@ double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, 
     worst = std::max(worst, (1 - part) * std::sqrt(static_cast<double>(window.count)));
   }
   return worst;
+}
+
+bool is_material(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole) {
+  const JointWindow window = window_around(set, pole);
+  for (std::size_t o = 0; o < residual.size(); ++o) {
+    const Eigen::Map<const VectorXcd> frf(set.channels[o].frf.data(), residual[o].size());
+    const double rest = residual[o].segment(window.first, window.count).norm();
+    const double of_force = kGainNoise * gain_std(set, set.channels[o].point, pole.freq_Hz);
+    if (rest > std::max(kMaterialResidual, of_force) * frf.segment(window.first, window.count).norm()) return true;
+  }
+  return false;
 }
 
 double likelihood_ratio(const FrfDataset& set, const std::vector<VectorXcd>& before,

@@ -32,6 +32,10 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
 /// How far the residual around a mode is from noise, in standard deviations of its roughness; the worst FRF.
 double misfit_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole);
 
+/// True where the residual around a mode is large enough, relative to the FRF, to disturb it; any FRF. Residuals of
+/// rounding errors, or of the gain that noise of the force explains, are not.
+bool is_material(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole);
+
 /// Likelihood ratio of two residuals (twice its logarithm), with as many degrees of freedom as the second one has
 /// independent lines: misfit, which is smooth, has few.
 /// theory (4.21)
