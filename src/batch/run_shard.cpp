@@ -43,7 +43,7 @@ class Retries {
   std::atomic<bool> lasts_{false};
 };
 
-// A file is replaced only if it is of a batch.
+// Throws InputError if a file exists that no batch wrote.
 void require_replaceable(const std::string& path) {
   const PartFile file = PartFile::existing(path);
   if (file.present()) file.require_own();
