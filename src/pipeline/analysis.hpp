@@ -27,8 +27,8 @@ namespace percuss::pipeline {
 
 /// The analysis of one test, from hits to named modes. Each result is computed when first demanded, and kept. Inputs
 /// are immutable: other options need another Analysis. An accessor runs the stages that it needs and no others; trace()
-/// lists those that ran. An accessor throws BudgetSpent when the stages take more than the options' budget. Not for use
-/// by several threads at once.
+/// lists the stages that ran. An accessor throws BudgetSpent when the stages take more than the options' budget. Not
+/// for use by several threads at once.
 class Analysis {
  public:
   /// errors  InputError: no acceleration channel.
@@ -48,7 +48,7 @@ class Analysis {
   /// Numbers of the measured points.
   std::set<int> points() const { return source_->points(); }
 
-  /// The delays taken out of the channels: those of the options, or those that the phases of the modes establish.
+  /// The delays taken out of the channels: stated in the options, or established by the phases of the modes.
   const std::vector<ChannelDelay>& corrected_delays() const;
   /// The record without these delays, from which every result follows.
   const acquire::Record& aligned_record() const;

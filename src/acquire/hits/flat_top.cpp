@@ -81,8 +81,8 @@ std::vector<double> pulse_of(const Hit& hit) {
   return x;
 }
 
-// Whether a flank is cut off by a force window of the recorder: its length is then not that of the contact. Such a
-// force is constant outside the window.
+// Whether a force window of the recorder cuts off a flank: the pulse is then shorter than the contact. Such a force is
+// constant outside the window.
 bool has_cut_flank(const Hit& hit) {
   if (hit.noise_N > 0) return false;
   const double peak = std::abs(hit.peak_N);

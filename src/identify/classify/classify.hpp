@@ -21,7 +21,7 @@ struct ModeClassification {
   std::optional<ModeType> alternative;  // second type: confidence below 90 %, or the second type above 3 %
   std::optional<double> overlay_dB;     // level of the second FRF over the first at the peak
   bool overlaid = false;                // |overlay_dB| within the threshold: a hoop mode by the rule of [8]
-  std::optional<Complex> ratio;         // residue of the second sensor over that of the first
+  std::optional<Complex> ratio;         // residue of the second sensor over the residue of the first
   double ratio_std = 0;                 // of the real and of the imaginary part
   std::optional<SplitMode> split_mode;
 };

@@ -29,7 +29,7 @@ RatioTable table_of(const RatioAngle& ratio, const RatioLikelihood& likelihood) 
   return table;
 }
 
-// Logarithm of the likelihood over that of any ratio, for one plane and one placement.
+// Logarithm of the likelihood over the likelihood of an arbitrary ratio, for one plane and one placement.
 double log_factor(const std::vector<RatioTable>& tables, std::size_t plane, std::size_t placement) {
   double sum = 0;
   for (const RatioTable& table : tables)

@@ -26,7 +26,8 @@ struct Standing {
 };
 Standing standing_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit);
 
-/// The poles without those that are no modes. Of neighbours only the weakest goes: without it, the others may stand.
+/// The poles that are modes. Of neighbours that are no modes, only the weakest is removed, because the others may be
+/// modes without it.
 std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Misfit misfit);
 
 /// How far the residual around a mode is from noise, in standard deviations of its roughness; the worst FRF.

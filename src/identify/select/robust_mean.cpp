@@ -14,7 +14,7 @@ namespace {
 constexpr double kRunaway = 3;     // standard deviations from the median
 constexpr double kNodeSize = 0.3;  // of the median residue: a smaller one is near a node
 
-// Standard deviations with a runaway's own distance added: it lies far outside the others' scatter.
+// Standard deviations with an outlier's own distance added: it lies far outside the scatter of the other values.
 std::vector<double> robust_std(const std::vector<double>& value, std::vector<double> std,
                                const std::vector<double>& size) {
   std::vector<double> weight, off;

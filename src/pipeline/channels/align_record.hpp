@@ -9,7 +9,7 @@ namespace percuss::pipeline {
 
 /// The delays of acceleration channels that an analysis takes out before anything else.
 struct DelayCorrection {
-  bool automatic = false;       // those that the phases of the modes establish
+  bool automatic = false;       // the delays that the phases of the modes establish
   std::vector<double> delay_s;  // after the force: one for all channels or one per channel; empty: none
 };
 

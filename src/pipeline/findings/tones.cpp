@@ -120,7 +120,7 @@ std::optional<Complex> force_direction(const ToneSignal& signal, double turns) {
   return sum / std::abs(sum);
 }
 
-// Whether the phase relative to the force differs from hit to hit: that of a mode is fixed, up to its sign.
+// Whether the phase relative to the force differs from hit to hit. The phase of a mode is fixed, up to its sign.
 bool has_free_phase(std::span<const ToneSignal> signals, const std::vector<Complex>& amplitude, double turns) {
   Complex resultant;
   double power = 0;
