@@ -117,10 +117,10 @@ TEST_F(MatContents, StayWithinTheirLengths) {
   const std::string plain = head(kDouble, {1, 2}, "x") + doubles({1.5, 2.5});
   std::string longer = plain;
   longer[longer.size() - 20] = 100;  // the length of the numbers
-  EXPECT_THAT(refusal(array(longer)), HasSubstr("a variable holds more than its length"));
+  EXPECT_THAT(refusal(array(longer)), HasSubstr("the content of a variable exceeds its stated length"));
   const std::string inner = array(plain);
   EXPECT_THAT(refusal(array(head(kCell, {1, 1}, "c") + inner.substr(0, inner.size() - 8))),
-              HasSubstr("a variable holds more than its length"));
+              HasSubstr("the content of a variable exceeds its stated length"));
   const std::string packed = compressed(plain);
   EXPECT_THAT(refusal(compressed(plain, 1000)), HasSubstr("a compressed variable is damaged"));
   std::string broken = packed;
