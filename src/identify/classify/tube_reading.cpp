@@ -11,7 +11,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t kTubePlanes = 45;  // 2° apart over 90°
-constexpr double kPriors = 2.05;         // of bending, hoop and the others; RatioLikelihood::other() includes its own
+constexpr double kPriors = 2.05;  // sum: 1 each for bending and hoop, 0.05 for the others, which other() includes
 
 // The likelihoods of one ratio for each plane and for each placement of the sensors.
 struct RatioTable {

@@ -13,7 +13,8 @@ namespace percuss::identify {
 std::vector<Eigen::VectorXcd> residual_before(const FrfDataset& set, const std::vector<FittedMode>& modes,
                                               std::vector<Eigen::VectorXcd> residual);
 
-/// Poles and complex residues, with a mode's own poles at each point.
+/// Number of real unknowns of these modes: poles and complex residues, and the own poles of a mode with frequency
+/// scatter at each point.
 std::size_t unknowns_of(const FrfDataset& set, const std::vector<FittedMode>& modes);
 
 /// True where a pair of the joint fit may only describe the scatter of one mode's frequency. A drift during the decay

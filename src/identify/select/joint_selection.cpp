@@ -18,7 +18,7 @@ constexpr double kJointMaxDamping = 0.98 * kMaxDampingRatio;
 constexpr double kJointCoincide = 0.05;   // bandwidths between two poles that the fit has merged
 constexpr double kJointWindowWidths = 5;  // half-power bandwidths on either side of a mode
 constexpr double kJointWindowLines = 8;
-constexpr double kMinNoiseShare = 0.02;  // of the lines: an estimate of the independent ones, at least
+constexpr double kMinNoiseShare = 0.02;  // least part of the lines that counts as independent
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
 double noise_part(const VectorXcd& residual) {

@@ -8,7 +8,7 @@ namespace percuss::identify {
 
 /// The state of the search, for the acceptance of a fitted pole as a mode of the structure.
 struct AcceptanceContext {
-  std::vector<Pole> peak_poles;  // poles at which the search started: picked, given or one per peak
+  std::vector<Pole> peak_poles;  // poles at which the search started: one per peak or per stated start
   bool search_finished = false;  // no more modes will be added: the residual is misfit
 };
 

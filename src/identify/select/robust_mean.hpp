@@ -6,10 +6,10 @@ namespace percuss::identify {
 /// The standard deviation of a normal distribution over its median absolute deviation.
 inline constexpr double kNormalMad = 1.4826;
 
-/// The value that half of the weight lies below; 0 for no values.
+/// The value below which half of the weight lies; 0 for no values.
 double weighted_median(const std::vector<double>& value, const std::vector<double>& weight);
 
-/// A mean, its standard deviation, and the spread of the values beyond their own deviations.
+/// A mean, its standard deviation, and the spread of the values beyond their standard deviations.
 struct RobustMean {
   double value = 0, std = 0, spread = 0;
 };
