@@ -140,7 +140,7 @@ TEST(Analysis, ComputesTheSameFrfsWithModesAsWithoutThem) {
   }
 }
 
-TEST(Analysis, FindsTheModesAndTheirFamilies) {
+TEST(Analysis, FindsTheModesAndTheirTypes) {
   const Analysis analysis = analysis_of(synth::synthesise(bat(1)).record);
   ASSERT_EQ(analysis.modes().size(), 2U);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.freq_Hz - 180), 5 * analysis.modes()[0].freq_std_Hz);

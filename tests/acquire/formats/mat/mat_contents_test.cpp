@@ -96,7 +96,7 @@ TEST_F(MatContents, AreReadInEveryForm) {
   EXPECT_THAT(read(array(small)).variables.at(0).real, ElementsAre(5, 6)) << "content within the tag";
 }
 
-// The library fills the missing numbers with uninitialised memory.
+// libmatio would fill the missing numbers with uninitialised memory.
 TEST_F(MatContents, MustBeAsManyNumbersAsTheirDimensionsState) {
   const std::string refused =
       "an array stores fewer numbers than it states (" + path_ + "); is it damaged? Save it again";
@@ -133,7 +133,7 @@ TEST_F(MatContents, StayWithinTheirLengths) {
   EXPECT_THAT(refusal(compressed(plain, 0x10000000U)), HasSubstr("the file claims more numbers than it can hold"));
 }
 
-// The library refuses or skips them.
+// libmatio refuses or skips these variables.
 TEST_F(MatContents, OfUnexpectedFormAreLeftToTheLibrary) {
   const std::string flags = element(6, words({kDouble, 0})), shape = element(5, words({1, 9})), name = element(1, "x");
   const std::string fields = words({0x00040005U, 8}), short_one = array(flags + shape + name + doubles({1}));
