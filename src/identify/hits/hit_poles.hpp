@@ -33,8 +33,8 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
                                        const ModeWindow& window);
 
 /// The modes of a window that only imitate a resonance whose frequency differs between the hits. Without such a mode,
-/// complete fits of the single hits are about as good as with it, and better than a fit of all modes with poles common
-/// to the hits. At least one mode remains.
+/// complete fits of the single hits are about as good as with it. They are also better than a fit of all modes with
+/// poles common to the hits. At least one mode remains.
 std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window);
 
