@@ -3,9 +3,9 @@
 //   - a loop that opens and analyses each record and keeps nothing
 //   - run_shard on one thread, which also writes rows and journal
 //   - run_shard on two threads
-// The three alternate in one run, and the best of five times of each counts. Also prints the peak memory of two
-// processes, with 100 and with RECORDS (default 10 000) records. All records are hard links to fifty different ones of
-// 512 samples.
+// The three alternate in one run, and the best of five times of each counts. "arithmetic" is the speed-up of two tasks
+// without memory access, the limit for two threads. Also prints the peak memory of two processes, with 100 and with
+// RECORDS (default 10 000) records. All records are hard links to fifty different files with hits of 512 samples.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -1,6 +1,6 @@
 // percuss_deflection_chart [FILE.svg]
-// Prints and draws run time against error of every method of deflection_of, over the sampling rate. A held beam of
-// three modes has a hit of 2.5 ms. The record passes an anti-alias filter and has a bias, a drift and noise of a
+// Prints and draws the run time and the error of every method of deflection_of, for several sampling rates. A held beam
+// with three modes gets a hit of 2.5 ms. The record passes an anti-alias filter and has a bias, a drift and noise of a
 // thousandth of the acceleration's RMS. The error is the largest over twelve noise realisations. The residues for
 // `modal` have errors of a thousandth. Truth is the band-limited deflection from the filtered force.
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // percuss_effort_ratio [LO:HI FILE]...
-// Prints the time of FRFs and of each effort as a multiple of bare FFTW transforms of the same records in memory (one
-// per channel and hit, planned with FFTW_MEASURE, one thread, same run), and the time of each stage. In brackets: the
-// time as a multiple of transforms of one signal that stays in the cache, as many of them. Without files it uses the
-// bundled composite bat, which has a split hoop mode. Each time is the best of several in alternation, so a disturbance
-// affects all alike.
+// Prints the time of FRFs and of each effort, and the time of each stage. The unit is the time of bare FFTW transforms
+// of the same records in memory: one per channel and hit, planned with FFTW_MEASURE, on one thread, in the same run. In
+// brackets, the unit is the time of as many transforms of one signal that stays in the cache. Without files, the
+// program uses the bundled composite bat, which has a split hoop mode. Each time is the best of several in alternation,
+// so a disturbance affects all alike.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kMin_s = 3;  // total time of the alternating measurements, at least three each
+constexpr double kMin_s = 3;  // total time of the analyses; there are at least three rounds
 
 acquire::Record in_memory(const acquire::Record& record) {
   std::vector<std::vector<double>> force;

@@ -1,7 +1,7 @@
 // percuss_process_ratio TOOL LO:HI FILE
 // Prints wall-clock times of whole processes of the tool on a record in the page cache: start, hits, FRFs and modes,
-// with one thread and with all. Each is printed also as a multiple of the time of bare FFTW transforms and of the time
-// of reading the force's bytes. The transforms are in memory, on one thread, one for each row and signal, planned with
+// with one thread and with all. Also prints each time as a multiple of two others: bare FFTW transforms, and reading
+// the force's bytes. There is one transform for each row and signal, in memory, on one thread, planned with
 // FFTW_MEASURE (rows of 2^22 samples and more: FFTW_ESTIMATE). All alternate in one run, and the best time of each
 // counts.
 #include <fcntl.h>

@@ -5,7 +5,7 @@ Measures percuss on measured structures and on simulated imperfect tests. Rewrit
 DOCS/accuracy.md and the section "Imperfect tests" of DOCS/stress.md; the other sections stay. The ordinary build and
 the other documents need none of these data.
 
-  --data      folder with a folder per measured set: independent.json (reference modes), and the records if free
+  --data      folder with a folder per measured set: independent.json (reference modes), and records that may be copied
   --measured  folder with the sets that come from public repositories: violin_back, spruce_plates (CSV)
   --outcomes  outcomes of the imperfect tests: the JSON file that score_reality.py writes
   --percuss   the tool (default: build/release/tools/percuss)
@@ -29,15 +29,19 @@ the part below 3. "Halves" compares the modes of every other point with those of
 """
 ABOUT_SCENARIOS = """\
 Each scenario is a hammer test of a tube with one imperfection of real tests, simulated at 16 times the sampling rate
-and independently of percuss. right: every clear mode within 3 of its own deviations; fair: within 5; named and warned:
-off, and a message names the cause or says that results may be off; refused: no modes; UNNAMED: right, but the
-imperfection is not named; SILENT: off without a word. `bench/real_structures.py` writes this section.
+and independently of percuss. The outcomes are:
+
+- right: every clear mode is within 3 of its stated standard deviations; fair: within 5
+- named: results are off, and a message names the cause; warned: results are off, and a message says that they may be
+- refused: no modes; UNNAMED: right, but no message names the imperfection; SILENT: results are off without a message
+
+`bench/real_structures.py` writes this section.
 """
 OUTCOMES = ['right', 'fair', 'named', 'warned', 'refused', 'UNNAMED', 'SILENT']
 
 
 def percuss(tool, *words):
-    """The JSON document of a command; nothing where it was refused."""
+    """The JSON document of a command; None if the command refused its input."""
     result = subprocess.run([tool, *words, '--json'], capture_output=True, text=True, check=False)
     return json.loads(result.stdout) if result.stdout.startswith('{') else None
 
@@ -48,7 +52,7 @@ def frequencies(reference):
 
 
 def found(modes, reference):
-    """How many reference modes were found, each by a mode of its own, and how many modes are beyond them."""
+    """The number of reference modes found, each by a mode of its own, and the number of further modes."""
     left = sorted(m['frequency_hz'] for m in modes)
     count = 0
     for hz in reference:
@@ -60,7 +64,7 @@ def found(modes, reference):
 
 
 def scatter(document):
-    """Deviations of the single hits' modes from their mean over their standard deviations: frequency, damping."""
+    """Deviations of the modes of single hits from their mean, over their standard deviations."""
     of_mode = collections.defaultdict(list)
     for one in document.get('modes_per_hit', []):
         of_mode[one['mode']].append(one)
@@ -76,7 +80,7 @@ def scatter(document):
 
 
 def pairs(one, other):
-    """|z| of the modes of two halves of a test that are nearest to each other."""
+    """|z| of each mode of one half of a test and the nearest mode of the other half."""
     z = []
     for m in one['modes']:
         n = min(other['modes'], key=lambda k: abs(k['frequency_hz'] - m['frequency_hz']), default=None)
@@ -88,7 +92,7 @@ def pairs(one, other):
 
 
 def spread(values):
-    """Median, and the part below 3."""
+    """The median, and the part of the values below 3."""
     if not values:
         return '–'
     return '%.2g; %.0f %% below 3' % (statistics.median(values), 100 * sum(v < 3 for v in values) / len(values))
@@ -100,22 +104,22 @@ def row(name, document, reference, z=(), hits=True):
         return '| %s | refused | | | | |' % name
     count, beyond = found(document['modes'], reference)
     modes = '%d of %d; %d more' % (count, len(reference), beyond) if reference else 'no reference; %d found' % beyond
-    blows = document.get('hits', [])
-    used = '%d of %d' % (sum(h['accepted'] for h in blows), len(blows)) if hits and blows else '–'
+    every = document.get('hits', [])
+    used = '%d of %d' % (sum(h['accepted'] for h in every), len(every)) if hits and every else '–'
     s = scatter(document)
     return '| %s | %s | %s | %s | %s | %s |' % (name, modes, used, spread(s['frequency_hz']), spread(s['damping_ratio']),
                                               spread(list(z)))
 
 
 def survey_of_points(tool, folder, work):
-    """The violin back: each point's blows joined to one record; the whole survey and the surveys of two halves."""
+    """Joins the hits of each point of the violin back to a record. Surveys all points, and two halves of the points."""
     points = collections.defaultdict(list)
     for path in sorted(glob.glob(os.path.join(folder, '*_acq_*.csv'))):
         points[path.rsplit('_acq_', 1)[0]].append(path)
     files = []
-    for number, blows in enumerate(points.values()):
+    for number, hits in enumerate(points.values()):
         files.append(os.path.join(work, 'p%02d.h5' % number))
-        subprocess.run([tool, 'convert', *blows, *CSV, '--files', 'hits', '-o', files[-1]], check=True)
+        subprocess.run([tool, 'convert', *hits, *CSV, '--files', 'hits', '-o', files[-1]], check=True)
     band = ['--band', '100:1500', '--quiet']
     return [percuss(tool, 'survey', *some, *band) for some in (files, files[::2], files[1::2])]
 
@@ -167,7 +171,7 @@ def outcome_table(results, by):
 
 
 def replace_section(path, heading, body, before=None):
-    """Writes a section, in the place of the old one, before another heading or at the end."""
+    """Replaces a section. Without an old one, writes it before the heading `before`, or at the end."""
     with open(path, encoding='utf-8') as page:
         text = page.read()
     section = '## %s\n\n%s\n' % (heading, body)
@@ -185,7 +189,7 @@ def replace_section(path, heading, body, before=None):
 def accuracy_section(rows, results):
     text = [ABOUT_MEASURED]
     if rows:
-        heads = ['measured set', 'reference modes found', 'blows used', 'frequency over σ', 'damping over σ',
+        heads = ['measured set', 'reference modes found', 'hits used', 'frequency over σ', 'damping over σ',
                  'halves over σ']
         text.append('| ' + ' | '.join(heads) + ' |\n' + '|---' * len(heads) + '|\n' + '\n'.join(rows) + '\n')
     if results:

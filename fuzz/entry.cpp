@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-// Changes the structure of every second input, if the target has one; otherwise its bytes.
+// Changes the structure of about half of the inputs, if the target has a mutator. Changes the bytes of the others.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed) {
   percuss::fuzz::Random random(seed);

@@ -6,7 +6,7 @@
 namespace percuss::fuzz {
 namespace {
 
-// Of the "HDF5 File Format Specification": messages in object headers.
+// Types of messages in object headers, from the "HDF5 File Format Specification".
 enum MessageType : std::uint16_t {
   kDataspace = 1,
   kLinkInfo = 2,
@@ -27,7 +27,7 @@ struct Message {
   std::size_t type_at = 0, size_at = 0, at = 0, size = 0;
 };
 
-// The chunk of an object header of version 2, which ends with a checksum.
+// Bytes that a checksum follows: the superblock, or the first chunk of an object header of version 2.
 struct Checked {
   std::size_t first = 0, end = 0;
 };
@@ -124,7 +124,7 @@ Structure structure_of(std::string_view bytes) {
   return out;
 }
 
-// One field of a message, where its type keeps its sizes and addresses.
+// Changes one field of a message, mostly a size or an address of its type.
 void change_message(std::string& bytes, const Message& message, Random& random) {
   const auto odd = odd_number(random);
   const std::size_t at = message.at;

@@ -92,7 +92,7 @@ void collect(std::vector<Element>& elements, std::vector<std::vector<Element>*>&
   for (Element& element : elements) collect(element.parts, lists);
 }
 
-// Array flags, dimensions, a name or numbers, by their type.
+// Changes array flags, dimensions, a name or numbers, depending on the type of the element.
 void change_data(Element& element, Random& random) {
   static constexpr const char* kNames[] = {"force", "accel",    "fs",   "frf", "frequency_hz", "dt", "time",
                                            "point", "geometry", "unit", "x"};

@@ -10,9 +10,8 @@ namespace percuss::fuzz {
 
 using Random = std::mt19937;
 
-// Each changes one part of an input's structure, in place, such that the rest still fits it: counts, lengths and
-// checksums are set right afterwards, except now and then one that is wrong on purpose. An input without the structure
-// stays unchanged.
+// Each function changes one part of an input's structure in place. It then corrects counts, lengths and checksums, and
+// sometimes leaves one wrong on purpose. An input without the structure stays unchanged.
 
 /// Lines of recipes: "set accel f8 2,1,16" (hdf5_target.cpp), "real force 40,3" (mat_target.cpp).
 void mutate_hdf5_recipe(std::string& recipe, Random& random);

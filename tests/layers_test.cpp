@@ -78,7 +78,7 @@ const std::vector<Level>& levels() {
   return kLevels;
 }
 
-/// Includes that the design forbids, whatever the order of the layers: from the first folder, of the second.
+/// The first folder must not include the second one, whatever the order of the layers.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kForbidden{{
     {"acquire/hits", "acquire/formats"},       // hits are graded from samples, independent of the file format
     {"identify/select", "identify/classify"},  // modes are found before they are named

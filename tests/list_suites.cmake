@@ -1,5 +1,6 @@
-# Run after the tests are linked: writes LIST, in which every suite of the EXECUTABLE is one test of CTest. A suite has twenty
-# minutes: the longest takes a quarter of a minute, and twenty times that with the thread sanitizer on a busy machine.
+# Runs after the tests are linked. Writes LIST, in which every suite of EXECUTABLE is one test of CTest. The limit of a
+# suite is twenty minutes. The longest suite takes 15 s, and twenty times as long with the thread sanitizer on a busy
+# machine.
 execute_process(COMMAND ${EXECUTABLE} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "\n[^ \n]+\\.[^\n]*" suites "${listed}")  # a suite ends in a dot; its tests are indented
 set(tests "")

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21U;
 constexpr std::uintptr_t kThreadHeap = std::uintptr_t{1} << 26U;  // size and alignment of a thread's heap in glibc
-constexpr int kMainHeap = 1 << 29;                                // bytes of addresses; memory follows page by page
+constexpr int kMainHeap = 1 << 29;                                // bytes of addresses; a page takes memory when used
 constexpr int kSmallestHeap = 1 << 26;                            // below this, large pages do not pay
 
 // Each step of an analysis allocates what the previous one freed. Fetching the pages from the system again would take
@@ -37,8 +37,8 @@ void request_large_pages(char* first, const char* end) {
 
 char* heap_end() { return static_cast<char*>(::sbrk(0)); }
 
-// At most a quarter of the addresses that `ulimit -v` or `ulimit -d` allow: threads, files and large arrays need
-// theirs.
+// At most a quarter of the addresses that `ulimit -v` or `ulimit -d` allow: threads, files and large arrays need the
+// rest.
 int largest_heap() {
   rlim_t least = RLIM_INFINITY;
   for (const auto resource : {RLIMIT_AS, RLIMIT_DATA}) {
@@ -48,8 +48,8 @@ int largest_heap() {
   return least / 4 > kMainHeap ? kMainHeap : static_cast<int>(least / 4);
 }
 
-// A page is large only where the heap already owns its addresses, so the heap must not grow in small steps. Asks for
-// less where the system denies so many addresses. False where it denies the least useful number.
+// A page is large only where the heap already owns its addresses, so the heap must not grow in small steps. Halves the
+// request until the system grants it; false if the system denies even kSmallestHeap.
 bool enlarge_main_heap() {
   constexpr std::size_t kBeyondFirstHeap = std::size_t{1} << 20U;
   constexpr int kDefaultTopPad = 1 << 17;

@@ -36,8 +36,10 @@ int parse_and_run(int argc, char** argv) {
   add_commands(line, argc > 1 ? argv[1] : "");
   const int code = line.run(argc, argv);
   std::cout.flush();
-  return std::cout ? code
-                   : print_error("could not write to standard output; is the disk full, the pipe closed or memory exhausted?", kBadInput);
+  return std::cout
+             ? code
+             : print_error("could not write to standard output; is the disk full, the pipe closed or memory exhausted?",
+                           kBadInput);
 }
 
 }  // namespace
@@ -46,7 +48,7 @@ int parse_and_run(int argc, char** argv) {
 [[noreturn]] static void end_at_once() {
   percuss::remove_temporary_files();
   const std::type_info* const type = abi::__cxa_current_exception_type();
-  // Looked at without rethrowing, which takes memory.
+  // Inspected without rethrowing, because rethrowing takes memory.
   if (type != nullptr && *type == typeid(std::bad_alloc)) std::_Exit(print_error(kOutOfMemoryMessage, kInternalError));
   try {
     if (type != nullptr) throw;

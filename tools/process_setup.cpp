@@ -31,7 +31,7 @@ void reopen_standard_streams() {
   }
 }
 
-// During an analysis every file stays open, and a connection to its sandbox.
+// During an analysis, each file and the connection to its sandbox stay open.
 void allow_many_files() {
   rlimit files{};
   if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
@@ -66,12 +66,12 @@ void catch_library_crashes() {
 }
 
 // The stack grows when it is used, and a growth that `ulimit -v` denies is a crash (in Eigen's products). Touching the
-// end of what is needed reserves its addresses.
+// end of the needed range reserves its addresses.
 [[gnu::noinline]] void reserve_stack() {
   constexpr std::size_t kNeeded_bytes = std::size_t{1} << 20U;
   void* const probe =
       ::mmap(nullptr, 2 * kNeeded_bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (probe == MAP_FAILED) return;  // the addresses are not there
+  if (probe == MAP_FAILED) return;  // too few addresses are free
   ::munmap(probe, 2 * kNeeded_bytes);
   *static_cast<volatile char*>(__builtin_alloca(kNeeded_bytes)) = 0;
 }

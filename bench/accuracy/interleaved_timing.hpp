@@ -30,7 +30,8 @@ inline double processor_s_of(const std::function<void()>& work) {
 }
 
 /// Runs several tasks in alternation and returns the best time of each, so a disturbance affects all alike. The order
-/// changes in each turn, because a task depends on the caches that its predecessor leaves. shapes: result as `works`.
+/// changes in each turn, because a task depends on the caches that its predecessor leaves. The result has one time per
+/// task, in the order of `works`.
 inline std::vector<double> best_interleaved_s(const std::vector<std::function<void()>>& works,
                                               const TimingOptions& turns) {
   std::vector<double> best_s(works.size(), std::numeric_limits<double>::infinity());

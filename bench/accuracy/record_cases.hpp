@@ -26,8 +26,9 @@ struct RecordSweep {
 /// The numbers of modes and of channels use a simpler structure (see spread_structure).
 std::vector<RecordSweep> record_sweeps(Extent extent);
 
-/// A structure with evenly spaced modes from 150 to 3000 Hz, 0.2 to 0.5 % of damping, and residues of 0.3 to 1.5 /kg of
-/// either sign. The test has three hits of one second at 8192 Hz and 1 % of noise on the accelerations.
+/// A structure with one mode at a random place of each of `modes` equal parts of 150 to 3000 Hz. Damping ratios are 0.2
+/// to 0.5 %, and residues are 0.3 to 1.5 /kg of either sign. The test has three hits of one second at 8192 Hz and 1 %
+/// of noise on the accelerations.
 synth::SynthSpec spread_structure(std::size_t modes, std::size_t channels);
 
 }  // namespace percuss::accuracy

@@ -7,7 +7,7 @@
 
 namespace percuss::accuracy {
 
-/// A Markdown table with all columns but the first right-aligned. shapes: rows [rows][heads].
+/// A Markdown table with all columns but the first right-aligned. Each row has one cell per head.
 std::string markdown_table(const std::vector<std::string>& heads, const std::vector<std::vector<std::string>>& rows);
 
 /// A table of the figures of one case.

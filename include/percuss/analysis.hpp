@@ -53,8 +53,8 @@ struct AnalysisOptions {
   std::optional<std::size_t> modes{};  // report this many, the clearest ones
   std::vector<double> start_Hz{};      // fit modes near these frequencies and no others
   double exponential = 0;              // exponential window that falls to this fraction at the end; 0: none
-  std::vector<double> delay_s{};       // of the accelerations after the force, taken out: one for all or one per channel
-  bool auto_delay = false;             // takes out the delays that the phases of the modes show, in place of delay_s
+  std::vector<double> delay_s{};       // delays of the accelerations to take out; one for all or one per channel
+  bool auto_delay = false;             // take out the delays that the phases of the modes show, in place of delay_s
   double overlay_dB = 1;               // FRFs that differ by no more at a peak count as overlaid
   ObjectKind object = ObjectKind::automatic;
   std::size_t threads = 0;         // 0: all; the result is the same

@@ -26,14 +26,14 @@
 
 namespace percuss {
 
-/// Limits of one analysis. The defaults do not limit.
+/// Limits of one analysis. By default there is no limit.
 struct Budget {
   double time_s = std::numeric_limits<double>::infinity();  // wall-clock time of its computations
   std::uint64_t memory_bytes = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// The budget of an analysis without one of its own: 120 s and 2 s per megabyte of its files; 2 GiB and 16 times their
-/// bytes.
+/// The budget of an analysis whose options state none: 120 s plus 2 s per megabyte of input, and 2 GiB plus 16 times
+/// the input.
 Budget default_budget(std::uint64_t input_bytes);
 
 enum class Resource { time, memory };

@@ -27,7 +27,8 @@ namespace api {
 struct DeflectionData;
 }
 
-/// Automatic: drift_free where the record shows the rest before the impact, else modal where force and modes are known.
+/// automatic: drift_free if the record shows the structure at rest before the impact, otherwise modal if force and
+/// modes are known.
 enum class DeflectionMethod { automatic, small_interval, drift_free, frequency, modal };
 
 struct DeflectionOptions {
@@ -42,7 +43,7 @@ struct DeflectionOptions {
   std::vector<double> positions_m{};          // of the points, in ascending order of their numbers
 };
 
-/// One impact as one accelerometer saw it.
+/// One impact, measured by one accelerometer.
 struct HitDeflection {
   std::size_t hit = 0, channel = 0;
   int point = 0;
@@ -53,7 +54,7 @@ struct HitDeflection {
   double peak_time_s = 0;             // from the row's beginning
 };
 
-/// Repeats at one point, one channel.
+/// The mean over the hits at one point, for one channel.
 struct PointDeflection {
   int point = 0;
   std::size_t channel = 0, hits = 0;

@@ -1,6 +1,6 @@
 #pragma once
-/// Models: a uniform beam, a ball on that beam, rigid and bending bats, a hollow barrel (trampoline), a tube (shell).
-/// The equations and their sources stand in docs/theory/theory.md.
+/// Models: a uniform beam, a ball that strikes it, rigid and bending bats, a hollow barrel (trampoline), a tube
+/// (shell). The equations and their sources stand in docs/theory/theory.md.
 ///
 /// @code
 /// #include <iostream>

@@ -73,7 +73,7 @@ struct ModeClassification {
   std::optional<ModeType> alternative{};        // the other type, where it is credible
   std::optional<double> overlay_dB{};           // magnitude of the second FRF over the first at the peak
   bool overlaid = false;                        // |overlay_dB| is within the threshold
-  std::optional<std::complex<double>> ratio{};  // residue of the second sensor over that of the first
+  std::optional<std::complex<double>> ratio{};  // residue of the second sensor over the residue of the first
   double ratio_std = 0;
   std::optional<SplitMode> split_mode{};
 };

@@ -78,7 +78,7 @@ struct ModeShape {
   std::vector<ShapePlace> places;   // ascending by point, then channel
   std::vector<ShapePlace> sensors;  // roving hammer: the same shape at the fixed sensors
   bool unit_modal_mass = false;     // false: 1 at the largest
-  double scale_std = 0;             // unit modal mass: of the common scale, as a fraction
+  double scale_std = 0;             // for unit modal mass: relative, of the common scale
   std::optional<double> modal_mass_kg{};
   double modal_mass_std_kg = 0;
   double mpc = 0;  // modal phase collinearity: 1 for a real shape

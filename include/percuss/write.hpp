@@ -1,5 +1,5 @@
 #pragma once
-/// Writing of files. The extension of the path chooses the format. A file is whole or absent.
+/// Writing of files. The extension of the path chooses the format. A file is written completely or not at all.
 ///
 /// @code
 /// #include <percuss/analysis.hpp>

@@ -197,7 +197,7 @@ def write(path: str | os.PathLike[str], data: Any, *, force: bool = False) -> li
 
 
 def info(*paths: Any, **options: Any) -> Result:
-    """Describe files: kind, channels, units, rate, hits, and parts that cannot be read.
+    """Describe files: kind, channels, units, rate, rows, and parts that cannot be read.
 
     paths    files of any kind that read() accepts.
     options  the keywords of read().

@@ -44,7 +44,7 @@ double ringing_after(const Record& record, const Hit& hit, std::size_t pulse, do
   return std::sqrt(squares / static_cast<double>(accel.size())) / std::abs(peak_mps2);
 }
 
-// The standard deviation of a hit's scale from the residuals of the fit, which the offsets' noise enters as well.
+// The standard deviation of a hit's scale, from the residuals of the fit. It includes the noise of the offsets.
 double scale_std(double residual_squares, double sum_f, double power, std::size_t samples) {
   if (!(power > 0)) return 0;
   const double noise = residual_squares / static_cast<double>(std::max<std::size_t>(samples, 2) - 1);
@@ -91,7 +91,7 @@ void require_free_mass(double ringing, const std::string& where) {
   if (ringing <= kMaxRinging) return;
   throw InputError(
       fmt::format("no free mass: after the pulses the acceleration goes on with {:.0f} % of its peak (rms), "
-                  "as a structure rings",
+                  "like the ringing of a structure",
                   100 * ringing),
       where, "hit a compact mass that hangs freely");
 }

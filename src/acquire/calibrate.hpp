@@ -37,9 +37,8 @@ struct Calibration {
 /// least-squares fit over the samples above half of the force's peak. Both signals count from their mean just before
 /// the hit. The result is the mean over the hits, weighted by the square of the peak force. Hits below a fifth of the
 /// largest are left out. The sign makes a push positive.
-/// errors  InputError when the record has not exactly one acceleration channel, or when the acceleration goes on after
-/// the
-///         pulses (a structure that rings is no free mass); NoHitError.
+/// errors  InputError: the record has not exactly one acceleration channel, or the acceleration goes on after the
+/// pulses (a structure that rings is no free mass). NoHitError: the record contains no hit.
 /// theory (1.6), (1.7)
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options = {});
 

@@ -16,11 +16,11 @@ const FileFormat& detected_format(const FileHead& head);
 /// The format that percuss writes under the path's extension; nullptr when there is none.
 const FileFormat* written_format(const std::string& path);
 
-/// The extensions under which write_record, and write_frfs, can write.
+/// The extensions that write_record and write_frfs accept.
 const std::vector<std::string>& record_extensions();
 const std::vector<std::string>& frf_extensions();
 
-/// Whether a file's name has the extension of a format: it selects the files of a folder that are read.
+/// Whether the file name has the extension of a known format. Such files of a folder are read.
 bool has_known_extension(const std::string& path);
 
 }  // namespace percuss::acquire

@@ -16,10 +16,10 @@ Measurement open_measurement(const std::string& path, const FrfReadOptions& opti
 /// As open_measurement, for a record only: FRFs are refused.
 Record open_record(const std::string& path, const ReadOptions& options = {});
 
-/// Whether another project's library decodes the file (MAT, HDF5, sound), so that a process of its own reads it.
+/// Whether a library of another project decodes the file (MAT, HDF5, sound). A sandboxed process then reads it.
 bool needs_sandbox(const std::string& path);
 
-/// A server that forks processes in which files are opened with these options, for open_measurement_forked.
+/// A server that forks sandboxed processes for open_measurement_forked. They open files with these options.
 std::shared_ptr<ForkServer> measurement_fork_server(const FrfReadOptions& options);
 
 /// As open_measurement, but the server forks the process that reads a foreign file. `options` must equal the server's.

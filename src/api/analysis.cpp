@@ -66,7 +66,7 @@ void require_consistent(const AnalysisOptions& options) {
       throw InputError("a delay is not a number", kOptions, "give seconds after the force", {"delay"});
   }
   if (options.auto_delay && !options.delay_s.empty())
-    throw InputError("delays are both given and to be found", kOptions, "choose one", {"delay"});
+    throw InputError("delay_s and auto_delay are both set", kOptions, "set one of them", {"delay"});
   if (options.modes && *options.modes == 0)
     throw InputError("the number of modes is 0", kOptions, "give 1 or more", {"modes"});
   require_above_zero(options.overlay_dB, "AnalysisOptions::overlay_dB", {"overlay_db"});

@@ -21,7 +21,7 @@ struct RecordData {
 };
 
 struct FrfData {
-  acquire::FrfRecord record;  // accelerances, whatever the kind
+  acquire::FrfRecord record;  // accelerances for every `kind`
   FrfKind kind = FrfKind::accelerance;
   std::vector<double> freq_Hz;
   std::vector<Frf> frfs;  // converted to `kind`

@@ -72,7 +72,7 @@ constexpr std::array<FieldName, 54> kFields{{
 
 constexpr std::array<std::string_view, 8> kUnits{"Hz", "VpN", "Vpmps2", "rad", "m", "s", "N", "kg"};
 
-// "fs" names fs_Hz. Two identifiers differ from their fields in another way: "overlay_db" contains its unit, and
+// Whether an identifier names a field: "fs" names fs_Hz. There are two exceptions. "overlay_db" contains its unit, and
 // "force" names the field `overwrite`, because "force" means a signal in the C++ interface.
 bool names(std::string_view field, std::string_view id) {
   if (field == id) return true;

@@ -55,7 +55,8 @@ std::optional<CompletedLine> completed_line(std::string_view line) {
   throw_system_error("cannot write", error, path, "free some space or choose another folder");
 }
 
-// A lock of this process: it ends with the process, and no child inherits it. False: another process has it.
+// Locks the file for this process. The lock ends with the process, and no child inherits it. False only if another
+// process has the lock.
 bool lock_file(int descriptor) {
   struct flock whole {};
   whole.l_type = F_WRLCK;

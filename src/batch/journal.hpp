@@ -61,8 +61,8 @@ class Journal {
 
 inline constexpr std::size_t kLongestReason_bytes = 1000;  // of a record left open
 
-/// Removes the journal of a finished shard, as a process leaves it that is killed at the end. Another process's journal
-/// stays. errors  InputError: the file is not a journal
+/// Removes the journal of a finished shard if a process was killed before it could do so. A journal that another
+/// process has locked stays. errors  InputError: the file is not a journal
 void remove_abandoned_journal(const std::string& path);
 
 /// The progress in a journal: the finished records; the records begun at least twice and never finished; the records

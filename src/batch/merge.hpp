@@ -21,8 +21,9 @@ struct MergedBatch {
 ///   .csv    the same rows as a table; lists are separated by blanks, absent values are empty cells
 ///   .h5     of a batch with FRFs: a group per record with the content of an FRF file
 /// Equal plans give equal bytes for any number of shards. The files are whole or absent.
-/// errors  InputError: shards that are missing, that changed after they were finished, or that have other options or
-/// another version of percuss than the others; a file exists (without force); .h5 of a batch without FRFs
+/// errors  InputError: a shard is missing or changed after it was finished; its plan or options differ from the
+/// manifest's; the shards have different versions of percuss; a file exists (without force); .h5 of a batch without
+/// FRFs
 MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, const std::vector<std::string>& paths,
                         const MergeOptions& options = {});
 

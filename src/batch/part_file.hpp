@@ -24,8 +24,8 @@ class PartFile {
   int descriptor() const { return descriptor_; }
   /// The first bytes, at most `count`.
   std::string first_bytes(std::size_t count) const;
-  /// Checks that the file is empty or begins as the files of shards do: it may be replaced or changed.
-  /// errors  InputError: it does not, so something else wrote it
+  /// Checks that the file is empty or begins like a file of a shard, so that it may be replaced or changed.
+  /// errors  InputError: something else wrote the file
   void require_own() const;
 
  private:

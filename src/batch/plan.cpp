@@ -92,7 +92,7 @@ bool is_utf8(const std::string& text) {
   return more == 0;
 }
 
-// The path as named, relative to the folder. Where a symbolic link makes that another file, the real path.
+// The path as named, relative to the folder. The real path, if a symbolic link makes the relative path another file.
 std::string path_from(const std::string& path, const fs::path& folder) {
   const fs::path given(path);
   if (given.is_absolute()) return given.lexically_normal().string();

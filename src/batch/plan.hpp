@@ -11,7 +11,7 @@ namespace percuss::batch {
 /// sub-folders, all files with the extension of a record are taken, except hidden files.
 struct RecordFiles {
   std::vector<std::string> paths;  // each once, relative to the working folder
-  std::size_t left_out = 0;        // files in folders with other extensions
+  std::size_t left_out = 0;        // files in the named folders, with other extensions
 };
 /// errors  InputError: no such file, a pattern without a match, a folder that cannot be read
 RecordFiles record_files(const std::vector<std::string>& named);

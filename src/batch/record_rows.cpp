@@ -61,17 +61,17 @@ void add_hits(RowContents& rows, const pipeline::Analysis& analysis) {
   }
 }
 
-void add_verdict(Json& row, const identify::ModeClassification& verdict) {
-  row["family"] = name_of(verdict.family);
-  row["order"] = verdict.order > 0 ? Json(verdict.order) : Json();
-  row["confidence"] = verdict.confidence;
-  row["alternative"] = verdict.alternative ? Json(name_of(*verdict.alternative)) : Json();
-  row["overlay_difference_db"] = verdict.overlay_dB ? Json(*verdict.overlay_dB) : Json();
-  row["overlaid"] = verdict.overlay_dB ? Json(verdict.overlaid) : Json();
-  row["ratio_re"] = verdict.ratio ? Json(verdict.ratio->real()) : Json();
-  row["ratio_im"] = verdict.ratio ? Json(verdict.ratio->imag()) : Json();
-  row["ratio_std"] = verdict.ratio ? Json(verdict.ratio_std) : Json();
-  const auto& peak = verdict.split_mode;
+void add_classification(Json& row, const identify::ModeClassification& classification) {
+  row["family"] = name_of(classification.family);
+  row["order"] = classification.order > 0 ? Json(classification.order) : Json();
+  row["confidence"] = classification.confidence;
+  row["alternative"] = classification.alternative ? Json(name_of(*classification.alternative)) : Json();
+  row["overlay_difference_db"] = classification.overlay_dB ? Json(*classification.overlay_dB) : Json();
+  row["overlaid"] = classification.overlay_dB ? Json(classification.overlaid) : Json();
+  row["ratio_re"] = classification.ratio ? Json(classification.ratio->real()) : Json();
+  row["ratio_im"] = classification.ratio ? Json(classification.ratio->imag()) : Json();
+  row["ratio_std"] = classification.ratio ? Json(classification.ratio_std) : Json();
+  const auto& peak = classification.split_mode;
   row["double_peak_partner"] = peak ? Json(peak->partner) : Json();
   row["double_peak_separation_hz"] = peak ? Json(peak->separation_Hz) : Json();
   row["double_peak_first"] = peak ? Json(peak->first) : Json();
@@ -91,7 +91,7 @@ void add_modes(RowContents& rows, const BatchRecord& record, int run, const pipe
     row["frequency_std_hz"] = mode.freq_std_Hz;
     row["damping_ratio"] = mode.pole.damping_ratio;
     row["damping_ratio_std"] = mode.damping_std;
-    add_verdict(row, analysis.classifications()[m]);
+    add_classification(row, analysis.classifications()[m]);
     rows.modes.push_back(std::move(row));
   }
 }
@@ -140,7 +140,7 @@ RowContents row_contents_of(const BatchRecord& record, const RowOptions& options
   } catch (const MachineFault&) {
     throw;
   } catch (const BudgetSpent& e) {
-    // Analyses at the same time share their memory, so that this record need not be the cause.
+    // Concurrent analyses share the memory, so this record need not be the cause.
     if (e.resource() == Resource::memory) throw MachineFault("not enough memory", record.path, e.remedy());
     return failed_record(kImpossible, options.write_option != nullptr ? e.written(options.write_option) : e.what());
   } catch (const InputError& e) {

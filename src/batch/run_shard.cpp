@@ -24,7 +24,7 @@ class Retries {
  public:
   explicit Retries(const std::vector<std::chrono::milliseconds>& waits) : waits_(waits) {}
 
-  /// errors  MachineFault: of the last attempt; those of `work`
+  /// errors  MachineFault: the last attempt failed; the other errors of `work`
   void run(const std::function<void()>& work) {
     for (auto wait = waits_.begin();; ++wait) {
       try {
@@ -43,7 +43,7 @@ class Retries {
   std::atomic<bool> lasts_{false};
 };
 
-// A file is replaced only if it is of a batch.
+// Throws InputError if a file exists that no batch wrote.
 void require_replaceable(const std::string& path) {
   const PartFile file = PartFile::existing(path);
   if (file.present()) file.require_own();
@@ -75,7 +75,7 @@ std::optional<FinishedShard> finished_shard_before(const ShardJob& job, const Sh
   return absent || bytes != part->bytes ? std::nullopt : part;
 }
 
-// Analyses records and returns those that a fault of the machine left open.
+// Analyses records and returns the records that a fault of the machine left open.
 std::vector<OpenRecord> analyse(const ShardJob& job, Journal& journal, const std::vector<std::size_t>& left) {
   Retries retries(job.waits);
   std::mutex one_at_a_time;

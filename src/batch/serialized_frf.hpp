@@ -6,7 +6,7 @@
 
 namespace percuss::batch {
 
-/// FRFs as text without a line end, for the rows of a batch: base64 of their bytes on this kind of machine. Holds
+/// FRFs as text without a line end, for the rows of a batch: base64 of their bytes in this machine's byte order. Holds
 /// lines, channels with their positions, points, estimator and window.
 std::string serialize_frfs(const acquire::FrfRecord& record);
 

@@ -9,8 +9,8 @@
 namespace percuss {
 inline namespace core {
 
-/// Accounts for one analysis or model. Its memory is the growth of the process while analyses run. Several analyses at
-/// the same time share the sum of their memory budgets.
+/// Compares the time and memory of one analysis or model with its budget. The memory is the growth of the process while
+/// analyses run. Several analyses at the same time share the sum of their memory budgets.
 class BudgetMeter {
  public:
   /// `where` names the input in the error.

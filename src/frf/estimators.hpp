@@ -31,8 +31,8 @@ using acquire::Frf;
 /// The accelerance from the summed spectra of force and acceleration.
 ///   H1 = G_fa / G_ff                    unbiased by noise on the acceleration                          (1)
 ///   H2 = G_aa / conj(G_fa)              unbiased by noise on the force                                 (2)
-///   Hv = total least squares: the eigenvector of [[G_ff, conj G_fa], [G_fa, G_aa]] with the smaller eigenvalue,
-///        both channels scaled to the same mean power over these lines                                            (3)
+///   Hv = total least squares: a/f of the eigenvector (f, a) of [[G_ff, conj G_fa], [G_fa, G_aa]] with the larger
+///        eigenvalue, both channels scaled to the same mean power over these lines                        (3)
 ///   γ² = |G_fa|² / (G_ff G_aa)                                                                         (4)
 ///   σ² = (1 − γ²)/γ² · |H1|² / (n − 1), n hits                                                         (5)
 /// shapes  every array (lines).

@@ -18,10 +18,10 @@ struct IdentifyOptions {
 /// The modes of a set of FRFs in ascending frequency, with one standard deviation of each value.
 std::vector<Mode> identify_modes(const FrfDataset& set, const IdentifyOptions& options = {});
 
-/// The modes that a fit from the poles of another test finds; poles that are no modes of this one are left out.
+/// The modes that a fit finds from the poles of another test. Poles that are no modes of `set` are left out.
 std::vector<Mode> modes_from_poles(const FrfDataset& set, const std::vector<Pole>& poles, Effort effort);
 
-/// The frequencies of options.start_Hz at which identify_modes() found no mode, and why. Repeats their fit.
+/// The frequencies of options.start_Hz at which identify_modes() found no mode, and why. Repeats the fit.
 std::vector<RefusedStart> refused_starts(const FrfDataset& set, const IdentifyOptions& options);
 
 /// Keeps the `count` modes whose damping ratios have the smallest relative deviations, in ascending frequency.

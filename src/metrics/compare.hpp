@@ -71,8 +71,8 @@ struct DeflectionPair {
 
 /// Pairs deflections at the same place. The test leads where the other document is a model, otherwise `a` leads. Each
 /// deflection of the leading document is paired at its position (interpolated in a model's sweep), or at its point
-/// where it has no position. Compared with a model, the deflection in the direction of the first motion counts where it
-/// is stated.
+/// where it has no position. Where the other document is a model, the test's deflection in the direction of the first
+/// motion is compared, if it is stated.
 std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const ComparedDocument& b);
 
 }  // namespace percuss::metrics

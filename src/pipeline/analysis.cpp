@@ -177,7 +177,7 @@ const std::vector<identify::Mode>& Analysis::modes() const {
     const ThreadLimit limit(options_.threads);
     return trace_.run("modes", [&] {
       identify::IdentifyOptions all = options_.modes;
-      all.modes.reset();  // the number of modes counts those within the band, not those of its margin
+      all.modes.reset();  // the number limits the modes within the band, not the modes of its margin
       std::vector<identify::Mode> found = identify::identify_modes(set, all);
       add_scatter_between_hits(set, from, options_.modes, found);
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());

@@ -27,8 +27,8 @@ namespace percuss::pipeline {
 
 /// The analysis of one test, from hits to named modes. Each result is computed when first demanded, and kept. Inputs
 /// are immutable: other options need another Analysis. An accessor runs the stages that it needs and no others; trace()
-/// lists those that ran. An accessor throws BudgetSpent when the stages take more than the options' budget. Not for use
-/// by several threads at once.
+/// lists the stages that ran. An accessor throws BudgetSpent when the stages take more than the options' budget. Not
+/// for use by several threads at once.
 class Analysis {
  public:
   /// errors  InputError: no acceleration channel.
@@ -48,17 +48,17 @@ class Analysis {
   /// Numbers of the measured points.
   std::set<int> points() const { return source_->points(); }
 
-  /// The delays taken out of the channels: those of the options, or those that the phases of the modes establish.
+  /// The delays taken out of the channels: stated in the options, or established by the phases of the modes.
   const std::vector<ChannelDelay>& corrected_delays() const;
   /// The record without these delays, from which every result follows.
   const acquire::Record& aligned_record() const;
 
   /// Hits graded by their force alone: reads nothing else. Index i is the user's hit number.
   const std::vector<AnalysedHit>& force_hits() const;
-  /// Hits graded by their responses, too, and by how well the hits of a point agree.
+  /// Hits graded by their responses as well, and by the agreement of the hits of a point.
   const std::vector<AnalysedHit>& hits() const;
-  /// The file that the others do not explain; nothing for one file. Several files are then several structures or
-  /// points.
+  /// The file whose responses the FRFs of the other files do not explain: the files hold several structures or points.
+  /// Nothing where the files agree, and for one file.
   std::optional<FileDisagreement> file_disagreement() const;
   /// False when no hit can be used: then no FRFs and no modes exist.
   bool possible() const;
@@ -69,7 +69,7 @@ class Analysis {
   const acquire::LineRange& lines() const;
   /// Decay rate σ of the exponential window; 0 without a window.
   double window_decay_per_s() const;
-  /// Those of them within the band.
+  /// The lines() within the band.
   acquire::LineRange band_lines() const;
   /// The points of frfs(), ascending.
   std::vector<int> frf_points() const;
@@ -82,8 +82,8 @@ class Analysis {
   /// Computes modes() and frfs() in the order that takes less time.
   void compute_modes_and_frfs() const;
   const std::vector<identify::ModeClassification>& classifications() const;
-  /// Modes that the hammer excited below the band, ascending: those in the margin of lines(), and further ones fitted
-  /// to a few hits. Empty without modes in the band.
+  /// Modes that the hammer excited below the band, ascending: modes in the margin of lines(), and lower modes fitted to
+  /// a few hits. Empty without modes in the band, or without a stated band.
   const std::vector<identify::Mode>& modes_below() const;
   /// The orders of a tube among modes_below(), by two sensors.
   const identify::LowerOrders& lower_orders() const;

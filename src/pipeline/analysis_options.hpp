@@ -25,7 +25,7 @@ struct AnalysisOptions {
   identify::ClassifyOptions classes;
   std::size_t threads = 0;       // 0: all
   std::optional<Budget> budget;  // default: default_budget() of the input
-  std::vector<Warning> known;    // what is known of the input before it is analysed
+  std::vector<Warning> known;    // warnings about the input that are known before its analysis
 };
 
 }  // namespace percuss::pipeline

@@ -1,4 +1,4 @@
-// What the modes tell about the channels and about the fit, and the corrections that follow from it.
+// Findings about the channels and the quality of the fit, from the modes, and the corrections that follow.
 #include "core/parallel/parallel.hpp"
 #include "pipeline/analysis.hpp"
 

@@ -21,7 +21,7 @@ struct DeflectedHit {
   std::size_t hit = 0, channel = 0;
   int point = 0;
   std::optional<double> position_m;
-  double first_s = 0;  // time of the first sample below, from the row's beginning
+  double first_s = 0;  // time of the deflection's first sample, from the row's beginning
   metrics::Deflection deflection;
 };
 
@@ -37,7 +37,7 @@ struct PointDeflection {
   std::size_t channel = 0, hits = 0;
   std::optional<double> position_m;
   double peak_m = 0;  // mean magnitude of the hits' peaks
-  double std_m = 0;   // of the mean: from the scatter of two or more hits, not less than the hits' own ± give
+  double std_m = 0;   // of the mean: from the hits' own ±, or from the scatter of two or more hits if larger
   double forward_m = 0, forward_std_m = 0;  // the same for deflections in the direction of the first motion
 };
 

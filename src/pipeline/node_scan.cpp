@@ -95,7 +95,7 @@ void require_geometry_of_scan(const Analysis& analysis, const ScanPositions& pos
       analysis.record().source(), "state the positions of the points, with their unit", {"positions"});
 }
 
-// Hits that nobody assigned to points are no scan where every mode has the same size at all positions.
+// Rows that as_scan assigned to positions are no scan where every mode has the same size at all positions.
 void require_different_points(const Analysis& analysis, const NodeScan& scan) {
   constexpr double kMinDifference = 0.05;  // of the largest size
   double most = 0;

@@ -30,8 +30,8 @@ struct NodeScan {
   std::vector<Warning> warnings;     // about the scan; the analysis has its own
 };
 
-/// The record with one point per position. A record of one point, whose number of rows is a multiple of the number of
-/// positions, has its rows assigned to the positions in order, and a note says so.
+/// The record with one point per position. A record of one point needs as many rows as positions, or a multiple of
+/// them. Its rows are assigned to the positions in order, and a note says so.
 /// errors  InputError: another number of points than positions.
 acquire::Record as_scan(acquire::Record record, const ScanPositions& positions);
 

@@ -75,7 +75,7 @@ ReportText abi_text(const metrics::AbiLog& log, const metrics::AbiRun& run) {
   ReportText out;
   out.say(fmt::format("{}: {}", log.bat, metrics::next_step_text(run)));
   if (run.verdict == metrics::AbiVerdict::fail && run.next != metrics::AbiStep::done)
-    out += "  has failed (" + run.why + "); goes on at the sponsor's request\n";
+    out += "  the bat has failed (" + run.why + "); the test continues at the sponsor's request\n";
   for (const metrics::ProtocolFinding& remark : run.remarks) out.say("note: " + remark.message);
   if (!run.compressions.empty()) {
     TextTable table({{"compression"}, {"force", TextTable::Align::right}, {"reduction", TextTable::Align::right}});

@@ -13,8 +13,8 @@ struct BatWaveRequest {
   std::vector<double> time_s;  // after first contact, ascending
 };
 
-/// JSON: percuss/model-bat/1. Modes, nodes and inertia of a bat, and the ball's exit speed over the position of impact
-/// z_m (from the knob, ascending), for the flexible and for the rigid bat. All modes of `bat` take part. With `wave`
+/// JSON: percuss/model-bat/1. Modes, nodes and inertia of a bat, and the ball's exit speed from the flexible and from
+/// the rigid bat. The positions of impact z_m count from the knob and ascend. All modes of `bat` take part. With `wave`
 /// the table and a chart show the deflection along the bat instead.
 CommandReport bat_report(const model::BatModes& bat, const model::BatProfile& profile,
                          const model::BatCollision& collision, const std::vector<double>& z_m,

@@ -87,7 +87,7 @@ ReportText fit_text(const BeamOrigin& origin) {
   for (const model::FittedParameter& one : origin.fit->parameters)
     text += "fitted: " + parameter_text(one.which, one.value, one.std);
   if (origin.fit->at_limit)
-    text += "the fitted spring acts like a free or a clamped end: its stiffness is not determined\n";
+    text += "the fitted spring acts like a pinned or a clamped end: its stiffness is not determined\n";
   TextTable table({{"mode", TextTable::Align::right},
                    {"measured", TextTable::Align::right},
                    {"model", TextTable::Align::right},

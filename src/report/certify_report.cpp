@@ -151,7 +151,7 @@ ReportText certify_text(const metrics::Session& s, const metrics::Certification&
     }
   }
   for (const auto& [id, ball] : c.balls) {
-    if (!ball.spent.empty()) out += fmt::format("remove ball {} because of {}\n", id, ball.spent);
+    if (!ball.spent.empty()) out += fmt::format("remove ball {}: {}\n", id, ball.spent);
   }
   return out;
 }

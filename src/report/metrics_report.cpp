@@ -76,7 +76,7 @@ Json profile_json(const BatProfileReadings& p, const metrics::BatMetrics& m) {
   return json;
 }
 
-// The readings whose error is not part of the ±, as a remark; empty when there are none.
+// A remark that names the readings whose error is not part of the ±; empty when there are none.
 std::string missing_errors_text(const metrics::UncertainValue& value) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < metrics::kReadings; ++i) {

@@ -34,7 +34,7 @@ void add_to(std::span<const double> values, double scale, std::size_t offset, Ei
 }
 
 /// Adds the columns for unit residues from sample `first` on: ∂/∂f_r and ∂/∂ζ_r (both still to be multiplied by the
-/// residue), ∂/∂residue_r, ∂/∂rigid line.
+/// residue), ∂/∂residue_r, ∂/∂(rigid-body line).
 void add_columns(const SynthSpec& spec, const Pulse& pulse, std::span<const SynthPole> poles, std::size_t first,
                  MatrixXd& columns) {
   const PulseBasis basis = pulse_basis(pulse, spec.fs_Hz, poles, first, static_cast<std::size_t>(columns.rows()));
@@ -86,7 +86,8 @@ MatrixXd scaled_inverse(const MatrixXd& m) {
   return scale.asDiagonal() * unit.inverse() * scale.asDiagonal();
 }
 
-/// The contribution of one channel at one point to the matrix of (f, ζ), with its residues and rigid line eliminated.
+/// The contribution of one channel at one point to the matrix of (f, ζ). Its residues and rigid-body line are
+/// eliminated.
 MatrixXd channel_information(const MatrixXd& products, const std::vector<double>& residue_per_kg) {
   const auto modes = static_cast<Index>(residue_per_kg.size());
   const VectorXd residue = Eigen::Map<const VectorXd>(residue_per_kg.data(), modes).replicate(2, 1);

@@ -6,13 +6,13 @@
 
 namespace percuss::synth {
 
-/// The number of bats of each family and the relations among their properties. The families follow [8]: wood with a
+/// The number of bats of each material and the relations among their properties. The materials follow [8]: wood with a
 /// BBCOR near 0.480; aluminium with hoop frequencies of 1800 to 2400 Hz; composite with 1300 to 2800 Hz, lower when
 /// broken in.
 struct PopulationSpec {
   std::uint64_t seed = 1;
   std::size_t wood = 60, aluminum = 60, composite = 60;
-  bool related = true;      // false: performance does not depend on any property within a length
+  bool related = true;      // false: among bats of one length, performance depends on no property
   double hoop_gain = 4e-5;  // increase of BBCOR per Hz below 2800 Hz
   double noise = 0.004;     // standard deviation of BBCOR
   bool trail = true;        // add one composite bat during its break-in: 1970 → 1354 Hz, then failure

@@ -11,10 +11,6 @@
 
 namespace percuss::synth {
 
-/// The description of a synthetic hammer test. The defaults describe a bat test. Build it with designated initialisers
-/// or read it from JSON (read_spec.hpp; the key of each member is its name in lower case, docs/guides/synth.md).
-/// Positions count from the barrel's end, angles around the barrel.
-
 enum class SynthFamily { bending, hoop };
 enum class SynthLayout { rows, continuous };               // one hit per row, or one long row with every hit of a run
 enum class PulseKind { halfsine, haversine, sine_cubed };  // sin, sin² and sin³ of π t/width
@@ -61,7 +57,7 @@ struct SynthPulse {
   double peak_spread = 0.25;
 };
 
-/// Standard deviations of white Gaussian noise.
+/// Standard deviations of white Gaussian noise, as fractions.
 struct SynthNoise {
   double force = 0;  // of the largest force in the test
   double accel = 0;  // of the channel's RMS over the test
@@ -89,6 +85,9 @@ struct SynthFault {
   double delay_s = 0.010;  // from the first pulse to the second (double_hit), from the onset to the trigger (late)
 };
 
+/// The description of a synthetic hammer test. The defaults describe a bat test. Build it with designated initialisers
+/// or read it from JSON (read_spec.hpp; docs/guides/synth.md states the keys). Positions count from the barrel's end,
+/// angles around the barrel.
 struct SynthSpec {
   std::string name = "synthetic";
   std::string description{};

@@ -32,7 +32,7 @@ struct CramerRaoBound {
 
 /// The exact parameters of a record. Accelerance, [point][channel]:
 ///   H(ω) = rigid + Σ_r residue_r (−ω²)/(ω_r² − ω² + 2jζ_rω_rω), unit 1/kg                       (1)
-/// Residues and rigid line include the sensors' signs and all gains: (1) is the FRF of the recorded signals.
+/// Residues and rigid-body line include the sensors' signs and all gains: (1) is the FRF of the recorded signals.
 struct Truth {
   SynthSpec spec;
   std::vector<std::vector<std::vector<double>>> residue_per_kg;  // [point][channel][mode], modes as in spec.modes
@@ -55,7 +55,7 @@ struct SyntheticTest {
 /// errors  InputError, as check().
 SyntheticTest synthesise(const SynthSpec& spec, std::size_t threads = 0);
 
-/// (1) at the given frequencies.
+/// Evaluates (1) at the given frequencies.
 std::vector<Complex> exact_accelerance(const Truth& truth, std::size_t point, std::size_t channel,
                                        std::span<const double> freq_Hz);
 

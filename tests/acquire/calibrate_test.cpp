@@ -94,8 +94,8 @@ TEST(Calibrate, LiesWithinItsStandardDeviation) {
   const std::vector<double> peaks(20, 300);
   const Calibration found = calibrate(free_mass({.noise = 0.01, .peaks_N = peaks}), kMass_kg);
   // Both channels have the same noise. 15 samples of each hit exceed half of the peak; their mean square is at least
-  // 0.6 of the peak's square. Each offset is a mean of 8 samples. An offset changes the
-  // scale by its own size times Σx/Σx² of the 15 samples, hence the factor (mean x)²/(mean x²)², about 1/0.75.
+  // 0.6 of the peak's square. Each offset is a mean of 8 samples. An offset changes the scale by its own size times
+  // Σx/Σx² of the 15 samples, hence the factor (mean x)²/(mean x²)², about 1/0.75.
   const double expected = 0.01 * std::sqrt(2 * (1 / (15 * 0.6) + 1 / (8 * 0.75))) / std::sqrt(20.0);
   EXPECT_LE(std::abs(found.scale / 0.0102 - 1), 5 * expected);
   constexpr double kFactor = 1.8;  // 1 + 5 · 0.16: the standard deviation of 20 hits is known to 16 %
@@ -106,7 +106,7 @@ TEST(Calibrate, LiesWithinItsStandardDeviation) {
 TEST(Calibrate, HasAStandardDeviationForOneHit) {
   const Calibration found = calibrate(free_mass({.noise = 0.01, .peaks_N = {300}}), kMass_kg);
   EXPECT_EQ(found.hits.size(), 1U);
-  // As above for a single hit; the residuals of 15 samples give it to 20 %.
+  // The expected value is as above, for a single hit. The residuals of 15 samples give the standard deviation to 20 %.
   const double expected = 0.01 * std::sqrt(2 * (1 / (15 * 0.6) + 1 / (8 * 0.75)));
   EXPECT_GE(found.scale_std / 0.0102, expected / 2.5);
   EXPECT_LE(found.scale_std / 0.0102, 2.5 * expected);

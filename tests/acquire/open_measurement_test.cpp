@@ -104,7 +104,7 @@ TEST_F(OpenRecord, RefusesMissingAndIrregularFiles) {
   EXPECT_THAT(input_error_of([&] { open_record(folder_.path()); }), HasSubstr("folder"));
   EXPECT_THAT(input_error_of([] { open_record("/dev/zero"); }), HasSubstr("not a regular file"));
   EXPECT_THAT(input_error_of([] { open_record(""); }), HasSubstr("no such file"));
-  // A pipe that nobody writes to must not be waited for.
+  // Opening a pipe without a writer would wait for ever.
   ASSERT_EQ(mkfifo(folder_.file("pipe").c_str(), 0600), 0);
   EXPECT_THAT(input_error_of([&] { open_record(folder_.file("pipe")); }), HasSubstr("not a regular file"));
 }

@@ -34,7 +34,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Leaves this process no descriptor to open.
+/// Lowers the limit of descriptors, so that this process can open no further file.
 class DescriptorLimit {
  public:
   DescriptorLimit() {

@@ -35,7 +35,7 @@ class AnalyzeChoices : public testing::Test {
     EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), testing::IsEmpty());
     return document;
   }
-  /// The one line on standard error, nothing on standard output.
+  /// The message on standard error. Expects one line there, and nothing on standard output.
   static std::string rejection_of(std::vector<std::string> options, int code) {
     options.insert(options.begin(), {"analyze", path()});
     const auto outcome = run_percuss(options);
@@ -180,7 +180,7 @@ TEST_F(AnalyzeChoices, SeparatesFilesOfDifferentStructures) {
   const std::string out = run_percuss(words).out;
   EXPECT_THAT(out, AllOf(HasSubstr("test 0"), HasSubstr("test 2"), HasSubstr("different structures")));
   words.insert(words.end(), {"--files", "hits"});
-  EXPECT_THAT(run_percuss(words).out, HasSubstr("The modes are those of a mixture; analyse each file"));
+  EXPECT_THAT(run_percuss(words).out, HasSubstr("The modes belong to a mixture; analyse each file"));
   words.insert(words.end() - 2, {"-o", folder_->file("mixed.html")});
   words.resize(words.size() - 2);
   EXPECT_THAT(run_percuss(words).err,

@@ -11,7 +11,7 @@ namespace percuss::protocol_command_test {
 using test::run_percuss;
 using testing::HasSubstr;
 
-// A session of six shots at 6 in, each in at 136 mph and out at `v_out`.
+// A session of six shots at 6 in from the tip, each with 136 mph before the impact and `v_out` after it.
 std::string six_shots(const std::string& v_out) {
   std::string text = run_percuss({"certify", "--example-table"}).out;
   text = text.substr(0, text.find("z_in,")) + "z_in,ball,ball_g,v_in_mph,v_out_mph,angle_deg\n";

@@ -7,8 +7,8 @@
 
 #include "support/scratch_folder.hpp"
 
-// The libraries that the tool loads are the stated dependencies: of the build, of programs that link percuss, and of
-// the image.
+// The libraries that the tool loads are the dependencies that the build, percussConfig.cmake and the container image
+// state.
 namespace percuss::dependencies_test {
 
 struct Library {
@@ -29,7 +29,7 @@ constexpr std::array kLibraries{
     Library{"libmatio", "libmatio-dev", "MATIO"},
     Library{"libhdf5_serial", "libhdf5-dev", "HDF5"},
 };
-// Of the compiler and the C library, and those that a sanitizer or a static HDF5 brings.
+// The libraries of the compiler and of C, and the libraries that a sanitizer or a static HDF5 needs.
 constexpr std::array kOfTheCompiler{"libc",  "libm",    "libstdc++", "libgcc_s", "ld-linux-x86-64", "ld-linux-aarch64",
                                     "libdl", "libasan", "libubsan",  "libtsan",  "librt",           "libpthread",
                                     "libsz", "libaec"};

@@ -29,7 +29,7 @@ struct Hits {
 class Noise {
  public:
   explicit Noise(std::uint64_t seed) : generator_(seed) {}
-  /// Complex, of this mean square.
+  /// A complex value with this mean square.
   Complex operator()(double power) {
     const double deviation = std::sqrt(power / 2);
     const double real = normal_(generator_);

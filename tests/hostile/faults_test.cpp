@@ -173,7 +173,7 @@ class BatchFaults : public Faults {
 };
 
 TEST_F(BatchFaults, OfProcessesLeaveTheRecordOpen) {
-  const ProcessOutcome none = run_batch("none", "FORK=1");  // not even the process that forks readers
+  const ProcessOutcome none = run_batch("none", "FORK=1");  // the fork server does not start
   EXPECT_EQ(none.code, 6) << none.err;
   const ProcessOutcome outcome = run_batch("some", "FORK=2");
   EXPECT_EQ(outcome.code, 6);
@@ -189,7 +189,7 @@ TEST_F(BatchFaults, OfProcessesLeaveTheRecordOpen) {
 }
 
 TEST_F(BatchFaults, OfTheDiskAreNeverRows) {
-  // The journal's label, a begun record, its rows, the part, its synchronisation.
+  // The failing writes: label of the journal, a begun record, its rows, the part, synchronisation of the part.
   for (const long n : {1, 2, 5, 8, 9}) {
     SCOPED_TRACE(n);
     const std::string out = "out" + std::to_string(n);

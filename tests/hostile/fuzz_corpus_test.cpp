@@ -62,7 +62,7 @@ TEST_P(FuzzCorpus, IsReadOrRejected) {
   }
 }
 
-// What the fuzzers found, reduced to inputs that reach different code.
+// The inputs that the fuzzers found, reduced to inputs that reach different code.
 TEST_P(FuzzCorpus, IsReadOrRejectedWhenMinimised) {
   const test::ScratchFolder folder;
   const std::string archive = PERCUSS_SOURCE_DIR "/fuzz/minimised.tar.gz", name = GetParam().name;

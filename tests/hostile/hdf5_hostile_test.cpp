@@ -45,7 +45,7 @@ class Hdf5Hostile : public testing::Test {
     test::write_bytes(path_, bytes);
     return input_error_of([&] { acquire::open_hdf5(path_); });
   }
-  /// A data set /force of two hits with the given creation list and type, without values.
+  /// A data set /force of two hits with the given creation property list and type, without values.
   static void declare_force(const Hdf5Builder& file, hid_t type, hid_t creation, Shape shape = {2, 9}) {
     const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
     const hid_t set = H5Dcreate2(file.id(), "force", type, space, H5P_DEFAULT, creation, H5P_DEFAULT);

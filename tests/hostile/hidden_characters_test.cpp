@@ -10,7 +10,8 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-// Names and texts of files that command a terminal, reorder a line or hide in it; and formulas in tables.
+// Names and texts of files with characters that control a terminal, reorder a line or are invisible; and formulas in
+// tables.
 namespace percuss::hidden_characters_test {
 
 namespace fs = std::filesystem;
@@ -86,7 +87,7 @@ TEST(HiddenCharacters, AreEscapesOfJsonInDocuments) {
   EXPECT_EQ(test::parse_json(outcome.out)["files"][0]["path"], path);
 }
 
-// A long document leaves in several pieces, between which a character may be divided.
+// A long document is written in several pieces, and a character may be divided between two of them.
 TEST(HiddenCharacters, DoNotChangeOtherCharacters) {
   const test::ScratchFolder folder;
   const std::string first = folder.file("r.csv");

@@ -29,7 +29,7 @@ class Limits : public testing::Test {
     for (const auto& entry : fs::directory_iterator(folder_.path())) names.push_back(entry.path().filename());
     return names;
   }
-  /// Success, or one line, one of the exit codes for faults and no file.
+  /// Expects success, or one line, an exit code for faults, and no file.
   void expect_clean(const ProcessOutcome& outcome) const {
     ASSERT_EQ(outcome.signal, 0) << outcome.err;
     if (outcome.code == 0) return;
@@ -57,7 +57,7 @@ class Limits : public testing::Test {
 };
 
 #ifndef PERCUSS_SANITIZED  // the sanitizers need terabytes of addresses
-// FFTW ended the program (SIGABRT), and HDF5 crashed while it wrote (SIGSEGV).
+// Regression: without memory, FFTW ended the program (SIGABRT), and HDF5 crashed while it wrote (SIGSEGV).
 TEST_F(Limits, OfAddressesGiveOneLine) {
   int failures = 0;  // of all commands: the small ones may work in 30 MiB
   for (const auto& command : commands()) {
@@ -77,7 +77,7 @@ TEST_F(Limits, OfAddressesGiveOneLine) {
   EXPECT_GT(failures, 0);
 }
 
-// Below 192 KiB the program crashed.
+// Regression: with a stack below 192 KiB, the program crashed.
 TEST_F(Limits, OfTheStackChangeNothing) {
   const std::vector<std::string> command{"analyze", inputs_.file("record.csv"), "--json"};
   const std::string expected = run_percuss(command).out;
@@ -89,7 +89,7 @@ TEST_F(Limits, OfTheStackChangeNothing) {
 }
 #endif
 
-// SIGXFSZ ended the program.
+// Regression: SIGXFSZ ended the program.
 TEST_F(Limits, OfFileSizesGiveOneLine) {
   for (const auto& command : commands()) {
     for (const std::size_t bytes : {0U, 1U, 4096U, 20000U}) {
@@ -117,7 +117,7 @@ TEST_F(Limits, OfOpenFilesGiveOneLine) {
   EXPECT_GT(failures, 0);
 }
 
-// A file got the number of a closed stream, and messages were written into it.
+// Regression: a file got the descriptor of a closed stream, and messages were written into the file.
 TEST_F(Limits, OfClosedStreamsSpoilNoFile) {
   const std::string output = folder_.file("c.h5");
   const std::vector<std::string> command{"convert", inputs_.file("record.csv"), output};
@@ -151,7 +151,7 @@ class LongInput : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-// 1.5 GB for lists of empty objects or numbers, 1.1 GB for values that nobody reads.
+// Regression: lists of empty objects or numbers took 1.5 GB, and values of unused keys 1.1 GB.
 TEST_F(LongInput, OfJsonTakesMemoryAsItsSize) {
   const std::string head = R"({"schema":"percuss/analysis/1","modes":[)";
   const std::string residue = R"({"point":1,"channel":1,"re":1.25e-3,"im":2.5e-4,"std":1e-5})";
@@ -179,8 +179,8 @@ TEST_F(LongInput, OfJsonTakesMemoryAsItsSize) {
   }
 }
 
-// A gigabyte without a line end. It is a hole in the file, so that the test writes 100 kB. The file was in memory as a
-// whole before the line was refused.
+// A gigabyte without a line end. It is a hole in the file, so the test writes only 100 kB. Regression: the whole file
+// was in memory before the line was refused.
 TEST_F(LongInput, OfOneLineIsRefusedInSecondsWithLittleMemory) {
   constexpr std::size_t kMax_bytes = 250'000'000;  // of this process before the start, and 17 MB of the file
   const std::string path = folder_.file("long.csv"), head = "time,force,accel\n";

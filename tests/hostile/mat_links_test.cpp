@@ -42,7 +42,7 @@ class MatLinks : public testing::Test {
     changes(file);
     ASSERT_GE(H5Fclose(file), 0);
   }
-  /// Replaces the variable "accel" by a set with this creation list.
+  /// Replaces the variable "accel" by a data set with this creation property list.
   static hid_t replace_accel(hid_t file, hid_t creation, hid_t type = H5T_IEEE_F64LE) {
     const hsize_t extent[] = {1, kSamples};
     const hid_t space = H5Screate_simple(2, extent, nullptr);
@@ -196,7 +196,7 @@ TEST_F(MatLinks, AreNotSearchedInDeepGroups) {
               HasSubstr("groups within groups"));
 }
 
-// Whoever opens a pipe without a writer waits for ever.
+// Opening a pipe without a writer waits for ever.
 TEST_F(MatLinks, ToPipesAreNotFollowed) {
   const std::string pipe = folder_.file("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

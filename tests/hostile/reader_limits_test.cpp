@@ -53,7 +53,7 @@ TEST_P(ReaderLimits, HoldForSmallFiles) {
   }
 }
 
-// A megabyte that gzip expanded to 100 million numbers of one byte each: 800 MB as numbers of 8 bytes.
+// 50 million numbers of one byte, compressed to about 50 kB. As numbers of 8 bytes they would take 400 MB.
 TEST(MatClaims, CountTheBytesOfDecodedNumbers) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("r.mat");
@@ -62,7 +62,7 @@ TEST(MatClaims, CountTheBytesOfDecodedNumbers) {
   EXPECT_THAT(message, HasSubstr("claims more numbers than it can hold"));
 }
 
-// A reader that was taken over may claim anything.
+// A compromised reader may claim anything.
 class ReaderClaims : public testing::Test {
  protected:
   std::string refusal_of(const std::function<void(Record&)>& spoil) const {

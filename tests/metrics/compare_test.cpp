@@ -36,7 +36,7 @@ TEST(PairModes, MaximisesTheNumberOfPairs) {
               ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1)));
 }
 
-TEST(PairModes, SkipsDistantModesAndOtherFamilies) {
+TEST(PairModes, SkipsDistantModesAndOtherTypes) {
   EXPECT_THAT(indices(pair_modes(document_with({100}), document_with({200}))), IsEmpty());
   EXPECT_THAT(indices(pair_modes(document_with({1900}, "hoop"), document_with({1905}, "bending"))), IsEmpty());
   EXPECT_THAT(indices(pair_modes(document_with({1900}, "hoop"), document_with({1905}, "unknown"))),

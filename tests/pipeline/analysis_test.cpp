@@ -140,7 +140,7 @@ TEST(Analysis, ComputesTheSameFrfsWithModesAsWithoutThem) {
   }
 }
 
-TEST(Analysis, FindsTheModesAndTheirFamilies) {
+TEST(Analysis, FindsTheModesAndTheirTypes) {
   const Analysis analysis = analysis_of(synth::synthesise(bat(1)).record);
   ASSERT_EQ(analysis.modes().size(), 2U);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.freq_Hz - 180), 5 * analysis.modes()[0].freq_std_Hz);
@@ -245,7 +245,7 @@ TEST(AnalysesOfRuns, AssumeTheAnglesOfTwoAccelerometers) {
   EXPECT_TRUE(assumed.notes.empty());  // the modes decide whether they hold: warning assumed_tube or not_a_tube
 }
 
-// 60 modes take seconds; the budget ends them within one check of each fit.
+// The identification of 60 modes takes seconds; the budget ends it at the next check of a fit.
 TEST(Analysis, EndsWhenItsBudgetIsSpent) {
   synth::SynthSpec many = bat();
   for (int m = 0; m < 60; ++m) {

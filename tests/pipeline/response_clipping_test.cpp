@@ -32,7 +32,7 @@ TEST(RepeatedClipping, IgnoresEqualPeaksBelowTheLargest) {
             (Counts{0, 0, 0}));
 }
 
-// At eight bits two of five peaks agree by chance in every second test, and the hits of a machine agree entirely.
+// At eight bits, two of five peaks agree by chance in every second test. Hits of an automatic hammer agree entirely.
 TEST(RepeatedClipping, IgnoresChanceAndEqualHits) {
   EXPECT_EQ(clipped_samples_of({hit_of({-91, 100}, 1), hit_of({-87, 100}, 1), hit_of({-84, 99}, 1)}),
             (Counts{0, 0, 0}));

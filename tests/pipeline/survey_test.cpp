@@ -195,8 +195,8 @@ TEST_F(BarrelSurvey, RefusesPointsThatTheGeometryLacks) {
 }
 
 TEST(Survey, WarnsOfASensorOnANode) {
-  // The sensor lies almost in the plane of the bending mode. A partner that bends at right angles
-  // would have a node there.
+  // The sensor lies almost in the plane of the bending mode. A mode that bends at right angles to it would have a node
+  // there.
   synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(1);
   spec.modes[0].angle_rad = 1 * kDegree;

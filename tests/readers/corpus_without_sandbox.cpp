@@ -7,7 +7,7 @@
 #include "support/scratch_folder.hpp"
 #include "targets.hpp"
 
-// The inputs of the target "foreign" in this process, because a sandboxed process may not write its coverage.
+// Reads the inputs of the fuzz target "foreign" in this process, because a sandboxed process cannot write its coverage.
 namespace percuss::corpus_without_sandbox {
 
 namespace fs = std::filesystem;
@@ -16,7 +16,7 @@ void read_folder(const std::string& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     SCOPED_TRACE(entry.path());
     const std::string path = entry.path();
-    if (path.ends_with("/slow_structure.mat")) continue;  // minutes: the sandbox ends it
+    if (path.ends_with("/slow_structure.mat")) continue;  // takes minutes; a sandbox would end it
     fuzz::accepted(
         [&] { fuzz::read_all(acquire::open_measurement(path, {.read = {.sandboxed = false}, .kind = {}})); });
   }

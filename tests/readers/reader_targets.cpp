@@ -4,7 +4,7 @@
 
 namespace percuss::fuzz {
 
-// The targets of percuss_reader_tests, in the place of all of them (fuzz/all_targets.cpp).
+// The fuzz targets of percuss_reader_tests; they replace fuzz/all_targets.cpp.
 std::span<const Target> targets() {
   static constexpr std::array kTargets{
       Target{"csv", run_csv},

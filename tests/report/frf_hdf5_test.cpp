@@ -36,7 +36,7 @@ class FrfHdf5 : public testing::Test {
   const std::string path_ = folder_.file("frf.h5");
 };
 
-/// {r, i} of all elements of /frf, as any reader of HDF5 gets them.
+/// The elements {r, i} of /frf, read with the HDF5 library alone.
 std::vector<Complex> complex_numbers(const std::string& path, std::size_t count) {
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const hid_t set = H5Dopen2(file, "frf", H5P_DEFAULT);

@@ -33,7 +33,7 @@ struct Result {
 struct Check {
   std::string group, name;
   std::string expectation;  // as text, for the table
-  std::string defect;       // a known defect as text; the check must then fail
+  std::string defect;       // a known defect as text; the check may then fail
   std::size_t runs = 1;     // with different noise, in the short suite
   std::size_t full_runs = 1;
   std::function<Result(std::uint64_t run)> run;

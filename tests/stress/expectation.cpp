@@ -18,7 +18,7 @@ bool is_resolvable(const TrueMode& mode) { return mode.damping_bound <= kMaxDamp
 
 bool are_separable(const TrueMode& a, const TrueMode& b) {
   const double apart_Hz = std::abs(a.pole.freq_Hz - b.pole.freq_Hz);
-  // The centre of a close pair is known well, its distance badly: the two errors are opposite, and add up.
+  // The errors of a close pair are opposite. They cancel in its centre and add up in its distance.
   return apart_Hz > kRoundingOfPole * a.pole.freq_Hz && apart_Hz > kMinSeparation * (a.freq_bound_Hz + b.freq_bound_Hz);
 }
 

@@ -13,7 +13,8 @@ namespace percuss::stress {
 /// error of the frequency and the absolute error of the damping ratio. Synthetic samples are exact to 1e-12 of the peak
 /// and their filter to 1e-11. The condition number of a pole multiplies this by at most a hundred here.
 inline constexpr double kRoundingOfPole = 1e-9;
-/// The largest accepted error in reported standard deviations. A larger error without a warning is a failure.
+/// The largest accepted error in reported standard deviations. A larger error without a warning is a failure: a normal
+/// error exceeds this limit once in 1.7 million.
 inline constexpr double kMaxSigmas = 5;
 
 enum class Demand {
@@ -25,7 +26,7 @@ enum class Demand {
 struct Expectation {
   std::string text;  // for the table; empty: composed from the other members
   Demand demand = Demand::as_the_bound_allows;
-  std::vector<std::string> says;  // codes that findings and warnings must contain
+  std::vector<std::string> says;  // codes that must be among the findings and warnings
   std::string warns;              // a code that excuses errors beyond the stated standard deviations
   int exit_code = 0;
   std::string reason;                   // for an exit code above 0: a finding's code or a part of the message

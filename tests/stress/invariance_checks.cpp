@@ -112,7 +112,7 @@ std::vector<Check> of_samples() {
 /// The same hits at another time in their rows, without noise: every sample differs.
 Check shifted(double samples) {
   Check check{.group = "invariance",
-              .name = fmt::format("blows {:g} samples later", samples),
+              .name = fmt::format("hits {:g} samples later", samples),
               .expectation = "the same modes to 1e-9 of the pole",
               .runs = 1,
               .full_runs = 4};

@@ -5,7 +5,7 @@
 namespace percuss::stress {
 namespace {
 
-constexpr double kHundredth = 0.01;  // of the bandwidth of a mode
+constexpr double kHundredth = 0.01;  // of the bandwidth of the narrower mode
 
 Cell row_of(std::size_t samples, double pretrigger_s, Expectation expected) {
   Cell cell{.group = "length",
@@ -43,7 +43,7 @@ std::vector<Cell> length_cells() {
   for (const std::size_t samples : {509U, 1021U, 2053U, 4093U, 8191U, 8209U, 65537U}) {
     cells.push_back(row_of(samples, 0.02, {.demand = Demand::all}));
     cells.back().calibrated = true;
-    // Shorter than the ringing of the anti-alias filter before the pulse.
+    // This pre-trigger is shorter than the ringing of the anti-alias filter before the pulse.
     cells.push_back(row_of(samples, 0.002, {.demand = Demand::all}));
     cells.back().name += ", pre-trigger of 16";
     cells.back().expected.says = {"short_pretrigger"};

@@ -67,7 +67,7 @@ std::vector<Cell> limits() {
         cell_of(fmt::format("{} bits", bits), {.warns = "coarse_steps", .or_refused = {"no_pulse", "overload"}});
     rounded.spec.noise = {};
     // Quantisation depends on the signal and is not noise: the warning states that standard deviations do not hold.
-    // From 8 bits on, both modes must still be found to a tenth of their bandwidth.
+    // From 8 bits on, both modes must still be found to a tenth of the narrower one's relative bandwidth.
     if (bits >= 8) {
       rounded.expected.freq_relative = kTenth * 2 * 0.005;
       rounded.expected.damping_absolute = kTenth * 0.005;

@@ -21,7 +21,7 @@ bool has_landlock() {
   return ::syscall(__NR_landlock_create_ruleset, nullptr, 0, kGetVersion) > 0;
 }
 
-// The filter has no effect where there are no filters: then nothing needs to be removed.
+// On a system without seccomp, the filter cannot be loaded, and nothing needs to be removed.
 void remove_seccomp() {
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(seccomp), 0);

@@ -34,8 +34,8 @@ struct Pipe {
   std::array<int, 2> ends{-1, -1};
 };
 
-// From the next exec on, permissions apply to root too. The process keeps its user, because another
-// one might not have access to the libraries.
+// From the next exec on, permissions apply to root too. The process keeps its user, because another user might not have
+// access to the libraries.
 bool give_up_root_rights() {
   return ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) == 0 && ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) == 0;
 }

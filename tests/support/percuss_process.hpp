@@ -32,8 +32,8 @@ struct ProcessOutcome {
   int code = -1;               // exit code; −1 if a signal ended the process
   int signal = 0;              // the signal, or 0
   bool timed_out = false;      // killed after the time limit
-  std::size_t peak_bytes = 0;  // peak of the resident memory, of this process or one that it started
-  double processor_s = 0;      // processor time, with the processes that it started
+  std::size_t peak_bytes = 0;  // peak of the resident memory, of the process or a child of it
+  double processor_s = 0;      // processor time, children included
   std::string out, err;
 };
 

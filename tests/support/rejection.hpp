@@ -12,10 +12,10 @@ namespace percuss::test {
 std::string rejection_of(const std::vector<std::string>& arguments, const std::vector<std::string>& outputs,
                          const std::string& named, const ProcessOptions& options = {});
 
-/// Checks the rejection by each command that reads records: analyze, frf, calibrate and info.
+/// Checks the rejection by the commands analyze, frf, calibrate and info.
 void expect_every_command_rejects(const std::string& path, const std::string& named,
                                   const ProcessOptions& options = {});
-/// Checks the rejection by the commands that read samples: analyze and frf.
+/// Checks the rejection by the commands analyze and frf.
 void expect_analyses_reject(const std::string& path, const std::string& named, const ProcessOptions& options = {});
 
 }  // namespace percuss::test

@@ -150,7 +150,7 @@ TEST(AntiAliasFilter, IsFlatInTheBandAndStopsItsImage) {
   for (int i = -512; i <= 512; ++i)
     kernel[static_cast<std::size_t>((i + 8192) % 8192)] = anti_alias_kernel(i / 8.0) / 8;
   const std::vector<Complex> gain = real_dft(kernel);
-  constexpr double kTolerance = 2e-12;  // the Gaussian's tail seven deviations from the cut-off
+  constexpr double kTolerance = 2e-12;  // the Gaussian's tail seven standard deviations from the cut-off
   for (std::size_t k = 0; k < gain.size(); ++k) {
     const double freq = static_cast<double>(k) / 1024;  // cycles per sample
     if (freq <= 0.30) {

@@ -101,7 +101,7 @@ TEST(Synthesise, AddsWhiteNoiseOfTheGivenLevel) {
   EXPECT_LE(std::abs(rms(a) / noisy.truth.accel_noise_mps2[1] - 1), kFiveDeviations);
   EXPECT_DOUBLE_EQ(noisy.truth.accel_noise_mps2[1], 0.01 * clean.truth.accel_clean_rms_mps2[1]);
   const double lag = std::inner_product(a.begin() + 1, a.end(), a.begin(), 0.0) / (rms(a) * rms(a) * 65536);
-  EXPECT_LE(std::abs(lag), 5.0 / 256);  // five deviations of a correlation of 65536 values
+  EXPECT_LE(std::abs(lag), 5.0 / 256);  // five standard deviations of a correlation of 65536 values
 }
 
 TEST(Synthesise, RunsRepeatTheHitsWithNewNoise) {

@@ -24,7 +24,7 @@ using InMemoryInput = std::function<std::variant<acquire::Record, acquire::FrfRe
 struct CommandResult {
   std::string document;        // the output of --json
   std::vector<Message> notes;  // remarks, which the command line prints on standard error
-  /// The text for a terminal of that width; `write_option` writes the options of warnings.
+  /// The text for a terminal of the given width; `write_option` writes the options of warnings.
   std::function<std::string(std::size_t width, OptionWriter write_option)> text;
   std::function<std::string()> html;                                // the main table as HTML elements
   std::function<void(const std::string& path, bool force)> save;    // as -o PATH

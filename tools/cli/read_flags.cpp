@@ -122,7 +122,7 @@ void add_setup_option(Command& command, ReadFlags& flags) {
 
 void add_trust_input_option(Command& command, ReadFlags& flags) {
   const std::string previous = command.heading(kReadingHeading);
-  command.flag("--trust-input", flags.trust_input, "Read MAT and HDF5 files in this process, without a sandbox");
+  command.flag("--trust-input", flags.trust_input, "Read MAT, HDF5 and sound files in this process, without a sandbox");
   command.heading(previous);
 }
 

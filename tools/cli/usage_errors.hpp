@@ -15,7 +15,7 @@ UsageError unknown_command(const Declaration& all, const DeclaredCommand& group,
 UsageError unknown_option(const Declaration& all, const DeclaredCommand& command, const std::string& typed);
 /// An option that stands before the name of its command.
 UsageError option_before_command(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option);
-/// An argument beyond those that the command takes.
+/// An argument more than the command takes.
 UsageError extra_argument(const Declaration& all, const DeclaredCommand& command, const std::string& typed);
 UsageError missing_option(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option);
 OptionError missing_value(const DeclaredOption& option);

@@ -33,7 +33,7 @@ VisibleOutput::~VisibleOutput() {
   if (state != std::ios::goodbit) stream_.setstate(state);
 }
 
-// Needs no memory: the message of a lack of memory takes this way.
+// Allocates nothing, so that the message for missing memory can be printed.
 bool VisibleOutput::copy(std::string_view text) {
   const auto count = static_cast<std::streamsize>(text.size());
   return to_->sputn(text.data(), count) == count;

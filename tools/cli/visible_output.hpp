@@ -6,8 +6,8 @@
 
 namespace percuss::tools {
 
-/// Makes the characters that leave by a stream visible (core/visible_text.hpp) during the lifetime of this object:
-/// names and texts of files cannot command the terminal.
+/// Replaces hidden characters in the output of a stream by escapes (core/visible_text.hpp) during its lifetime, so that
+/// names and texts from files cannot command the terminal.
 ///   const VisibleOutput output(std::cout);
 class VisibleOutput : private std::streambuf {
  public:

@@ -124,8 +124,7 @@ void add_analyze(CommandLine& line) {
       "Reads records of force and acceleration, cuts them into hits and grades the hits. Averages the accepted hits to "
       "frequency response functions (FRFs) and fits the modes: frequency in Hz and damping ratio with their standard "
       "deviations, and bending or hoop. Files of FRFs are fitted directly. Two accelerometers are assumed at 0° and "
-      "90° "
-      "around the barrel; --angle sets other angles.");
+      "90° around the barrel; --angle sets other angles.");
   command.example("percuss analyze bat.h5 --band 60:3200", "Print hits and modes from 60 to 3200 Hz as tables");
   command.example("percuss analyze bat.h5 --band 60:3200 -o report.html -o modes.json",
                   "Write the same as an HTML page and as a JSON document");

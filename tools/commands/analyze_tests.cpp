@@ -28,7 +28,7 @@ std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<acquire::
   return tests_of_runs(pipeline::analyses_of_runs(std::move(frfs), analysis_options(flags.analysis)));
 }
 
-// What is said of files that are not one test.
+// The warning about files that are not one test.
 pipeline::Warning files_disagree(const pipeline::Analysis& joined, const pipeline::FileDisagreement& found) {
   return pipeline::with_remedy(
       {"files_disagree",

@@ -195,12 +195,12 @@ int run_info(const InfoFlags& flags) {
 void add_info(CommandLine& line) {
   auto flags = line.values<InfoFlags>();
   Command command =
-      line.command("info", "Describe files: kind, channels, units, rate, hits, and parts that cannot be read",
+      line.command("info", "Describe files: kind, channels, units, rate, rows, and parts that cannot be read",
                    [flags] { return run_info(*flags); });
   command.about(
       "Reads only the description of a file, and reports parts that cannot be understood. Start here with a new file: "
       "analyze makes the same assumptions, and the options under Reading change them.");
-  command.example("percuss info bat.h5", "Show channels, units, rate and hits");
+  command.example("percuss info bat.h5", "Show channels, units, rate and rows");
   command.example("percuss info hits.csv --force-channel CH8 --json", "Print a document; the force is in column CH8");
   command.example("percuss info --example > channels.json",
                   "Write an example of a channel set-up, to be changed and passed to --setup");

@@ -20,7 +20,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr double kResolution_m = 0.125 * kInch_m;  // rule of thumb: the smallest peak, located to 1/8 in
+constexpr double kResolution_m = 0.125 * kInch_m;  // rule of thumb: the node is at the smallest peak, to 1/8 in
 
 struct NodesFlags {
   ReadFlags read;

@@ -87,8 +87,7 @@ void add_study(CommandLine& line) {
   command.about(
       "Joins tables of bats, analyses with --bat-id and results of percuss batch merge. Tests which properties "
       "correlate with performance: reports each hypothesis with verdict, p-value, and correlations with 95 % "
-      "intervals. --example prints "
-      "a table with all known columns.");
+      "intervals. --example prints a table with all known columns.");
   command.example("percuss study --example > bats.csv; percuss study bats.csv --figures figures",
                   "Study a synthetic population, and write every figure as picture and table");
   command.example(

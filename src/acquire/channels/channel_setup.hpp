@@ -11,12 +11,13 @@ namespace percuss::acquire {
 /// set-up").
 ///   name (required)          the column's name or 1-based number, or the data set's channel ("accel 1")
 ///   role                     "force", "acceleration" or "ignore"
-///   sign                     1 or -1;  or  direction  "+x", "-x", … "-z": −1 for a minus
+///   sign                     1 or -1
+///   direction                "+x", "-x", … "-z", in place of sign: a minus stands for sign −1
 ///   angle_deg, position_m    of the sensor
 ///   sensitivity, sensitivity_unit   both or none: 2.25 and "mV/N"
 ///   unit                     of the stored numbers
-/// errors  InputError with file and key: not such a document, an unknown or doubled key, a value of the wrong type or
-/// out of range, two entries for one name, nested deeper than 16, longer than 1 MiB.
+/// errors  InputError with file and key: not such a document, an unknown or duplicate key, a value of the wrong type or
+/// out of range, two entries for one name, a second force, nested deeper than 16, longer than 1 MiB.
 std::vector<ChannelSetup> read_channel_setup(const std::string& path);
 
 /// As read_channel_setup, for a document in memory; `where` names it.

@@ -22,7 +22,8 @@ struct SignalOverrides {
 SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* setup);
 
 /// For acceleration channel `index` of the `count` that are read.
-/// errors  InputError: an option's list has neither one value (for all) nor `count`.
+/// errors  InputError: an option's list has neither one value (for all channels) nor `count` values. Angles need
+/// `count`.
 SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
                                 std::size_t count);
 

@@ -46,12 +46,13 @@ struct SignalRoles {
 };
 
 /// Finds the roles as find_csv_columns does: by the options' names or numbers, the set-up, the unit, words in the name.
+/// The unit of a signal with a `shape` is not considered.
 /// errors  AmbiguousColumns, InputError: as there.
 SignalRoles find_roles(const SignalTable& table, const ReadOptions& options);
 
-/// The record of these signals: units, signs, sensitivities and places by file, set-up and options.
+/// The record of these signals. File, set-up and options determine units, signs, sensitivities and places.
 /// errors  InputError: unusable units or rate, no rows, fewer than two samples in a row; the read functions throw it
-/// for samples that are not finite.
+/// for samples that are too large or not finite.
 Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOptions& options);
 Record record_of_table(SignalTable table, const ReadOptions& options);
 

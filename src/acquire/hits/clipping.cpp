@@ -41,7 +41,7 @@ PeakCount count_peaks(std::span<const double> x, std::span<const Extremes> block
   return out;
 }
 
-// The number of samples within `distance` of an extreme, without those at the extreme.
+// The number of samples within `distance` of an extreme, excluding the samples at the extreme.
 std::size_t count_near(std::span<const double> x, std::span<const Extremes> blocks, double value, double distance) {
   std::size_t count = 0;
   const auto near = [&](double a) { return a != value && std::abs(a - value) <= distance; };

@@ -10,7 +10,7 @@
 namespace percuss::acquire {
 namespace {
 
-// Of the main pulse. The spectrum of both contacts falls by at most this share below that of the main one.
+// Of the main pulse. The spectrum of both contacts is lower than the main contact's by at most this share.
 constexpr double kMaxSecondRatio = 0.05;
 // A hammer rings for some milliseconds, a structure for longer.
 constexpr double kRingsFrom_s = 0.025, kRingsTo_s = 0.05;

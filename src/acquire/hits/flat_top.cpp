@@ -15,12 +15,13 @@ namespace {
 
 // No elastic contact is flatter than a half-sine, 0.51; measured pulses of hammers have 0.30 to 0.48.
 constexpr double kMaxFlatness = 0.54;
-constexpr double kHigh = 0.8, kLow = 0.3;        // of the peak
-constexpr double kFlank = 0.2, kNothing = 0.01;  // of the peak, of neighbouring samples
-constexpr double kMinSignal = 30;                // peak over noise: the noise changes the flatness by a few hundredths
+constexpr double kHigh = 0.8, kLow = 0.3;  // of the peak
+// Of the peak. A flank is cut off where one of two neighbouring samples exceeds kFlank and the other is below kNothing.
+constexpr double kFlank = 0.2, kNothing = 0.01;
+constexpr double kMinSignal = 30;  // peak over noise: the noise changes the flatness by a few hundredths
 constexpr std::size_t kOversampling = 16, kKernel = 16;
 constexpr std::size_t kLongPulse = 32;  // samples, of a pulse that needs no interpolation
-// Of the pulse's impulse, at half the sampling rate: errors of the flatness of 0.02.
+// Largest amplitude near half the sampling rate, over the pulse's impulse. It changes the flatness by about 0.02.
 constexpr double kMaxAlias = 0.005;
 
 // [kOversampling][2 kKernel]: weights of the samples around a place between two samples, the first at 1 − kKernel.
@@ -81,8 +82,8 @@ std::vector<double> pulse_of(const Hit& hit) {
   return x;
 }
 
-// Whether a flank is cut off by a force window of the recorder: its length is then not that of the contact. Such a
-// force is constant outside the window.
+// Whether a force window of the recorder cuts off a flank: the pulse is then shorter than the contact. Such a force is
+// constant outside the window.
 bool has_cut_flank(const Hit& hit) {
   if (hit.noise_N > 0) return false;
   const double peak = std::abs(hit.peak_N);
@@ -94,8 +95,8 @@ bool has_cut_flank(const Hit& hit) {
   return false;
 }
 
-// Whether the pulse reaches half the sampling rate, beyond its noise: its samples then do not tell its shape. Recorders
-// with a filter leave nothing there.
+// Whether the spectrum of the pulse exceeds the noise near half the sampling rate: the samples then do not show the
+// shape. Recorders with an anti-alias filter leave nothing there.
 bool is_aliased(const std::vector<double>& pulse, double noise) {
   constexpr std::array<double, 2> kOfNyquist{0.96, 1.0};
   double impulse = 0, power = 0;

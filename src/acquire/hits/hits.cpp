@@ -168,7 +168,7 @@ std::size_t scan_begin(const TriggerScan& trigger_scan, std::size_t e, const Sam
   return std::max({part.first, free, trigger_scan.events[e] > scan ? trigger_scan.events[e] - scan : 0});
 }
 
-// Only a contact ends a record: a hump or drift of the force is no event.
+// Only a contact is an event: a hump or drift of the force does not end the samples of the hit before it.
 void keep_contacts(TriggerScan& scan, const Record& record, std::size_t row, const SampleRange& part) {
   const auto reach = static_cast<std::size_t>(kLongestPulse_s * record.fs_Hz) + kLongestPulse;
   std::erase_if(scan.events, [&](std::size_t event) {

@@ -42,7 +42,7 @@ struct HitOptions {
 /// row, or a record with `Record::continuous`, is searched for pulses. A row without a pulse yields a hit with
 /// `no_pulse`.
 /// Findings added: double_hit, overload (force), force_clipped, late_trigger, no_pulse, weak, polarity.
-/// errors  InputError: no samples between from_s and to_s
+/// errors  InputError: no samples between from_s and to_s; fewer than two samples in length_s
 std::vector<Hit> find_hits(const Record& record, const HitOptions& options = {});
 
 /// Adds `low_bandwidth` to hits whose −20 dB frequency is below the upper end of the band.

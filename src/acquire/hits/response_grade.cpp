@@ -81,8 +81,8 @@ bool rings_before(const Hit& hit, std::span<const double> accel) {
   return before > kRingingBefore * rms_about_mean(accel.last(window)) && before > kNegligible * start;
 }
 
-// The later one limits the delay of the first motion: a recorder that reads its channels in blocks delays some by tens
-// of milliseconds.
+// The longer of these two times limits the delay of the first motion: a recorder that reads its channels in blocks
+// delays some of them by tens of milliseconds.
 constexpr double kMaxTravelPulses = 5, kMaxTravel_s = 0.05;
 
 // The sign of the velocity once it reaches kMinOnsetVelocity of its largest value. The acceleration itself may be
@@ -113,7 +113,7 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
   const double onset = hit.onset_s * fs_Hz - static_cast<double>(hit.first);
   auto i = static_cast<std::size_t>(std::max(0.0, std::floor(onset) - 2));
   while (i < accel.size() && std::abs(accel[i] - rest) < level) ++i;
-  // What moves later than the push travels is noise, or another event.
+  // A later motion is noise, or belongs to another event.
   const double latest = onset + std::max(kMaxTravelPulses * hit.pulse_s, kMaxTravel_s) * fs_Hz;
   if (static_cast<double>(i) > latest + static_cast<double>(kMinPush)) return;
   const auto push = static_cast<std::size_t>(std::ceil(2 * hit.pulse_s * fs_Hz));

@@ -30,10 +30,12 @@ ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2,
 /// Samples first … first + count − 1 of a hit's response.
 using SampleWindow = std::function<std::span<const double>(std::size_t first, std::size_t count)>;
 
-/// The number of samples after which a response holds only a steady background. The response stays within twice its
-/// final level from some time after the hit on; the length is twice that time. It is all `samples` in two cases: the
-/// response still falls at the end; or it falls only a little, to a level that the samples before the hit do not have,
-/// so that the end may be ringing. Reads a 64th of the samples at a time.
+/// The number of samples after which a response holds only a steady background. From some time after the hit on, the
+/// response stays within twice its final level. The length is twice this time. It is all `samples` in two cases:
+///   the response still falls at the end;
+///   the response falls only a little, and the level before the hit is unknown or at most half of the final level, so
+///   that the end may be ringing.
+/// Reads a 64th of the samples at a time.
 std::size_t decayed_length(const Hit& hit, std::size_t samples, const SampleWindow& accel_mps2);
 
 /// Adds `truncated_decay` and `overload` of the worst channel to the findings of the hit.

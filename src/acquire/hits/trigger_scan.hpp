@@ -24,9 +24,9 @@ struct TriggerOptions {
   std::size_t last = static_cast<std::size_t>(-1);
 };
 
-/// Searches one row of the record for pulses of either sign. Reads the row once, in chunks, with memory for 1/64 of it.
-/// The default threshold is max(12 standard deviations of the noise, 1 % of the largest). An event is the largest
-/// sample within `separation_s` of the first sample above the threshold. theory (1.2)
+/// Searches one row of the record for pulses of either sign. Reads the row once, in chunks, with memory for about 1/16
+/// of it. The default threshold is max(12 standard deviations of the noise, 1 % of the largest). An event is the
+/// largest sample within `separation_s` of the first sample above the threshold. theory (1.2)
 TriggerScan scan_for_triggers(const Record& record, std::size_t row, const TriggerOptions& options = {});
 
 }  // namespace percuss::acquire

@@ -31,7 +31,7 @@ struct FileFormat {
   std::string_view name;                         // for people: "HDF5", "MAT"
   std::span<const std::string_view> extensions;  // customary ones, lower case; on reading the content decides
   std::span<const std::string_view> written{};   // the extensions under which percuss writes it
-  bool sandboxed = false;                        // another project's library opens the path, in a process of its own
+  bool sandboxed = false;                        // a library of another project opens the path, in a sandboxed process
   bool names_variables = false;                  // ReadOptions::fs_variable has a meaning
 
   /// Whether the input is of this format. The registry asks in its order.

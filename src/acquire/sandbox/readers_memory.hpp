@@ -5,8 +5,8 @@
 
 namespace percuss::acquire {
 
-/// The memory of all readers together. Each reader has a limit of its own, but a survey opens hundreds of files. Their
-/// sum is limited to `pool_bytes` and 64 times their files.
+/// The memory of all readers together. Each reader has a limit of its own, but a survey opens hundreds of files. The
+/// limit of the sum is `pool_bytes` plus 64 times the bytes of all files.
 class ReadersMemory {
  public:
   static constexpr std::uint64_t kPool_bytes = std::uint64_t{2} << 30U;
@@ -30,7 +30,7 @@ class ReadersMemory {
   std::uint64_t limit_bytes_, taken_bytes_ = 0;
 };
 
-/// Of this process.
+/// The readers of this process.
 ReadersMemory& readers_memory();
 
 }  // namespace percuss::acquire

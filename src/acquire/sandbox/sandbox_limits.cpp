@@ -48,7 +48,7 @@ void release_reserved_heap() {
   ::malloc_trim(0);
 }
 
-std::uint64_t heap_before_bytes = 0;  // of limit_resources
+std::uint64_t heap_before_bytes = 0;  // at the call of limit_resources
 
 std::uint64_t heap_bytes() {
   const struct mallinfo2 heap = ::mallinfo2();

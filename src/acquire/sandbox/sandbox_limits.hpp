@@ -3,11 +3,11 @@
 
 namespace percuss::acquire {
 
-/// The memory that the reader of a file of `file_bytes` may allocate: 256 MiB, and 64 times the file.
+/// The memory that the reader of a file of `file_bytes` may allocate: 256 MiB plus 64 times the file.
 std::uint64_t memory_limit_bytes(std::uint64_t file_bytes);
 
-/// The processor time that it may use for each answer: 2 s, and 1 s per 5 MB of the file. Sanitizers slow programs down
-/// twenty times, and their time limits are as much longer.
+/// The processor time that the reader may use for each answer: 2 s plus 1 s per 5 MB of the file. In a sanitized build,
+/// which runs about twenty times slower, the limit is twenty times longer.
 unsigned processor_limit_s(std::uint64_t file_bytes);
 
 /// Limits this process permanently to the memory above, to few descriptors, and to writing no files. Lower limits

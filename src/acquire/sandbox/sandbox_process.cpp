@@ -70,7 +70,7 @@ bool SandboxProcess::create_descriptors(ReaderDescriptors& of_child) {
 void SandboxProcess::begin(const std::function<int(const ReaderDescriptors&)>& start) {
   owner_ = ::getpid();
   file_bytes_ = regular_file_bytes(path_);
-  constexpr unsigned kWallPerCpuTime = 3, kMinTimeout_s = 60;  // it waits for the disk and other programs as well
+  constexpr unsigned kWallPerCpuTime = 3, kMinTimeout_s = 60;  // the reader also waits for the disk and other programs
   if (timeout_s_ == 0) timeout_s_ = std::max(kMinTimeout_s, kWallPerCpuTime * processor_limit_s(file_bytes_));
   ReaderDescriptors of_child;
   if (create_descriptors(of_child)) child_ = start(of_child);

@@ -11,7 +11,7 @@
 
 namespace percuss::acquire {
 
-/// What a sandboxed process offers: a description as bytes, and numbers on request.
+/// The service of a sandboxed process: a description as bytes, and numbers on request.
 struct SandboxService {
   std::string description;
   /// Numbers first … first + out.size() − 1 of a row's signal. The opener defines the meaning of `signal`.

@@ -113,7 +113,7 @@ void allow_reading_files(Filter& filter) {
   for (const int lock : {LOCK_SH | LOCK_NB, LOCK_UN}) filter.allow(SCMP_SYS(flock), {equals(1, lock)});
 }
 
-// Memory that other processes see would be a way to write, executable memory a way to bring in a program.
+// Shared memory would let the reader write to other processes. Executable memory would let it run code from the file.
 void allow_private_memory(Filter& filter) {
   constexpr int kSharingMask = 0x0F;  // of MAP_SHARED, MAP_PRIVATE and MAP_SHARED_VALIDATE
   const scmp_datum_t execution = bits(PROT_EXEC);
@@ -121,8 +121,8 @@ void allow_private_memory(Filter& filter) {
   filter.allow(SCMP_SYS(mprotect), {has_bits(2, execution, 0)});
 }
 
-// All descriptors that the process may have but 0 and 1, which it keeps. The kernel ignores the upper half of the
-// argument: a rule "not 0" would let a number pass whose lower half is 0. So each rule requires one of the bits 1 to 5,
+// Allows closing all descriptors except 0 and 1, which the process keeps. The kernel ignores the upper half of the
+// argument: a rule "not 0" would accept a number whose lower half is 0. So each rule requires one of the bits 1 to 5,
 // and zeros above them.
 void allow_closing(Filter& filter) {
   static_assert(kSandboxSocket < 2 && kSandboxParentPipe < 2);

@@ -22,8 +22,9 @@ class AtomicFile {
  public:
   /// The kind of temporary file. It is `named` wherever the file system or /proc does not support the other kind.
   enum class Temporary { unnamed_if_possible, named };
-  /// A symbolic link at the path: its target is replaced, or it is an error. The latter is for folders of many files:
-  /// their owner removes abandoned files once, with remove_abandoned_files().
+  /// The treatment of a symbolic link at the path. `followed` replaces the target of the link. `refused` makes the link
+  /// an error. It is for folders of many files: an unnamed temporary file then costs no search for abandoned files,
+  /// which the owner of the folder removes once with remove_abandoned_files().
   enum class Links { followed, refused };
 
   AtomicFile(std::string path, bool force, Temporary kind = Temporary::unnamed_if_possible,

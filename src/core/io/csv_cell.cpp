@@ -8,7 +8,7 @@ namespace percuss {
 inline namespace core {
 namespace {
 
-// Whether a spreadsheet would compute the text, without leading apostrophes.
+// Whether a spreadsheet would take the text without its leading apostrophes for a formula.
 bool begins_formula(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
   return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos;

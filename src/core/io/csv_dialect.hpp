@@ -38,8 +38,8 @@ char find_line_end(std::string_view text);
 /// a number with a comma.
 CsvDialect find_dialect(const std::vector<std::string_view>& probes, char line_end);
 
-/// Whether commas seem to be both delimiters and decimal marks, as in "0,05,1,5" under two names. Lines of numbers are
-/// those among the first 64 lines of the text, and the probes. All of these must hold:
+/// Whether commas seem to be both delimiters and decimal marks, as in "0,05,1,5" under two names. Considers the lines
+/// of numbers among the first 64 lines of the text, and the probes. All of these conditions must hold:
 ///   the delimiter is the comma, and there are at least two names;
 ///   no line of numbers contains a point;
 ///   most probes have more cells than there are names, and no line has more than twice as many;

@@ -124,7 +124,7 @@ bool is_unit_row(const Cells& cells, const std::vector<std::size_t>& columns) {
   return units > 0;
 }
 
-// Throws InputError for an FRF or a spectrum, which the words in the column names show.
+// Throws InputError where the column names show an FRF or a spectrum.
 void refuse_frf(const std::vector<HeaderLine>& lines, const CsvDialect& dialect, std::size_t columns,
                 const std::string& file) {
   for (const auto& line : lines) {

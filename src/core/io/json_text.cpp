@@ -17,8 +17,8 @@ using nlohmann::json;
 constexpr std::size_t kMaxKeys = 10'000;                    // of one object
 constexpr std::size_t kFreeBytes = std::size_t{48} << 20U;  // of values, for a text of any length
 constexpr std::size_t kBytesPerTwo = 13;                    // of values, for two bytes of the text
-// What values take, with the allocations: of an item, in a list that doubles its room and leaves the former ones free;
-// of a list or object; of a key with its value. A longer text than kLongText has an allocation of its own.
+// Memory of values, with their allocations: an item of a list, whose memory doubles as it grows; a list, an object or a
+// text; a key with its value. A text of more than kLongText bytes has an allocation of its own.
 constexpr std::size_t kItemBytes = 64, kContainerBytes = 64, kKeyBytes = 96, kAllocationBytes = 16, kLongText = 15;
 
 std::size_t text_bytes(const std::string& text) { return text.size() > kLongText ? text.size() + kAllocationBytes : 0; }

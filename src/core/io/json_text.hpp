@@ -9,7 +9,7 @@
 namespace percuss {
 inline namespace core {
 
-/// A text to be read as JSON, and what messages say about it.
+/// A text to be read as JSON, with its name and the remedy for messages.
 struct JsonText {
   std::string_view text;
   std::string where;                // its name

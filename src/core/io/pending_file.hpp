@@ -12,7 +12,8 @@ inline namespace core {
 /// errors  InputError from every member, as AtomicFile
 class PendingFile {
  public:
-  /// `follows_links`: a symbolic link at the path is followed and abandoned files are removed; else it is an error.
+  /// `follows_links`: replace the target of a symbolic link at the path, and remove abandoned files. Otherwise a link
+  /// is an error, and abandoned files are removed only before a named temporary file is created.
   PendingFile(std::string path, bool force, bool unnamed_if_possible, bool follows_links);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
@@ -21,9 +22,9 @@ class PendingFile {
   void write(std::string_view bytes) const;
   /// Synchronises the bytes to the disk.
   void complete() const;
-  /// Refuses a file that meanwhile exists and may not be replaced.
+  /// Throws when a file has appeared at the path that may not be replaced.
   void check_absent() const;
-  /// Gives the file its name: one or two system calls.
+  /// Gives the file its name, in few system calls.
   void publish();
   /// Removes a published file, unless it replaced another one.
   void withdraw() const;

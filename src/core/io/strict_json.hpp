@@ -11,7 +11,7 @@
 namespace percuss {
 inline namespace core {
 
-/// A text to be read strictly, and what messages say about it.
+/// A text to be read strictly, with its name and the remedy for messages.
 struct StrictText {
   std::string_view text;
   std::string where;  // its name
@@ -75,8 +75,9 @@ void read_strict_json(const StrictText& text, const StrictObject::Reader& read);
 
 /// Reads a table as such a document. Its rows are the objects of the list `rows`, the column names are the keys, and
 /// empty cells are absent keys. Lines like "# bat.length_in = 34" above the table set the other keys. A cell is text
-/// (read by text_of_csv_cell()), a number, several numbers separated by blanks, "yes" or "no". Comma, semicolon or tab
-/// separate cells; the decimal mark may be a comma where the comma does not separate cells.
+/// (read by text_of_csv_cell()), a number, several numbers separated by blanks, or a Boolean ("yes", "true", "no",
+/// "false"). Comma, semicolon or tab separate cells; the decimal mark may be a comma where the comma does not separate
+/// cells.
 /// errors  InputError with the line: as above; a cell without a column, two columns of one name, more than 100000 rows
 /// or 16 MiB
 void read_strict_table(const StrictText& text, const std::string& rows, const StrictObject::Reader& read);

@@ -26,7 +26,7 @@ class TemporaryFile {
 /// SIGHUP). Later use of the files fails.
 void remove_temporary_files() noexcept;
 
-/// Removes the temporary files (".NAME.percuss-PID") in `folder` whose names start with `prefix`, except those that a
+/// Removes the temporary files (".NAME.percuss-PID") in `folder` whose names start with `prefix`, except files that a
 /// running process has locked.
 void remove_abandoned_files(const std::string& folder, const std::string& prefix);
 

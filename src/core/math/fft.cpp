@@ -17,7 +17,7 @@ namespace {
 
 fftw_complex* as_fftw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
 
-// What FFTW allocates for a plan of n values, or while it executes one, generously.
+// An upper estimate of the memory that FFTW allocates while it plans, or executes, a transform of n values.
 std::size_t plan_bytes(std::size_t n) { return 64 * n + (std::size_t{1} << 18U); }
 
 struct Buffers {

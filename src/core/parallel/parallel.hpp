@@ -34,7 +34,7 @@ void parallel_for_cost(std::size_t count, std::size_t flops, const std::function
 void parallel_for_chunks(std::size_t size, std::size_t flops,
                          const std::function<void(std::size_t first, std::size_t count)>& task);
 
-/// Other threads call `initialise` once, before their first task of a loop.
+/// Each thread except the calling one calls `initialise` once, before its first task of a parallel loop.
 void set_thread_initialiser(void (*initialise)());
 
 }  // namespace core

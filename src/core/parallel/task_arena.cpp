@@ -33,7 +33,7 @@ void within_arena(std::size_t threads, const Run& run) {
 void run_in_arena(std::size_t count, std::size_t threads, void (*call)(const void* task, std::size_t i),
                   const void* task) {
   within_arena(threads, [&] {
-    // An outer loop that fails must not cancel this loop, which would return with half of its tasks done.
+    // An outer loop that fails must not cancel this loop, which would then return before all its tasks are done.
     tbb::task_group_context own_context(tbb::task_group_context::isolated);
     // Isolated: a waiting thread never steals an outer task that depends on this loop.
     tbb::this_task_arena::isolate([&] {

@@ -10,12 +10,12 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kPairSpacing = 0.04;        // relative: one bending mode's frequencies in its two planes are closer
-constexpr double kSplitSpacing = 0.15;       // relative; bats: 25 Hz above 100 Hz, less than that only below 167 Hz
-constexpr double kMinLoneProbability = 0.9;  // below it the second type is stated
-constexpr double kMinRivalProbability = 0.03;
-constexpr double kMinTubeEvidence = -2.3;  // logarithm: another object is less than ten times as likely
-constexpr double kMaxOutOfPhase = 0.4;     // RatioAngle::out_of_phase above which the shape is not real
+constexpr double kPairSpacing = 0.04;          // relative: one bending mode's frequencies in its two planes are closer
+constexpr double kSplitSpacing = 0.15;         // relative: below 167 Hz, the largest separation is less than 25 Hz
+constexpr double kMinLoneProbability = 0.9;    // below it the second type is stated …
+constexpr double kMinRivalProbability = 0.03;  // … and where the second type has more than this
+constexpr double kMinTubeEvidence = -2.3;      // logarithm: another object is less than ten times as likely
+constexpr double kMaxOutOfPhase = 0.4;         // RatioAngle::out_of_phase above which the shape is not real
 
 struct Ratio {
   Complex value;

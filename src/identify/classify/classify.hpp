@@ -17,12 +17,13 @@ const char* name_of(ModeType type);
 struct ModeClassification {
   ModeType family = ModeType::unknown;
   int order = 0;          // from 1 within the type; 0 for unknown
-  double confidence = 0;  // posterior probability of `family`; from classify() for unknown: 1 − the largest one
-  std::optional<ModeType> alternative;  // second type: confidence below 90 %, or the second type above 3 %
-  std::optional<double> overlay_dB;     // level of the second FRF over the first at the peak
-  bool overlaid = false;                // |overlay_dB| within the threshold: a hoop mode by the rule of [8]
-  std::optional<Complex> ratio;         // residue of the second sensor over that of the first
-  double ratio_std = 0;                 // of the real and of the imaginary part
+  double confidence = 0;  // posterior probability of `family`; for unknown, classify() gives 1 − the largest one
+  /// Second type, below 90 % confidence or where it has more than 3 %. For unknown, classify() gives the likelier type.
+  std::optional<ModeType> alternative;
+  std::optional<double> overlay_dB;  // level of the second FRF over the first at the peak
+  bool overlaid = false;             // |overlay_dB| within the threshold: a hoop mode by the rule of [8]
+  std::optional<Complex> ratio;      // residue of the second sensor over the residue of the first
+  double ratio_std = 0;              // of the real and of the imaginary part
   std::optional<SplitMode> split_mode;
 };
 
@@ -70,9 +71,10 @@ std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const s
 void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
                    const ClassifyOptions& options, const LowerOrders& lower = {});
 
-/// The lower orders among the modes below the band, [below]; `found` are the classified modes within the band. Counted
-/// are hoop modes, and bending modes in the place of a lower order: on a tube the second bending frequency is more than
-/// 2.3 times the first, and all others are closer. Motion on the suspension and hum are no bending modes of a tube.
+/// The orders below the band, counted from the modes `below` it; `found` are the modes within the band. Hoop modes
+/// count. Bending modes count where their frequencies fit a tube: the second is more than 2.3 times the first, and the
+/// ratios of all others are smaller. Motion on the suspension and hum do not count. The type of a lower mode counts
+/// from 90 % confidence on.
 LowerOrders lower_orders(const std::vector<Mode>& below, const std::vector<ModeClassification>& below_types,
                          const std::vector<Mode>& found, const std::vector<ModeClassification>& types,
                          const ClassifyOptions& options);

@@ -24,7 +24,7 @@ std::vector<double> frequencies_Hz(const std::vector<Mode>& modes, const std::ve
 }
 
 int lower_bending(const std::vector<double>& below_Hz, const std::vector<double>& found_Hz) {
-  // The two lowest frequencies of the band may be those of the first and the second order.
+  // The two lowest frequencies of the band may belong to the first and the second order.
   if (found_Hz.size() > 1 && found_Hz[1] > kFirstRatio * found_Hz[0]) return 0;
   int count = 0;
   std::optional<double> above_Hz;

@@ -11,7 +11,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t kTubePlanes = 45;  // 2° apart over 90°
-constexpr double kPriors = 2.05;         // of bending, hoop and the others; RatioLikelihood::other() includes its own
+constexpr double kPriors = 2.05;  // sum: 1 each for bending and hoop, 0.05 for the others, which other() includes
 
 // The likelihoods of one ratio for each plane and for each placement of the sensors.
 struct RatioTable {
@@ -29,7 +29,7 @@ RatioTable table_of(const RatioAngle& ratio, const RatioLikelihood& likelihood) 
   return table;
 }
 
-// Logarithm of the likelihood over that of any ratio, for one plane and one placement.
+// Logarithm of the likelihood over the likelihood of an arbitrary ratio, for one plane and one placement.
 double log_factor(const std::vector<RatioTable>& tables, std::size_t plane, std::size_t placement) {
   double sum = 0;
   for (const RatioTable& table : tables)

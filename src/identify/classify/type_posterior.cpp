@@ -12,8 +12,8 @@ using std::numbers::pi;
 
 constexpr std::size_t kPlanes = 45;     // 2° apart over 90°: the plane at right angles belongs to the bat as well
 constexpr double kPairKnown = 0.9;      // prior probability that a close pair is one mode in two planes
-constexpr double kPairAngle_rad = 0.1;  // standard deviation of the angle between a mode's two planes from 90°
-constexpr double kBroader = 2;          // width of the size ratio of unrelated modes, over that of a pair's members
+constexpr double kPairAngle_rad = 0.1;  // standard deviation, around 90°, of the angle between a mode's two planes
+constexpr double kBroader = 2;          // width of the size ratio of unrelated modes, over its width in a pair
 constexpr double kMinHoop_Hz = 1000;    // lowest hoop frequency of barrels
 
 // Prior probabilities of the types. A bat's lowest mode is a bending mode at 100 to 300 Hz. Where the lowest mode found

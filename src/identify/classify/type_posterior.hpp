@@ -16,7 +16,7 @@ struct TypeEvidence {
   double freq_Hz = 0;
   double size = 1;  // of both sensors' residues together, in any unit
   std::optional<RatioAngle> ratio;
-  std::optional<std::size_t> partner;  // each names the other
+  std::optional<std::size_t> partner;  // index of the partner, whose own `partner` is this mode
 };
 
 /// The type posteriors of all modes of one test, in ascending frequency. The modes share two unknowns: the plane in

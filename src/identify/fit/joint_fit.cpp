@@ -18,7 +18,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kSpill = 0.1;  // of the largest statistic: the misfit of that mode may cause smaller ones
+constexpr double kSpill = 0.1;  // of the largest statistic: the misfit of its mode may cause smaller statistics
 constexpr int kMaxRounds = 8;   // of releasing real residues
 
 constexpr LevenbergMarquardtOptions kJointSearch{
@@ -104,8 +104,8 @@ class JointFitter {
     const MatrixXd inverse = inverse_gram(projection_.normal_equations(state).matrix);
     return inverse + inverse * projection_.force_covariance(state, of) * inverse;
   }
-  // Without the ringing that the gate cuts off. Only its likely size is known, and with it, residues that it does not
-  // disturb would become complex.
+  // Excludes the ringing that the gate cuts off. Only its likely size is known, and a variance that includes it would
+  // make undisturbed residues complex.
   VectorXd variances(const JointState& state) const { return covariance_of(state, ForceErrors::noise).diagonal(); }
 
   // Makes real residues complex where the phase test rejects them; true where it rejected any. The largest statistics

@@ -73,8 +73,8 @@ Line line_at(const HitSeries& series, const std::vector<double>& x, double scatt
   return line;
 }
 
-// The scatter around the line is as large as χ² demands (random effects): a law that is not quite a line is not judged
-// by a few precise hits alone.
+// Adds scatter around the line until χ² equals its degrees of freedom (random effects). Without this scatter, a few
+// precise hits alone would decide about a law that is not quite a line.
 Line fit_line(const HitSeries& series, const Law& law) {
   std::vector<double> x;
   for (const std::size_t hit : series.hits) x.push_back(law(hit));

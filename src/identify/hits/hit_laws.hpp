@@ -10,7 +10,7 @@ namespace percuss::identify {
 struct HitSeries {
   std::size_t mode = 0;
   bool is_freq = true;             // else the damping ratio
-  std::vector<std::size_t> hits;   // that determine it
+  std::vector<std::size_t> hits;   // hits that determine the value
   std::vector<double> value, std;  // [hits]
 };
 
@@ -19,8 +19,9 @@ struct HitSeries {
 double trend_deviate(const HitSeries& series, const std::vector<double>& peak_N);
 
 /// Decides for all series together whether the forces of the hits or their order explain the scatter, and describes the
-/// modes' trends accordingly (Mode::amplitude, Mode::drift). Neither, unless the F test is passed. A value that follows
-/// one of them does not average out: its standard deviation is not less than the spread of the trend over the hits.
+/// modes' trends accordingly (Mode::amplitude, Mode::drift). Neither, unless a line explains 70 % of the χ² of some
+/// series and its slope passes a t test (1 %, two-sided). A trend does not average out: the standard deviation of a
+/// value that follows it is at least the spread of the trend over the hits.
 /// peak_N  [hits of the test]
 void explain_scatter(const std::vector<HitSeries>& series, const std::vector<double>& peak_N, std::vector<Mode>& modes);
 

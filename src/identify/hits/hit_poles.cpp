@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 constexpr double kMaxUncertainty = 0.5;  // of the half-power bandwidth: beyond it a hit does not determine a pole
 constexpr double kMinModeGain =
-    12;  // F statistic of a mode over the fits of all hits: a search for one finds 6 in noise
+    12;  // F statistic of a mode over the fits of all hits: in noise, a search for a mode reaches 6
 constexpr double kMinNoise = 1e-9;          // of the data: the weight of an FRF without residual stays finite
 constexpr std::size_t kFlopsPerLine = 600;  // of a window's projection, per line
 

@@ -16,7 +16,7 @@ struct HitPole {
   bool known = false;
 };
 
-/// The poles of every hit. `together` is the pole that the same window gives for all hits together.
+/// The poles of every hit. fitted_hit_poles() also gives the pole of all hits together, over the same window.
 struct HitPoles {
   std::vector<HitPole> hits;
   HitPole together;
@@ -27,13 +27,14 @@ struct HitPoles {
 std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                            const std::vector<ModeWindow>& windows);
 
-/// The same for the modes of one window by complete local fits, [window.modes], where poles differ by more than a step
+/// The same for the modes of one window, [window.modes], by complete local fits: poles may differ by more than one step
 /// can follow. `together` is the local fit of the averaged FRFs, over the same window.
 std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                        const ModeWindow& window);
 
-/// The modes of a window that hits of one resonance at different frequencies imitate: without them, complete fits of
-/// the single hits are as good, and better than these modes with poles common to the hits. Never all modes.
+/// The modes of a window that only imitate a resonance whose frequency differs between the hits. Without such a mode,
+/// complete fits of the single hits are about as good as with it. They are also better than a fit of all modes with
+/// poles common to the hits. At least one mode remains.
 std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window);
 

@@ -12,12 +12,12 @@ namespace percuss::identify {
 namespace {
 
 constexpr double kSignificantScatter = 3.1;  // normal deviate of χ²: one clean value in 1000
-constexpr double kSignificantTrend = 3.7;    // standard deviations of a slope: of two slopes, one in 2000
-constexpr double kCoverage = 1.96;           // Student's factor holds the 95 % interval
+constexpr double kSignificantTrend = 3.7;    // standard deviations of a slope: one clean pair of slopes in 2000
+constexpr double kCoverage = 1.96;           // normal deviate of the 95 % interval, which Student's factor keeps
 constexpr std::size_t kMinHits = 2;
-constexpr double kClear = 20;  // standard deviations of a mode's residue in one hit, which then determines its pole
+constexpr double kClear = 20;  // standard deviations of a residue in one hit: a fixed pole would then be determined
 
-// One quantity of the hits that determine a mode.
+// A mode's frequency and damping ratio in the hits that determine its pole.
 struct Known {
   std::vector<std::size_t> hits;
   std::vector<double> freq_Hz, freq_std_Hz, damping, damping_std;
@@ -65,7 +65,8 @@ ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& pe
 }
 
 // The mean of the hits' poles in place of the pole of their average. Both come from the same window, whose misfit
-// cancels in their difference. Frequencies that differ broaden the average; damping ratios do not move it.
+// cancels in their difference. Frequencies that differ raise the damping of the average. Damping ratios that differ
+// leave its frequency unchanged.
 void take_mean(Mode& mode, const ModeScatter& scatter, const HitPole& together) {
   if (!together.known) return;
   const double freq_shift_Hz = scatter.freq.mean - together.pole.freq_Hz;
@@ -93,7 +94,8 @@ void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window
   }
 }
 
-// Whether the mode is clear in a hit that does not determine its pole. A hit near a node determines none.
+// Whether the mode is clear in a hit that does not determine its pole. Near a node, where the mode is not clear, no hit
+// determines a pole.
 bool is_undetermined(const HitFrfs& hits, const std::vector<std::size_t>& residue_of, const Mode& mode,
                      const HitPoles& poles) {
   for (std::size_t o = 0; o < residue_of.size(); ++o) {

@@ -10,22 +10,22 @@ namespace percuss::identify {
 struct ScatterOfHits {
   double mean = 0;
   double std = 0;      // of the mean, from the values' own standard deviations
-  double hits = 0;     // of the mean, from the scatter beyond these, with Student's factor for few hits
+  double hits = 0;     // of the mean, from the further scatter of the values, with Student's factor for few hits
   double spread = 0;   // between the values, beyond their standard deviations
   double deviate = 0;  // the scatter's χ² as a normal deviate
 };
 /// shapes  value and std equal, at least two.
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std);
 
-/// The windows of a set of modes and, about them, the modes' poles in each hit (linearised_hit_poles).
+/// The windows of a set of modes, and the modes' poles in each hit over these windows (linearised_hit_poles).
 struct WindowedHitPoles {
   std::vector<ModeWindow> windows;
   std::vector<HitPoles> poles;  // [modes]
 };
 WindowedHitPoles windowed_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes);
 
-/// The frequencies of the modes without those that only imitate the scatter of another (modes_from_hit_scatter,
-/// modes_of_some_hits). Empty where there is none of these.
+/// The frequencies of the modes, without modes that only imitate the scatter of another mode (modes_from_hit_scatter,
+/// modes_of_some_hits). Empty where no mode does.
 /// linear  windowed_hit_poles of these modes
 /// peak_N  [hits] in the order of the test
 std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
@@ -33,7 +33,7 @@ std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs&
 
 /// Adds the scatter between the hits to the modes' standard deviations, and explains it by the hits' forces or their
 /// order, where it is significant. There the pole becomes the mean of the hits' own poles, because the average of
-/// different resonances is broader than each of them. Modes ascend in frequency and include those outside the band.
+/// different resonances is broader than each of them. Modes ascend in frequency and include modes outside the band.
 /// linear  windowed_hit_poles of these modes
 /// peak_N  [hits] in the order of the test
 /// theory (4.19)

@@ -5,14 +5,14 @@
 
 namespace percuss::identify {
 
-/// The modes of a window that no linear structure has: weak, broad modes under a stronger one whose residue in the hit
-/// that determines it best differs from the residue in all other hits. Friction, a stop or a stiffness that depends on
-/// the amplitude imitates such modes.
+/// The modes of a window that no linear structure has: weak, broad modes under a stronger one, whose residues differ
+/// between the hit that determines them best and the other hits. Friction, a stop or a stiffness that depends on the
+/// amplitude imitates such modes.
 std::vector<std::size_t> modes_of_some_hits(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                             const ModeWindow& window);
 
-/// Whether modes of the window overlap and the ratio of their residues differs between the hits: two fixed poles follow
-/// one resonance that moves by their residues. A gain common to both does not count.
+/// Whether modes of the window overlap and the ratio of their residues differs between the hits. Two fixed poles
+/// imitate one resonance that moves: their residues change from hit to hit. A gain common to both does not count.
 bool residues_of_pair_scatter(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                               const ModeWindow& window);
 

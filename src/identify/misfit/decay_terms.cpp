@@ -22,7 +22,7 @@ constexpr double kDifference = 0.1;    // half-power bandwidths, for the second 
 
 enum class Term { with_amplitude, with_time };
 
-// A mode's extra column at one point, with its derivatives by the residue's real and imaginary part.
+// The column of the extra term at one point, for a residue of 1.
 VectorXcd term_column(const FrfDataset& set, const ModeWindow& window, const PointForce& force, const Pole& pole,
                       Term term) {
   const auto column = [&](const Pole& at) { return mode_column(at, force, set.lines, window.first, window.count); };

@@ -22,7 +22,7 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr double kCorrelated = 4.5;      // normal deviate: one white window in 300 000
-constexpr double kMinIndependent = 0.5;  // of the independent lines: left after the fit
+constexpr double kMinIndependent = 0.5;  // of the independent lines: at least this part remains after the fit
 constexpr double kMinNoise = 1e-300;
 constexpr std::size_t kFlopsPerLine = 600;
 
@@ -61,7 +61,8 @@ MatrixXcd residue_products(const ProjectedPart& part, const VectorXd& noise) {
   return sum;
 }
 
-// Covariance of the score for a residual with this correlation: its real and imaginary part have half the variance.
+// Covariance of the score for a residual with this correlation. The residual's real and imaginary part have half its
+// variance each.
 MatrixXd score_covariance(const VariableProjection& projection, const ProjectedState& state, const VectorXd& noise,
                           const ResidualCorrelation& correlation) {
   const Index n = state.parts.front().slopes.cols();
@@ -79,8 +80,8 @@ MatrixXd score_covariance(const VariableProjection& projection, const ProjectedS
   return sum;
 }
 
-// The ratio of the scores' energy summed over the FRFs to the sum of their energies: 1 for independent residuals, the
-// number of FRFs for the same misfit in all.
+// Energy of the sum of all FRFs' scores over the sum of the scores' energies: 1 for independent residuals, the number
+// of FRFs for the same misfit in all.
 double common_to_channels(const VariableProjection& projection, const ProjectedState& state, const VectorXd& noise) {
   double together = 0, apart = 0;
   for (Index m = 0; m < state.parts.front().columns.cols(); ++m) {
@@ -111,7 +112,7 @@ VectorXd smooth_misfit_std(const VariableProjection& projection, const Projected
   if (!(correlation.deviate > kCorrelated)) return VectorXd::Zero(n);
   const MatrixXd inverse = inverse_gram(projection.normal_equations(state, static_cast<std::size_t>(n / 2)).matrix);
   const MatrixXd covariance = inverse * score_covariance(projection, state, noise, correlation) * inverse;
-  // The fit follows a part of a smooth misfit, and the more, the fewer lines are independent.
+  // The fit follows a part of a smooth misfit. This part grows as fewer lines are independent.
   const double independent = static_cast<double>(lines) / correlation.lines;
   const double freedom = independent / std::max(independent - used, kMinIndependent * independent);
   const double factor = freedom * common_to_channels(projection, state, noise);

@@ -7,10 +7,11 @@
 
 namespace percuss::identify {
 
-/// Adds the misfit of the model to the modes' standard deviations. Noise differs from line to line, misfit is smooth:
-/// where the residual of a mode's window correlates between lines, the standard deviations follow from the Fisher
-/// information and the residual's covariance (sandwich), and are not less than the shift of the pole by one more term,
-/// for a frequency and damping that change along the decay. Elsewhere nothing changes. Modes ascend in frequency.
+/// Adds the misfit of the model to the modes' standard deviations. Noise differs from line to line; misfit is smooth.
+/// Where the residual of a mode's window correlates between lines, the standard deviations follow from the Fisher
+/// information and the residual's covariance (sandwich). They are at least the shift of the pole when one more term,
+/// for a frequency and damping that change along the decay, improves the fit clearly. Modes with frequency scatter, and
+/// all modes under an exponential window, stay unchanged. Modes ascend in frequency.
 /// theory (4.20)
 void add_misfit(const FrfDataset& set, std::vector<Mode>& modes);
 

@@ -13,7 +13,8 @@ using Eigen::MatrixXcd;
 
 constexpr Index kTestedLags = 3;  // smooth misfit correlates over several lines
 
-// Lagged covariance of the part of white noise of unit variance that the fit removes, with the sign changed.
+// Lagged covariance of the part of white noise (of unit variance) that the fit removes. In the residual it has the
+// opposite sign.
 double removed(const ProjectedPart& part, const Eigen::MatrixXd& polynomial, Index lag) {
   const Index count = polynomial.rows() - lag;
   double sum = polynomial.topRows(count).cwiseProduct(polynomial.bottomRows(count)).sum();

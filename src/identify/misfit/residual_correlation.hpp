@@ -9,13 +9,15 @@ namespace percuss::identify {
 
 /// The correlation along frequency of a window's residual.
 struct ResidualCorrelation {
-  std::vector<double> at_lag;  // [lags] from 1 up to the first that is not positive, beyond what white noise shows
-  double deviate = 0;          // of the first lags from white noise, one-sided, as a normal deviate
-  double lines = 1;            // that count as one: 1 + 2 Σ at_lag
+  /// [lags] from 1 on, without the correlation that white noise leaves. Ends before the first lag above 3 that is not
+  /// positive.
+  std::vector<double> at_lag;
+  double deviate = 0;  // of the first lags from white noise, one-sided, as a normal deviate
+  double lines = 1;    // lines that count as one independent line: 1 + 2 Σ at_lag
 };
 
-/// noise  [channels] rms of the residual, of the same set. White noise loses the part that the fit follows, so that its
-/// residual correlates as well, negatively as a rule; that is subtracted.
+/// noise  [channels] rms of the residual, of the same set. The fit follows a part of white noise, so that the residual
+/// of white noise correlates too, negatively as a rule. This correlation is subtracted.
 ResidualCorrelation residual_correlation(const ProjectedState& state, const Eigen::MatrixXd& polynomial,
                                          const Eigen::VectorXd& noise);
 

@@ -38,10 +38,10 @@ struct Mode {
   std::optional<DriftTrend> drift;          // where the order of the hits explains it
   double freq_scatter_Hz = 0;     // standard deviation of the frequency between impact points; 0: not significant
   std::vector<Residue> residues;  // [channels] in the order of FrfDataset::channels
-  /// Residual energy of the fit of all modes together around this mode, over that of the fit of its own window, where
-  /// the latter was kept because of it; infinite where all modes together did not converge; else 0.
+  /// Where the mode keeps its windowed fit: residual energy of the joint fit around this mode over the residual energy
+  /// of the windowed fit. Infinite where the joint fit did not converge. Otherwise 0.
   double joint_misfit = 0;
-  double joint_residual = 0;  // of that fit, relative to the FRFs around the mode
+  double joint_residual = 0;  // of the joint fit, relative to the FRFs around the mode
 };
 
 }  // namespace percuss::identify

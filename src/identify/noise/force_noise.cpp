@@ -11,8 +11,8 @@ namespace {
 using Eigen::Index;
 
 // Spacing of the delays, in periods of the highest line. The squares of the phase factors decide how real and
-// imaginary parts share the noise. From one delay to the next they turn by at most 4 rad, less than a full turn, so
-// that their sum over the delays stays as small as over all samples.
+// imaginary parts share the noise. From one delay to the next they turn by at most 4 rad. Below a full turn, their sum
+// over the delays stays as small as over all samples.
 constexpr double kDelay = 0.32;
 
 constexpr double kNarrow = 0.2;  // half of a band's width over its highest line

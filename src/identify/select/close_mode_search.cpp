@@ -17,7 +17,7 @@ constexpr double kSplitGain =
     0.25;                          // a close mode must reduce the residual energy above the noise to this part or less
 constexpr double kSplitTest = 25;  // F statistic
 constexpr double kSplitStart = 0.4;  // half-power bandwidths from the single pole to either start pole
-constexpr double kMisfit = 2;        // residual energy over the noise's from which a group is searched …
+constexpr double kMisfit = 2;        // residual energy over the noise energy, from which a group is searched …
 constexpr double kMisfitDeviations =
     6;  // … or this many standard deviations of that energy above the noise, if that is less
 constexpr std::size_t kFlopsPerTrialLine = 1000;  // operations of a trial per line and FRF

@@ -19,9 +19,9 @@ struct FittedMode {
   bool joint = false;                    // taken over from a fit of all modes together
 };
 
-/// The modes of all groups with their standard deviations, in ascending frequency; at most `max_modes`, those with the
-/// largest peak_to_residual. Where a frequency scatters between the impact points, the values come
-/// from scattered_modes().
+/// The modes of all groups with their standard deviations, in ascending frequency. `max_modes` keeps the modes with the
+/// largest peak_to_residual. Where a frequency scatters between the impact points, the values come from
+/// scattered_modes().
 std::vector<FittedMode> fitted_modes(const WindowedFit& fit, std::optional<std::size_t> max_modes = {});
 
 }  // namespace percuss::identify

@@ -12,8 +12,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
-constexpr double kScatterReach = 4;  // standard deviations of a frequency's scatter between the poles of a pair
-constexpr double kPairGain = 15;     // residual energy of separate poles over a pair's: below it, the mode moves
+constexpr double kScatterReach = 4;  // standard deviations of the scatter: a pair farther apart does not imitate it
+constexpr double kPairGain = 15;     // residual energy of separate poles over the pair's: below it, one mode scatters
 
 }  // namespace
 

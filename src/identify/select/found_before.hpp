@@ -8,12 +8,13 @@
 
 namespace percuss::identify {
 
-/// The residual of modes found before a joint search: `residual` of a fit of all of them together (empty: it is
-/// computed), or that of a mode's own window where the mode has its own pole at each point. [channels][lines]
+/// The residual of modes found before a joint search: `residual` of a joint fit of these modes (empty: it is computed),
+/// or the residual of a mode's own window where the mode has its own pole at each point. [channels][lines]
 std::vector<Eigen::VectorXcd> residual_before(const FrfDataset& set, const std::vector<FittedMode>& modes,
                                               std::vector<Eigen::VectorXcd> residual);
 
-/// Poles and complex residues, with a mode's own poles at each point.
+/// Number of real unknowns of these modes: poles and complex residues, and the own poles of a mode with frequency
+/// scatter at each point.
 std::size_t unknowns_of(const FrfDataset& set, const std::vector<FittedMode>& modes);
 
 /// True where a pair of the joint fit may only describe the scatter of one mode's frequency. A drift during the decay

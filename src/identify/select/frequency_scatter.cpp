@@ -16,7 +16,7 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr std::size_t kMinPoints = 3;      // each of two points may observe one mode of an orthogonal pair
-constexpr double kMinScatterEnergy = 2;    // residual energy over the noise's: below it there is no scatter
+constexpr double kMinScatterEnergy = 2;    // residual energy over the noise energy: below it there is no scatter
 constexpr double kScatterFStatistic = 25;  // F statistic of separate poles
 // Cost of separate poles over the cost of common ones. A frequency that scatters between hits also drifts during the
 // decay, which a further common mode follows better. For a true pair this ratio is tens to thousands.
@@ -161,7 +161,7 @@ PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const 
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,
                                const FitGroup& more) {
   if (set.points.size() < kMinPoints || more.fit.degrees == 0) return false;
-  // Separate poles leave at most as many degrees of freedom as one more common mode.
+  // The costs are comparable: separate poles of one mode add fewer unknowns than one more common mode.
   const double max_cost = kMaxScatterCostRatio * more.fit.cost;
   const PointFits points = fit_each_point(set, window, one, max_cost);
   return !points.fits.empty() && (one.fit.poles.size() > 1 || scatter_reaches(points, more.fit.poles));

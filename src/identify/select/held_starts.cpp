@@ -13,13 +13,13 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kHeldReach = 0.005;    // of the asked frequency: it stands for the highest line within this …
+constexpr double kHeldReach = 0.005;    // of a stated frequency, which stands for the highest line within this …
 constexpr double kHeldReachLines = 4;   // … or within these lines
-constexpr double kHeldMaxWidth = 0.05;  // of the asked frequency: a broader fit may move by this much
+constexpr double kHeldMaxWidth = 0.05;  // of a stated frequency: a broader fit may move by this much
 constexpr double kHeldDamping = 3;      // standard deviations of the damping ratio
 constexpr double kHeldPeakToResidual = 3;
 
-// The bandwidths that a fit has moved from the asked frequency, beyond what the frequency stands for.
+// How far a fit has moved from a stated frequency, beyond the range that the frequency stands for, in bandwidths.
 double moved(const FrfDataset& set, double asked_Hz, const Pole& pole) {
   const double reach_Hz = std::max(kHeldReach * asked_Hz, kHeldReachLines * set.lines.df_Hz());
   const double width_Hz =

@@ -7,12 +7,12 @@
 
 namespace percuss::identify {
 
-/// A starting frequency whose fit is no mode, and where that fit went.
+/// A start whose fit is no mode, with the values of this fit.
 struct RefusedStart {
   enum class Reason {
     moved,         // by more than its bandwidth
     undamped,      // the damping ratio is consistent with zero
-    no_resonance,  // no peak above what the fit leaves around it
+    no_resonance,  // no peak above the residual around it
   };
   double asked_Hz = 0;
   Pole pole;
@@ -26,8 +26,8 @@ struct HeldStarts {
   std::vector<RefusedStart> refused;
 };
 
-/// At most one mode from each starting frequency. A fit has to hold on to its place: where it moved away, does not
-/// decay or shows no resonance, the start is refused, and the other modes are fitted without it.
+/// At most one mode from each start. A start is refused where its fit moves away, does not decay or shows no resonance.
+/// The other modes are then fitted without it.
 HeldStarts fit_held_starts(const FrfDataset& set, std::vector<double> start_Hz, Effort effort);
 
 }  // namespace percuss::identify

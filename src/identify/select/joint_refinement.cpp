@@ -15,8 +15,8 @@ using Eigen::Index;
 
 constexpr double kChance = 6;  // standard deviations of χ²: beyond it the joint fit is worse than the local one
 
-// The excess of the joint fit's residual over the local fit's in a mode's window is χ² distributed, with the unknowns
-// that only the local fit has as its degrees of freedom.
+// In a mode's window, the joint fit leaves more residual energy than the local fit. The excess is χ² distributed; its
+// degrees of freedom are the unknowns that only the local fit has.
 bool joint_fit_is_as_good(const FittedMode& local, const std::vector<Eigen::VectorXcd>& residual) {
   double excess = 0;
   for (Index o = 0; o < local.noise.size(); ++o) {

@@ -25,16 +25,16 @@ constexpr int kDroppingRounds = 12;  // of dropping modes
 constexpr int kJointSteps = 40;      // of a joint fit
 constexpr std::size_t kMaxJointModes = 150;
 constexpr double kMinMisfit = 6;            // standard deviations of the residual's roughness
-constexpr double kPairStart = 0.4;          // half-power bandwidths from a mode to either of the pair that it may be
-constexpr std::size_t kMaxPairTrials = 6;   // at a time
-constexpr std::size_t kMaxSplitModes = 40;  // beyond it, close pairs are left to the residual
+constexpr double kPairStart = 0.4;          // half-power bandwidths from a mode to either pole of a trial pair
+constexpr std::size_t kMaxPairTrials = 6;   // modes tried as a pair in one round
+constexpr std::size_t kMaxSplitModes = 40;  // with more modes, no mode is tried as a close pair
 constexpr int kLinearRounds = 4;
 constexpr int kResidualRounds = 4;
 constexpr double kMaxWork = 3e10;       // products: some seconds
 constexpr double kTrialStep = 1e-3;     // tolerance of the poles while their number changes
 constexpr std::size_t kMaxTrials = 27;  // of one more mode
 
-// What the search may still cost. Hundreds of modes would take minutes.
+// The operations that the search may still use. Hundreds of modes would take minutes.
 class Work {
  public:
   // False where a fit of so many modes costs too much.
@@ -53,7 +53,7 @@ class Work {
   double left_ = kMaxWork;
 };
 
-// The starts whose residues are significant at the starts themselves: a linear fit, at a small part of the work.
+// The starts with significant residues, by linear fits at the starts: a small part of the work.
 std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> poles) {
   for (int round = 0; round < kLinearRounds && !poles.empty(); ++round) {
     const auto unknowns = static_cast<Index>(2 * poles.size());
@@ -65,8 +65,8 @@ std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> po
   return poles;
 }
 
-// The joint fit from these poles, insignificant ones dropped; nothing where it does not settle. The set of modes
-// settles before their values.
+// The joint fit from these poles, without insignificant modes; nothing where it does not settle. A coarse tolerance
+// serves until no more modes are dropped.
 std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, Work& work) {
   JointFitOptions options{.max_steps = kJointSteps, .tolerance = kTrialStep};
   for (int round = 0; round < kDroppingRounds && !poles.empty() && work.spend(set, poles); ++round) {
@@ -88,8 +88,8 @@ std::vector<Pole> start_poles(const std::vector<FittedMode>& modes) {
   return poles;
 }
 
-// The starts: every stable pole where the residual matters, and the modes found before. Without noise, rounding errors
-// make a hundred stable poles that no residual asks for.
+// The starts: the modes found before, and every stable pole that is not one of these modes and around which the
+// residual matters. Without noise, rounding errors make a hundred stable poles.
 std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>& residual,
                             const std::vector<FittedMode>& modes) {
   std::vector<Pole> starts = stable_poles(set);
@@ -171,7 +171,7 @@ bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit
   return true;
 }
 
-// Adds what the residual shows, all at once: its resonances, and its stable poles.
+// Adds the resonances and the stable poles of the residual, all at once.
 JointFit with_residual_modes(const FrfDataset& set, JointFit fit, Work& work) {
   FrfDataset rest = set;
   for (int round = 0; round < kResidualRounds; ++round) {
@@ -220,7 +220,8 @@ JointFit without_misfit_modes(const FrfDataset& set, JointFit fit, Work& work) {
   return fit;
 }
 
-// The better of the joint fits from the modes found before and from the stable poles, with what their residual shows.
+// The better of two joint fits, from the modes found before and from all starts, with the modes of its residual and
+// close modes added.
 std::optional<JointFit> best_fit(const FrfDataset& set, const std::vector<VectorXcd>& residual,
                                  const std::vector<FittedMode>& modes) {
   std::vector<Pole> starts = starts_of(set, residual, modes);

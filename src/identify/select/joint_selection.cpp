@@ -21,7 +21,7 @@ constexpr double kJointWindowWidths = 5;  // half-power bandwidths on either sid
 constexpr double kJointWindowLines = 8;
 constexpr double kMaterialResidual = 1e-5;  // of the FRF: less moves no mode by more than 1e-5 bandwidths
 constexpr double kGainNoise = 4;            // standard deviations of the gain error from the force's noise
-constexpr double kMinNoiseShare = 0.02;     // of the lines: an estimate of the independent ones, at least
+constexpr double kMinNoiseShare = 0.02;     // least part of the lines that counts as independent
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
 double noise_part(const VectorXcd& residual) {

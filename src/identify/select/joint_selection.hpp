@@ -7,7 +7,7 @@
 
 namespace percuss::identify {
 
-/// Lines around a mode: five half-power bandwidths on either side.
+/// Lines around a mode: five half-power bandwidths, and at least eight lines, on either side.
 struct JointWindow {
   Eigen::Index first = 0, count = 0;
 };
@@ -19,14 +19,15 @@ double least_width_Hz(const FrfDataset& set, const Pole& pole);
 /// Misfit counts against a mode only once no mode is missing: the residual of a missing mode looks like misfit.
 enum class Misfit { ignored, counted };
 
-/// A mode of a joint fit: how far it stands out of what the fit left around it.
+/// How far a mode of a joint fit stands out of the residual around it.
 struct Standing {
   double significance = 0;      // of its clearest residue, in standard deviations
   double peak_to_residual = 0;  // largest over the FRFs
 };
 Standing standing_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit);
 
-/// The poles without those that are no modes. Of neighbours only the weakest goes: without it, the others may stand.
+/// The poles that are modes. Of neighbours that are no modes, only the weakest is removed, because the others may be
+/// modes without it.
 std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Misfit misfit);
 
 /// How far the residual around a mode is from noise, in standard deviations of its roughness; the worst FRF.
@@ -36,8 +37,8 @@ double misfit_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& res
 /// rounding errors, or of the gain that noise of the force explains, are not.
 bool is_material(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole);
 
-/// Likelihood ratio of two residuals (twice its logarithm), with as many degrees of freedom as the second one has
-/// independent lines: misfit, which is smooth, has few.
+/// Likelihood ratio of two residuals (twice its logarithm). Its degrees of freedom are the independent lines of the
+/// second residual: a smooth misfit has few.
 /// theory (4.21)
 double likelihood_ratio(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& before,
                         const std::vector<Eigen::VectorXcd>& after);

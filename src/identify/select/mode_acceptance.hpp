@@ -8,7 +8,7 @@ namespace percuss::identify {
 
 /// The state of the search, for the acceptance of a fitted pole as a mode of the structure.
 struct AcceptanceContext {
-  std::vector<Pole> peak_poles;  // poles at which the search started: picked, given or one per peak
+  std::vector<Pole> peak_poles;  // poles at which the search started: one per peak or per stated start
   bool search_finished = false;  // no more modes will be added: the residual is misfit
 };
 
@@ -16,10 +16,10 @@ struct AcceptanceContext {
 double peak_to_residual(const WindowedFit& all, const FitGroup& group, std::size_t mode);
 
 /// True for a mode of the structure. Its pole lies within its window, and its damping is plausible. The standard
-/// deviation of its frequency is below its bandwidth, the standard deviation of its damping below the damping (a third
-/// of it where the mode hardly decays within the record). A residue is significant. Its peak stands out of the
-/// residual, the force's noise and the fit's model error. The required ratio rises for a mode without a peak of its own
-/// whose window misfits, and above the force's bandwidth.
+/// deviation of its frequency is below its bandwidth. The standard deviation of its damping is below the damping, or
+/// below a third of it where the mode hardly decays within the record. A residue is significant. Its peak stands out of
+/// the residual, the force's noise and the fit's model error. The required ratio rises for a mode without a peak of its
+/// own whose window misfits, and above the force's bandwidth.
 bool accept_mode(const WindowedFit& all, const FitGroup& group, std::size_t mode, const AcceptanceContext& context);
 
 /// True for two poles that a fit has merged, so that their residues cannot be distinguished. Where the force is

@@ -11,10 +11,10 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kRunaway = 3;     // standard deviations from the median
+constexpr double kOutlier = 3;     // standard deviations from the median
 constexpr double kNodeSize = 0.3;  // of the median residue: a smaller one is near a node
 
-// Standard deviations with a runaway's own distance added: it lies far outside the others' scatter.
+// Standard deviations with an outlier's own distance added: it lies far outside the scatter of the other values.
 std::vector<double> robust_std(const std::vector<double>& value, std::vector<double> std,
                                const std::vector<double>& size) {
   std::vector<double> weight, off;
@@ -23,13 +23,13 @@ std::vector<double> robust_std(const std::vector<double>& value, std::vector<dou
   for (const double v : value) off.push_back(std::abs(v - middle));
   const double scale = kNormalMad * median(off);
   for (std::size_t i = 0; i < value.size(); ++i) {
-    if (off[i] > kRunaway * std::hypot(scale, std[i])) std[i] = std::hypot(std[i], off[i]);
+    if (off[i] > kOutlier * std::hypot(scale, std[i])) std[i] = std::hypot(std[i], off[i]);
   }
   return std;
 }
 
-// The part of the scatter's variance that counts for a point. Near a node the residue is small, and other modes and
-// errors of the model move the pole in inverse proportion.
+// Factors of the scatter's variance, at least 1. Near a node the residue is small, and other modes and errors of the
+// model move the pole in inverse proportion to it.
 std::vector<double> node_factors(const std::vector<double>& size) {
   const double typical = median(size);
   std::vector<double> factor;

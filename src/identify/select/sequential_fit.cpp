@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kMinFitLines = 16;
 
-// The steps of the search, in the order of a round. Windows are split after insignificant modes are dropped. The
-// residual is searched when no window splits.
+// The steps of the search, in the order of a round. Close modes are searched when no insignificant mode is left to
+// drop, and the residual when no close mode is found.
 enum class Step { drop_insignificant, split_close, add_residual };
 constexpr std::array kSteps{Step::drop_insignificant, Step::split_close, Step::add_residual};
 

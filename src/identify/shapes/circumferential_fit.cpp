@@ -158,7 +158,7 @@ bool fit_orders_alone(const Ring& ring, int highest, CircumferentialFit& fit) {
   return true;
 }
 
-// Orders up to the one whose half wave is as long as the spacing.
+// Fits the orders whose half wave is longer than the spacing.
 void fit_arcs(const std::vector<Ring>& rings, double spacing_rad, CircumferentialFits& out) {
   constexpr double kBelowHalfWave = 0.25;
   out.arc = true;

@@ -20,8 +20,8 @@ struct ShapeValues {
 };
 
 /// MAC = |aᴴb|² / (aᴴa · bᴴb)                                                                             (1)
-/// It does not depend on the complex scale of the shapes. Its standard deviation is the rms error over the noise: from
-/// the gradient of (1), and from the second order at MAC 1 and 0, where the gradient is zero.
+/// It does not depend on the complex scale of the shapes. Its standard deviation is the rms error that noise causes:
+/// from the gradient of (1), and from the second order at MAC 1 and 0, where the gradient is zero.
 /// shapes  a, b the same places in the same order. 0 ± 0 where either shape is zero everywhere.
 /// source  [4] in docs/theory/sources.md.
 /// theory (5.4)

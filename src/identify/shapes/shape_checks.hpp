@@ -25,7 +25,7 @@ struct ReciprocityCheck {
   double difference = 0;  // |A_pq − A_qp| over the larger magnitude
   double deviations = 0;  // |A_pq − A_qp| over its standard deviation
 };
-/// `pairs`: the two (point, channel) that measure the same two places in both directions.
+/// `pairs`: each holds two (point, channel), which measure the same two places in both directions.
 std::vector<ReciprocityCheck> check_reciprocity(const std::vector<Mode>& modes,
                                                 const std::vector<std::pair<DrivingPoint, DrivingPoint>>& pairs);
 

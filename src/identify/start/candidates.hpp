@@ -22,7 +22,7 @@ std::vector<Pole> candidate_poles(const FrfDataset& set, const LineNoise& noise,
 /// A resonance on a straight background that stands out of the noise.
 struct Resonance {
   double line = 0, half_width = 0;  // in lines from the first
-  double gain = 0;                  // energy that it explains over the noise's, Σ over the FRFs
+  double gain = 0;                  // energy that it explains over the noise power, Σ over the FRFs
 };
 
 /// The resonances in a residual, [channels][lines], at every width. One resonance appears at several widths.

@@ -16,8 +16,8 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 
-// Free points of the circle per order. With fewer, the two ends of the band cannot differ; with more, the powers of z
-// become nearly dependent on the lines.
+// Free part of the circle times the model order. With less, the two ends of the band cannot differ; with more, the
+// powers of z become nearly dependent on the lines.
 constexpr double kGap = 8;
 constexpr double kMaxGap = 0.3;
 constexpr std::size_t kMaxModelOrder = 100;

@@ -10,7 +10,7 @@ namespace percuss::identify {
 namespace {
 
 constexpr Eigen::Index kSmoothBlock = 64;  // lines
-constexpr double kSmoothDeviations = 5;    // of the roughness of so many lines of noise
+constexpr double kSmoothDeviations = 5;    // standard deviations of the roughness of a block of noise
 
 }  // namespace
 

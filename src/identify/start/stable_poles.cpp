@@ -11,14 +11,14 @@ namespace percuss::identify {
 namespace {
 
 constexpr std::size_t kSectionOrder = 40;                    // largest model order of a section
-constexpr std::size_t kMinSectionLines = 4 * kSectionOrder;  // of a section, for that order
-constexpr double kMinStableShare = 0.5;   // of the upper half of the orders: a stable pole appears in these
+constexpr std::size_t kMinSectionLines = 4 * kSectionOrder;  // of a section, for kSectionOrder
+constexpr double kMinStableShare = 0.5;   // part of the upper half of the orders in which a stable pole appears
 constexpr double kSamePole = 0.25;        // half-power bandwidths between the poles of two orders
 constexpr double kSameMode = 0.5;         // … and between the poles of two sections
 constexpr double kSameWidth = 3;          // ratio of the bandwidths of such poles
 constexpr double kMaxStableWidth = 0.25;  // of a section: a broader pole belongs to a longer section
 
-// Lines of the band, and those among them whose poles count: away from a neighbouring section's ends.
+// A section of the band, and the frequencies between which its poles count: away from its ends, where sections overlap.
 struct Section {
   std::size_t first = 0, count = 0;
   double from_Hz = 0, to_Hz = 0;

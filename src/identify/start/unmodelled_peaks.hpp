@@ -16,8 +16,8 @@ struct UnmodelledPeak {
 /// peaks within the force's bandwidth and within `range_dB` of the largest line. Ascending.
 std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::vector<Mode>& modes, double range_dB);
 
-/// Stable poles (stable_poles) farther than a half-power bandwidth from every mode, within the force's bandwidth,
-/// around which the modes leave a resonance with a quarter of the energy or more. Ascending.
+/// Stable poles (stable_poles) within the force's bandwidth and farther than a half-power bandwidth from every mode.
+/// The residual has a resonance there, with a quarter of the energy or more. Ascending.
 std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode>& modes);
 
 }  // namespace percuss::identify

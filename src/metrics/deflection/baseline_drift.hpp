@@ -25,9 +25,9 @@ BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double f
 Eigen::Vector2d drifted_deflection_m(double t_s, double highpass_corner_Hz);
 Eigen::Vector2d drifted_velocity_mps(double t_s, double highpass_corner_Hz);
 
-/// The remaining bias of a held structure, which oscillates about its position of rest. Two means of the deflection,
-/// with Hann windows over the second and the last third, are zero except for window leakage of the oscillation and for
-/// the noise of the double integral.
+/// The remaining bias of a held structure, which oscillates about its position of rest. Two means of the deflection are
+/// taken, with Hann windows over the second and the last third. Without bias, only window leakage of the oscillation
+/// and noise of the double integral keep them from zero.
 struct ZeroMeanCorrection {
   Eigen::Vector2d bias;        // to subtract in addition
   Eigen::Matrix2d covariance;  // of the remaining bias

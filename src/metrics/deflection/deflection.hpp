@@ -37,7 +37,7 @@ struct Deflection {
   std::vector<double> velocity_mps, deflection_m;
   std::vector<double> std_m;  // of the deflection; empty where the method has none
   double bias_mps2 = 0;       // subtracted from the acceleration
-  bool held = false;          // the drift was corrected by means of the late deflection (ZeroMeanCorrection)
+  bool held = false;          // the late deflection served to correct the drift (ZeroMeanCorrection)
   std::size_t peak = 0;       // sample of the largest significant deflection
   double peak_m = 0;          // signed; NaN, like peak_std_m and forward_m, where no deflection is significant
   double peak_std_m = 0;
@@ -48,14 +48,14 @@ struct Deflection {
 };
 
 /// Computes the deflection of the struck structure from its acceleration (and force).
-///   drift_free      subtracts the bias before the impact, integrates without error (integrate_twice), and centres
-///                   a held structure on its position of rest. Its standard deviation includes the bias and the double
-///                   integral of white noise, σ_w² = σ_a² Δt t³/3.
+///   drift_free      subtracts the bias and drift before the impact, integrates without error (integrate_twice),
+///                   and centres a held structure on its position of rest. Its standard deviation includes the bias and
+///                   the double integral of white noise, σ_w² = σ_a² Δt t³/3.
 ///   small_interval  the source's sums from the impact on, without any correction
 ///   frequency       division in the frequency domain, line by line
 ///   modal           the response of the modes to the force
-///   automatic       drift_free where the record shows the rest before the impact, otherwise modal where force and
-///                   modes are known
+///   automatic       modal where force and modes are known and the record does not show the rest before the impact;
+///                   otherwise drift_free
 /// Precondition: modal needs force and modes. shapes [samples].
 /// theory (7.4)
 Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& options = {});

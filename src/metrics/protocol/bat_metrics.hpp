@@ -44,7 +44,7 @@ const char* name_of(MetricsSeverity severity);
 
 struct MetricsWarning {
   std::string code, message;
-  std::vector<OptionId> options = {};  // that the message is about
+  std::vector<OptionId> options = {};  // that the message concerns
   std::string remedy = {};             // what to do; the end of `message`
   MetricsSeverity severity = MetricsSeverity::warn;
 };

@@ -24,7 +24,7 @@ struct ProtocolLimits {
   bool accept_plateau = false;  // take the best location of a plateau as the sweet spot, instead of no verdict
 };
 
-/// A limit that does not hold: a code for programs and a sentence for people.
+/// A violated limit, or a remark: a code for programs and a sentence for people.
 struct ProtocolFinding {
   std::string code, message;
 };
@@ -85,7 +85,8 @@ Certification certify(const Session& session, const ProtocolLimits& limits = {})
 /// Violated limits of the laboratory and of conditioning.
 std::vector<ProtocolFinding> condition_findings(const Session& session, const ProtocolLimits& limits = {});
 
-/// Judges one shot and counts the impact of its ball. A violated condition makes every shot invalid.
+/// Judges one shot and counts the impact of its ball. A violated condition makes every shot invalid, but a shot's own
+/// temperature and humidity replace the session's.
 JudgedShot judge_shot(const Session& session, const SessionShot& shot, double target_mph, BallUse& ball,
                       const ProtocolLimits& limits);
 

@@ -11,7 +11,7 @@ enum class PerformanceMetric { besr, ncaa_besr, bbcor };
 const char* name_of(PerformanceMetric metric);
 std::optional<PerformanceMetric> performance_metric_named(std::string_view name);
 
-/// One ball fired at the bat (or at the standard bat, for the lot). The units are those of the protocol, because its
+/// One ball fired at the bat (or at the standard bat, for the lot). The units are the protocol's, because its
 /// limits are round numbers in them.
 struct SessionShot {
   std::string place;  // in the file, for error messages

@@ -9,7 +9,7 @@ namespace percuss::metrics {
 using HalfInches = int;
 
 struct SearchRules {
-  double margin = 0.003;          // the sweet spot must exceed both neighbours by it
+  double margin = 0.003;          // by which the sweet spot must exceed both neighbours
   HalfInches low = 6, high = 18;  // permitted locations
 };
 
@@ -17,7 +17,7 @@ enum class SearchState : std::uint8_t {
   shoot,    // test `at` next
   found,    // `at` exceeds both neighbours by the margin
   plateau,  // the neighbourhood is tested, but the best has a neighbour within the margin
-  edge      // the neighbourhood is tested, but a neighbour of the best is not a permitted location
+  edge      // the neighbourhood is tested, but the best, or a location within its margin, is at an end of the range
 };
 
 struct SearchStep {

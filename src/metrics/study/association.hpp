@@ -39,7 +39,7 @@ struct TrendLine {
 /// The Theil–Sen line: the median of the slopes of all pairs of points, and the median of y − slope x. The interval
 /// ends at these ranks of the N sorted slopes:
 ///   (N ∓ 1.96 √(n(n−1)(2n+5)/18))/2                                                               (P17)
-/// Up to 29 % of the points may lie anywhere. None for fewer than 3 different values of x.
+/// The line withstands outliers up to 29 % of the points. None for fewer than 3 different values of x.
 /// source  [17]
 std::optional<TrendLine> trend_line_of(const ClassPoints& points);
 

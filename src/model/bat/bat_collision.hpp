@@ -42,15 +42,15 @@ struct BatRebound {
 };
 
 struct BatCollisionOptions {
-  std::size_t steps = 200;           // of the loading against a rigid wall: about a fifth of all steps of a collision
+  std::size_t steps = 200;           // in the time (largest compression on a rigid wall)/(closing speed)
   double recontact_window_s = 0.03;  // search for a further contact after the last
 };
 
 /// Simulates the ball against the first `modes` elastic modes of the bat at z_m from the knob. With no modes the bat is
 /// rigid. The modes are undamped and move exactly under a force that is linear in each step. The force at the end of a
 /// step is solved for (implicit), so the step is stable for every mode. The method has second order in the step.
-/// Exit speed and energy shares are extrapolated from two steps, one twice the other, if both give equally many
-/// contacts.
+/// Exit speed and energy shares are extrapolated from two step lengths, one twice the other, if both give the same
+/// number of contacts.
 /// A bat that moves away from the ball is not touched: 0 contacts, and the ball keeps its speed.
 /// domain  modes 0 … bat.freq_Hz.size(), z_m 0 … bat.length_m
 /// errors  InputError where the constants leave no finite result.

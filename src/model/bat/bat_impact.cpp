@@ -87,7 +87,7 @@ Eigen::VectorXd BatImpact::amplitudes_at(double time_s) {
 BatRebound BatImpact::run() {
   BatRebound result;
   for (result.contacts = 0;; ++result.contacts) {
-    const double touch_by_s = time_s_ + 2 * free_.step_s;  // a touch without compression by then is a rounding error
+    const double touch_by_s = time_s_ + 2 * free_.step_s;  // without compression until then, the touch was rounding
     do {
       step();
     } while (u_m_ > 0 || (largest_m_ == 0 && time_s_ < touch_by_s));
@@ -111,7 +111,7 @@ double BatImpact::turning_point(double free_u, double free_rate) const {
   const double h = contact_.step_s, a = u_m_, ra = h * rate_mps_, b = free_u - compliance_ * force_N_;
   const double rb = h * (free_rate - compliance_rate_ * force_N_), c = 3 * (b - a) - 2 * ra - rb,
                d = 2 * (a - b) + ra + rb;
-  const double at = ra / (std::sqrt(std::max(0.0, c * c - 3 * d * ra)) - c);  // the root of the slope at the maximum
+  const double at = ra / (std::sqrt(std::max(0.0, c * c - 3 * d * ra)) - c);  // position of the cubic's maximum
   return at > 0 && at < 1 ? a + at * (ra + at * (c + at * d)) : std::max(a, b);
 }
 

@@ -12,10 +12,10 @@ struct BatModesOptions {
   double max_element_fraction = 1.0 / 84;  // longest element, as a fraction of the bat's length
 };
 
-/// The elastic modes of a free bat: the solutions of (1) in timoshenko_elements.hpp with ω > 0. They are orthonormal in
-/// the full mass matrix,
+/// The elastic modes of a free bat: the solutions of (1) in timoshenko_elements.hpp with ω > 0. They are orthonormal
+/// with respect to the full mass matrix,
 ///   shape_r · M · shape_s = 1 for r = s, else 0,                                                        (1)
-/// and orthogonal in it to the two rigid-body modes.
+/// and M-orthogonal to the two rigid-body modes.
 /// theory (12.2)
 struct BatModes {
   TimoshenkoBeam beam;

@@ -18,7 +18,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 using Factors = Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
 constexpr double kSettledResidual = 1e-12;  // of a mode's own 1/(ω² + shift)
-constexpr double kExhausted = 1e-14;        // a shorter new direction is rounding
+constexpr double kExhausted = 1e-14;        // of the largest diagonal entry: a shorter new direction is rounding
 constexpr Index kFirstVectors = 40;         // plus two per mode
 constexpr const char* kRemedyForNumbers = "check the units of profile and material";
 

@@ -28,8 +28,9 @@ struct BeamElement {
 };
 
 /// A Timoshenko beam of finite elements, with rotary inertia. The shape functions of an element's ends are its static
-/// deflections under loads there (w cubic, θ quadratic, w′ − θ constant), so thin elements do not lock. A parabolic
-/// bubble function each for w and θ makes the error of a frequency fall with the fourth power of the element length.
+/// deflections under end loads: w cubic, θ quadratic, w′ − θ constant. Thin elements therefore do not lock in shear. A
+/// parabolic bubble function each for w and θ makes the error of a frequency fall with the fourth power of the element
+/// length.
 ///   K q = ω² M q                                                                                        (1)
 /// theory (12.1)
 struct TimoshenkoBeam {

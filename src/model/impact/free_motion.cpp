@@ -10,7 +10,7 @@ namespace percuss::model {
 namespace {
 
 constexpr double kPeakStepsPerPeriod = 20;  // steps of the search for the peak
-constexpr double kMaxPeakSteps = 20000;     // limit of the steps: faster modes contribute too little to matter
+constexpr double kMaxPeakSteps = 20000;     // faster modes contribute too little to need shorter steps
 constexpr double kTouched = 1e-7;           // of the first step: a shorter step means that the gap is closed
 
 // The time for which x + x′t − bound t²/2 stays above zero.

@@ -18,8 +18,8 @@ class FreeMotion {
   double ball_at(double time_s) const { return ball_m_ + ball_mps_ * time_s; }
 
   /// The time at which the gap closes again, within `until_s`. The gap, its rate and a bound of the acceleration (from
-  /// the modes' amplitudes) give an interval in which the gap stays open. Each step is that interval, so none can miss
-  /// a touch.
+  /// the modes' amplitudes) give an interval in which the gap stays open. Each step is that interval, so no step
+  /// can miss a touch.
   std::optional<double> next_contact_s(double until_s) const;
 
   struct Peak {

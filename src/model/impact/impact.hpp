@@ -9,7 +9,7 @@ namespace percuss::model {
 
 enum class ImpactMethod {
   modal,           // the modes move exactly between impulses of the contact force; fourth order
-  small_increment  // the source's method: the force at a step's start acts through the step; first order
+  small_increment  // the source's method: the force is constant over each step; first order
 };
 
 /// A ball that hits a beam at rest. The defaults are the composite bat and the cricket ball of [9], struck 60 mm from

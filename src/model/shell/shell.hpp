@@ -28,7 +28,7 @@ double ring_Hz(const TubeShell& shell, std::size_t n);
 /// theory (13.2)
 double rayleigh_Hz(const TubeShell& shell, std::size_t n);
 
-/// Love: the same, with a deflection that is odd about the middle and grows linearly from it.
+/// Love: as Rayleigh, but the deflection is odd about the middle and grows linearly from it.
 ///   Ω² = (2) · [1 + 24(1 − ν) R²/(n² L²)] / [1 + 12 R²/(n²(n² + 1) L²)]                         (3)
 /// theory (13.3)
 double love_Hz(const TubeShell& shell, std::size_t n);
@@ -39,7 +39,7 @@ double love_Hz(const TubeShell& shell, std::size_t n);
 ///   S13 = −νλ − k(λ³ − (1 − ν)/2 n²λ)       S22 = n² + (1 − ν)/2 λ²(1 + 3k)
 ///   S23 = n + k (3 − ν)/2 λ²n               S33 = 1 + k((λ² + n²)² − 2n² + 1)                   (4)
 /// For a long tube (4) becomes (2). It exceeds three-dimensional elasticity by 0.4 to 0.5 % (n = 2) and 1 % (n = 3)
-/// for a wall of R/13, and by a quarter to a half of these for half that wall.
+/// for a wall of R/13. For half that wall the excess is a quarter to a half as large.
 /// source  [15] in docs/theory/sources.md
 /// theory (13.4)
 double flugge_Hz(const TubeShell& shell, std::size_t n, std::size_t m);

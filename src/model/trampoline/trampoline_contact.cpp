@@ -18,8 +18,8 @@ constexpr std::size_t kContactStates = 4;
 constexpr double kScale_s = 1e-3;                      // τ of t = t₀ + τ s⁴: about the duration of a contact
 constexpr double kContactTolerance = 1e-10;            // error of a step, relative to the ball's speed
 constexpr double kFirstStep = 0.05, kShortest = 1e-9;  // of s
-constexpr double kRootMargin = 1e-12;                  // of s: above the rounding of the separation
-constexpr double kStarted = 0.1;                       // of s: by then a touch that begins without force has force
+constexpr double kRootMargin = 1e-12;                  // relative to s: above the rounding error of the separation
+constexpr double kStarted = 0.1;  // of s: from here on every contact has force, even if it began without
 constexpr double kMaxContactSteps = 1e6;
 using ContactState = std::array<double, kContactStates>;  // ball, its speed, barrel, its speed
 
@@ -91,7 +91,8 @@ class ContactSolver::Stepper {
 
   double contact_event(const Moment& m) const { return forces_.contact_event(m.y[0] - m.y[2], m.y[1] - m.y[3]); }
 
-  // Whether the contact event may fall below zero between two moments where it is above: by the cubic through both.
+  // Whether the contact event may fall below zero between two moments at which it is positive. Tests the minimum of the
+  // cubic through both.
   bool may_separate(const Moment& a, const Moment& b) const {
     const double h = b.s - a.s, ga = contact_event(a), gb = contact_event(b), ra = h * contact_event_rate(a),
                  rb = h * contact_event_rate(b);
@@ -102,8 +103,8 @@ class ContactSolver::Stepper {
     return at > 0 && at < 1 && ga + at * (ra + at * (c + at * d)) < 0;
   }
 
-  // Repeats the last step with the length at which the contact event is zero. The end lies just beyond that root:
-  // before it, rounding would look like another touch.
+  // Repeats the last step with the length at which the contact event is zero. The step ends just beyond this root.
+  // Just before it, rounding could look like another touch.
   Moment separation_state(const Moment& from, const Moment& past) {
     Moment to = past;
     const auto event_after = [&](double h) {
@@ -145,7 +146,7 @@ BallAndBarrel ContactSolver::follow(const BallAndBarrel& start) {
       h *= std::isfinite(error) ? std::clamp(0.9 * std::pow(error, -0.125), 0.1, 0.9) : 0.1;
       continue;
     }
-    // A touch begins with an event of zero to within rounding. Only a contact that has had force can end.
+    // At a touch the contact event is zero to within rounding. Only a contact that has had force can end.
     const bool settling = stepper_->contact_event(now) <= 0 && now.s < kStarted;
     holds = stepper_->contact_event(next) >= 0 || settling;
     if (holds && !settling && stepper_->may_separate(now, next) && h > kShortest) {

@@ -9,7 +9,7 @@ namespace percuss::pipeline {
 
 /// The delays of acceleration channels that an analysis takes out before anything else.
 struct DelayCorrection {
-  bool automatic = false;       // those that the phases of the modes establish
+  bool automatic = false;       // the delays that the phases of the modes establish
   std::vector<double> delay_s;  // after the force: one for all channels or one per channel; empty: none
 };
 
@@ -17,11 +17,11 @@ struct DelayCorrection {
 /// delays, or one that is longer than a row.
 std::vector<ChannelDelay> stated_delays(const std::vector<double>& delay_s, const acquire::Record& record);
 
-/// The record with every acceleration channel moved forward by its delay, interpolated between samples. Exact up to
-/// 0.44 of the sampling rate. Before and after a row a channel keeps the row's first and last value.
+/// The record with every acceleration channel moved to earlier times by its delay, interpolated between samples. Exact
+/// up to 0.44 of the sampling rate. Before and after a row a channel keeps the row's first and last value.
 acquire::Record align_record(acquire::Record record, const std::vector<ChannelDelay>& delays);
 
-/// Samples at the end of a row that such a record cannot fill.
+/// Samples at the end of a row that the record of align_record() cannot fill.
 std::size_t samples_without_data(const std::vector<ChannelDelay>& delays, double fs_Hz);
 
 }  // namespace percuss::pipeline

@@ -11,7 +11,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMaxChannels = 8;  // a fit each; more of them share one recorder
+constexpr std::size_t kMaxChannels = 8;  // a fit each; more channels usually share one recorder
 constexpr std::size_t kMinShared = 4;
 constexpr double kNear = 2;                     // half-power bandwidths between the places of one mode in two channels
 constexpr std::size_t kFitFlops = 100'000'000;  // a lower limit
@@ -46,7 +46,8 @@ std::optional<ChannelClock> compare(const std::vector<identify::Mode>& first,
   return ChannelClock{.excess = slope.slope, .std = slope.std, .modes = excess.size(), .log_chance = slope.log_chance};
 }
 
-// Different frequencies of one mode leave a misfit, or are taken for two modes. A clock does that to several modes.
+// Different frequencies of one mode leave a misfit, or are taken for two modes. A different clock does so for several
+// modes.
 bool may_differ(const std::vector<identify::Mode>& modes) {
   std::size_t pairs = 0;
   for (std::size_t m = 0; m < modes.size(); ++m) {

@@ -164,7 +164,7 @@ std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const 
   const auto again = identify::identify_modes(turned_back(set, late_s), {.effort = identify::Effort::standard});
   for (ChannelDelay delay : delays_of_residues(again, channels)) {
     if (!(late_s[delay.channel] > 0)) continue;
-    // Order out of disorder: the phases about their line against phases without any.
+    // The chance that phases without any order lie so close to a line.
     delay.delay_s += late_s[delay.channel];
     delay.log_chance = static_cast<double>(delay.modes - 1) * std::log(std::max(delay.phase_rms / kDisorder, 1e-12));
     if (!delay.established()) continue;

@@ -15,11 +15,11 @@ struct ChannelDelay {
   std::size_t channel = 0;
   double delay_s = 0, std_s = 0;
   std::size_t modes = 0;     // whose phases show it
-  double highest_Hz = 0;     // the highest of them
+  double highest_Hz = 0;     // highest frequency of these modes
   double phase_rms = 0;      // rad, of these phases about the line of the delay
   double undelayed_rms = 0;  // rad, about zero
   double log_chance = 0;     // natural logarithm of the probability of this order in modes without a delay
-  /// The phase at the highest of the modes, rad.
+  /// The phase that the delay causes at highest_Hz, rad.
   double largest_phase() const;
   /// The phases grow with frequency beyond doubt.
   bool established() const;
@@ -39,8 +39,8 @@ std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases);
 /// has none. Modes with complex shapes scatter about the line and enter the standard deviation.
 std::vector<ChannelDelay> delays_of_residues(const std::vector<identify::Mode>& modes, std::size_t channels);
 
-/// As delays_of_residues. A delay of several periods spoils the modes themselves; where the phases show no order and
-/// the response begins late, the FRFs are turned back by that time and the modes are found again.
+/// As delays_of_residues. A delay of several periods falsifies the modes themselves. Where the phases show no order and
+/// the response begins late, the FRFs are corrected by this time and the modes are identified again.
 std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                          const std::vector<AnalysedHit>& hits, std::size_t channels);
 

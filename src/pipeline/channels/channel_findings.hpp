@@ -8,7 +8,7 @@
 
 namespace percuss::pipeline {
 
-/// What the modes tell about the channels that measured them.
+/// Findings about the channels, from the modes that they measured.
 struct ChannelFindings {
   std::vector<ChannelDelay> delays;            // that remain after any correction
   std::vector<ChannelDelay> corrected_delays;  // that the phases established and the analysis took out

@@ -4,8 +4,8 @@
 
 namespace percuss::pipeline {
 
-/// A slope is beyond doubt from this logarithm of its chance down (one in a million), and from this many standard
-/// deviations up.
+/// A slope is beyond doubt where the logarithm of its chance is at most kMaxLogChance (one in a million) and the slope
+/// exceeds kSureSlope standard deviations.
 inline constexpr double kMaxLogChance = -13.8;
 inline constexpr double kSureSlope = 5;
 
@@ -17,8 +17,8 @@ struct RobustSlope {
 };
 
 /// The slope b of y ≈ b·x. Values weigh 1/(σ² + s²), with the scatter s of the residuals beyond σ, and far values weigh
-/// less. With n values and the residuals' rms e, which is e0 for b = 0, the chance is (e/e0)^(n − 1), the tail of the
-/// F test.
+/// less. For n values, let e be the rms of the residuals, and e0 their rms for b = 0. The chance is (e/e0)^(n − 1), the
+/// tail of the F test.
 /// shapes  x, y, std [n], n ≥ 2
 RobustSlope robust_slope(std::span<const double> x, std::span<const double> y, std::span<const double> std);
 

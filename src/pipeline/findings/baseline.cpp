@@ -33,7 +33,7 @@ std::optional<BaselineChange> find_step(const RestLevels& levels, double largest
   return BaselineChange{.step = true, .size = size, .share = std::abs(size) / largest, .decay_per_s = decay_per_s};
 }
 
-// The line through the level before the hit and the level of the last windows; those between must lie on it.
+// The line through the level before the hit and the level of the last window. The windows between must lie near it.
 std::optional<BaselineChange> find_slope(const RestLevels& levels, std::size_t samples, double largest) {
   const auto middle_of = [&](std::size_t w) {
     return static_cast<double>(levels.first) + (static_cast<double>(w) + 0.5) * static_cast<double>(levels.window);

@@ -25,7 +25,8 @@ struct BaselineChange {
   double decay_per_s = 0;  // of the step
 };
 
-/// Nothing where the means do not change by kMinBaselineChange of the largest response, or like neither.
+/// Nothing where the means change by less than kMinBaselineChange of the largest response, or neither as a step nor as
+/// a slope.
 inline constexpr double kMinBaselineChange = 0.02;
 std::optional<BaselineChange> find_baseline_change(const RestLevels& levels, std::size_t samples, double largest,
                                                    double fs_Hz);

@@ -9,7 +9,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kOutstanding = 8;        // times the rms around: five for noise in a million samples
+constexpr double kOutstanding = 8;        // times the rms around: noise reaches five in a million samples
 constexpr std::size_t kBlocksAround = 2;  // blocks on either side
 
 // Standard deviation of the differences of white noise of unit variance: √C(2n, n).

@@ -6,9 +6,9 @@
 
 namespace percuss::pipeline {
 
-/// Level of the highest frequencies of a signal along time, block by block: of its differences of order
-/// kDifferenceOrder, scaled so that white noise keeps its standard deviation. The differences suppress what oscillates
-/// slowly against the sampling rate, so that noise, jumps and single wrong samples remain.
+/// Level of the highest frequencies of a signal along time, block by block. It is the level of the differences of order
+/// kDifferenceOrder, scaled so that white noise keeps its standard deviation. The differences suppress oscillations
+/// that are slow against the sampling rate; noise, jumps and single wrong samples remain.
 struct DifferenceProfile {
   std::size_t first = 0;             // sample of the signal at which the first block begins
   std::vector<double> rms, largest;  // [blocks]

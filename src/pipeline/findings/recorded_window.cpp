@@ -15,7 +15,7 @@ constexpr double kClear = 8;               // standard deviations of the decay
 constexpr double kMaxMismatch = 0.15;      // of the logarithm of the level at the hit
 constexpr double kMaxCurvature = 0.12;     // of the logarithm: difference of the halves' falls, relative
 constexpr double kMaxTaperScatter = 0.15;  // of the logarithm of the noise over a Hann window, in the last half
-constexpr double kTaperEnd = 0.97;         // of the record: the part of the window that is compared
+constexpr double kTaperEnd = 0.97;         // of the record: end of the part that is compared
 
 // Logarithm of the median level over the responses, relative to the noise before the hit, by block.
 struct LogLevels {
@@ -59,7 +59,7 @@ std::size_t common_blocks(const std::vector<NoiseHistory>& responses) {
   return blocks;
 }
 
-// The noise at the end over that in the middle, where the last half follows a Hann window; else nothing.
+// The noise at the end over the noise in the middle, where the last half follows a Hann window; else nothing.
 std::optional<double> hann_end_level(const std::vector<NoiseHistory>& responses, std::size_t blocks) {
   const auto& first = responses.front().after;
   const double samples = static_cast<double>(first.first + (blocks + 1) * kDifferenceBlock);
@@ -100,7 +100,8 @@ LogLevels log_levels(const std::vector<NoiseHistory>& responses, std::size_t blo
   return out;
 }
 
-// The level of noise before the hit has few samples: its own error, from the scatter of the responses.
+// Tolerance of the fitted level at the hit, with the error of the noise before the hit. Few samples determine this
+// noise, so that its error falls only with the number of responses.
 double start_tolerance(const std::vector<NoiseHistory>& responses, const Line& line) {
   return std::max(kMaxMismatch,
                   4 * std::hypot(line.at_zero_std, 0.25 / std::sqrt(static_cast<double>(responses.size()))));

@@ -9,12 +9,12 @@ namespace percuss::pipeline {
 
 /// The noise of one response along its time.
 struct NoiseHistory {
-  DifferenceProfile after;       // the hit
+  DifferenceProfile after;       // level after the hit
   std::optional<double> before;  // level of the same differences before the hit
 };
 
-/// A window that the recorder applied to the responses. Noise does not decay: where it does, everything else decays
-/// with it, and damping comes out too high.
+/// A window that the recorder applied to the responses. Noise does not decay. Where it seems to, a window reduced the
+/// noise and the motion alike, and damping comes out too high.
 struct RecordedWindow {
   bool exponential = true;  // false: the noise falls to zero at the end as under a Hann window
   double decay_per_s = 0, decay_std = 0;

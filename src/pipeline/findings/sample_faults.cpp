@@ -14,10 +14,10 @@ constexpr std::size_t kSurroundings = 900;  // samples on either side that the p
 constexpr std::size_t kReach = 44;          // samples around `at` within which a fault is searched
 constexpr std::size_t kMaxFault = 40;       // samples
 constexpr double kOutlier = 6;              // standard deviations of the prediction errors
-constexpr std::size_t kMaxVaried = 8;       // wrong samples that are not equal: longer ones may be a burst of noise
-constexpr double kClearFault = 8;           // rms of the errors of a fault over those around
-constexpr double kClearGap = 3;             // of missing samples, whose number must fit as well
-constexpr double kRepaired = 2.5;           // and of a repair that explains it
+constexpr std::size_t kMaxVaried = 8;       // wrong samples that are not equal: a longer run may be a burst of noise
+constexpr double kClearFault = 8;           // rms of the errors at a fault over the errors around
+constexpr double kClearGap = 3;             // … at missing samples, whose number must fit as well
+constexpr double kRepaired = 2.5;           // … at most, after a repair that explains the fault
 constexpr double kDistinct = 30;            // χ² by which the best number of missing samples beats the others
 constexpr std::size_t kSplices = 6;         // places tried between the last sample before a gap and the first after it
 
@@ -125,7 +125,8 @@ SampleFault with_missing(const SamplePrediction& prediction, Channels channels, 
   return out;
 }
 
-// The number and place of missing samples that restore the prediction, if one number does so better than all others.
+// The number and place of missing samples that restore the prediction, if one number does so much better than all
+// others.
 std::optional<SampleFault> explain_missing(const SamplePrediction& prediction, Channels channels, std::size_t last,
                                            std::size_t first) {
   std::vector<SampleFault> best;  // by count

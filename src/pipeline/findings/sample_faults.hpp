@@ -10,17 +10,17 @@ namespace percuss::pipeline {
 /// Samples of a free decay that do not follow from their neighbours.
 struct SampleFault {
   enum class Kind {
-    wrong,    // `count` samples from `first` on have other values than the structure's
+    wrong,    // `count` samples from `first` on do not show the structure's motion
     missing,  // `count` samples are missing before `first`
     jump      // neither: the motion itself changes, as by a contact
   };
   Kind kind = Kind::jump;
   std::size_t first = 0, count = 0;
-  bool constant = false;       // wrong samples of a channel are equal to one another and to those of other channels
+  bool constant = false;       // all wrong samples are equal, in all channels
   std::vector<bool> channels;  // that hold wrong samples; all for missing samples
   double size = 0;             // largest difference between wrong and expected samples
-  double error_before = 0;     // rms of the prediction errors here over those around, as recorded
-  double error_after = 0;      // and with the repair
+  double error_before = 0;     // rms of the prediction errors here over the errors around, as recorded
+  double error_after = 0;      // the same with the repair
   Eigen::MatrixXd repair;      // expected samples [count, channels]
 };
 
@@ -29,8 +29,8 @@ struct DecayRange {
   std::size_t first = 0, end = 0;
 };
 
-/// What is wrong near sample `at` of the responses to one hit, [channels], all of the same length. A linear prediction
-/// of each sample from those before it, and of each from those after it, is fitted to the surroundings: a sum of
+/// The fault near sample `at` of the responses to one hit, [channels], all of the same length. Two linear predictions
+/// of a sample are fitted to the surroundings: from the samples before it, and from the samples after it. A sum of
 /// decaying oscillations obeys both. The forward errors show where a fault begins, the backward errors where it ends.
 /// Nothing where the prediction is not disturbed or the surroundings are too short. theory (1.8)
 std::optional<SampleFault> diagnose_samples(std::span<const std::span<const double>> channels, std::size_t at,

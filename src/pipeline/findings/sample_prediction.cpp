@@ -23,7 +23,7 @@ auto behind(std::span<const double> x, std::size_t n) {
   return Map<const VectorXd>(x.data() + n - kPredictionOrder, kOrder).reverse();
 }
 
-// The samples whose prediction uses none nearer to `at` than `gap`.
+// The samples whose prediction uses no sample nearer to `at` than `gap`.
 struct Equations {
   std::vector<std::size_t> forward, backward;
 };

@@ -20,18 +20,18 @@ inline constexpr std::size_t kDiagnosisRoom = 84 + 2 * kPredictionOrder;
 double forward_error(const SamplePrediction& prediction, std::span<const double> x, std::size_t n);
 double backward_error(const SamplePrediction& prediction, std::span<const double> x, std::size_t n);
 
-/// Fitted to the samples [first, end) of all channels, without those nearer to `at` than `gap`. Nothing when too few
-/// samples remain.
+/// Fits the predictions to the samples [first, end) of all channels, without samples nearer to `at` than `gap`. Nothing
+/// when too few samples remain.
 std::optional<SamplePrediction> fit_prediction(std::span<const std::span<const double>> channels, std::size_t first,
                                                std::size_t end, std::size_t at, std::size_t gap);
 
-/// The `count` samples after the first `before` samples of x, such that the errors of the prediction around them are
-/// least; `x` holds any values there. `error` is the rms of the errors over their standard deviation.
+/// Values for the `count` samples after the first `before` samples of x, which make the errors of the prediction around
+/// them least. The values of `x` there do not matter. `error` is the rms of the errors over their standard deviation.
 struct Interpolation {
   Eigen::VectorXd samples;
   double error = 0;
   double square = 0;        // sum of squares of the scaled errors
-  std::size_t freedom = 0;  // their number without the unknowns
+  std::size_t freedom = 0;  // number of errors minus number of unknowns
 };
 Interpolation interpolate_samples(const SamplePrediction& prediction, std::size_t channel, std::span<const double> x,
                                   std::size_t before, std::size_t count);

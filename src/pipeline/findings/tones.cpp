@@ -22,14 +22,14 @@ constexpr double kSteady = 0.2;                       // largest change of the p
 constexpr std::size_t kMinPhases = 4;                 // that show whether the phase is fixed to the hit
 constexpr double kMinForce = 0.01;                    // of the pulse's area: its spectrum below this has no sure phase
 constexpr double kFixedPhase = 0.85;                  // resultant length of the doubled phases; 1 for a mode
-constexpr double kMinBefore = 0.5, kMaxBefore = 1.5;  // of the tone, found before the hits
+constexpr double kMinBefore = 0.5, kMaxBefore = 1.5;  // amplitude before the hits over the tone's amplitude
 constexpr double kBeforeClear = 5;                    // standard deviations
 constexpr double kMaxWander = 0.01;                   // of the power: 0.14 rad between the halves
 constexpr double kWanderNoise = 3;                    // times the power beside the tone
 constexpr std::size_t kRestart = 256;                 // samples: rounding errors of a repeated product add up
 constexpr std::size_t kMaxTones = 60;
 
-// Blackman–Harris, 92 dB: what still rings beside a tone does not leak into it.
+// Blackman–Harris, 92 dB: modes that still ring beside a tone do not leak into it.
 double window_at(std::size_t n, std::size_t length) {
   const double c = std::cos(kTwoPi * (static_cast<double>(n) + 0.5) / static_cast<double>(length));
   const double twice = 2 * c * c - 1, thrice = (2 * twice - 1) * c;  // cosines of the multiples
@@ -108,7 +108,7 @@ double refined(std::span<const ToneSignal> signals, const std::vector<double>& w
   return turns;
 }
 
-// The direction of the pulse's spectrum; nothing where the pulse has hardly any force at this frequency.
+// The phase factor of the pulse's spectrum; nothing where the pulse has hardly any force at this frequency.
 std::optional<Complex> force_direction(const ToneSignal& signal, double turns) {
   Complex sum;
   double most = 0;
@@ -120,7 +120,7 @@ std::optional<Complex> force_direction(const ToneSignal& signal, double turns) {
   return sum / std::abs(sum);
 }
 
-// Whether the phase relative to the force differs from hit to hit: that of a mode is fixed, up to its sign.
+// Whether the phase relative to the force differs from hit to hit. The phase of a mode is fixed, up to its sign.
 bool has_free_phase(std::span<const ToneSignal> signals, const std::vector<Complex>& amplitude, double turns) {
   Complex resultant;
   double power = 0;
@@ -194,12 +194,12 @@ std::vector<double> tone_candidates(std::span<const double> x) {
   const Segment early = early_segment(x.size()), late = late_segment(x.size());
   const std::vector<double> window = window_of(late.length);
   const std::vector<double> power = powers(x, late, window);
-  std::vector<double> before;  // most responses have no narrow peak: it is then not needed
+  std::vector<double> before;  // computed at the first narrow peak: most responses have none
   std::vector<double> found;
   for (std::size_t k = kMainLobe + 1; k + kMainLobe + kFloorLines + 1 < power.size(); ++k) {
     if (!is_narrow_peak(power, k)) continue;
     if (before.empty()) before = powers(x, early, window);
-    // Peaks in both segments of equal power.
+    // Keeps peaks with about equal power in both segments.
     if (std::abs(power[k] / before[k] - 1) > 2 * kSteady) continue;
     found.push_back(static_cast<double>(k) / static_cast<double>(late.length));
   }

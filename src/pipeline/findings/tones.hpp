@@ -19,7 +19,7 @@ struct Tone {
 /// One response in which tones are searched: the samples of a row.
 struct ToneSignal {
   std::span<const double> x;
-  std::size_t hit = 0;              // of which the tones have their own phase
+  std::size_t hit = 0;              // the tones may have another phase at each hit
   std::span<const double> pulse_N;  // of the hit
   std::size_t pulse_first = 0;      // its first sample
   std::size_t quiet = 0;            // samples before the hit
@@ -34,9 +34,9 @@ struct ToneFit {
 /// Frequencies, in turns per sample, at which the last part of a response has a narrow peak that does not decay.
 std::vector<double> tone_candidates(std::span<const double> x);
 
-/// The candidates, of one or several responses, that are tones of the test and no modes: they were there before the
-/// hits with the same phase, or their phase is not fixed to the hits. Frequency and amplitudes come from the later part
-/// of the signals, where most of the structure's motion has decayed. The signals have one length. theory (1.10)
+/// The candidates, of one or several responses, that are tones of the test and no modes. A tone was there before the
+/// hits with the same phase, or its phase differs from hit to hit. Frequency and amplitudes come from the later part of
+/// the signals, where most of the structure's motion has decayed. The signals have one length. theory (1.10)
 ToneFit find_tones(std::span<const ToneSignal> signals, std::vector<double> candidates, double fs_Hz);
 
 /// Subtracts the tones of signal `s` that do not wander.

@@ -15,7 +15,7 @@ constexpr std::size_t kMaxSuspects = 6;     // samples of one response that are 
 constexpr std::size_t kFilterRinging = 72;  // samples
 constexpr std::size_t kAfterPulse = 16;     // samples: the force still acts
 constexpr std::size_t kSearchStep = 80;     // samples: a diagnosis reaches 44 to either side
-constexpr std::size_t kEarlyShare = 4;      // part of the decay that is searched everywhere
+constexpr std::size_t kEarlyShare = 4;      // the first quarter of the decay is searched everywhere
 constexpr std::size_t kSameFault = 48;      // samples: nearer suspects are one fault
 
 using Samples = std::vector<std::vector<double>>;  // [channels]
@@ -89,7 +89,7 @@ std::size_t sample_of_shock(const acquire::Hit& hit, double fs_Hz, const std::ve
 
 enum class Search { suspects, everywhere };
 
-// Samples such that each one of the earlier part of the decay is near one of them.
+// Samples at equal steps over the first part of the decay. A diagnosis at each of them covers all samples between.
 std::vector<std::size_t> everywhere(const DecayRange& range) {
   std::vector<std::size_t> at;
   const std::size_t end = range.first + (range.end - range.first) / kEarlyShare;
@@ -135,7 +135,7 @@ std::vector<ToneSignal> signals_of(const HitResponses& responses, const acquire:
   return signals;
 }
 
-// Of the first hit. Its responses were searched when they were read; corrected samples are searched again.
+// Candidates from the first hit. Its responses were searched when they were read; corrected samples are searched again.
 std::vector<double> candidates_for_tones(const std::vector<HitResponse>& responses, const Samples& corrected) {
   std::vector<double> all;
   for (std::size_t c = 0; c < responses.size(); ++c) {
@@ -145,7 +145,7 @@ std::vector<double> candidates_for_tones(const std::vector<HitResponse>& respons
   return all;
 }
 
-// Searches the first hit for tones, and where it has some, all hits. Their samples then lack the tones.
+// Searches the first hit for tones, and all hits if it has some. Subtracts the tones from the samples of all hits.
 void remove_tones(HitResponses& responses, std::vector<Samples>& corrected, const acquire::Record& record,
                   const std::vector<AnalysedHit>& hits, const TransformOptions& options) {
   const std::vector<std::size_t> used = accepted_hits(hits);
@@ -186,7 +186,7 @@ void examine_response(HitResponse& response, const acquire::Hit& hit, std::span<
 std::vector<std::vector<double>> repaired(std::span<const std::span<const double>> channels,
                                           const std::vector<SampleFault>& faults) {
   std::vector<std::vector<double>> out;
-  std::vector<SampleFault> last_first = faults;  // insertions move what follows them
+  std::vector<SampleFault> last_first = faults;  // insertions move the samples after them
   std::sort(last_first.begin(), last_first.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   for (std::size_t c = 0; c < channels.size(); ++c) {
     std::vector<double> x(channels[c].begin(), channels[c].end());
@@ -214,7 +214,8 @@ void correct_responses(HitResponses& responses, const acquire::Record& record, c
     found[u].hit = used[u];
     corrected[u] = corrected_hit(found[u], responses, record, hits[used[u]].hit, range.samples, Search::suspects);
   });
-  // A recorder that loses samples loses some at every hit: a gap where the motion hardly changes is no suspect.
+  // A recorder that loses samples may lose some at every hit, but a gap does not stand out where the motion hardly
+  // changes.
   if (std::any_of(found.begin(), found.end(), has_gap)) {
     parallel_for(used.size(), options.threads, [&](std::size_t u) {
       if (has_gap(found[u])) return;

@@ -10,8 +10,8 @@ namespace percuss::pipeline {
 /// Measures the noise and the baseline of a response before and after its hit.
 void examine_response(HitResponse& response, const acquire::Hit& hit, std::span<const double> accel_mps2);
 
-/// Searches the responses for faults of the recording: wrong or missing samples, a moving baseline, and tones. Replaces
-/// the samples of the responses concerned, grades and transforms them again. Reads only these again.
+/// Searches the responses for faults of the recording: wrong or missing samples, a moving baseline, and tones. Reads
+/// the responses of the hits concerned again, corrects them, and grades and transforms them again.
 void correct_responses(HitResponses& responses, const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                        const TransformOptions& options);
 

@@ -6,9 +6,9 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kMinExplained = 0.5;  // as for the finding low_coherence with a warning
+constexpr double kMinExplained = 0.5;  // as for the warning hits_disagree
 
-// Energies over the lines of one channel: of the responses, and of what the other files' H1 leaves unexplained.
+// Energies over the lines of one channel: of the responses, and of the part that the other files' H1 does not explain.
 struct Energy {
   double response = 0, unexplained = 0;
 };

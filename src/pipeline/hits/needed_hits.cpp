@@ -11,11 +11,12 @@ namespace {
 
 using acquire::Finding, acquire::FindingCode, acquire::Severity;
 
-// Of the main pulse. A larger contact is another blow, and more may follow; the force of two equal ones has zeros.
+// Second contact over the main pulse. A larger contact is another blow, and more may follow; the spectrum of two equal
+// contacts has zeros.
 constexpr double kMaxUsableRatio = 0.5;
 constexpr std::size_t kEnoughHits = 2;  // that judge each other
 
-// Whether the gate reaches to the second contact, and it is no blow of its own. The gate leaves out spikes, and
+// Whether the gate includes the second contact, and this contact is no blow of its own. The gate leaves out spikes, and
 // contacts before the samples of the hit.
 bool holds_second_contact(const acquire::Hit& hit, const Finding& finding, double fs_Hz) {
   if (finding.code == FindingCode::double_hit && finding.value > kMaxUsableRatio) return false;
@@ -24,7 +25,7 @@ bool holds_second_contact(const acquire::Hit& hit, const Finding& finding, doubl
   return first + delay <= peak || first + static_cast<double>(hit.gated_N.size()) >= peak + delay;
 }
 
-// Whether the hit was rejected for these reasons alone, and its force is whole.
+// Whether the hit was rejected for these reasons alone, and its gate holds the whole force.
 bool usable_in_spite_of(const AnalysedHit& hit, std::span<const FindingCode> reasons, double fs_Hz) {
   if (hit.accepted || hit.by_user || hit.hit.gated_N.empty()) return false;
   return std::all_of(hit.hit.findings.begin(), hit.hit.findings.end(), [&](const Finding& finding) {

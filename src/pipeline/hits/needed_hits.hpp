@@ -7,8 +7,8 @@ namespace percuss::pipeline {
 
 /// Accepts hits with `double_hit` at points that have fewer than two other hits, and then hits with `force_clipped`.
 /// The force channel saw both contacts, so H1 of the whole force is exact. A clipped force leaves frequencies and
-/// damping right. The findings become warnings that say so. Hits that the user judged stay as they are, and so do hits
-/// whose second contact is not in their samples, or is more than half as large as the first.
+/// damping right. The findings become warnings that say so. Hits that the user judged stay unchanged. So do hits whose
+/// second contact is outside their samples, or more than half as large as the first.
 void accept_needed_hits(std::vector<AnalysedHit>& hits, double fs_Hz);
 
 }  // namespace percuss::pipeline

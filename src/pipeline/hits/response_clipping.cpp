@@ -51,7 +51,7 @@ void grade_side(std::vector<AnalysedHit>& hits, const Side& side) {
     low = std::min(low, side.opposite(*hit));
     high = std::max(high, side.opposite(*hit));
   }
-  // The extremes of the opposite side show by how much hits differ: those of an impact machine may be equal.
+  // The extremes of the opposite side show by how much hits differ: the hits of an impact machine may be equal.
   if (at_level.size() < 2 || !(high > low)) return;
   const double chance = combinations(measured.size(), at_level.size()) *
                         std::pow(std::min(1.0, step / (high - low)), static_cast<double>(at_level.size() - 1));

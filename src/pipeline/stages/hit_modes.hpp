@@ -22,7 +22,7 @@ struct HitOfPoint {
   int point = 0;
 };
 
-/// Fits the modes of a test to each hit's FRFs and assigns what is found to the test's modes, by frequency, damping
+/// Fits the modes of a test to each hit's FRFs. Assigns the modes found to the test's modes, by frequency, damping
 /// ratio and the residues at the hit's point. All modes of a hit are assigned together. A mode that the hit does not
 /// show has no entry. `dataset_of` gives the FRFs of one hit.
 std::vector<HitMode> modes_of_hits(const std::vector<identify::Mode>& modes, const std::vector<HitOfPoint>& hits,

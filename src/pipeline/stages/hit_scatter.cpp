@@ -18,8 +18,8 @@ std::map<int, std::size_t> places_of_points(const TestSpectra& spectra) {
   return places;
 }
 
-// The hits that are compared. The force of a double contact has zeros along the frequency, near which the FRF of that
-// hit alone is poor: it is left out where two other hits remain.
+// The hits that are compared. The spectrum of a double contact has zeros, near which the FRF of this hit alone is poor.
+// Such hits are left out where two other hits remain.
 std::vector<std::size_t> compared_hits(const TestSpectra& spectra) {
   const std::vector<std::size_t> used = accepted_hits(spectra.hits);
   std::vector<std::size_t> single;

@@ -7,9 +7,9 @@
 namespace percuss::pipeline {
 
 /// Adds the scatter between the accepted hits to the modes' standard deviations and describes its trends
-/// (identify::add_hit_scatter). Where two modes only imitate one that scatters, the modes are identified again without
-/// the second, unless the options state the modes. `modes` belong to `set`, the average of these hits, and are not
-/// limited to the band.
+/// (identify::add_hit_scatter). Where a mode only imitates the scatter of another mode, the modes are identified again
+/// without it, unless the options state the modes or their number. `modes` belong to `set`, the average of these hits,
+/// and are not limited to the band.
 void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra& spectra,
                               const identify::IdentifyOptions& options, std::vector<identify::Mode>& modes);
 

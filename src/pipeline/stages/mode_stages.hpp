@@ -13,8 +13,8 @@ struct BandModes {
   std::vector<identify::Mode> below, within;  // ascending
 };
 
-/// Sorts `modes`, ascending, by the band, and leaves out those above it. Residues carry the points' numbers, taken from
-/// `points` [points of the data set].
+/// Sorts `modes`, ascending, into modes below and within the band; leaves out modes above it. Residues carry the
+/// points' numbers, taken from `points` [points of the data set].
 BandModes modes_in_band(std::vector<identify::Mode> modes, const std::vector<int>& points,
                         std::pair<double, double> band_Hz);
 

@@ -16,11 +16,11 @@ namespace {
 
 constexpr double kVisiblePhase = 0.05;     // rad at the highest mode
 constexpr double kUnitFactor = 1000;       // between m/s² and mm/s², V and mV
-constexpr double kUnitSpread = 5;          // the factor that places on a structure differ by, either way
+constexpr double kUnitSpread = 5;          // largest factor between residues at two places of a structure
 constexpr double kFastest_mps = 50;        // ten times the speed of a hammer swung by hand
-constexpr double kSameMotion = 0.98;       // of alikeness
+constexpr double kSameMotion = 0.98;       // of ChannelPair::correlation
 constexpr double kOppositeMotion = -0.95;  // likewise
-constexpr double kOneSide_rad = std::numbers::pi / 2 + 0.1;  // sensors farther apart look at one another
+constexpr double kOneSide_rad = std::numbers::pi / 2 + 0.1;  // sensors farther apart may point against each other
 constexpr double kOwnPlace_rad = std::numbers::pi / 6;
 
 std::string name_of(const acquire::Record& record, std::size_t channel) {
@@ -150,7 +150,7 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
   for (const ChannelPair& pair : pairs) {
     if (pair.second >= record.accel.size()) continue;
     const auto angle_rad = angle_between(record, pair);
-    if (pair.alikeness < kOppositeMotion && angle_rad.value_or(0) < kOneSide_rad) {
+    if (pair.correlation < kOppositeMotion && angle_rad.value_or(0) < kOneSide_rad) {
       out.push_back(
           with_remedy({"reversed",
                        fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all "
@@ -158,7 +158,7 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
                                    name_of(record, pair.second), name_of(record, pair.first), pair.modes),
                        {"accel_scale"}},
                       "check which way the sensors point, and state a negative scale for the reversed one"));
-    } else if (pair.alikeness > kSameMotion && angle_rad && *angle_rad > kOwnPlace_rad) {
+    } else if (pair.correlation > kSameMotion && angle_rad && *angle_rad > kOwnPlace_rad) {
       out.push_back(with_remedy(
           {"same_motion",
            fmt::format("{} and {} show the same motion in all {} modes, but their stated angles are {:.0f}° apart: an "
@@ -188,7 +188,7 @@ std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& mo
 
 std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const std::vector<identify::Mode>& modes,
                                            const ChannelFindings& findings, bool correctable) {
-  // A clock that runs away leaves a delay behind, of which it is the cause.
+  // A different clock also causes delays. Only the clock is then reported.
   const bool own_clock = std::any_of(findings.clocks.begin(), findings.clocks.end(),
                                      [](const ChannelClock& clock) { return clock.established(); });
   std::vector<Warning> out;

@@ -13,10 +13,10 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kHeldLines = 6;     // lines per band of the pulse's spectrum
-constexpr double kMinAtNyquist = 0.1;     // of the pulse's largest line: below it nothing is excited there
-constexpr double kMaxFilterFall = 0.7;    // from 0.42 to 0.495 of the sampling rate; a filter falls further
-constexpr double kMinFolded = 0.02;       // of the response: its differences over its samples, just after the hit
+constexpr std::size_t kHeldLines = 6;   // lines per band of the pulse's spectrum
+constexpr double kMinAtNyquist = 0.1;   // of the pulse's level at low frequencies: below it nothing is excited there
+constexpr double kMaxFilterFall = 0.7;  // from 0.42 to 0.495 of the sampling rate; a filter falls further
+constexpr double kMinFolded = 0.02;     // of the largest response: level of the highest frequencies just after the hit
 constexpr std::size_t kMinSameLevel = 4;  // hits that show a level
 constexpr double kMaxLevelSpread = 0.04;  // of the logarithm of the extremes
 constexpr double kMinForceSpread = 0.05;  // of the logarithm of the forces
@@ -110,7 +110,8 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
     }
   }
   if (nyquist.empty() || folded.empty()) return {};
-  // What is folded adds to the pulse's own spectrum or cancels it, by the time of the pulse between two samples.
+  // The folded spectrum adds to the pulse's own spectrum or cancels it. This depends on the time of the pulse between
+  // two samples.
   const double most = *std::max_element(nyquist.begin(), nyquist.end());
   if (most < kMinAtNyquist || *std::max_element(fall.begin(), fall.end()) < kMaxFilterFall) return {};
   if (median(folded) < kMinFolded) return {};
@@ -130,7 +131,8 @@ std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, c
   std::sort(sides.begin(), sides.end(), [](const LevelSide& a, const LevelSide& b) { return a.chance < b.chance; });
   double chance = 1, least = 1;
   std::size_t clipped = 0;
-  for (std::size_t k = 0; k < sides.size() && sides[k].chance < 0.1; ++k) {  // of so many sides, k + 1 by chance
+  for (std::size_t k = 0; k < sides.size() && sides[k].chance < 0.1; ++k) {
+    // The chance that k + 1 of all sides are so equal.
     chance *= sides[k].chance * static_cast<double>(sides.size() - k) / static_cast<double>(k + 1);
     // Amplifiers clip both signs, and often all channels, at one level; levels of a structure differ by tens of
     // percent.

@@ -33,9 +33,10 @@ HitsWithFinding accepted_hits_with(const std::vector<AnalysedHit>& hits, acquire
 }
 
 Warning disagreement(const HitsWithFinding& poor, bool several_files) {
-  Warning warning{"hits_disagree", hit_list(poor.hits) + (poor.hits.size() == 1 ? " explains" : " explain") +
-                                       " less than half of the other hits' response: was another structure, "
-                                       "point or sensor measured? The modes are those of a mixture"};
+  const std::string which = (poor.hits.size() == 1 ? "response of " : "responses of ") + hit_list(poor.hits);
+  Warning warning{"hits_disagree", "the other hits explain less than half of the " + which +
+                                       ": was another structure, point or sensor measured? The modes belong to a "
+                                       "mixture"};
   if (!several_files) return with_remedy(std::move(warning), "analyse the hits of each structure and point apart");
   warning.options = {"files"};
   return with_remedy(std::move(warning), "analyse each file as a test of its own");

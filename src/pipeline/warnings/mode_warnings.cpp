@@ -11,7 +11,7 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kMaterialResidual = 0.01;  // relative: below, the model's own approximations may cause it
-constexpr double kWorthNaming = 10;         // times the residual energy: three times the noise
+constexpr double kWorthNaming = 10;         // residual energy of the joint fit over the local fit's
 constexpr std::size_t kMaxNamedPeaks = 8;   // in one warning
 constexpr double kMaxSplitBandwidths = 5;   // separation of two peaks that asymmetry or damage splits
 

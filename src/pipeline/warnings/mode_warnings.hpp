@@ -27,7 +27,7 @@ std::vector<Warning> unmodelled_peak_warnings(std::vector<identify::UnmodelledPe
 bool is_split_hoop(const std::vector<identify::Mode>& modes,
                    const std::vector<identify::ModeClassification>& classifications, std::size_t m);
 
-/// local_fits: modes that all modes together fit worse than their own surroundings do.
+/// local_fits: modes around which the joint fit leaves more residual than their local fit.
 std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes);
 
 /// unmodelled_poles: stable poles within the band whose resonance no mode describes.

@@ -25,9 +25,9 @@ acquire::Severity severity_of(std::string_view code);
 /// Warnings of one code keep their order.
 std::vector<Warning> ranked(std::vector<Warning> warnings);
 
-/// Warnings and the hits' findings together, ranked: each code of a finding once, with the number of its hits and the
-/// message of its first hit. A finding that rejected its hit limits the results less than one of a hit that is used:
-/// it counts as `info`. Equal messages count once.
+/// Warnings and the hits' findings together, ranked: each code of a finding once, with the numbers of its hits and the
+/// message of its first hit. A finding of hits that are not used counts as `info`, because these hits have no part in
+/// the results. A finding is left out where a warning summarises it. Equal messages count once.
 std::vector<Warning> trust_statements(const std::vector<Warning>& warnings, const std::vector<AnalysedHit>& hits);
 
 }  // namespace percuss::pipeline

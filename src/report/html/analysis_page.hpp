@@ -24,7 +24,7 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
 std::string frf_section(const std::string& summary);
 std::string hits_section(const pipeline::Analysis& analysis);
 
-/// What struck-through values in a table of modes mean; empty where there are none.
+/// Explains the struck-through values in a table of modes; empty where there are none.
 std::string quoted_modes_key(const std::vector<identify::ModeClassification>& classifications);
 
 }  // namespace percuss::report

@@ -3,7 +3,7 @@
 
 namespace percuss::report {
 
-/// The style sheet and the scripts of every page (html/page), and those of uPlot (third_party/uplot).
+/// The style sheet and the scripts of every page (html/page), and of uPlot (third_party/uplot).
 struct PageAssets {
   std::string_view style, program, plot_style, plot_program;
 };

@@ -5,7 +5,8 @@
 
 namespace percuss::report {
 
-// Members of the document percuss/analysis/1, each as JSON text. The results that they need are computed already.
+// Members of the document percuss/analysis/1, each as JSON text. Precondition: the analysis has computed the results
+// that they show.
 
 /// Hit number `i`.
 std::string hit_json(const acquire::Record& record, std::size_t i, const pipeline::AnalysedHit& hit);
@@ -19,7 +20,7 @@ std::string mode_json(const identify::Mode& mode, std::size_t m, const ModeJson&
 std::string fit_json(const pipeline::Analysis& analysis);
 /// Peaks within the band and its margin that no mode models, the largest first.
 std::string unexplained_peaks_json(const pipeline::Analysis& analysis);
-/// The delays that were taken out of the channels, and those that remain.
+/// The corrected delays of the channels, and the delays that remain.
 std::string delays_json(const pipeline::Analysis& analysis);
 std::string frf_json(const pipeline::Analysis& analysis);
 std::string coherence_json(const pipeline::Analysis& analysis);

@@ -105,7 +105,7 @@ double value_at(const metrics::StudyCurve& curve, double hoop_Hz) {
   return curve.value[i - 1] + part * (curve.value[i] - curve.value[i - 1]);
 }
 
-// The model's curve over the range of the bats, scaled by the median of their ratios to it.
+// The model's curve over the range of the bats, scaled by the median ratio of bat to model.
 void add_model(const metrics::StudyCurve& model, std::vector<ChartCurve>& curves) {
   std::vector<double> factors;
   double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -19,7 +19,7 @@ namespace {
 constexpr double kTurn_rad = 0.35 * std::numbers::pi,
                  kTilt_rad = 0.15 * std::numbers::pi;  // the initial view of the page
 constexpr double kShapeAmplitude = 0.15;               // of the frame's radius
-constexpr double kCross = 0.02;                        // … of its arms
+constexpr double kCross = 0.02;                        // half the width of a point's cross, of the frame's radius
 constexpr double kLevelFloor = 1e-300;
 
 std::array<double, 2> seen(const std::array<double, 3>& at) {

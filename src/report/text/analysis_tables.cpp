@@ -14,7 +14,7 @@
 namespace percuss::report {
 namespace {
 
-constexpr std::size_t kMaxHits = 40;  // rows of accepted hits; rejected hits are always shown
+constexpr std::size_t kMaxHits = 40;  // rows, after which only rejected hits are shown
 
 // Findings that do not reject a hit are abbreviated here: the warnings state them in full.
 std::string brief(const acquire::Finding& finding) {
@@ -85,7 +85,7 @@ HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipel
 
 namespace {
 
-// Where the noise is not the largest part of the frequency's or the damping ratio's standard deviation.
+// Names the parts of the frequency's or the damping ratio's standard deviation that exceed the noise; empty for none.
 std::string source_of_std(const identify::Mode& mode) {
   const auto exceeds = [&](double identify::StdParts::*part) {
     return mode.freq_std_parts_Hz.*part > mode.freq_std_parts_Hz.noise ||

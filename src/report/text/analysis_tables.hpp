@@ -10,7 +10,7 @@ namespace percuss::report {
 
 struct HitsTable {
   TextTable shown;
-  std::size_t left_out = 0;  // accepted hits not shown, where there are very many
+  std::size_t left_out = 0;  // accepted hits without a row, because the table is full
 };
 
 /// Each hit with its force and its findings.
@@ -22,7 +22,7 @@ TextTable modes_table(const pipeline::Analysis& analysis, bool classes);
 /// The conditions of the test: "25.6 kHz · 5 hits × 2 accelerometers (0°, 90°) · band 60–3200 Hz"
 std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits);
 
-/// Whether the mode's values stand for it: false for the peak of a split mode that is not quoted.
+/// Whether the values of this mode are quoted: false only for the peak of a split mode that is not quoted.
 bool is_quoted(const identify::ModeClassification& classification);
 
 /// "hoop 1"; "bending" or "unknown" without an order.

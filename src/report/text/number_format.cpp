@@ -8,7 +8,7 @@
 namespace percuss::report {
 
 std::string value_with_std(double value, double deviation) {
-  // A deviation within the rounding of the value is an exact zero that was computed.
+  // A deviation below the rounding error of the value counts as zero.
   constexpr double kRounding = 1e-14;
   if (!(deviation > kRounding * std::abs(value)) || !std::isfinite(deviation)) return fmt::format("{:.6g}", value);
   constexpr double kSmallest = 9.95e-12;  // 12 decimals show two digits of larger deviations

@@ -4,7 +4,8 @@
 namespace percuss::report {
 
 /// "169.00034 ± 0.00042": the standard deviation with two significant digits, the value with as many decimals. For a
-/// standard deviation of 0 or NaN: the value alone, with six significant digits. At most 12 decimals.
+/// standard deviation of 0 or NaN: the value alone, with six significant digits. At most 12 decimals; a smaller
+/// standard deviation has an exponent.
 std::string value_with_std(double value, double std);
 
 /// Frequencies: four significant digits, k for thousands ("3.9 kHz").

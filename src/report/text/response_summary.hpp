@@ -6,7 +6,7 @@
 
 namespace percuss::report {
 
-/// For each acceleration channel: the direction of its first motion and its delay after the force, medians over the
+/// For each acceleration channel: the direction of its first motion and its median delay after the force, over the
 /// accepted hits. Reveals a sensor mounted the wrong way round, swapped channels, and a recorder that samples channels
 /// one after the other. Names channels whose hits show no clear direction. Empty when no response was measured.
 std::string responses_text(const pipeline::Analysis& analysis, std::size_t width);

@@ -63,7 +63,7 @@ TEST(FlatTop, IsFoundInEachHitThatWasClippedBeforeTheFilter) {
   }
 }
 
-// Without a filter, the samples of a half-sine of 5 samples do not tell its shape: the flatness reads up to 0.57.
+// Without a filter, 5 samples do not determine the shape of a half-sine: the measured flatness is up to 0.57.
 TEST(FlatTop, IsNotFoundInAShortPulseWithoutAnAntiAliasFilter) {
   std::vector<std::vector<double>> rows;
   for (const double onset : {500.0, 500.2, 500.4, 500.6, 500.8}) {

@@ -34,7 +34,7 @@ class ContiguousSamples : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-// What the file holds, by its construction.
+// Expects the samples that `file` wrote, with accelerations times `g`.
 void expect_ramps(const Record& record, double g) {
   std::vector<double> force(777), accel(kSamples - 5);
   record.read_force_N(2, 33, force);
@@ -73,7 +73,7 @@ TEST_F(ContiguousSamples, ExcludeChunkedSets) {
   for (std::size_t i = 0; i < accel.size(); ++i) ASSERT_EQ(accel[i], test::ramp_value(300 + i));
 }
 
-// The library's reader writes the message, because it knows the place.
+// The reader through the HDF5 library states the place in the message.
 TEST_F(ContiguousSamples, AreRefusedWithTheirPlaceWhenNotFinite) {
   const std::string path = folder_.file("bad.h5");
   std::vector<double> values(kSamples, 1.0);

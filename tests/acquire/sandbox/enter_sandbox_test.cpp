@@ -25,7 +25,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-// What code that took over a sandboxed reader could try. Each attempt must fail.
+// Attempts of malicious code in a sandboxed reader. Each attempt must fail.
 namespace percuss::acquire::enter_sandbox_test {
 
 using testing::HasSubstr;
@@ -171,7 +171,7 @@ TEST_F(EnterSandbox, ClosesDescriptorsOfTheParent) {
                {"ioctl", [] { return call(SYS_ioctl, 0, 0x5412L, "x"); }}});
 }
 
-// The memory in which another reader hands over its numbers.
+// A reader hands over its numbers in shared memory. Other readers must not inherit this memory.
 TEST_F(EnterSandbox, DoesNotInheritTheNumbersOfOtherReaders) {
   const auto maps = [](const std::string& of) {
     std::size_t count = 0;
@@ -216,8 +216,8 @@ TEST_F(EnterSandbox, ChangesNeitherFilesNorItsLimits) {
                {"memfd_create", [] { return call(SYS_memfd_create, "x", 0); }},
                {"setrlimit", [&] { return call(SYS_prlimit64, 0, RLIMIT_CPU, &unlimited, nullptr); }},
                {"prctl", [] { return call(SYS_prctl, 3 /* PR_GET_DUMPABLE */, 0L, 0L, 0L, 0L); }},
-               {"closing the parent's sign of life", [] { return ::close(1); }},
-               {"closing it by more than 32 bits", [] { return call(SYS_close, 0x100000001L); }},
+               {"closing the parent pipe", [] { return ::close(1); }},
+               {"closing the parent pipe by more than 32 bits", [] { return call(SYS_close, 0x100000001L); }},
                {"wait", [] {
                   const timespec moment{0, 1};
                   return call(SYS_nanosleep, &moment, nullptr);
@@ -225,7 +225,7 @@ TEST_F(EnterSandbox, ChangesNeitherFilesNorItsLimits) {
   EXPECT_FALSE(std::filesystem::exists(folder_.file("new")));
 }
 
-// What the sandbox leaves open; docs/project/security.md says so.
+// The sandbox does not hide names and sizes of files, as docs/project/security.md states.
 TEST_F(EnterSandbox, LeavesNamesAndSizesOfFilesVisible) {
   if (!test::has_seccomp()) return;
   const std::string link = folder_.file("link");
@@ -238,7 +238,7 @@ TEST_F(EnterSandbox, LeavesNamesAndSizesOfFilesVisible) {
 }
 
 #if defined(__x86_64__)
-// The numbers of another interface of the processor (x32) would otherwise pass by the filter.
+// Otherwise, calls by the numbers of the x32 interface would pass the filter.
 TEST_F(EnterSandbox, EndsAProcessThatUsesAnotherInterface) {
   if (!test::has_seccomp()) return;
   EXPECT_THAT(successes({{"x32", [] { return call(SYS_openat | 0x40000000L, AT_FDCWD, "/etc/passwd", O_RDONLY); }}}),

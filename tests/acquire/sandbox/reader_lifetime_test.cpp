@@ -40,14 +40,14 @@ class ReaderLifetime : public testing::Test {
     ::prctl(PR_SET_CHILD_SUBREAPER, 0, 0, 0, 0);
     ::munmap(reader_, 4096);
   }
-  /// Opens a file whose reader states its process number and then waits for ever.
+  /// Opens a file whose reader states its process id and then waits for ever.
   std::function<SandboxService(const std::string&)> waiting() {
     return [reader = reader_](const std::string&) -> SandboxService {
       reader->store(::getpid());
       while (true) reader->wait(reader->load());
     };
   }
-  /// Kills a process that runs `start` once the reader has stated its number, and expects the reader's end.
+  /// Kills a process that runs `start` once the reader has stated its id, and expects the reader's end.
   void expect_end_of_reader_with_process(const std::function<void()>& start) {
     const pid_t process = ::fork();
     if (process == 0) {

@@ -189,7 +189,7 @@ TEST_F(Sandbox, LimitsTheProcessorTimeOfEachAnswer) {
   EXPECT_THAT(input_error_of([&] { served.read(0, 0, 1, out); }), HasSubstr("s of processor time"));
 }
 
-// Another thread uses the library while this one forks.
+// Another thread uses the HDF5 library while this thread forks.
 TEST_F(Sandbox, ForksWithLibrariesIdle) {
   std::atomic<bool> stop = false;
   std::thread other([&] {

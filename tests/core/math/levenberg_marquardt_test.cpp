@@ -172,7 +172,8 @@ void expect_certified(const Certified& set) {
   }
 }
 
-// The certified values of two of NIST's reference data sets, from both starts. source  [21] in docs/theory/sources.md.
+// The certified values of two of NIST's reference data sets, from both starts: source [21] in
+// docs/theory/sources.md.
 TEST(LevenbergMarquardt, FindsTheCertifiedValuesOfMisra1a) {
   expect_certified({.residual = misra_residual,
                     .jacobian = misra_jacobian,

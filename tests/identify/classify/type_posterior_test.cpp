@@ -64,7 +64,8 @@ TEST(TypePosterior, FindsTheTwoPlanesOfAModeByTheirRightAngle) {
 }
 
 TEST(TypePosterior, UsesTheAmplitudeOfAHoopModeNearItsNodes) {
-  // Misplaced sensors near nodes may give any ratio, but with a tenth of the other member's amplitude.
+  // A mode of a pair may have any ratio if misplaced sensors lie near its nodes. Its amplitude is then about a tenth of
+  // the amplitude of the other mode.
   const auto as_large = posteriors(paired(mode_at(1895, 0, 1), mode_at(1912, -45, 1)));
   const auto smaller = posteriors(paired(mode_at(1895, 0, 0.07), mode_at(1912, -45, 1)));
   EXPECT_GT(as_large[0][0], as_large[0][1]);

@@ -55,7 +55,7 @@ TEST(JointProjection, RightHandSideIsMinusHalfTheSlopeOfTheCost) {
   }
 }
 
-// With hundreds of modes, each of the two takes seconds.
+// With hundreds of modes, normal_equations and evaluate take seconds each.
 TEST(JointProjection, ChecksTheBudget) {
   const FrfDataset set = three_modes();
   const JointProjection projection(set, kTruth);

@@ -38,7 +38,7 @@ LocalFit fit(const FrfDataset& set, std::vector<Pole> start, const VectorXd& wei
 }
 
 TEST(FitLocally, IsExactOnLinesWithoutNoise) {
-  constexpr double kTolerance = 1e-10;  // rounding: a condition of some hundred times 1e-13
+  constexpr double kTolerance = 1e-10;  // rounding of 1e-13 times a condition number of some hundred
   const LocalFit found = fit(one_mode(), {{300.9, 0.014}});
   EXPECT_TRUE(found.converged);
   EXPECT_LE(std::abs(found.poles[0].freq_Hz / 300.37 - 1), kTolerance);
@@ -115,7 +115,7 @@ TEST(FitLocally, StatesTheStandardDeviationsOf200Repetitions) {
     EXPECT_LE(std::abs(scatter(i) * kRuns / stated(i) - 1), kTolerance) << i;
     EXPECT_LE(std::abs(sum(i) / stated(i)), kBias) << i;
   }
-  // A residue's standard deviation is the root mean square of its real and its imaginary part's.
+  // The standard deviation of a residue is the RMS of the standard deviations of its real and imaginary parts.
   EXPECT_LE(std::abs(std::hypot(scatter(2), scatter(3)) / std::sqrt(2) * kRuns / stated(2) - 1), kTolerance);
 }
 

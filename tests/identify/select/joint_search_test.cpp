@@ -7,7 +7,7 @@
 
 namespace percuss::identify::joint_search_test {
 
-constexpr double kDeviations = 4.5;
+constexpr double kDeviations = 4.5;  // standard deviations; a normal error exceeds them once in 150 000
 
 void expect_found(const std::vector<Mode>& found, const std::vector<Pole>& truth) {
   ASSERT_EQ(found.size(), truth.size());

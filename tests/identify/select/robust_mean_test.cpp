@@ -12,10 +12,10 @@ TEST(RobustMean, IsThePlainMeanOfValuesOfOneSize) {
   EXPECT_NEAR(mean.spread, 0.079, 0.001);
 }
 
-TEST(RobustMean, GivesLittleWeightToANodeAndToARunaway) {
+TEST(RobustMean, GivesLittleWeightToANodeAndToAnOutlier) {
   std::vector<double> values = kFrequencies, size(7, 1);
   values.push_back(100.3);  // near a node
-  values.push_back(104);    // a runaway
+  values.push_back(104);    // an outlier
   size[5] = 0.03;
   const RobustMean mean = robust_mean(values, std::vector<double>(7, 0.001), size);
   EXPECT_NEAR(mean.value, 100, 0.05);

@@ -61,9 +61,9 @@ TEST(LscfPoles, SeparateModesThatAreHalfABandwidthApart) {
 }
 
 TEST(LscfPoles, AreExactOnTruncatedAndOnWindowedRecords) {
-  // The truncation term has the same poles; the window's decay is subtracted.
-  // Bandwidths: the truncation term is divided by the force's spectrum, which is no polynomial.
-  constexpr double kForce = 1e-4;
+  // The truncation term has the same poles, but it is divided by the force's spectrum, which is no polynomial. The
+  // window's decay is subtracted.
+  constexpr double kForce = 1e-4;  // bandwidths
   const Pole mode{200.3, 0.002};
   const auto made =
       synth::synthesise(test::bat_spec({{.freq_Hz = 200.3, .damping_ratio = 0.002, .residue_per_kg = {0.9, 0.5}},

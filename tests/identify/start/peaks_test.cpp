@@ -83,8 +83,7 @@ TEST(FindPeaks, IsInvariantUnderReversalShiftAndScale) {
 }
 
 TEST(FindPeaks, IsLinearOnAStaircase) {
-  // A million steps up and down with a notch at each: a search from every maximum needs 10^11 steps
-  // (minutes).
+  // A million steps up and down with a notch at each: a search from every maximum needs 10^11 steps (minutes).
   constexpr std::size_t kCount = 1'000'000;
   constexpr double kSeconds = 5;  // a hundred times the duration of a linear method
   std::vector<double> x(kCount);

@@ -10,7 +10,7 @@
 namespace percuss::identify::stable_poles_test {
 
 // Thirty modes with an overlap (bandwidth over spacing) of one half, and one with a damping ratio of 15 %.
-std::vector<Pole> crowd() {
+std::vector<Pole> overlapping_modes() {
   std::vector<Pole> modes{{.freq_Hz = 150, .damping_ratio = 0.15}};
   for (int i = 0; i < 30; ++i) {
     const double freq_Hz = 500 + 30.0 * i + 4.0 * (i % 3);
@@ -19,9 +19,9 @@ std::vector<Pole> crowd() {
   return modes;
 }
 
-TEST(StablePoles, HoldTheModesOfACrowdAndABroadOne) {
+TEST(StablePoles, HoldThirtyOverlappingModesAndABroadOne) {
   FrfDataset set = test::empty_set(8192, 8192, 60, 1500, 2);
-  const std::vector<Pole> modes = crowd();
+  const std::vector<Pole> modes = overlapping_modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
     test::add_mode(set, 0, modes[m], 0.8);
     test::add_mode(set, 1, modes[m], m % 2 == 0 ? 0.5 : -0.3);

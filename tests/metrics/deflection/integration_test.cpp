@@ -39,8 +39,8 @@ double furthest(const std::vector<double>& a, const std::vector<double>& b) {
   return most;
 }
 
-// Rounding of 1e-16, raised by e^15, the inverse of the integration's exponential window; of an acceleration of 5e4
-// divided by ω².
+// Rounding of 1e-16, amplified by e^15, the inverse of the integration's exponential window. It applies to an
+// acceleration of 5e4 divided by ω².
 constexpr double kRounding = 1e-8;
 
 TEST(IntegrateTwice, IsExactForABandLimitedMotion) {

@@ -107,7 +107,7 @@ TEST(Association, HasIntervalsOfTheStatedCoverage) {
 }
 
 TEST(Association, HasTheStatedFalsePositiveRate) {
-  constexpr double kAllowed = 0.02;  // four deviations of 0.05 in 2000 runs
+  constexpr double kAllowed = 0.02;  // four standard deviations of 0.05 in 2000 runs
   EXPECT_NEAR(coverage_of(0, 12, 1, 2000).false_positives, 0.05, kAllowed);
   EXPECT_NEAR(coverage_of(0, 8, 4, 2000).false_positives, 0.05, kAllowed);
 }
@@ -140,7 +140,7 @@ TEST(TrendLine, HasAnIntervalOfTheStatedCoverage) {
     const auto line = trend_line_of(normal_pairs(static_cast<std::uint64_t>(run) + 90000, 20, 0.6));
     covered += line->slope_low <= 0.6 && 0.6 <= line->slope_high ? 1 : 0;
   }
-  constexpr double kAllowed = 0.03;  // four deviations of 0.95 in 1000 runs
+  constexpr double kAllowed = 0.03;  // four standard deviations of 0.95 in 1000 runs
   EXPECT_NEAR(covered / static_cast<double>(runs), 0.95, kAllowed);
 }
 

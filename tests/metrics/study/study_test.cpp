@@ -59,7 +59,8 @@ TEST(Study, HasIntervalsThatCoverTheCorrelation) {
     const auto& a = statement_of(study, StudyFamily::nonwood, StudyQuantity::bbcor, StudyQuantity::hoop1).association;
     covered += a->pearson.low <= true_r && true_r <= a->pearson.high ? 1 : 0;
   }
-  // 95 % of 200: 190 ± 3.1; four deviations below. A uniform x makes the interval a little too wide, if anything.
+  // 95 % of 200: 190 ± 3.1. The limit is four standard deviations below. A uniform x makes the interval a little too
+  // wide, if anything.
   EXPECT_GE(covered, 178);
 }
 

@@ -86,7 +86,7 @@ TEST(BeamFit, StatesTheStandardDeviationsOfItsScatter) {
     known = *fit.parameters[1].std;
     pull += std::pow((fit.parameters[1].value - kTruth.torsion_Nmprad) / known, 2) / kRuns;
   }
-  constexpr double kSpread = 0.25;  // 3.5 deviations of a mean of 400 squares
+  constexpr double kSpread = 0.25;  // 3.5 standard deviations of a mean of 400 squares
   EXPECT_NEAR(pull, 1, kSpread);
   EXPECT_NEAR(std::sqrt(from_residuals) / (known / kTruth.torsion_Nmprad), 1, kSpread);
 }
@@ -120,7 +120,7 @@ TEST(StaticTorsion, StatesTheStandardDeviationOfItsScatter) {
     spread += std::pow(fit.torsion_Nmprad - 1200, 2) / kRuns;
     stated += *fit.std_Nmprad * *fit.std_Nmprad / kRuns;
   }
-  EXPECT_NEAR(stated / spread, 1, 0.15);  // 3.5 deviations of two such means
+  EXPECT_NEAR(stated / spread, 1, 0.15);  // 3.5 standard deviations of two such means
 }
 
 TEST(StaticTorsion, RefusesDeflectionsBelowTheBending) {

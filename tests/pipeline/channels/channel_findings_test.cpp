@@ -1,4 +1,4 @@
-// Records whose channels are wrong in one way, by exact means.
+// Records with one fault of the channels of exactly known size.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ synth::SynthSpec oblique_bat() {
   return spec;
 }
 
-// The record with out = change(channel, first, samples of the channel) in place of its accelerations.
+// The record whose acceleration n is change(channel, n, the channel's samples in the row).
 template <class Change>
 acquire::Record changed(const acquire::Record& record, Change change) {
   acquire::Record out = record;

@@ -63,7 +63,7 @@ TEST(TrustStatements, StateEqualMessagesOnce) {
               ElementsAre("input", "input"));
 }
 
-// double_hits_used summarises the findings of the hits that are used, not those of rejected hits.
+// double_hits_used summarises the findings of used hits, but not the findings of rejected hits.
 TEST(TrustStatements, StateDoubleHitsOnce) {
   const Warning used{"double_hits_used", "hits 0"};
   std::vector<AnalysedHit> hits{hit_with(FindingCode::double_hit, Severity::warn, true)};

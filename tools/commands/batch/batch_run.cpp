@@ -234,7 +234,8 @@ void add_batch_run(CommandLine& line) {
   command.value("--threads", flags->threads, "Use this many threads (default: all; the result is the same)")
       .within(0, 1024);
   add_budget_option(command, flags->budget);
-  command.flag("--trust-input", flags->trust_input, "Read MAT and HDF5 files in this process, without a sandbox");
+  command.flag("--trust-input", flags->trust_input,
+               "Read MAT, HDF5 and sound files in this process, without a sandbox");
   command.flag("--json", flags->json, "Print one JSON document on standard output");
   command.flag("--force", flags->force,
                "Discard existing results, even of another plan, and analyse all records again");

@@ -145,8 +145,7 @@ void add_model_impact(CommandLine& line) {
   command
       .value("--method", flags->method,
              "Choose the integration. modal: exact between force steps; small-increment: first order, constant force "
-             "in each "
-             "step")
+             "in each step")
       .one_of({"modal", "small-increment"})
       .show_default();
   command

@@ -13,7 +13,8 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-// A call that gets an invalid identifier from a failed call fails itself, so that only the last of them is checked.
+// A library call that gets an invalid identifier from a failed call fails too. So only the last call of a chain is
+// checked.
 constexpr std::size_t kDefaultCacheBytes = std::size_t{1} << 20, kMaxCache_bytes = std::size_t{64} << 20;
 constexpr std::uint64_t kMaxCountedChunks = 200'000;  // more are not counted: counting walks an index
 constexpr int kMaxDimensions = 3;

@@ -10,7 +10,7 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-constexpr std::size_t kWorkingBytes = std::size_t{4} << 20U;  // that one call of the library allocates, generously
+constexpr std::size_t kWorkingBytes = std::size_t{4} << 20U;  // upper estimate for one call of the library
 
 // HDF5 crashes when memory runs out while it writes.
 struct WriteLock {

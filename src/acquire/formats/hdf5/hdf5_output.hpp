@@ -23,7 +23,7 @@ class OutputHdf5 {
   OutputHdf5(const OutputHdf5&) = delete;
   OutputHdf5& operator=(const OutputHdf5&) = delete;
 
-  /// Creates a group, "bat-1/run-0", and its parents. Names of sets and attributes may begin with it.
+  /// Creates a group, such as "bat-1/run-0", and its parents. Names of sets in it begin with its name.
   void create_group(const std::string& name);
   void create_set(const std::string& name, std::span<const std::size_t> shape, Stored type = Stored::float64);
   /// Elements first … first + values.size() − 1 along the last dimension, at index `at` of the others.

@@ -33,7 +33,7 @@ class MatOutput {
 
   std::string path_;
   AtomicFile file_;
-  std::size_t part_ = 0, left_ = 0;  // numbers in a part (real or imaginary), and still missing in it
+  std::size_t part_ = 0, left_ = 0;  // numbers of a part (real or imaginary); numbers missing in the current part
   bool imaginary_to_come_ = false;
 };
 

@@ -28,7 +28,7 @@ constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 48U;
 // Bytes of a number, by the type of an element; 0 for types that hold no numbers.
 constexpr std::array<std::uint64_t, 14> kNumberBytes{0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8};
 
-const char* const kTooLong = "a variable holds more than its length";
+const char* const kTooLong = "the content of a variable exceeds its stated length";
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& path) {
   throw InputError(problem, path, "is it damaged? Save it again");
@@ -70,7 +70,7 @@ class Bytes {
   Bytes(const Bytes&) = delete;
   Bytes& operator=(const Bytes&) = delete;
 
-  // Of the bytes as read, decompressed.
+  // The number of bytes taken and skipped so far, after decompression.
   std::uint64_t position() const { return position_; }
 
   void take(void* out, std::size_t bytes) {
@@ -118,7 +118,7 @@ class Bytes {
   std::array<Bytef, kBlock_bytes> block_{};
 };
 
-// An element's type and length; elements of up to four bytes follow their tag within its eight bytes.
+// An element's type and length. The eight bytes of a tag also hold the content of a small element, of up to four bytes.
 struct Tag {
   std::uint32_t type = 0, bytes = 0, small_content = 0;
   bool small = false;
@@ -128,7 +128,7 @@ class Variable {
  public:
   Variable(Bytes& bytes, bool swapped, const std::string& path) : bytes_(bytes), swapped_(swapped), path_(path) {}
 
-  // An array of this many bytes. Leaves whatever has an unexpected form to the library.
+  // Checks an array of `length` bytes. Leaves arrays of an unexpected form to the library.
   void check(std::uint64_t length, std::size_t depth) {
     const std::uint64_t end = bytes_.position() + length;
     if (depth < kMaxDepth) check_content(end, depth);

@@ -180,7 +180,8 @@ void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::siz
   table.continuous = mat_number(open.file, {"continuous"}).value_or(layout.rows == 1 ? 1 : 0) != 0;
 }
 
-// The channels requested by number or as "accel 2".
+// The accelerations to read: the channels that the options name or number ("accel 2", "2"). If the options name
+// nothing, or only variables: all channels that the set-up does not ignore.
 SignalRoles chosen_roles(const SignalTable& table, const MatFile& file, const ReadOptions& options) {
   SignalRoles roles;
   const bool variables_only = std::all_of(options.accel_channels.begin(), options.accel_channels.end(),

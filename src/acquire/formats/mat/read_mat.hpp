@@ -4,10 +4,11 @@
 
 namespace percuss::acquire {
 
-/// The time record in a MAT file (docs/reference/formats.md, "MAT"). The force and the accelerations are variables,
-/// by name, by options or by the set-up: vectors [samples], matrices [hits, samples] or the other way round (the longer
-/// dimension is time), accelerations also [hits, channels, samples] or [samples, channels, hits].
-/// errors  AmbiguousColumns: the roles are unclear, so that an option must name variables of its list. InputError:
+/// The time record in a MAT file (docs/reference/formats.md, "MAT"). Options, set-up or names determine which variables
+/// are the force and the accelerations. A variable is a vector [samples], or a matrix [hits, samples] or [samples,
+/// hits] whose longer dimension is time. Accelerations may also be [hits, channels, samples] or [samples, channels,
+/// hits].
+/// errors  AmbiguousColumns: the roles are unclear; an option must name variables of the error's list. InputError:
 /// sizes contradict each other, no rate.
 Record open_mat(MatFile file, const ReadOptions& options = {});
 

@@ -91,7 +91,7 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& 
   return rate;
 }
 
-// Hammer tests are sampled faster. A slower rate from a time without a unit is that of milliseconds taken as seconds.
+// Hammer tests are sampled faster. A time without a unit that gives a slower rate is probably in milliseconds.
 void require_plausible_unit(const CsvColumn& time, const CsvHeader& header, double fs_Hz, const std::string& file) {
   constexpr double kMinRate_Hz = 200, kMilli = 1000;
   if (parse_unit(time.unit) || header.fs_Hz || fs_Hz >= kMinRate_Hz) return;

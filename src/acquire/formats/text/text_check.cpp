@@ -25,8 +25,8 @@ constexpr std::array kNotReadable = {
 
 constexpr std::size_t kLineLimit_bytes = std::size_t{1} << 20U;
 
-// Checks the lines from `first` on and returns the start of the last 1 MiB. Finds the last end of a line in each
-// window, so that short lines are hardly looked at.
+// Checks the lines from `first` on, until at most 1 MiB remains. Returns where it stopped, at the start of a line.
+// Finds only the last line end in each window of 1 MiB, so that it reads few bytes of short lines.
 std::size_t require_short_lines_from(std::size_t first, std::string_view text, std::string_view line_ends,
                                      const std::string& name) {
   while (text.size() - first > kLineLimit_bytes) {

@@ -23,7 +23,7 @@ class LineLengthCheck {
 
  private:
   std::string name_;
-  std::size_t checked_ = 0;  // of the text; a line end precedes
+  std::size_t checked_ = 0;  // bytes of the text without long lines; 0, or after a line end
 };
 
 }  // namespace percuss::acquire

@@ -49,11 +49,12 @@ struct UffAnnotation {
 };
 UffAnnotation uff_annotation(const UffFunction& function);
 
-/// The step of an even abscissa, before it was rounded to 13 columns. If the fifth line states a step of percuss that
-/// agrees with the text, it is this step. Otherwise it is the step with the roundest inverse (the sampling rate, or the
-/// duration for a spacing of frequencies) of all steps that round to the same text. For a spacing of frequencies, the
-/// roundest step is preferred if it has no more digits than that inverse. Sets `note` when the step found in this way
-/// differs from the text.
+/// The step of an even abscissa, before it was rounded to 13 columns. If percuss stated the step in the fifth line and
+/// it agrees with the text, the result is this step. Otherwise the result is one of the steps that round to the same
+/// text:
+///   for time, the step with the roundest inverse (the sampling rate);
+///   for frequency, the roundest step, or the step with the roundest inverse (the duration) if that has fewer digits.
+/// Sets `note` when a step found by roundness differs from the text.
 double uff_step(const UffFunction& function, bool frequency, std::string& note);
 
 }  // namespace percuss::acquire

@@ -48,12 +48,12 @@ class LazyLoader {
       load_to(end_ + kStep_bytes);
     }
   }
-  // Leaves the bytes before `first` as they are: those not loaded yet are never loaded.
+  // Skips the bytes before `first`, which are then never loaded.
   void skip_to(std::size_t first) { end_ = std::max(end_, first); }
 
  private:
   const FileBytes& file_;
-  std::size_t end_;  // the bytes after it are not loaded yet
+  std::size_t end_;  // the bytes from here on are not loaded yet
 };
 
 class Splitter {

@@ -56,11 +56,11 @@ double uff_step(const UffFunction& function, bool frequency, std::string& note) 
   const bool take_itself = frequency && significant_digits(itself) <= significant_digits(inverse);
   const double step = take_itself ? itself : 1 / inverse;
   if (std::abs(step / dx - 1) > kUnchanged) {
-    note = frequency ? fmt::format(
-                           "spacing {:.10g} Hz: the roundest spacing (or with the roundest duration) that rounds to {}",
-                           step, trimmed(function.dx_text))
-                     : fmt::format("sampling rate {:.10g} Hz: the roundest rate whose time step rounds to {} s",
-                                   inverse, trimmed(function.dx_text));
+    note = frequency
+               ? fmt::format("spacing {:.10g} Hz: the roundest spacing, or the roundest duration, that agrees with {}",
+                             step, trimmed(function.dx_text))
+               : fmt::format("sampling rate {:.10g} Hz: the roundest rate whose time step rounds to {} s", inverse,
+                             trimmed(function.dx_text));
   }
   return step;
 }

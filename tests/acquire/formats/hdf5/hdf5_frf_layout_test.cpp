@@ -12,7 +12,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-// Shapes, types and companions of FRFs in HDF5.
+// Shapes and types of FRFs in HDF5, and the data sets beside them.
 namespace percuss::acquire::hdf5_frf_layout_test {
 
 using hdf5::Handle;
@@ -74,7 +74,7 @@ class Hdf5FrfLayout : public testing::Test {
   std::string refusal(const std::vector<hsize_t>& shape, const Complexes& of = {}) const {
     return input_error_of([&] { read(shape, of); });
   }
-  // Of two points, two channels, two lines.
+  // For FRFs of two points, two channels and two lines.
   template <class Add>
   std::string refusal_with(Add&& add) const {
     return input_error_of([&] { read({2, 2, 2}, add); });
@@ -188,7 +188,8 @@ TEST_F(Hdf5FrfLayout, ChecksDecayAndAverages) {
   }
 }
 
-// Replaces the numbers of two points, two channels and two lines: zeros but for the part at `place`.
+// Replaces the FRFs of two points, two channels and two lines by zeros, with one NaN. Real part k is at place 2 k, and
+// imaginary part k at 2 k + 1.
 void put_nan(hid_t file, std::size_t place) {
   const Handle set(H5Dopen2(file, "frf", H5P_DEFAULT));
   const Handle memory = compound(Complexes{}, H5T_NATIVE_DOUBLE);

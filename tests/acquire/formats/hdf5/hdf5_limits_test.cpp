@@ -14,7 +14,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-// Shapes, types, attributes and storage of records in HDF5 that an ordinary file does not have.
+// Records in HDF5 with unusual shapes, types, attributes and storage.
 namespace percuss::acquire::hdf5_limits_test {
 
 using hdf5::Handle;
@@ -29,7 +29,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInfinity = st
 
 class Hdf5Limits : public testing::Test {
  protected:
-  // A record of one hit of three samples, and what `add` adds to it.
+  // A record of one hit of three samples; `add` adds further objects.
   template <class Add>
   void write(Add&& add) const {
     Hdf5Builder file(path_);
@@ -52,7 +52,7 @@ class Hdf5Limits : public testing::Test {
   std::string path_ = folder_.file("r.h5");
 };
 
-// A data set of doubles in chunks with the default filter, of which the caller writes the stored bytes.
+// A chunked data set of doubles with the gzip filter. The caller writes the stored bytes of its chunks.
 Handle chunked(hid_t file, const char* name, const std::vector<hsize_t>& shape, const std::vector<hsize_t>& chunk) {
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
   H5Pset_chunk(creation.get(), static_cast<int>(chunk.size()), chunk.data());

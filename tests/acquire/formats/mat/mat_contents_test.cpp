@@ -96,7 +96,7 @@ TEST_F(MatContents, AreReadInEveryForm) {
   EXPECT_THAT(read(array(small)).variables.at(0).real, ElementsAre(5, 6)) << "content within the tag";
 }
 
-// The library fills the missing numbers with uninitialised memory.
+// libmatio would fill the missing numbers with uninitialised memory.
 TEST_F(MatContents, MustBeAsManyNumbersAsTheirDimensionsState) {
   const std::string refused =
       "an array stores fewer numbers than it states (" + path_ + "); is it damaged? Save it again";
@@ -117,10 +117,10 @@ TEST_F(MatContents, StayWithinTheirLengths) {
   const std::string plain = head(kDouble, {1, 2}, "x") + doubles({1.5, 2.5});
   std::string longer = plain;
   longer[longer.size() - 20] = 100;  // the length of the numbers
-  EXPECT_THAT(refusal(array(longer)), HasSubstr("a variable holds more than its length"));
+  EXPECT_THAT(refusal(array(longer)), HasSubstr("the content of a variable exceeds its stated length"));
   const std::string inner = array(plain);
   EXPECT_THAT(refusal(array(head(kCell, {1, 1}, "c") + inner.substr(0, inner.size() - 8))),
-              HasSubstr("a variable holds more than its length"));
+              HasSubstr("the content of a variable exceeds its stated length"));
   const std::string packed = compressed(plain);
   EXPECT_THAT(refusal(compressed(plain, 1000)), HasSubstr("a compressed variable is damaged"));
   std::string broken = packed;
@@ -133,7 +133,7 @@ TEST_F(MatContents, StayWithinTheirLengths) {
   EXPECT_THAT(refusal(compressed(plain, 0x10000000U)), HasSubstr("the file claims more numbers than it can hold"));
 }
 
-// The library refuses or skips them.
+// libmatio refuses or skips these variables.
 TEST_F(MatContents, OfUnexpectedFormAreLeftToTheLibrary) {
   const std::string flags = element(6, words({kDouble, 0})), shape = element(5, words({1, 9})), name = element(1, "x");
   const std::string fields = words({0x00040005U, 8}), short_one = array(flags + shape + name + doubles({1}));

@@ -13,7 +13,7 @@
 #include "support/messages.hpp"
 #include "support/scratch_folder.hpp"
 
-// What options choose among the variables of a MAT file, and headers in either byte order.
+// The choice of variables of a MAT file by options, and headers in either byte order.
 namespace percuss::acquire::mat_options_test {
 
 using test::accel_mps2;
@@ -172,7 +172,7 @@ class MatCompleteness : public testing::Test {
   std::string path_ = folder_.file("x.mat");
 };
 
-// The column of three numbers 1, 2, 3 called x, in the order of the other byte order.
+// A big-endian file of level 5 with the column x = (1, 2, 3).
 std::string big_endian_level5() {
   std::string out = "MATLAB 5.0 MAT-file";
   out.resize(124, ' ');

@@ -12,7 +12,7 @@
 #include "support/messages.hpp"
 #include "support/scratch_folder.hpp"
 
-// Chunks, numbers and options beyond those of an ordinary sound file.
+// Sound files with unusual chunks, numbers and options.
 namespace percuss::acquire::sound_limits_test {
 
 using test::accel_mps2;

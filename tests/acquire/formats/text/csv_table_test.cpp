@@ -71,7 +71,7 @@ TEST(CsvTable, RefusesAGapOnlyInARangeThatIsRead) {
   EXPECT_THAT(column_of(*table, 2), ElementsAre(2, 3, 4));
   EXPECT_EQ(input_error_of([&] { column_of(*table, 1); }),
             "an empty cell (x.csv: line 4, column 2 (f)); fill the gap or cut the file before it");
-  // The block is not remembered as read.
+  // The failed block is not cached as read.
   EXPECT_THAT(input_error_of([&] { column_of(*table, 1); }), HasSubstr("line 4"));
 }
 

@@ -12,7 +12,7 @@
 #include "support/input_error.hpp"
 #include "support/uff_text.hpp"
 
-// What options and axes choose among functions of data set 58, and abscissas that cannot be used.
+// The choice of functions of data set 58 by options and axes, and unusable abscissas.
 namespace percuss::acquire::uff_choices_test {
 
 using test::accel_mps2;

@@ -109,7 +109,7 @@ TEST(UffFunction, ReadsBinaryInBothByteOrders) {
   }
 }
 
-// The abscissa of uneven binary data is single whatever the ordinate is.
+// Uneven binary data have an abscissa in single precision, also beside ordinates in double precision.
 TEST(UffFunction, ReadsUnevenBinary) {
   std::string real, complex;
   for (const double x : {1.0, 2.0}) {
@@ -162,7 +162,7 @@ TEST(UffFunction, RemovesTheStepsRounding) {
     const char* dx;
     double fs_Hz;
   };
-  // 25600 Hz as C and as Fortran write its step; 48 kHz; 44.1 kHz; 1000 Hz.
+  // The steps of 25600 Hz as C and as Fortran write them, and of 48 kHz, 44.1 kHz and 1000 Hz.
   for (const auto& [dx, fs_Hz] :
        {Case{"  3.90625E-05", 25600}, Case{"  0.39063E-04", 25600}, Case{"  2.08333E-05", 48000},
         Case{"  0.22676E-04", 44100}, Case{"  1.00000E-03", 1000}}) {
