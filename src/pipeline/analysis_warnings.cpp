@@ -1,7 +1,6 @@
 #include <iterator>
 
 #include "pipeline/analysis.hpp"
-#include "pipeline/warnings/record_findings.hpp"
 #include "pipeline/warnings/channel_mode_warnings.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/hit_scatter_warnings.hpp"
@@ -9,6 +8,7 @@
 #include "pipeline/warnings/mode_warnings.hpp"
 #include "pipeline/warnings/object_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
+#include "pipeline/warnings/record_findings.hpp"
 #include "pipeline/warnings/truncation_warnings.hpp"
 #include "pipeline/warnings/used_hit_warnings.hpp"
 

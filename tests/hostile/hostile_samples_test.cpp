@@ -66,9 +66,7 @@ TEST_F(HostileSamples, AreAcceptedWithoutADefect) {
   write_hdf5({2048});
   write_csv(header_);
   for (const auto& path : {hdf5_, csv_}) {
-    for (const auto& command : {std::vector<std::string>{"analyze", path},
-                                {"frf", path},
-                                {"info", path}}) {
+    for (const auto& command : {std::vector<std::string>{"analyze", path}, {"frf", path}, {"info", path}}) {
       const auto outcome = test::run_percuss(command);
       EXPECT_EQ(outcome.code, 0) << testing::PrintToString(command) << outcome.err;
     }
