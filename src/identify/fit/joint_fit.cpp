@@ -49,12 +49,13 @@ class JointProblem : public LeastSquaresProblem {
   NormalEquations normal_;
 };
 
-bool descend(const JointProjection& projection, JointState& state, const JointFitOptions& options) {
+LevenbergMarquardtSummary descend(const JointProjection& projection, JointState& state,
+                                  const JointFitOptions& options) {
   JointProblem problem(projection, state);
   LevenbergMarquardtOptions search = kJointSearch;
   search.max_steps = options.max_steps;
   search.step_tolerance = options.tolerance;
-  return levenberg_marquardt(problem, search).converged();
+  return levenberg_marquardt(problem, search);
 }
 
 class JointFitter {
@@ -67,15 +68,15 @@ class JointFitter {
 
   JointFit run() {
     // Complex residues fit any phase: their residual gives the noise.
-    const bool settled = descend(projection_, state_, options_);
+    const bool settled = improve_poles();
     const auto residual = projection_.unweighted_residual(state_);
     if (!settled || (options_.worth_continuing && !options_.worth_continuing(residual)))
-      return {.poles = state_.model.poles};
+      return {.poles = state_.model.poles, .trials = trials_};
     projection_.weight_by_residual(state_, residual);
     state_ = projection_.evaluate(state_.model);
     choose_real();
-    bool converged = descend(projection_, state_, options_);
-    for (int round = 0; round < kMaxRounds && release(); ++round) converged = descend(projection_, state_, options_);
+    bool converged = improve_poles();
+    for (int round = 0; round < kMaxRounds && release(); ++round) converged = improve_poles();
     return result(converged, covariance_of(state_));
   }
 
@@ -86,6 +87,13 @@ class JointFitter {
   }
 
  private:
+  // True where the poles converged.
+  bool improve_poles() {
+    const LevenbergMarquardtSummary summary = descend(projection_, state_, options_);
+    trials_ += summary.trials;
+    return summary.converged();
+  }
+
   // Makes residues real where this gives the smaller standard deviation of the frequency.
   void choose_real() {
     const std::size_t modes = state_.model.poles.size();
@@ -135,7 +143,8 @@ class JointFitter {
                  .freq_std_Hz = VectorXd::Zero(modes),
                  .damping_std = VectorXd::Zero(modes),
                  .residual = projection_.unweighted_residual(state_),
-                 .converged = converged};
+                 .converged = converged,
+                 .trials = trials_};
     for (Index m = 0; m < modes; ++m) {
       fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, total(2 * m, 2 * m)));
       fit.damping_std(m) = std::sqrt(std::max(0.0, total(2 * m + 1, 2 * m + 1)));
@@ -178,6 +187,7 @@ class JointFitter {
   const JointFitOptions& options_;
   JointProjection projection_;
   JointState state_;
+  int trials_ = 0;
 };
 
 }  // namespace

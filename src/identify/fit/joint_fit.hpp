@@ -17,6 +17,7 @@ struct JointFit {
   Eigen::VectorXd freq_std_Hz, damping_std;  // including the force's noise
   std::vector<Eigen::VectorXcd> residual;    // [channels][lines], (m/s²)/N
   bool converged = false;
+  int trials = 0;  // points at which the model was evaluated
 };
 
 struct JointFitOptions {

@@ -7,6 +7,7 @@
 
 #include "identify/fit/joint_fit.hpp"
 #include "identify/select/found_before.hpp"
+#include "identify/select/joint_fit_budget.hpp"
 #include "identify/select/joint_refinement.hpp"
 #include "identify/select/joint_selection.hpp"
 #include "identify/start/candidates.hpp"
@@ -30,28 +31,8 @@ constexpr std::size_t kMaxPairTrials = 6;   // modes tried as a pair in one roun
 constexpr std::size_t kMaxSplitModes = 40;  // with more modes, no mode is tried as a close pair
 constexpr int kLinearRounds = 4;
 constexpr int kResidualRounds = 4;
-constexpr double kMaxWork = 3e10;       // products: some seconds
 constexpr double kTrialStep = 1e-3;     // tolerance of the poles while their number changes
 constexpr std::size_t kMaxTrials = 27;  // of one more mode
-
-// The operations that the search may still use. Hundreds of modes would take minutes.
-class Work {
- public:
-  // False where a fit of so many modes costs too much.
-  bool spend(const FrfDataset& set, const std::vector<Pole>& poles) {
-    // FRFs share their columns where no record cuts a decay off.
-    const bool common = std::all_of(poles.begin(), poles.end(), [&](const Pole& pole) {
-      return decays_within_record(pole, set.points.front(), set.lines);
-    });
-    const double parts = static_cast<double>(common ? 1 : set.points.size());
-    const double rows = 2 * static_cast<double>(set.lines.count), columns = static_cast<double>(2 * poles.size() + 10);
-    left_ -= parts * rows * columns * columns * kJointSteps;
-    return left_ >= 0;
-  }
-
- private:
-  double left_ = kMaxWork;
-};
 
 // The starts with significant residues, by linear fits at the starts: a small part of the work.
 std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> poles) {
@@ -66,16 +47,17 @@ std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> po
 }
 
 // The joint fit from these poles, without insignificant modes; nothing where it does not settle. A coarse tolerance
-// serves until no more modes are dropped.
-std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, Work& work) {
+// serves until no more modes are dropped. A fit that neither converges nor drops a mode is not repeated.
+std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget) {
   JointFitOptions options{.max_steps = kJointSteps, .tolerance = kTrialStep};
-  for (int round = 0; round < kDroppingRounds && !poles.empty() && work.spend(set, poles); ++round) {
-    JointFit fit = fit_jointly(set, poles, options);
+  for (int round = 0; round < kDroppingRounds && !poles.empty() && budget.allows(poles); ++round) {
+    JointFit fit = budget.fit(poles, options);
     const bool converged = fit.converged;
     const auto unknowns = static_cast<Index>(2 * fit.poles.size());
     if (fit.residual.empty()) fit = fit_residues(set, fit.poles, MatrixXd::Zero(unknowns, unknowns));
     poles = without_weakest(set, fit, Misfit::ignored);
-    if (!converged || poles.size() < fit.poles.size()) continue;
+    if (poles.size() < fit.poles.size()) continue;
+    if (!converged) break;
     if (options.tolerance < kTrialStep) return fit;
     options.tolerance = JointFitOptions{}.tolerance;
   }
@@ -172,7 +154,7 @@ bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit
 }
 
 // Adds the resonances and the stable poles of the residual, all at once.
-JointFit with_residual_modes(const FrfDataset& set, JointFit fit, Work& work) {
+JointFit with_residual_modes(const FrfDataset& set, JointFit fit, JointFitBudget& budget) {
   FrfDataset rest = set;
   for (int round = 0; round < kResidualRounds; ++round) {
     for (std::size_t o = 0; o < rest.channels.size(); ++o)
@@ -184,20 +166,20 @@ JointFit with_residual_modes(const FrfDataset& set, JointFit fit, Work& work) {
     }
     if (more.empty() || fit.poles.size() + more.size() > kMaxJointModes) break;
     more.insert(more.end(), fit.poles.begin(), fit.poles.end());
-    if (!take_if_better(set, fit, settled_fit(set, std::move(more), work))) break;
+    if (!take_if_better(set, fit, settled_fit(set, std::move(more), budget))) break;
   }
   return fit;
 }
 
 // Splits misfitting modes one by one, as long as the likelihood gains.
-JointFit with_close_modes(const FrfDataset& set, JointFit fit, Work& work) {
+JointFit with_close_modes(const FrfDataset& set, JointFit fit, JointFitBudget& budget) {
   std::size_t tried = 0;
   for (bool gained = true; gained && tried < kMaxTrials;) {
     std::optional<JointFit> best;
     for (std::vector<Pole>& poles : with_one_more(set, fit)) {
       ++tried;
-      if (!work.spend(set, poles)) return fit;
-      JointFit trial = fit_jointly(set, std::move(poles), {.max_steps = kJointSteps});
+      if (!budget.allows(poles)) return fit;
+      JointFit trial = budget.fit(std::move(poles), {.max_steps = kJointSteps});
       if (!trial.converged || without_weakest(set, trial, Misfit::counted).size() != trial.poles.size()) continue;
       if (!best || likelihood_ratio(set, best->residual, trial.residual) > 0) best = std::move(trial);
     }
@@ -207,11 +189,11 @@ JointFit with_close_modes(const FrfDataset& set, JointFit fit, Work& work) {
 }
 
 // Drops modes that only follow the misfit of others.
-JointFit without_misfit_modes(const FrfDataset& set, JointFit fit, Work& work) {
+JointFit without_misfit_modes(const FrfDataset& set, JointFit fit, JointFitBudget& budget) {
   for (int round = 0; round < kDroppingRounds; ++round) {
     std::vector<Pole> kept = without_weakest(set, fit, Misfit::counted);
     if (kept.size() == fit.poles.size()) break;
-    std::optional<JointFit> fewer = settled_fit(set, std::move(kept), work);
+    std::optional<JointFit> fewer = settled_fit(set, std::move(kept), budget);
     if (!fewer || fewer->poles.size() >= fit.poles.size()) break;
     const double lost = likelihood_ratio(set, fewer->residual, fit.residual);
     if (lost > least_gain(set, fit.poles.size() - fewer->poles.size())) break;
@@ -226,10 +208,10 @@ std::optional<JointFit> best_fit(const FrfDataset& set, const std::vector<Vector
                                  const std::vector<FittedMode>& modes) {
   std::vector<Pole> starts = starts_of(set, residual, modes);
   if (starts.empty() || starts.size() > kMaxJointModes) return std::nullopt;
-  Work work;
-  std::optional<JointFit> fit = settled_fit(set, start_poles(modes), work);
+  JointFitBudget budget(set);
+  std::optional<JointFit> fit = settled_fit(set, start_poles(modes), budget);
   if (starts.size() > modes.size()) {
-    std::optional<JointFit> after = settled_fit(set, significant_starts(set, std::move(starts)), work);
+    std::optional<JointFit> after = settled_fit(set, significant_starts(set, std::move(starts)), budget);
     if (fit) {
       take_if_better(set, *fit, std::move(after));
     } else {
@@ -237,9 +219,9 @@ std::optional<JointFit> best_fit(const FrfDataset& set, const std::vector<Vector
     }
   }
   if (!fit) return std::nullopt;
-  JointFit grown = with_residual_modes(set, *std::move(fit), work);
-  if (grown.poles.size() <= kMaxSplitModes) grown = with_close_modes(set, std::move(grown), work);
-  return without_misfit_modes(set, std::move(grown), work);
+  JointFit grown = with_residual_modes(set, *std::move(fit), budget);
+  if (grown.poles.size() <= kMaxSplitModes) grown = with_close_modes(set, std::move(grown), budget);
+  return without_misfit_modes(set, std::move(grown), budget);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr double kJointMaxDamping = 0.98 * kMaxDampingRatio;
 constexpr double kJointCoincide = 0.05;   // bandwidths between two poles that the fit has merged
 constexpr double kJointWindowWidths = 5;  // half-power bandwidths on either side of a mode
 constexpr double kJointWindowLines = 8;
-constexpr double kMaterialResidual = 1e-5;  // of the FRF: less moves no mode by more than 1e-5 bandwidths
+constexpr double kMaterialResidual = 2e-3;  // of the FRF: less moves no mode by more than 2e-3 bandwidths
 constexpr double kGainNoise = 4;            // standard deviations of the gain error from the force's noise
 constexpr double kMinNoiseShare = 0.02;     // least part of the lines that counts as independent
 

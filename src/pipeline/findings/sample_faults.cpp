@@ -27,12 +27,10 @@ using Channels = std::span<const std::span<const double>>;
 struct Limits {
   std::optional<std::size_t> first, last;
 };
-Limits limits_of(const SamplePrediction& prediction, Channels channels, std::size_t at,
-                 const std::vector<bool>* only = nullptr) {
+Limits limits_of(const SamplePrediction& prediction, Channels channels, std::size_t at) {
   Limits out;
   for (std::size_t n = at - kReach; n <= at + kReach; ++n) {
     for (std::size_t c = 0; c < channels.size(); ++c) {
-      if (only != nullptr && !(*only)[c]) continue;
       if (!out.first && std::abs(forward_error(prediction, channels[c], n)) > kOutlier * prediction.forward_std[c])
         out.first = n;
       if (std::abs(backward_error(prediction, channels[c], n)) > kOutlier * prediction.backward_std[c]) out.last = n;

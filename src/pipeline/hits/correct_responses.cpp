@@ -101,7 +101,11 @@ std::vector<std::size_t> everywhere(const DecayRange& range) {
 Samples corrected_hit(HitFaults& found, HitResponses& responses, const acquire::Record& record, const acquire::Hit& hit,
                       std::size_t samples, Search search) {
   const DecayRange decay{.first = end_of_pulse(hit), .end = samples};
-  const auto at = search == Search::everywhere ? everywhere(decay) : suspects(responses.of[found.hit], decay);
+  std::vector<std::size_t> at = suspects(responses.of[found.hit], decay);
+  if (search == Search::everywhere) {
+    const auto more = everywhere(decay);
+    at.insert(at.end(), more.begin(), more.end());
+  }
   bool moves = false;
   for (HitResponse& response : responses.of[found.hit]) {
     response.baseline = baseline_change(response, samples, record.fs_Hz);

@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "identify/fit/joint_fit.hpp"
+
+namespace percuss::identify {
+
+/// Joint fits within a limit of their work, which is counted in products: the same on every machine. Without a limit,
+/// fits of hundreds of modes, or of misfitting ones, would take minutes.
+class JointFitBudget {
+ public:
+  explicit JointFitBudget(const FrfDataset& set) : set_(set) {}
+
+  /// Whether one more fit of these modes is affordable.
+  bool allows(const std::vector<Pole>& poles) const;
+
+  /// fit_jointly, its work subtracted from the budget.
+  JointFit fit(std::vector<Pole> poles, const JointFitOptions& options);
+
+ private:
+  // Products of one evaluation of the model.
+  double products(const std::vector<Pole>& poles) const;
+
+  const FrfDataset& set_;
+  double left_ = kProducts;
+
+  static constexpr double kProducts = 3e9;  // about four seconds
+};
+
+}  // namespace percuss::identify
