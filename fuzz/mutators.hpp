@@ -22,7 +22,7 @@ void mutate_uff(std::string& bytes, Random& random);
 void mutate_mat(std::string& bytes, Random& random);
 /// Messages of the object headers of an HDF5 file: dataspaces, datatypes, layouts, filters, attributes, links.
 void mutate_hdf5(std::string& bytes, Random& random);
-/// The mutator for the format of the bytes, if there is one.
+/// Calls the mutator for the format of the bytes, if there is one.
 void mutate_binary_formats(std::string& bytes, Random& random);
 
 /// One of `count` indices; 0 for none.

@@ -34,7 +34,7 @@ synth::SynthSpec held_beam(const BeamCase& one) {
   constexpr std::array<synth::SynthPole, 3> poles{{{14.5, 0.012}, {90, 0.01}, {322, 0.008}}};
   constexpr std::array residues{3.2, 1.1, -0.8};
   synth::SynthSpec spec{.name = "held-beam", .fs_Hz = 10000, .seed = 7, .band_low_Hz = 5, .band_high_Hz = 1000};
-  // Noise is stated in parts of the RMS over the record, which falls as the record gets longer.
+  // The noise is a fraction of the RMS over the record. This RMS falls as the record gets longer.
   spec.noise = {.force = 0, .accel = one.noise * std::sqrt(one.length_s / kBeamLength_s)};
   spec.samples = static_cast<std::size_t>(std::lround(one.length_s * spec.fs_Hz));
   spec.hits = 3;
@@ -113,13 +113,12 @@ std::vector<Figure> errors(const synth::SyntheticTest& test, const std::vector<s
       all.covered += one.covered;
       all.hits += one.hits;
     }
-    const bool has_deviation =
-        method == metrics::DeflectionMethod::drift_free || method == metrics::DeflectionMethod::modal;
+    const bool has_std = method == metrics::DeflectionMethod::drift_free || method == metrics::DeflectionMethod::modal;
     figures.push_back({.method = name_of(method),
                        .label = {},
                        .error = 100 * std::sqrt(all.error / all.detected),
                        .over_bound = std::sqrt(all.over_bound / all.detected),
-                       .more = {has_deviation ? fmt::format("{:.1f}", 100 * all.covered / all.detected) : "–",
+                       .more = {has_std ? fmt::format("{:.1f}", 100 * all.covered / all.detected) : "–",
                                 fmt::format("{:.0f}", 100 * all.detected / all.hits)}});
   }
   return figures;

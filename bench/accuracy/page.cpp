@@ -88,8 +88,8 @@ multiple of the unavoidable work: reading the bytes of the file, and one bare FF
 ## Method
 
 - **Truth.** `percuss synth` computes the records from closed forms, so frequencies, damping ratios, residues, FRFs and
-  deflections are known exactly. Force and response pass the same anti-alias filter; then noise is added. The measured
-  methods take no part in it.
+  deflections are known exactly. Force and response pass the same anti-alias filter; then noise is added. No measured
+  method has a part in the synthesis.
 - **Error.** The RMS over all noisy runs, modes and channels: 64 runs in the main case, 16 in the others. With six modes
   the uncertainty of such an RMS is 4 % and 7 %.
 - **Bound.** The Cramér–Rao bound follows from the Fisher information of the exact signals, with a known force:
@@ -147,7 +147,7 @@ not exist in the structure.
 {}
 {}
 - `best`, the default, reaches {} times the bound in frequency and {} times in damping. With shorter and longer
-  records it stays at {} times: a record that ends before the decay only costs the missing information.
+  records it stays at {} times. If a record ends before the decay does, only the missing information is lost.
 - `standard` ({}) and `quick` ({}) fit each mode over its own lines, with a free phase of its residue and a free
   background. The phase alone costs a factor of 1.4 to 2, and the background the rest. `quick` uses fewer lines, and
   does not search for modes without a peak. Both stay because they are faster than every more accurate method: `quick`

@@ -76,7 +76,7 @@ class Record:
 
     def __reduce__(self) -> Any:
         if self._given is None:
-            raise TypeError(f"a record read from {self.source} is not copied to other processes; pass its path, or arrays")
+            raise TypeError(f"this record ({self.source}) is not copied to other processes; pass its path, or arrays")
         return type(self)._from_arrays, self._given
 
     def __copy__(self) -> Record:

@@ -124,7 +124,7 @@ def test_measured_frfs_are_analysed_alike(tool, bat):
 
 
 def test_calls_are_independent(bat):
-    """Sessions are reused; neither the order of calls nor errors between them change a result."""
+    """Declared command lines are reused; neither the order of calls nor errors between them change a result."""
     calls = [dict(options_of(words), effort="quick") for words in ANALYSES if ("--fs", "12800") not in words]
     first = [percuss.analyze(bat.record.force_n, bat.record.accel_mps2, **{"fs": 25600.0, **options}).json for options in calls]
     for options, wanted in reversed(list(zip(calls, first))):

@@ -34,7 +34,7 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-/// The extension, if it is one of `known`. errors  InputError: another one; the file exists.
+/// The extension of `path`. errors  InputError: the extension is not in `known`; the file exists.
 std::string checked_extension(const std::string& path, const std::vector<std::string>& known,
                               const WriteOptions& options) {
   std::string extension = extension_of(path);

@@ -24,7 +24,7 @@ std::vector<Mode> modes_from_poles(const FrfDataset& set, const std::vector<Pole
 /// The frequencies of options.start_Hz at which identify_modes() found no mode, and why. Repeats the fit.
 std::vector<RefusedStart> refused_starts(const FrfDataset& set, const IdentifyOptions& options);
 
-/// Keeps the `count` modes whose damping ratios have the smallest relative deviations, in ascending frequency.
+/// Keeps the `count` modes whose damping ratios have the smallest relative standard deviations, in ascending frequency.
 void keep_clearest(std::vector<Mode>& modes, std::size_t count);
 
 }  // namespace percuss::identify

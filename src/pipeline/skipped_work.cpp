@@ -53,7 +53,8 @@ class SkippedWorkList {
     }
     add("silence", "accelerations between the hits", "no hit is there", all - within, all);
     add("rejected", "accelerations of hits that cannot be used",
-        fmt::format("{} of {} hits are rejected by their force alone", rejected_hits, analysis_.force_hits().size()),
+        fmt::format("{} of {} hits are rejected by their force or by the user", rejected_hits,
+                    analysis_.force_hits().size()),
         rejected, all);
     add("tail", "accelerations after the decay", "they are noise, or beyond the end of the shortest row", tails, all);
   }

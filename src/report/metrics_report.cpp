@@ -34,8 +34,7 @@ std::optional<metrics::UncertainValue> in_unit(const std::optional<metrics::Unce
 
 std::vector<Line> lines_of_metrics(const metrics::BatReadings& r, const metrics::BatMetrics& m) {
   const bool speeds = r.in_mps && r.out_mps;
-  const char* const reading = "as given";
-  const auto by = [&](bool given_so, const char* equation) { return std::string(given_so ? reading : equation); };
+  const auto by = [](bool given, const char* equation) { return std::string(given ? "as given" : equation); };
   const double mph = kMilePerHour_mps;
   return {{"drop", "", "drop", m.drop, "(P1)"},
           {"moi_oz_in2", "oz in²", "moment of inertia", in_unit(m.moi_kgm2, metrics::kOunceInch2_kgm2),

@@ -28,9 +28,9 @@ std::string output_of(const std::vector<std::string>& arguments) {
   return outcome.out;
 }
 
-/// Writes the test of a preset to a file.
 class PublicResults : public testing::Test {
  protected:
+  /// Writes the test of a preset to a file. Returns its path.
   std::string file_of(const std::string& preset) {
     const std::string path = folder_.file(preset + ".h5");
     write(path, synthesise_preset(preset).record);

@@ -46,14 +46,14 @@ class NodesCommand : public testing::Test {
   inline static std::unique_ptr<test::ScratchFolder> folder_;
 };
 
-constexpr double kNode_in = 0.01;  // tolerance for 0.1 % of noise on a straight shape
+constexpr double kNodeTolerance_in = 0.01;  // for 0.1 % of noise on a straight shape
 
 TEST_F(NodesCommand, PrintsADocumentThatFitsItsSchema) {
   const auto outcome = nodes({file("scan.h5"), "--positions", "6:0.5:9in", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json document = test::parse_json(outcome.out);
   EXPECT_THAT(test::schema_violations(document, test::schema_named("nodes")), testing::IsEmpty());
-  EXPECT_NEAR(first_node_in(document), 7.5, kNode_in);
+  EXPECT_NEAR(first_node_in(document), 7.5, kNodeTolerance_in);
   EXPECT_EQ(document["modes"][0]["minimum_in"], 7.5);
   EXPECT_EQ(document["positions"]["count"], 7);
   EXPECT_EQ(document["modes"][0]["shape"].size(), 7U);
@@ -63,7 +63,7 @@ TEST_F(NodesCommand, ReadsInchesUnlessAUnitFollows) {
   for (const char* positions : {"6:0.5:9", "6:0.5:9in", "0.1524:0.0127:0.2286m", "152.4:12.7:228.6mm"}) {
     const auto outcome = nodes({file("scan.h5"), "--positions", positions, "--json"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNode_in) << positions;
+    EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNodeTolerance_in) << positions;
   }
 }
 
@@ -72,14 +72,14 @@ TEST_F(NodesCommand, TakesSeveralFilesAsPointsInTheirOrder) {
   for (int point = 0; point < 7; ++point) arguments.push_back(file("point" + std::to_string(point) + ".h5"));
   const auto outcome = nodes(arguments);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNode_in);
+  EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNodeTolerance_in);
 }
 
 TEST_F(NodesCommand, WorksFromFrfs) {
   ASSERT_EQ(run_percuss({"frf", file("scan.h5"), "--band", "60:1000", "-o", file("frf.csv")}).code, 0);
   const auto outcome = nodes({file("frf.csv"), "--positions", "6:0.5:9", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNode_in);
+  EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNodeTolerance_in);
 }
 
 TEST_F(NodesCommand, PrintsATable) {

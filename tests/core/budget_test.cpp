@@ -92,7 +92,7 @@ TEST(Budget, EndsWorkThatTakesMoreMemory) {
   EXPECT_LE(held.size(), 7U);  // one block within an interval, and rounding
 }
 
-TEST(Budget, OfMemoryIsSharedByAnalysesAtTheSameTime) {
+TEST(Budget, AddsTheMemoryLimitsOfConcurrentAnalyses) {
   constexpr std::size_t kBlock_bytes = 1U << 24U;
   BudgetMeter small({.memory_bytes = 2 * kBlock_bytes}, "a.h5");
   const BudgetMeter large({.memory_bytes = 100 * kBlock_bytes}, "b.h5");

@@ -90,9 +90,9 @@ ssize_t pwrite64(int descriptor, const void* bytes, std::size_t count, off_t at)
 }
 pid_t fork() {
   static auto* const kReal = real<pid_t()>("fork");
-  static const long kNone = environment_number("PERCUSS_FAULT_FORK");
+  static const long kFirstFailing = environment_number("PERCUSS_FAULT_FORK");
   static std::atomic<long> count = 0;
-  if (kNone > 0 && ++count >= kNone) {
+  if (kFirstFailing > 0 && ++count >= kFirstFailing) {
     errno = EAGAIN;
     return -1;
   }

@@ -34,22 +34,22 @@ std::vector<std::vector<Lines>> responses(const std::vector<double>& gain, doubl
 
 TEST(LeaveOneOutError, IsZeroWhenAllHitsAgree) {
   constexpr double kRounding = 1e-28;  // of energies
-  for (const double left : unexplained(kForce, responses({1, 1, 1}))) EXPECT_LE(left, kRounding);
+  for (const double error : unexplained(kForce, responses({1, 1, 1}))) EXPECT_LE(error, kRounding);
 }
 
 TEST(LeaveOneOutError, IsTheEnergyOfTheDifferenceFromTheOtherHitsFrf) {
   const std::vector<Lines> alike(3, Lines{2.0});
-  const auto left = unexplained(alike, {{{6.0}}, {{6.0}}, {{-6.0}}});
-  EXPECT_DOUBLE_EQ(left[2], 4);  // −3 where the other hits predict 3
-  EXPECT_DOUBLE_EQ(left[0], 1);  // 3 where the other hits predict 0
-  EXPECT_DOUBLE_EQ(left[1], 1);
+  const auto error = unexplained(alike, {{{6.0}}, {{6.0}}, {{-6.0}}});
+  EXPECT_DOUBLE_EQ(error[2], 4);  // −3 where the other hits predict 3
+  EXPECT_DOUBLE_EQ(error[0], 1);  // 3 where the other hits predict 0
+  EXPECT_DOUBLE_EQ(error[1], 1);
 }
 
 TEST(LeaveOneOutError, WeighsChannelsAndLinesByTheirEnergy) {
   const std::vector<Lines> alike(2, Lines{1.0, 1.0});
-  const auto left = unexplained(alike, {{{1.0, 2.0}, {0.0, 3.0}}, {{1.0, 2.0}, {4.0, 3.0}}});
-  EXPECT_DOUBLE_EQ(left[0], 16.0 / 14);  // the hits differ in one line, by 4; the energy of hit 0 is 1 + 4 + 9
-  EXPECT_DOUBLE_EQ(left[1], 16.0 / 30);
+  const auto error = unexplained(alike, {{{1.0, 2.0}, {0.0, 3.0}}, {{1.0, 2.0}, {4.0, 3.0}}});
+  EXPECT_DOUBLE_EQ(error[0], 16.0 / 14);  // the hits differ in one line, by 4; the energy of hit 0 is 1 + 4 + 9
+  EXPECT_DOUBLE_EQ(error[1], 16.0 / 30);
 }
 
 TEST(LeaveOneOutError, DoesNotDependOnUnitsOrTheOrderOfHits) {

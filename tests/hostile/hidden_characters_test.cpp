@@ -64,7 +64,7 @@ TEST(HiddenCharacters, AreEscapesInErrorsAboutPathsAndWords) {
 TEST(HiddenCharacters, AreEscapesInTablesOfChannelsAndPaths) {
   const test::ScratchFolder folder;
   std::string channel;
-  for (const std::string& one : kHidden) channel += one == "\r" ? "" : one;  // a line end of a text
+  for (const std::string& one : kHidden) channel += one == "\r" ? "" : one;  // a carriage return would end the line
   std::string rows;
   for (int i = 0; i < 600; ++i)
     rows += std::to_string(i * 0.001) + (i == 20 ? ",50" : i == 21 ? ",80" : i == 22 ? ",40" : ",0") + ",0.1\n";
@@ -107,7 +107,7 @@ TEST(HiddenCharacters, DoNotChangeOtherCharacters) {
   for (std::size_t i = 0; i < files.size(); ++i) EXPECT_EQ(files[i]["path"], words[i + 2]);
 }
 
-TEST(Formulas, AreNoFormulasInTablesOfBatsAndComeBackAsTheyWere) {
+TEST(Formulas, AreEscapedInTablesOfBatsAndRestored) {
   const test::ScratchFolder folder;
   const std::string head = "id,bat,maker,model,length_in,material,condition,program,besr\n";
   write_bytes(folder.file("bats.csv"), head + "=1+1,@b,+c,-d,33,wood,new,=x,0.7\n-1.5,b,c,d,33,wood,new,x,0.71\n");
@@ -125,7 +125,7 @@ TEST(Formulas, AreNoFormulasInTablesOfBatsAndComeBackAsTheyWere) {
   EXPECT_EQ(table("plain.csv", "again.csv", {}), safe);
 }
 
-TEST(Formulas, AreNoFormulasInTheKeyAndInTheTablesOfFigures) {
+TEST(Formulas, AreEscapedInTheKeyAndInTheTablesOfFigures) {
   const test::ScratchFolder folder;
   std::string bats = run_percuss({"study", "--example"}).out;
   for (std::size_t at = bats.find("\nS"); at != std::string::npos; at = bats.find("\nS", at))
@@ -146,7 +146,7 @@ TEST(Formulas, AreNoFormulasInTheKeyAndInTheTablesOfFigures) {
   EXPECT_THAT(bytes_of(folder.file("s.csv")), Not(HasSubstr(",=S")));
 }
 
-TEST(Formulas, AreNoFormulasInMergedRows) {
+TEST(Formulas, AreEscapedInMergedRows) {
   const test::ScratchFolder folder;
   fs::create_directory(folder.file("recs"));
   test::write_small_test(folder.file("recs/=cmd.h5"), R"("hits": 1, "seed": 1)");

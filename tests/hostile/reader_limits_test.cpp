@@ -57,7 +57,7 @@ TEST_P(ReaderLimits, HoldForSmallFiles) {
 TEST(MatClaims, CountTheBytesOfDecodedNumbers) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("r.mat");
-  test::MatBuilder(path, test::MatLevel::v5_packed).bytes_of_zero("force", 50'000'000);
+  test::MatBuilder(path, test::MatLevel::v5_compressed).bytes_of_zero("force", 50'000'000);
   const std::string message = test::input_error_of([&] { acquire::open_measurement(path); });
   EXPECT_THAT(message, HasSubstr("claims more numbers than it can hold"));
 }

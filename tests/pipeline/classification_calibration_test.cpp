@@ -15,8 +15,9 @@ namespace percuss::pipeline::classification_calibration_test {
 constexpr std::size_t kBats = 240;
 constexpr double kConfident = 0.9;
 
-struct Judged {
-  identify::ModeClassification verdict;
+// A mode that was found, compared with the truth.
+struct CheckedMode {
+  identify::ModeClassification classification;
   bool matched = false;  // with a mode of the truth, within three half-power bandwidths
   bool right = false;
 };
@@ -25,28 +26,28 @@ bool is(identify::ModeType family, synth::SynthFamily truth) {
   return family == (truth == synth::SynthFamily::bending ? identify::ModeType::bending : identify::ModeType::hoop);
 }
 
-std::vector<Judged> judged_bat(std::uint64_t seed) {
+std::vector<CheckedMode> checked_bat(std::uint64_t seed) {
   const synth::SynthSpec spec = test::random_bat(seed);
   const Analysis analysis(
       test::with_sensor_angles(synth::synthesise(spec, 1).record),
       {.band_Hz = std::pair{60.0, spec.band_high_Hz}, .modes = {.effort = identify::Effort::standard}});
-  std::vector<Judged> out;
+  std::vector<CheckedMode> out;
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     const double freq_Hz = analysis.modes()[m].pole.freq_Hz;
     const auto distance = [&](const synth::SynthMode& t) { return std::abs(t.freq_Hz - freq_Hz); };
     const auto& nearest = *std::min_element(spec.modes.begin(), spec.modes.end(),
                                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-    out.push_back({.verdict = analysis.classifications()[m],
+    out.push_back({.classification = analysis.classifications()[m],
                    .matched = distance(nearest) <= 3 * 2 * nearest.damping_ratio * nearest.freq_Hz,
                    .right = is(analysis.classifications()[m].family, nearest.family)});
   }
   return out;
 }
 
-std::vector<std::vector<Judged>> judged_bats() {
-  std::vector<std::vector<Judged>> bats(kBats);
-  parallel_for(kBats, 0, [&](std::size_t i) { bats[i] = judged_bat(i); });
-  for (auto& bat : bats) std::erase_if(bat, [](const Judged& j) { return !j.matched; });
+std::vector<std::vector<CheckedMode>> checked_bats() {
+  std::vector<std::vector<CheckedMode>> bats(kBats);
+  parallel_for(kBats, 0, [&](std::size_t i) { bats[i] = checked_bat(i); });
+  for (auto& bat : bats) std::erase_if(bat, [](const CheckedMode& j) { return !j.matched; });
   return bats;
 }
 
@@ -59,13 +60,13 @@ struct Pool {
   double wrong_squared_by_bats = 0;  // Σ over the bats of (number of wrong classifications)²
 };
 
-Pool pool_of(const std::vector<std::vector<Judged>>& bats, double low, double high) {
+Pool pool_of(const std::vector<std::vector<CheckedMode>>& bats, double low, double high) {
   Pool pool;
   for (const auto& bat : bats) {
     double surplus = 0, wrong = 0;
-    for (const Judged& j : bat) {
-      const double p = j.verdict.confidence;
-      if (j.verdict.family == identify::ModeType::unknown || p < low || p >= high) continue;
+    for (const CheckedMode& j : bat) {
+      const double p = j.classification.confidence;
+      if (j.classification.family == identify::ModeType::unknown || p < low || p >= high) continue;
       ++pool.classifications;
       pool.right += j.right;
       pool.confidence += p;
@@ -82,7 +83,7 @@ Pool pool_of(const std::vector<std::vector<Judged>>& bats, double low, double hi
 /// Of the classifications with a confidence of 90 % or more, 95 % are right. The fraction exceeds 95 % by 1.645
 /// standard errors, so that a method that is right less often passes in one population of twenty at most. 75 % of all
 /// modes must have such a confidence, so that a method cannot pass by abstaining.
-void expect_confident_classifications_right(const std::vector<std::vector<Judged>>& bats) {
+void expect_confident_classifications_right(const std::vector<std::vector<CheckedMode>>& bats) {
   const Pool sure = pool_of(bats, kConfident, 1.1);
   double all = 0;
   for (const auto& bat : bats) all += static_cast<double>(bat.size());
@@ -93,19 +94,19 @@ void expect_confident_classifications_right(const std::vector<std::vector<Judged
   EXPECT_GE(sure.classifications / all, 0.75) << sure.classifications << " of " << all;
 }
 
-void expect_doubts_named(const std::vector<std::vector<Judged>>& bats) {
+void expect_doubts_named(const std::vector<std::vector<CheckedMode>>& bats) {
   for (std::size_t i = 0; i < bats.size(); ++i) {
-    for (const auto& [verdict, matched, right] : bats[i]) {
-      if (verdict.confidence >= kConfident) continue;
-      EXPECT_TRUE(verdict.family == identify::ModeType::unknown || verdict.alternative) << "bat " << i;
-      EXPECT_NE(verdict.alternative, verdict.family) << "bat " << i;
+    for (const auto& [classification, matched, right] : bats[i]) {
+      if (classification.confidence >= kConfident) continue;
+      EXPECT_TRUE(classification.family == identify::ModeType::unknown || classification.alternative) << "bat " << i;
+      EXPECT_NE(classification.alternative, classification.family) << "bat " << i;
     }
   }
 }
 
 /// In each bin of confidence the number of right classifications is the sum of the confidences, within three standard
 /// deviations.
-void expect_calibrated(const std::vector<std::vector<Judged>>& bats) {
+void expect_calibrated(const std::vector<std::vector<CheckedMode>>& bats) {
   constexpr std::array<double, 5> kEdges{0.6, 0.8, 0.9, 0.97, 1.1};
   for (std::size_t b = 0; b + 1 < kEdges.size(); ++b) {
     const Pool bin = pool_of(bats, kEdges[b], kEdges[b + 1]);
@@ -117,7 +118,7 @@ void expect_calibrated(const std::vector<std::vector<Judged>>& bats) {
 
 // One test, because each test would have to make all bats.
 TEST(Classification, IsCalibratedOverRandomBats) {
-  const auto bats = judged_bats();
+  const auto bats = checked_bats();
   expect_confident_classifications_right(bats);
   expect_doubts_named(bats);
   expect_calibrated(bats);

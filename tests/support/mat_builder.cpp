@@ -24,7 +24,7 @@ MatBuilder::MatBuilder(const std::string& path, MatLevel level)
                           level == MatLevel::v4    ? MAT_FT_MAT4
                           : level == MatLevel::v73 ? MAT_FT_MAT73
                                                    : MAT_FT_MAT5)),
-      packed_(level == MatLevel::v5_packed) {
+      compressed_(level == MatLevel::v5_compressed) {
   EXPECT_NE(file_, nullptr);
 }
 
@@ -33,7 +33,7 @@ MatBuilder::~MatBuilder() { Mat_Close(file_of(file_)); }
 MatBuilder& MatBuilder::numbers(const std::string& name, const std::vector<std::size_t>& shape,
                                 const std::vector<double>& values) {
   matvar_t* const variable = array_of(name, shape, values);
-  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, packed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, compressed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
   Mat_VarFree(variable);
   return *this;
 }
@@ -53,7 +53,7 @@ MatBuilder& MatBuilder::bytes_of_zero(const std::string& name, std::size_t count
   std::array<std::size_t, 2> dims{1, count};
   matvar_t* const variable =
       Mat_VarCreate(name.c_str(), MAT_C_UINT8, MAT_T_UINT8, 2, dims.data(), zeros.data(), MAT_F_DONT_COPY_DATA);
-  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, packed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, compressed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
   Mat_VarFree(variable);
   return *this;
 }
@@ -69,7 +69,7 @@ MatBuilder& MatBuilder::complex(const std::string& name, const std::vector<std::
   mat_complex_split_t parts{real.data(), imaginary.data()};
   matvar_t* const variable = Mat_VarCreate(name.c_str(), MAT_C_DOUBLE, MAT_T_DOUBLE, static_cast<int>(dims.size()),
                                            dims.data(), &parts, MAT_F_COMPLEX);
-  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, packed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, compressed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
   Mat_VarFree(variable);
   return *this;
 }
@@ -97,7 +97,7 @@ MatBuilder& MatBuilder::structure(const std::string& name, const std::vector<std
       Mat_VarSetStructFieldByIndex(variable, f, e, array_of(fields[f], {1, values.size()}, values));
     }
   }
-  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, packed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, compressed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
   Mat_VarFree(variable);
   return *this;
 }

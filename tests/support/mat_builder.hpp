@@ -5,7 +5,7 @@
 
 namespace percuss::test {
 
-enum class MatLevel { v4, v5, v5_packed, v73 };
+enum class MatLevel { v4, v5, v5_compressed, v73 };
 
 /// Writes MAT files with libmatio, which percuss does not use for writing.
 class MatBuilder {
@@ -30,7 +30,7 @@ class MatBuilder {
 
  private:
   void* file_;
-  bool packed_;
+  bool compressed_;
 };
 
 }  // namespace percuss::test

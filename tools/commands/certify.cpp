@@ -41,7 +41,7 @@ void add_certify(CommandLine& line) {
                                  [flags] { return certify_session(*flags); });
   command.about(
       "Checks a test session against its protocol: validates each shot, names the next impact position, finds the "
-      "sweet spot and compares BESR or BBCOR with the limit. The exit status is 5 if the bat exceeds the limit.");
+      "sweet spot and compares BESR or BBCOR with the limit. The exit code is 5 if the bat fails.");
   command.example("percuss certify --example > session.json; percuss certify session.json",
                   "Print an example session and check it");
   command.example(

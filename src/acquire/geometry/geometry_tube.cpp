@@ -14,7 +14,7 @@ constexpr std::size_t kMinPointsOnOneRing = 5;  // of a single ring: the four co
 
 struct Tube {
   std::size_t axis = 0;
-  double deviation = 0;            // largest of a radius from its ring's mean, relative
+  double deviation = 0;            // largest relative deviation of a radius from the mean of its ring
   std::array<double, 2> middle{};  // centre, across the axis
 };
 

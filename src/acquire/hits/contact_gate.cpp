@@ -10,11 +10,11 @@
 namespace percuss::acquire {
 namespace {
 
-// Of the main pulse. The spectrum of both contacts is lower than the main contact's by at most this share.
+// Ratio of the second pulse to the main pulse. The second pulse lowers the spectrum by at most this fraction.
 constexpr double kMaxSecondRatio = 0.05;
 // A hammer rings for some milliseconds, a structure for longer.
 constexpr double kRingsFrom_s = 0.025, kRingsTo_s = 0.05;
-constexpr double kRingsOn = 0.03;        // of the peak, the median of |force|
+constexpr double kRingsOn = 0.03;        // median of |force| over the peak
 constexpr std::size_t kMinRinging = 16;  // samples
 
 }  // namespace

@@ -17,7 +17,7 @@ const char* name_of(ModeType type);
 struct ModeClassification {
   ModeType family = ModeType::unknown;
   int order = 0;          // from 1 within the type; 0 for unknown
-  double confidence = 0;  // posterior probability of `family`; for unknown, classify() gives 1 − the largest one
+  double confidence = 0;  // posterior probability of `family`; for unknown, 1 − the larger of bending and hoop
   /// Second type, below 90 % confidence or where it has more than 3 %. For unknown, classify() gives the likelier type.
   std::optional<ModeType> alternative;
   std::optional<double> overlay_dB;  // level of the second FRF over the first at the peak

@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::size_t kPlanes = 45;     // 2° apart over 90°: the plane at right angles belongs to the bat as well
+constexpr std::size_t kPlanes = 45;     // 2° apart over 90°: every plane comes with the plane at right angles to it
 constexpr double kPairKnown = 0.9;      // prior probability that a close pair is one mode in two planes
 constexpr double kPairAngle_rad = 0.1;  // standard deviation, around 90°, of the angle between a mode's two planes
 constexpr double kBroader = 2;          // width of the size ratio of unrelated modes, over its width in a pair

@@ -66,6 +66,7 @@ class JointProjection {
   const FrfDataset& set() const { return set_; }
 
  private:
+  // The data of a part: all that does not depend on the poles.
   struct Plan {
     std::vector<std::size_t> channels;
     Eigen::VectorXd weight;      // [lines]

@@ -14,8 +14,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr Index kSmoothLines = 100;  // on either side: the variance of 200 lines adds under 1 % to the errors
-constexpr double kMinNoise = 1e-3;   // of the noise elsewhere: an FRF without residual keeps a finite weight
+// On either side of a line. The error of a noise power from 200 lines adds under 1 % to the errors of the fit.
+constexpr Index kSmoothLines = 100;
+constexpr double kMinNoise = 1e-3;  // of the mean noise power: lines without residual keep a finite weight
 
 }  // namespace
 

@@ -16,10 +16,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kMinGain = 14;        // F statistic of a term's two unknowns: one clean mode in a million
+constexpr double kMinGain = 14;        // F statistic of a term's two unknowns: by chance in one of a million modes
 constexpr double kMinExplained = 0.5;  // of the smooth residual: else the term only follows some other misfit
 constexpr double kDifference = 0.1;    // half-power bandwidths, for the second derivative
 
+// How the pole changes during the decay: with the remaining amplitude, or with time.
 enum class Term { with_amplitude, with_time };
 
 // The column of the extra term at one point, for a residue of 1.

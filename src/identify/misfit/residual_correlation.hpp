@@ -16,8 +16,9 @@ struct ResidualCorrelation {
   double lines = 1;    // lines that count as one independent line: 1 + 2 Σ at_lag
 };
 
-/// noise  [channels] rms of the residual, of the same set. The fit follows a part of white noise, so that the residual
-/// of white noise correlates too, negatively as a rule. This correlation is subtracted.
+/// The fit follows a part of white noise, so that the residual of white noise correlates too, negatively as a rule.
+/// This correlation is subtracted.
+/// shapes  polynomial [lines, terms], the orthonormal background columns; noise [channels], the rms of the residual
 ResidualCorrelation residual_correlation(const ProjectedState& state, const Eigen::MatrixXd& polynomial,
                                          const Eigen::VectorXd& noise);
 

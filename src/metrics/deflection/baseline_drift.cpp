@@ -99,9 +99,9 @@ Vector2d drifted_velocity_mps(double t_s, double highpass_corner_Hz) {
   return {t_s + corner * t2 / 2, t2 / 2 + corner * t2 * t_s / 6};
 }
 
-BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double fs_Hz, double unknown_mps2) {
+BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double fs_Hz, double rms_mps2) {
   const auto n = static_cast<double>(before_mps2.size());
-  const double wide = kUnknownBias * unknown_mps2;
+  const double wide = kUnknownBias * rms_mps2;
   BaselineEstimate rest{.bias = Vector2d::Zero(), .covariance = Vector2d(wide * wide, wide * wide).asDiagonal()};
   if (before_mps2.size() < kMinRest) return rest;
   Matrix2d normal = Matrix2d::Zero();

@@ -15,8 +15,8 @@ struct BaselineEstimate {
 };
 
 /// Estimates bias and noise from the samples before the impact. With fewer than eight samples the bias is 0, with a
-/// standard deviation of a tenth of `unknown_mps2`.
-BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double fs_Hz, double unknown_mps2);
+/// standard deviation of a tenth of `rms_mps2`, the RMS of the signal.
+BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double fs_Hz, double rms_mps2);
 
 /// The deflection due to a bias b and a drift d after integration, with the high-pass compensated:
 ///   w = b (t²/2 + ω_c t³/6) + d (t³/6 + ω_c t⁴/24)                                  (1)

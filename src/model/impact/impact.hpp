@@ -55,7 +55,8 @@ inline constexpr double kFollowUp_s = 0.08;
 /// separation is located within its step.
 ///   η̈ᵢ + ωᵢ² ηᵢ = yᵢ F,  w₁ = Σ yᵢ ηᵢ,  yᵢ = Xᵢ(c)/√(ρA Nᵢ),  m ẅ₂ = −F         (1)
 ///   F = k₂ α^(3/2) (1 + χ α̇), not below 0;  α = w₂ − w₁ > 0, else F = 0           (2)
-/// The contact ends when F falls to zero. With 1 + χα̇ < 0 before α = 0 a dent remains, and stays in the free motion.
+/// The contact ends when F falls to zero. If 1 + χα̇ reaches zero before α does, the ball keeps a dent of depth α in the
+/// free motion.
 /// modal: each step consists of five symmetric second-order steps of p, p, 1 − 4p, p, p of its length, with
 /// p = 1/(4 − 4^(1/3)). Each of the five is half a step of exact free motion, an impulse, and another half step. Steps
 /// shrink as √α where α is small, because the power 3/2 would reduce the order. If no step is given, the step

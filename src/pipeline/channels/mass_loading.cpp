@@ -12,36 +12,37 @@ namespace {
 constexpr std::size_t kMinPoints = 6;
 constexpr double kRoundingOfFreq = 1e-9;  // relative
 
-// Relative frequencies against squared residues over the largest, both about their medians.
-struct Course {
-  std::vector<double> square, freq;
+// Data of a linear regression, one value per point, both about their medians.
+struct RegressionData {
+  std::vector<double> square;  // squared residue over the largest
+  std::vector<double> freq;    // relative frequency
 };
 
-Course course_of(const identify::Mode& mode) {
-  Course course;
+RegressionData regression_data(const identify::Mode& mode) {
+  RegressionData data;
   for (const identify::Residue& residue : mode.residues) {
     if (!residue.own_pole) continue;
-    course.square.push_back(std::norm(residue.value));
-    course.freq.push_back(residue.own_pole->freq_Hz / mode.pole.freq_Hz - 1);
+    data.square.push_back(std::norm(residue.value));
+    data.freq.push_back(residue.own_pole->freq_Hz / mode.pole.freq_Hz - 1);
   }
-  if (course.square.size() < kMinPoints) return {};
-  const double most = *std::max_element(course.square.begin(), course.square.end());
+  if (data.square.size() < kMinPoints) return {};
+  const double most = *std::max_element(data.square.begin(), data.square.end());
   if (!(most > 0)) return {};
-  for (double& square : course.square) square /= most;
-  for (std::vector<double>* values : {&course.square, &course.freq}) {
+  for (double& square : data.square) square /= most;
+  for (std::vector<double>* values : {&data.square, &data.freq}) {
     const double middle = median(*values);
     for (double& value : *values) value -= middle;
   }
-  return course;
+  return data;
 }
 
 // A value at the median says nothing about the slope, and has no quotient.
-Course without_middle(const Course& course) {
-  Course out;
-  for (std::size_t i = 0; i < course.square.size(); ++i) {
-    if (course.square[i] == 0) continue;
-    out.square.push_back(course.square[i]);
-    out.freq.push_back(course.freq[i]);
+RegressionData without_middle(const RegressionData& data) {
+  RegressionData out;
+  for (std::size_t i = 0; i < data.square.size(); ++i) {
+    if (data.square[i] == 0) continue;
+    out.square.push_back(data.square[i]);
+    out.freq.push_back(data.freq[i]);
   }
   return out;
 }
@@ -51,13 +52,13 @@ Course without_middle(const Course& course) {
 std::vector<MassLoading> mass_loading(const std::vector<identify::Mode>& modes) {
   std::vector<MassLoading> out;
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const Course course = without_middle(course_of(modes[m]));
-    if (course.square.size() + 1 < kMinPoints) continue;
-    const std::vector<double> std(course.square.size(), kRoundingOfFreq);
-    const RobustSlope slope = robust_slope(course.square, course.freq, std);
+    const RegressionData data = without_middle(regression_data(modes[m]));
+    if (data.square.size() + 1 < kMinPoints) continue;
+    const std::vector<double> std(data.square.size(), kRoundingOfFreq);
+    const RobustSlope slope = robust_slope(data.square, data.freq, std);
     if (slope.log_chance > kMaxLogChance || std::abs(slope.slope) < kSureSlope * slope.std) continue;
     if (slope.slope > 0) return {};
-    out.push_back({.mode = m, .largest_fall = -slope.slope, .std = slope.std, .points = course.square.size()});
+    out.push_back({.mode = m, .largest_fall = -slope.slope, .std = slope.std, .points = data.square.size()});
   }
   return out;
 }

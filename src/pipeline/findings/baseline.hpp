@@ -7,8 +7,8 @@
 
 namespace percuss::pipeline {
 
-/// Means of a response, in which the structure's oscillations cancel: before the hit, and over kRestWindows windows of
-/// a 16th of the row each after it.
+/// Means of a response before the hit, and over kRestWindows windows after it, each a 16th of the row. The structure's
+/// oscillations cancel in these means.
 inline constexpr std::size_t kRestWindows = 12;
 struct RestLevels {
   std::optional<double> before;
@@ -25,9 +25,8 @@ struct BaselineChange {
   double decay_per_s = 0;  // of the step
 };
 
-/// Nothing where the means change by less than kMinBaselineChange of the largest response, or neither as a step nor as
-/// a slope.
-inline constexpr double kMinBaselineChange = 0.02;
+inline constexpr double kMinBaselineChange = 0.02;  // of the largest response
+/// Nothing where the means change by less than kMinBaselineChange, or follow neither a step nor a slope.
 std::optional<BaselineChange> find_baseline_change(const RestLevels& levels, std::size_t samples, double largest,
                                                    double fs_Hz);
 

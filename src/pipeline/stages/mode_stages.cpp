@@ -12,10 +12,10 @@ namespace {
 std::optional<double> overlay_dB(const identify::FrfDataset& set, const identify::SensorPair& sensors,
                                  std::size_t line) {
   double first = 0, second = 0;
-  for (const identify::FrfChannel& output : set.channels) {
-    const double power = std::norm(output.frf[line]);
-    if (output.channel == sensors.first) first += power;
-    if (output.channel == sensors.second) second += power;
+  for (const identify::FrfChannel& one : set.channels) {
+    const double power = std::norm(one.frf[line]);
+    if (one.channel == sensors.first) first += power;
+    if (one.channel == sensors.second) second += power;
   }
   if (!(first > 0 && second > 0)) return std::nullopt;
   return 10 * std::log10(second / first);

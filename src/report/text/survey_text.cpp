@@ -84,13 +84,13 @@ std::string scale_text(const pipeline::Survey& survey) {
   const auto unit = std::count_if(shapes.begin(), shapes.end(), [](const identify::ModeShape& s) {
     return s.normalisation == identify::Normalisation::unit_modal_mass;
   });
-  if (unit == 0) return "shapes: scaled to 1 at their largest, because no driving point was measured\n";
+  if (unit == 0) return "shapes: scaled to 1 at their largest component, because no driving point was measured\n";
   std::string points;
   for (const identify::DrivingPoint& at : survey.driving_points())
     points += fmt::format("{}point {} (channel {})", points.empty() ? "" : ", ", at.point, at.channel);
   return fmt::format(
       "shapes: unit modal mass, from the driving {}{}\n", points,
-      static_cast<std::size_t>(unit) < shapes.size() ? "; the others are scaled to 1 at their largest" : "");
+      static_cast<std::size_t>(unit) < shapes.size() ? "; the others are scaled to 1 at their largest component" : "");
 }
 
 std::string mac_text(const pipeline::Survey& survey) {

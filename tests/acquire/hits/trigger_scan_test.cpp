@@ -102,7 +102,7 @@ TEST(TriggerScan, UsesTheGivenTrigger) {
   EXPECT_TRUE(scan(x, {.trigger_N = 101}).events.empty());
 }
 
-// The first samples of the reads of a silent row of this length.
+// The first sample of each read, in the scan of a silent row of this length.
 std::vector<std::size_t> part_borders(std::size_t samples) {
   Record record = test::force_record(kFs_Hz, {std::vector<double>(samples)});
   std::vector<std::size_t> starts;
@@ -118,7 +118,7 @@ std::vector<std::size_t> part_borders(std::size_t samples) {
 TEST(TriggerScan, FindsPulsesAtTheBordersOfChunksAndBlocks) {
   constexpr std::size_t kSamples = 2 * kChunk + 1000;
   const std::vector<std::size_t> parts = part_borders(kSamples);
-  ASSERT_EQ(parts.size() % 3, 0U);  // three chunks of equally many parts; 32000 is a border of blocks
+  ASSERT_EQ(parts.size() % 3, 0U);  // three chunks with equally many reads; a block begins at 32000
   std::vector<std::size_t> borders{32000, parts[parts.size() / 3], parts[2 * parts.size() / 3], parts.back()};
   std::vector<double> all(kSamples);
   for (const std::size_t border : borders) {

@@ -220,7 +220,7 @@ TEST_F(Sandbox, LimitsMemory) {
 // libmatio crashes on a few of these files; percuss must not.
 TEST_F(Sandbox, SurvivesDamagedMatFiles) {
   std::mt19937 random(73);
-  for (const auto level : {test::MatLevel::v5, test::MatLevel::v5_packed, test::MatLevel::v73}) {
+  for (const auto level : {test::MatLevel::v5, test::MatLevel::v5_compressed, test::MatLevel::v73}) {
     std::vector<double> samples(200, 1.5);
     samples[50] = 100;
     test::MatBuilder(path_, level)

@@ -100,7 +100,7 @@ TEST(RatioLikelihood, AllowsForAMisplacedSensor) {
 }
 
 TEST(RatioLikelihood, IsTheDensityOfTheRatiosOverAllAngles) {
-  // A histogram over angles, with gain and noise errors so small that only the 2° of the pattern remain.
+  // A histogram over angles. Without errors of gain, noise and placement, only the pattern's error of 2° remains.
   constexpr double kSecond = 1.3, kPatternStd = 0.035, kTolerance = 1e-3;  // 7200 angles, and the truncated series
   const RatioLikelihood likelihood(0.2, kSecond, {.angle_rad = 0, .gain = 0});
   constexpr int kTurns = 7200;

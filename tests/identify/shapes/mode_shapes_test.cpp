@@ -20,7 +20,7 @@ Mode mode_of(const std::vector<Complex>& points, const std::vector<Complex>& sen
   return mode;
 }
 
-TEST(Shape, IsOneAtItsLargestWithoutADrivingPoint) {
+TEST(Shape, IsOneAtItsLargestComponentWithoutADrivingPoint) {
   const ModeShape shape = shape_of(mode_of({0.3, -1.2, 0.6}, {-2.0}));
   EXPECT_EQ(shape.normalisation, Normalisation::largest_one);
   ASSERT_EQ(shape.places.size(), 3U);

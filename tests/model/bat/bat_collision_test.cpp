@@ -14,7 +14,8 @@ TEST(BatCollision, ReproducesIndependentFigures) {
   struct Known {
     double z_m, exit_mps, contact_s, largest_m, ball_share, first_share, second_share;
   };
-  // Of 67 m/s for speeds, 0.02 m for lengths and 1 for shares. The modes have an error of 1e-6; it acts on the ball.
+  // Relative to 67 m/s for speeds, 0.02 m for lengths and 1 for shares. The error of the modes, 1e-6, also changes the
+  // motion of the ball.
   constexpr double kAgreement = 2e-5;
   const BatModes bat = bat_modes(kStepped, {});
   for (const Known& k : std::vector<Known>{

@@ -42,7 +42,7 @@ TEST(RobustSlope, IsNotPulledByOneFarValue) {
   EXPECT_NEAR(robust_slope(x, y, std).slope, 0.5, 0.01);
 }
 
-TEST(RobustSlope, OnlyAnOrderedSlopeIsUnlikelyByChance) {
+TEST(RobustSlope, OnlyATrueSlopeIsUnlikelyByChance) {
   int chance = 0;
   for (std::uint64_t seed = 0; seed < 500; ++seed)
     chance += fitted(0, std::vector<double>(6, 0.1), 1, seed).log_chance < kMaxLogChance;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace percuss::pipeline::hit_agreement_test {
+namespace percuss::pipeline::hit_consistency_test {
 
 constexpr std::size_t kLines = 200;
 
@@ -92,7 +92,7 @@ TEST_F(HitAgreement, AcceptsAnOutlierThatTheUserAccepts) {
   EXPECT_TRUE(hits_[2].accepted);
 }
 
-TEST_F(HitAgreement, OnlyWarnsWhereThreeHitsCannotOutvoteOne) {
+TEST_F(HitAgreement, OnlyWarnsOfAnOutlierAmongThreeHits) {
   make(3, 0.01);
   for (Complex& line : accel_[2]) line *= -1;
   grade();
@@ -176,4 +176,4 @@ TEST(VoteFirstMotion, CountsTheAcceptedHitsOfOnePoint) {
   EXPECT_EQ(polarities_after_vote(hits), (Polarities{1, 1, -1, -1}));
 }
 
-}  // namespace percuss::pipeline::hit_agreement_test
+}  // namespace percuss::pipeline::hit_consistency_test

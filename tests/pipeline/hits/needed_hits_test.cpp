@@ -44,7 +44,7 @@ TEST(NeededHits, AreUsedWhereTheirPointHasTooFewOthers) {
   EXPECT_FALSE(hits[4].accepted);
 }
 
-TEST(NeededHits, PreferSecondHitsToClippedForces) {
+TEST(NeededHits, PreferDoubleHitsToClippedForces) {
   std::vector<AnalysedHit> hits{hit_with(FindingCode::double_hit), hit_with(FindingCode::force_clipped),
                                 hit_with(FindingCode::double_hit)};
   accept_needed_hits(hits, 25600);
@@ -62,8 +62,8 @@ TEST(NeededHits, StayRejectedWhereTheForceLacksTheSecondContact) {
   EXPECT_TRUE(hits[1].accepted);
 }
 
-// Exact poles and residues from hits that all have a second contact: the whole force is used.
-TEST(NeededHits, GiveExactModesAndResidues) {
+// True poles from hits that all have a second contact: the whole force is used.
+TEST(NeededHits, GiveTheTruePoles) {
   synth::SynthSpec spec =
       test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7},
                       {.freq_Hz = 900, .damping_ratio = 0.01, .order = 2, .amplitude_per_sqrt_kg = 2}},

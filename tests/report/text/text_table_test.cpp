@@ -57,7 +57,7 @@ TEST(TextTable, AlignsItsColumns) {
   EXPECT_EQ(table.text(80), " n  name  note\n 1  µ     first\n10  abc\n");
 }
 
-TEST(TextTable, MarksRowsThatAreInNoResultOnThePage) {
+TEST(TextTable, MarksExcludedRowsInHtml) {
   TextTable table({{"hit", TextTable::Align::right}, {"verdict"}});
   table.add({"0", "ok"});
   table.add({"1", "rejected"}, false);

@@ -1,6 +1,6 @@
 const kBandwidth_dB = -20; // defines the bandwidth of the force
 
-// Plots the curves of the hits over one x, interpolated linearly, `outside` beyond their samples.
+// Plots the curves of the hits over one x: linear between samples, `outside` before the first and after the last.
 const hitPlot = (figure, curves, steps, low, high, outside, x, y, options) => {
   const xs = Array.from({ length: steps }, (_, k) => low + ((high - low) * k) / (steps - 1));
   const at = ({ first, step, values }, place) => {

@@ -51,7 +51,7 @@ hobj_ref_t reference_to(hid_t file, const char* name) {
   return out;
 }
 
-TEST_F(SelfContained, AreGroupsHardLinksAndReferences) {
+TEST_F(SelfContained, MayHoldGroupsHardLinksAndReferences) {
   EXPECT_NO_THROW(check([](hid_t file) {
     Handle(H5Gcreate2(file, "group", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)).close();
     H5Lcreate_hard(file, "x", file, "group/again", H5P_DEFAULT, H5P_DEFAULT);
@@ -60,7 +60,7 @@ TEST_F(SelfContained, AreGroupsHardLinksAndReferences) {
   }));
 }
 
-TEST_F(SelfContained, AreNotOtherLinks) {
+TEST_F(SelfContained, MayNotHoldOtherLinks) {
   EXPECT_THAT(refusal([](hid_t file) { H5Lcreate_soft("/x", file, "y", H5P_DEFAULT, H5P_DEFAULT); }),
               HasSubstr("soft link (" + path_ + ": /y)"));
   EXPECT_THAT(refusal([](hid_t file) { H5Lcreate_external("o.h5", "/x", file, "y", H5P_DEFAULT, H5P_DEFAULT); }),
@@ -77,7 +77,7 @@ TEST_F(SelfContained, AreNotOtherLinks) {
   H5Lunregister(static_cast<H5L_type_t>(100));
 }
 
-TEST_F(SelfContained, AreNotSamplesInOtherFiles) {
+TEST_F(SelfContained, MayNotHoldSamplesInOtherFiles) {
   const hsize_t three = 3;
   const Handle space(H5Screate_simple(1, &three, nullptr));
   const auto with = [&](auto&& set_source) {
@@ -94,7 +94,7 @@ TEST_F(SelfContained, AreNotSamplesInOtherFiles) {
   EXPECT_THAT(with([](hid_t creation) { H5Pset_external(creation, "o.raw", 0, 24); }), HasSubstr(refused));
 }
 
-TEST_F(SelfContained, AreNotReferencesToRegionsOrDamagedOnes) {
+TEST_F(SelfContained, MayNotHoldReferencesToRegionsOrDamagedOnes) {
   const hsize_t three = 3;
   const Handle space(H5Screate_simple(1, &three, nullptr));
   EXPECT_THAT(
@@ -114,7 +114,7 @@ TEST_F(SelfContained, AreNotReferencesToRegionsOrDamagedOnes) {
       HasSubstr("damaged references (" + path_ + ": /y)"));
 }
 
-// Links to one object count as well: the last one may lead elsewhere.
+// Each link to the same object counts: a link beyond the limit may lead out of the file.
 TEST_F(SelfContained, HaveAHundredThousandLinksInAGroupAtMost) {
   EXPECT_THAT(refusal([](hid_t file) {
                 for (int n = 0; n < 100'000; ++n)

@@ -119,7 +119,7 @@ TEST_F(MatFiles, NameWhatIsNotRead) {
 }
 
 TEST_F(MatFiles, HoldComplexNumbersTextsAndStructures) {
-  test::MatBuilder(path_, test::MatLevel::v5_packed)
+  test::MatBuilder(path_, test::MatLevel::v5_compressed)
       .complex("c", {1, 2}, {{1, 2}, {3, 4}})
       .text("t", "text")
       .structure("s", {"a", "b"}, {{{1, 2}, {3}}, {{4, 5}, {6, 7}}});

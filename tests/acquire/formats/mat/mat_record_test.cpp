@@ -42,7 +42,7 @@ class MatRecord : public testing::Test {
 };
 
 TEST_F(MatRecord, IsReadFromEveryLevel) {
-  for (const MatLevel level : {MatLevel::v4, MatLevel::v5, MatLevel::v5_packed, MatLevel::v73}) {
+  for (const MatLevel level : {MatLevel::v4, MatLevel::v5, MatLevel::v5_compressed, MatLevel::v73}) {
     SCOPED_TRACE(static_cast<int>(level));
     MatBuilder(path_, level)
         .numbers("fs", {1, 1}, {1000})
@@ -126,7 +126,7 @@ TEST_F(MatRecord, ReadsStructuresAndStructureArrays) {
   MatBuilder(path_, MatLevel::v5).structure("test", {"force", "accel", "fs"}, {{{0, 1, 2}, {3, 4, 5}, {500}}});
   EXPECT_THAT(accel_mps2(opened()), ElementsAre(3, 4, 5));
   EXPECT_EQ(opened().fs_Hz, 500);
-  MatBuilder(path_, MatLevel::v5_packed)
+  MatBuilder(path_, MatLevel::v5_compressed)
       .structure("hit", {"force", "acc"}, {{{0, 1, 2}, {3, 4, 5}}, {{6, 7, 8}, {9, 10, 11}}})
       .numbers("t", {1, 3}, {0, 0.001, 0.002});
   const Record record = opened();

@@ -52,7 +52,7 @@ TEST_F(SoundLimits, BytesAreUnsigned) {
   EXPECT_THAT(accel_mps2(record), ElementsAre(0.5, -0.5));
 }
 
-TEST_F(SoundLimits, AnyScaleOptionAnswersTheNoteOnFullScale) {
+TEST_F(SoundLimits, AnyScaleOptionRemovesTheNoteOnFullScale) {
   const auto has_note = [&](ReadOptions options) {
     options.force_channel = "1";
     for (const std::string& text : test::texts(opened(wav(samples_), options).notes)) {

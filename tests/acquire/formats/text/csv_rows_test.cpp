@@ -105,7 +105,7 @@ TEST(CsvRate, TakesAFirstColumnThatRisesEvenlyAsTimeWithANote) {
   EXPECT_THAT(test::texts(record.notes), ElementsAre(HasSubstr("CH No.")));
 }
 
-TEST(CsvRate, AsksForTheUnitOfASlowTime) {
+TEST(CsvRate, AsksForTheUnitWhereSecondsGiveALowRate) {
   const std::string text = lines_at("Time,force_N,acc_g\n", 0.0390625, 20, ",1,2\n");  // 25600 Hz in ms
   EXPECT_THAT(input_error_of([&] { csv_record(text); }),
               AllOf(HasSubstr("25.6 Hz in seconds and 25600 Hz in milliseconds"), HasSubstr("Time (ms)")));

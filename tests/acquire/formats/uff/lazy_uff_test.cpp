@@ -109,7 +109,7 @@ TEST_F(LazyUff, ReportsAFileTruncatedMeanwhile) {
   EXPECT_THAT(input_error_of([&] { force_N(record, 2); }), HasSubstr("became shorter while it was read"));
 }
 
-// A file without the end of a line. The search reads every byte once.
+// A last line of 200 MB without an end. The search for its end reads every byte once.
 TEST(LazyFile, TakesTimeInProportionToItsLength) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("long.unv");
