@@ -21,8 +21,7 @@ std::vector<Value> lines_within(const std::vector<Value>& all, std::size_t first
 
 acquire::FrfRecord frf_record_of(const pipeline::Analysis& analysis) {
   const acquire::LineRange& lines = analysis.lines();
-  const auto [low, high] = analysis.band_Hz();
-  const acquire::LineRange band = frf::lines_in_band(lines.fs_Hz, lines.samples, low, high);
+  const acquire::LineRange band = analysis.band_lines();
   acquire::FrfRecord out;
   out.files = analysis.record().files;
   out.format = analysis.record().format;
