@@ -3,7 +3,7 @@
 #include "model/beam/beam.hpp"
 #include "model/impact/impact.hpp"
 
-// The limit of the three sweeps of the composite bat together: 100 ms on one core.
+// Limit: impact_three_sweeps takes at most 100 ms on one core. The default beam is a composite bat.
 namespace percuss {
 namespace {
 

@@ -135,7 +135,7 @@ const std::vector<identify::ModeClassification>& Survey::classifications() const
   return within_budget(analysis_.budget(), classifications_, [&] { return classify_by_shapes(); });
 }
 
-// The tube's orders below the band, by shapes where the modes below have one.
+// The orders below the band. The modes there are classified by their shapes, where they have one on the tube.
 identify::LowerOrders Survey::lower_orders(const std::vector<identify::ModeClassification>& found) const {
   const std::vector<identify::Mode>& below = analysis_.modes_below();
   std::vector<identify::ModeClassification> types(below.size());

@@ -15,7 +15,8 @@ struct FittedShell {
   model::ShellFit fit;
 };
 
-/// JSON: percuss/model-shell/1. Hoop frequencies of a tube with n waves around it; Flügge's for 1 … modes half-waves.
+/// JSON: percuss/model-shell/1. Hoop frequencies of a tube with n waves around it: of a ring, by Rayleigh and Love, and
+/// by Flügge for each number of half-waves along the tube, 1 … `modes`.
 CommandReport shell_report(const model::TubeShell& shell, std::size_t n, std::size_t modes,
                            const std::optional<FittedShell>& fitted = {});
 

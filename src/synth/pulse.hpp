@@ -25,8 +25,9 @@ struct SynthPole {
 struct PulseBasis {
   std::size_t first = 0;
   std::vector<double> force_N;  // filtered force
-  std::vector<std::vector<double>>
-      regular_N;  // [pole]: acceleration of a mode of residue 1/kg is force + regular, in m/s²
+  /// [pole]: the force through the mode's acceleration response without the impulse at t = 0. A mode of residue 1/kg
+  /// accelerates by force_N + regular_N, in m/s².
+  std::vector<std::vector<double>> regular_N;
 };
 
 /// The force at t_s after the onset, and the integral of the force over all time.

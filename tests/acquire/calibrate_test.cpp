@@ -7,6 +7,7 @@
 
 #include "support/force_row.hpp"
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 
 namespace percuss::acquire::calibrate_test {
 
@@ -17,7 +18,7 @@ struct Bench {
   double scale = 0.0102;  // N per unit of the force channel
   double offset = 0;      // of the force channel, in its unit
   double accel_offset = 0;
-  double noise = 0;  // standard deviation on both channels, over a force of 300 N
+  double noise = 0;  // standard deviation of the force and of mass · acceleration, as a fraction of 300 N
   double accel_sign = 1;
   std::vector<double> peaks_N = {300, 180, 420};
 };
@@ -142,7 +143,7 @@ TEST(Calibrate, NeedsExactlyOneAccelerationAndAHit) {
   const Record silent = record_in_memory(kFs_Hz, {x}, {{x}});
   EXPECT_THAT(test::input_error_of([&] { calibrate(none, kMass_kg); }), HasSubstr("not 0"));
   EXPECT_THAT(test::input_error_of([&] { calibrate(two, kMass_kg); }), HasSubstr("name the one on the free mass"));
-  EXPECT_THAT(test::error_options_of([&] { calibrate(two, kMass_kg); }), testing::ElementsAre("accel_channel"));
+  EXPECT_THAT(test::options_of_error([&] { calibrate(two, kMass_kg); }), testing::ElementsAre("accel_channel"));
   EXPECT_THAT(test::input_error_of([&] { calibrate(silent, kMass_kg); }), HasSubstr("no hit"));
 }
 

@@ -88,7 +88,7 @@ class RunShard : public testing::Test {
   std::optional<Manifest> manifest_;
 };
 
-TEST_F(RunShard, LeavesRecordsOpenWhileThereAreNoDescriptors) {
+TEST_F(RunShard, LeavesRecordsForTheNextRunWithoutDescriptors) {
   plan(3);
   std::optional<DescriptorLimit> limit;
   ShardJob three = job();

@@ -24,7 +24,7 @@ TEST(BatchSlurm, WritesAScriptThatAShellParsesCorrectly) {
             "\"$SLURM_ARRAY_TASK_ID/9\" --threads 2 -o /data/out\n");
 }
 
-TEST(BatchSlurm, RefusesPathsThatCannotBeSeenInALine) {
+TEST(BatchSlurm, RefusesPathsThatAreNotPrintable) {
   const SlurmJob good{.program = "/usr/bin/percuss", .manifest = "/data/m.jsonl", .folder = "/data/out", .tasks = {0}};
   for (const char* name :
        {"/a\n#SBATCH --wrap=id", "/a\r", "/a\x1b[2K", "/a\u0085", "/a\u202e", "/a\u2028b", "/a\xff"}) {

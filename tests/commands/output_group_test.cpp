@@ -8,7 +8,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-// A command with several outputs writes all or none. Each wrote the files before the one that failed.
+// A command with several outputs writes all or none. The last output of each command here fails.
 namespace percuss::output_group_test {
 
 namespace fs = std::filesystem;

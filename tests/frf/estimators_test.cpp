@@ -9,6 +9,7 @@
 #include <span>
 
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 
 namespace percuss::frf::estimators_test {
 
@@ -229,7 +230,7 @@ TEST(EstimateFrf, RefusesALineWithoutForce) {
   for (const Estimator estimator : kEstimators) {
     const std::string message = test::input_error_of([&] { hits.frf(estimator); });
     EXPECT_THAT(message, testing::HasSubstr("22 Hz"));  // line 10 + 1, 2 Hz apart
-    EXPECT_THAT(test::error_options_of([&] { hits.frf(estimator); }), testing::ElementsAre("band"));
+    EXPECT_THAT(test::options_of_error([&] { hits.frf(estimator); }), testing::ElementsAre("band"));
   }
 }
 

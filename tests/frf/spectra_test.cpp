@@ -58,7 +58,7 @@ TEST(ForceSpectrum, IsTheTransformOfThePulseInItsPlace) {
     const double angle = kTwoPi * static_cast<double>(k + 3) / 64;
     exact[k] = std::polar(1.0, -10 * angle) + std::polar(4.0, -11 * angle) + std::polar(2.0, -12 * angle);
   }
-  constexpr double kRounding = 3e-14;  // of 7, turned by up to 30 rad
+  constexpr double kRounding = 3e-14;  // of a sum of magnitudes 7, with phases up to 30 rad
   EXPECT_LE(difference(spectrum, exact), kRounding);
 }
 
@@ -99,7 +99,7 @@ TEST(AccelSpectrum, KeepsTheMeanAndTheScale) {
   for (std::size_t k = 1; k < 33; ++k) ASSERT_LE(std::abs(spectrum[k]), 64 * 2.5 * 1e-15);  // rounding
 }
 
-// Equation (1) of the truth at any s.
+// Equation (1) of synth::Truth at any s.
 Complex accelerance_at(const synth::Truth& truth, Complex s) {
   Complex sum = truth.rigid_per_kg[0][0];
   for (std::size_t r = 0; r < truth.spec.modes.size(); ++r) {

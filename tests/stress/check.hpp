@@ -11,20 +11,20 @@
 namespace percuss::stress {
 
 /// The error of a mode in its reported standard deviations.
-struct Miss {
+struct ModeError {
   double freq_sigmas = 0;
   double damping_sigmas = 0;
 };
 
 /// The result of one run of a check.
 struct Result {
-  std::vector<std::string> failures;  // none: as expected
-  std::set<std::string> said;         // codes of findings and warnings, "exit 3", "exit 4"
-  std::size_t wanted = 0, found = 0;  // true modes that must be found, and true modes found
-  double freq_relative = 0;           // the largest error over the modes found, relative
-  double damping_absolute = 0;        // … of the damping ratio
-  double freq_bound = 0;              // largest Cramér–Rao bound of a frequency, over half its bandwidth; 0: none
-  std::vector<Miss> misses;           // of the found modes
+  std::vector<std::string> failures;   // none: as expected
+  std::set<std::string> said;          // codes of findings and warnings, "exit 3", "exit 4"
+  std::size_t wanted = 0, found = 0;   // true modes that must be found, and true modes found
+  double freq_relative = 0;            // the largest error over the modes found, relative
+  double damping_absolute = 0;         // … of the damping ratio
+  double freq_bound = 0;               // largest Cramér–Rao bound of a frequency, over half its bandwidth; 0: none
+  std::vector<ModeError> mode_errors;  // of the found modes
   /// The noise meets the assumptions of the standard deviations, so the confidence intervals must cover the truth.
   bool calibrated = false;
 };

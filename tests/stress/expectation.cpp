@@ -22,7 +22,7 @@ bool are_separable(const TrueMode& a, const TrueMode& b) {
   return apart_Hz > kRoundingOfPole * a.pole.freq_Hz && apart_Hz > kMinSeparation * (a.freq_bound_Hz + b.freq_bound_Hz);
 }
 
-Miss miss_of(const identify::Mode& mode, const identify::Pole& truth) {
+ModeError mode_error_of(const identify::Mode& mode, const identify::Pole& truth) {
   const auto beyond = [](double error, double floor, double std) {
     return std::max(0.0, std::abs(error) - floor) / std;
   };
@@ -30,7 +30,7 @@ Miss miss_of(const identify::Mode& mode, const identify::Pole& truth) {
           .damping_sigmas = beyond(mode.pole.damping_ratio - truth.damping_ratio, kRoundingOfPole, mode.damping_std)};
 }
 
-double worse(const Miss& miss) { return std::max(miss.freq_sigmas, miss.damping_sigmas); }
+double worse(const ModeError& error) { return std::max(error.freq_sigmas, error.damping_sigmas); }
 
 bool is_candidate_for(const identify::Mode& mode, const identify::Pole& truth) {
   const double off_Hz = std::abs(mode.pole.freq_Hz - truth.freq_Hz);
@@ -127,7 +127,7 @@ class Judge {
     for (std::size_t m = 0; m < outcome_.modes.size(); ++m) {
       for (std::size_t t = 0; t < truth_.size(); ++t) {
         if (is_candidate_for(outcome_.modes[m], truth_[t].pole))
-          pairs.push_back({worse(miss_of(outcome_.modes[m], truth_[t].pole)), m, t});
+          pairs.push_back({worse(mode_error_of(outcome_.modes[m], truth_[t].pole)), m, t});
       }
     }
     std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.off < b.off; });
@@ -175,16 +175,16 @@ class Judge {
   }
 
   void judge_mode(const identify::Mode& mode, const identify::Pole& truth) {
-    const Miss miss = miss_of(mode, truth);
+    const ModeError error = mode_error_of(mode, truth);
     ++result_.found;
-    result_.misses.push_back(miss);
+    result_.mode_errors.push_back(error);
     const double freq_relative = std::abs(mode.pole.freq_Hz / truth.freq_Hz - 1);
     const double damping_absolute = std::abs(mode.pole.damping_ratio - truth.damping_ratio);
     result_.freq_relative = std::max(result_.freq_relative, freq_relative);
     result_.damping_absolute = std::max(result_.damping_absolute, damping_absolute);
     const auto of_truth = fmt::format("{} for {:.9g} Hz, {:.6g}", words(mode), truth.freq_Hz, truth.damping_ratio);
-    if (!warned_ && !(worse(miss) <= kMaxSigmas))
-      fail(fmt::format("{:.1f} and {:.1f} standard deviations off: {}", miss.freq_sigmas, miss.damping_sigmas,
+    if (!warned_ && !(worse(error) <= kMaxSigmas))
+      fail(fmt::format("{:.1f} and {:.1f} standard deviations off: {}", error.freq_sigmas, error.damping_sigmas,
                        of_truth));
     if (expected_.freq_relative && !(freq_relative <= *expected_.freq_relative))
       fail(fmt::format("frequency off by {:.2g}: {}", freq_relative, of_truth));

@@ -22,13 +22,13 @@ void add_run(Summary& all, std::size_t run, const Result& result) {
   all.freq_relative = std::max(all.freq_relative, result.freq_relative);
   all.damping_absolute = std::max(all.damping_absolute, result.damping_absolute);
   all.freq_bound = std::max(all.freq_bound, result.freq_bound);
-  for (const Miss& miss : result.misses) {
-    all.largest.freq_sigmas = std::max(all.largest.freq_sigmas, miss.freq_sigmas);
-    all.largest.damping_sigmas = std::max(all.largest.damping_sigmas, miss.damping_sigmas);
+  for (const ModeError& error : result.mode_errors) {
+    all.largest.freq_sigmas = std::max(all.largest.freq_sigmas, error.freq_sigmas);
+    all.largest.damping_sigmas = std::max(all.largest.damping_sigmas, error.damping_sigmas);
     if (!result.calibrated) continue;
     ++all.coverage.modes;
-    if (miss.freq_sigmas < kInterval) ++all.coverage.freq;
-    if (miss.damping_sigmas < kInterval) ++all.coverage.damping;
+    if (error.freq_sigmas < kInterval) ++all.coverage.freq;
+    if (error.damping_sigmas < kInterval) ++all.coverage.damping;
   }
 }
 

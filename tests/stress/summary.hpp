@@ -25,7 +25,7 @@ struct Summary {
   std::set<std::string> said;
   std::size_t wanted = 0, found = 0;
   double freq_relative = 0, damping_absolute = 0, freq_bound = 0;  // the largest of all runs, as in Result
-  Miss largest;
+  ModeError largest;
   Coverage coverage;
 
   bool failed() const { return failed_runs > 0; }

@@ -24,15 +24,4 @@ std::string input_error_of(Work&& work) {
   return {};
 }
 
-/// The options that the InputError of `work` concerns; none if `work` throws none.
-template <class Work>
-std::vector<OptionId> error_options_of(Work&& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.options();
-  }
-  return {};
-}
-
 }  // namespace percuss::test

@@ -6,7 +6,7 @@
 
 namespace percuss::tools {
 
-/// Opens one path with resolved options.
+/// Opens the path (or the host's input) of this index as a record. `options` come from resolved_read_options().
 acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOptions& options, std::size_t index);
 
 /// Contents of the files: records or FRFs, never both.
@@ -18,7 +18,7 @@ struct Measurements {
 /// Opens every path as a record or as FRFs. Throws InputError for a mixture of both; UsageError as open_records.
 Measurements open_measurements(const ReadFlags& flags);
 
-/// Opens one path as a record or as FRFs, with resolved options.
+/// Opens the path (or the host's input) of this index as a record or as FRFs, with `options` as above.
 std::variant<acquire::Record, acquire::FrfRecord> open_measurement_at(const ReadFlags& flags,
                                                                       const acquire::ReadOptions& options,
                                                                       std::size_t index);

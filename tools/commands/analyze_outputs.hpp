@@ -11,7 +11,8 @@
 
 namespace percuss::tools {
 
-/// The results of analyze. A host keeps them to compute or save more later.
+/// The results of analyze. A host (a program that calls the command, cli/host.hpp) keeps them to compute or save more
+/// later.
 struct AnalyzeResults {
   AnalyzeFlags flags;
   std::vector<Test> tests;

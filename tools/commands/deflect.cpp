@@ -113,7 +113,7 @@ void add_deflect(CommandLine& line) {
   command
       .value("--method", flags->method,
              "Choose the method. auto: integrate without drift if the record shows the structure at rest before the "
-             "impact, otherwise use modes and force")
+             "impact, otherwise use modes and force if they are known")
       .one_of({"auto", "small-interval", "drift-free", "frequency", "modal"})
       .show_default();
   command

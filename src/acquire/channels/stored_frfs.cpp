@@ -27,7 +27,7 @@ void refuse_inapplicable_options(const ReadOptions& options, const std::string& 
   }
 }
 
-// SI unit of the response (m/s², m/s or m) per stored unit.
+// SI units of the response (m/s², m/s or m) per stored unit.
 double response_factor(const SignalOverrides& choice, const StoredFrfs& stored, FrfKind kind,
                        const std::string& where) {
   if (choice.scale) return *choice.scale;
@@ -86,13 +86,13 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   record.kind = frf_kind_of(stored, options, record.notes);
   const auto channels = chosen_channels(options.read, record.accel.size(), where);
   const SignalOverrides force = force_overrides(options.read, force_setup(options.read));
-  const double below = force.sign * force_factor(force, stored, where);
+  const double force_to_SI = force.sign * force_factor(force, stored, where);
   std::vector<SignalInfo> accel;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const ChannelSetup* setup = accel_setup(options.read, channels[i], record.accel.size());
     const SignalOverrides choice = accel_overrides(options.read, setup, i, channels.size());
     SignalInfo signal = record.accel[channels[i]];
-    signal.to_SI = choice.sign * response_factor(choice, stored, record.kind, where) / below;
+    signal.to_SI = choice.sign * response_factor(choice, stored, record.kind, where) / force_to_SI;
     if (!std::isfinite(signal.to_SI) || signal.to_SI == 0)
       throw InputError("the scale is zero or not finite", where, "give a finite scale other than zero");
     if (choice.angle_rad) signal.angle_rad = choice.angle_rad;

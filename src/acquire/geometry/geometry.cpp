@@ -84,7 +84,7 @@ Columns columns_of(const std::vector<std::string_view>& names, const std::string
   const auto has = [&](Field field) { return columns[field].index.has_value(); };
   if (!has(kPoint)) throw InputError("no column of points", where, kGeometryRemedy, {"survey.example"});
   if (has(kX) != has(kY) || has(kX) != has(kZ) || has(kPosition) != has(kAngle) || has(kX) == has(kPosition)) {
-    throw InputError("neither x, y and z nor position and angle, or both", where,
+    throw InputError("the columns must be either x, y and z, or position and angle", where,
                      "name the columns point,x_m,y_m,z_m or point,position_m,angle_deg");
   }
   return columns;

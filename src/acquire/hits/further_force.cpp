@@ -202,7 +202,7 @@ class ForceSearch {
   bool is_spike(std::size_t peak) const {
     const double height = std::abs(force_[peak]);
     if (height < kSpikeNoise * noise_N_) return false;
-    return half_length(force_, sign_, peak) < kSpike * half_length(force_, sign_, pulse_.peak);
+    return width_at_half_peak(force_, sign_, peak) < kSpike * width_at_half_peak(force_, sign_, pulse_.peak);
   }
 
   Gate gate_of(std::size_t peak) const {

@@ -30,7 +30,7 @@ std::pair<std::size_t, std::size_t> above(std::span<const double> x, double sign
   return {first, end};
 }
 
-double half_length(std::span<const double> x, double sign, std::size_t peak) {
+double width_at_half_peak(std::span<const double> x, double sign, std::size_t peak) {
   const double level = std::abs(x[peak]) / 2;
   std::size_t before = peak, after = peak;
   while (before > 0 && sign * x[before] > level) --before;

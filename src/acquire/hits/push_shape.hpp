@@ -13,7 +13,7 @@ std::vector<double> smoothed(std::span<const double> x, double sign, std::size_t
 /// The samples [first, end) around `peak` where sign · x stays above `level`.
 std::pair<std::size_t, std::size_t> above(std::span<const double> x, double sign, std::size_t peak, double level);
 
-/// The length in samples, interpolated, that sign · x stays above half its value at `peak`.
-double half_length(std::span<const double> x, double sign, std::size_t peak);
+/// The width in samples, interpolated, over which sign · x stays above half its value at `peak`.
+double width_at_half_peak(std::span<const double> x, double sign, std::size_t peak);
 
 }  // namespace percuss::acquire

@@ -12,7 +12,7 @@ struct TriggerScan {
   double baseline_N = 0;                           // median over the row
   double noise_N = 0;                              // robust standard deviation about it
   double largest_N = 0;                            // largest |force − baseline|
-  std::size_t largest_first = 0, largest_end = 0;  // the samples that contain it
+  std::size_t largest_first = 0, largest_end = 0;  // range of samples that contains it
   double trigger_N = 0;                            // the threshold used
   std::vector<std::size_t> events;  // sample of the largest |force − baseline| of each event, ascending
 };
@@ -24,9 +24,10 @@ struct TriggerOptions {
   std::size_t last = static_cast<std::size_t>(-1);
 };
 
-/// Searches one row of the record for pulses of either sign. Reads the row once, in chunks, with memory for about 1/16
-/// of it. The default threshold is max(12 standard deviations of the noise, 1 % of the largest). An event is the
-/// largest sample within `separation_s` of the first sample above the threshold. theory (1.2)
+/// Searches one row of the record for pulses of either sign. Reads the row in chunks, with memory for about 1/16 of
+/// it, and 64 samples of each event again. The default threshold is max(12 standard deviations of the noise, 1 % of the
+/// largest). An event begins with the first sample above the threshold. Its largest sample is within `separation_s` of
+/// the first. The event ends `separation_s` after the largest sample. theory (1.2)
 TriggerScan scan_for_triggers(const Record& record, std::size_t row, const TriggerOptions& options = {});
 
 }  // namespace percuss::acquire

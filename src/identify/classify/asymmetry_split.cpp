@@ -11,7 +11,7 @@ using std::numbers::pi;
 
 constexpr double kMinPlaneSine = 0.2;         // sine of n times the angle between the sensors
 constexpr double kHidden_dB = 20;             // level difference at which the second peak hides the first
-constexpr double kPatternError_rad = 0.0873;  // 5°: error of the pattern cos n(θ − plane) for real shapes
+constexpr double kPatternError_rad = 0.0873;  // 5°: departure of measured shapes from cos n(θ − plane)
 constexpr double kMinAngleSignificance = 3;   // standard deviations of an angle that differs from zero
 
 // Amplitudes at the two sensors over all impact points, and their standard deviations. The second amplitude is negative

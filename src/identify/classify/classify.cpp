@@ -11,7 +11,7 @@ namespace percuss::identify {
 namespace {
 
 constexpr double kPairSpacing = 0.04;          // relative: one bending mode's frequencies in its two planes are closer
-constexpr double kSplitSpacing = 0.15;         // relative: below 167 Hz, the largest separation is less than 25 Hz
+constexpr double kSplitSpacing = 0.15;         // of the lower frequency: largest separation, besides double_peak_Hz
 constexpr double kMinLoneProbability = 0.9;    // below it the second type is stated …
 constexpr double kMinRivalProbability = 0.03;  // … and where the second type has more than this
 constexpr double kMinTubeEvidence = -2.3;      // logarithm: another object is less than ten times as likely

@@ -19,7 +19,7 @@ constexpr double kMaxWindowLines =
     400;  // lines on either side: the polynomial follows other modes' tails only over a short window
 constexpr double kMinForcePower =
     1e-6;  // of the strongest line's power: FRFs are meaningless at the zeros of a pulse's spectrum
-constexpr double kMinWeight = 1e-3;             // of the noise elsewhere: an FRF without residual keeps a finite weight
+constexpr double kMinWindowNoise = 1e-3;        // of the noise elsewhere: an FRF without residual keeps a finite weight
 constexpr std::size_t kFlopsPerPowerLine = 10;  // of |H|² and its comparison
 constexpr std::size_t kOutgrown = 2;  // a window is replaced where it needs more than this many times its lines
 constexpr int kMaxPasses = 5;         // of widening
@@ -172,7 +172,7 @@ void WindowedFit::fit_all() {
     if (unchanged(g, data)) continue;
     // The residual of a first fit gives each FRF's noise in this window, which may differ from its noise elsewhere.
     if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kTrialTolerance);
-    group.fit = fit(group, data, group.fit.poles, weights_from(group));
+    group.fit = fit(group, data, group.fit.poles, residual_noise(group));
     fitted_to_[g] = std::move(data);
   }
 }
@@ -233,8 +233,8 @@ LocalFit WindowedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& d
                      {.first = group.first, .count = group.count, .tolerance = tolerance, .change = options_.change});
 }
 
-VectorXd WindowedFit::weights_from(const FitGroup& group) const {
-  return group.fit.noise.cwiseMax(kMinWeight * noise(group));
+VectorXd WindowedFit::residual_noise(const FitGroup& group) const {
+  return group.fit.noise.cwiseMax(kMinWindowNoise * noise(group));
 }
 
 }  // namespace percuss::identify

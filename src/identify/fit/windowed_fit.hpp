@@ -57,7 +57,7 @@ class WindowedFit {
   LocalFit fit(const FitGroup& group, const std::vector<Eigen::VectorXcd>& data, std::vector<Pole> start,
                const Eigen::VectorXd& weight, double tolerance = LocalFitOptions{}.tolerance) const;
   /// [channels] rms noise in the window, from the fit's residual.
-  Eigen::VectorXd weights_from(const FitGroup& group) const;
+  Eigen::VectorXd residual_noise(const FitGroup& group) const;
 
   /// Tolerance of a trial fit, at which the residual has reached the noise.
   static constexpr double kTrialTolerance = 1e-3;

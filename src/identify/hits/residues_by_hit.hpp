@@ -5,9 +5,9 @@
 
 namespace percuss::identify {
 
-/// The modes of a window that no linear structure has: weak, broad modes under a stronger one, whose residues differ
-/// between the hit that determines them best and the other hits. Friction, a stop or a stiffness that depends on the
-/// amplitude imitates such modes.
+/// Spurious modes of a window that come from a nonlinearity: friction, a stop, or a stiffness that depends on the
+/// amplitude. They are weak, broad modes under a stronger one. Their residues differ between the hit that determines
+/// them best and the other hits.
 std::vector<std::size_t> modes_of_some_hits(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                             const ModeWindow& window);
 

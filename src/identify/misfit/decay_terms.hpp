@@ -7,10 +7,11 @@
 
 namespace percuss::identify {
 
-/// The shift of the poles of a window, [2 modes] in Hz and damping ratio, when each mode in turn gets one more term: a
-/// pole that changes in proportion to the amplitude left (a second pole of twice the decay), or in proportion to time
-/// (the second derivative). The term's coefficient is common to all FRFs. The largest shift of each unknown counts; 0
-/// where no term improves the fit clearly.
+/// The shift of the poles of a window, [2 modes] in Hz and damping ratio, when each mode in turn gets one more term.
+/// The term describes a pole that changes during the decay: in proportion to the remaining amplitude (a second pole
+/// with twice the decay), or in proportion to time (the second derivative of the mode by its frequency). The term's
+/// coefficient is common to all FRFs. The largest shift of each unknown counts; 0 where no term improves the fit
+/// clearly.
 Eigen::VectorXd decay_term_shift(const FrfDataset& set, const ModeWindow& window, const std::vector<Pole>& poles,
                                  const VariableProjection& projection, const ProjectedState& state,
                                  const Eigen::VectorXd& noise);

@@ -62,7 +62,7 @@ std::vector<Pole> try_close_mode(const WindowedFit& all, const FitGroup& group, 
   const std::vector<Index> misfitting = misfitting_channels(all, group);
   if (misfitting.empty()) return now;
   const auto data = all.data_without_other_modes(group);
-  const VectorXd weight = all.weights_from(group);
+  const VectorXd weight = all.residual_noise(group);
   std::vector<LocalFit> fits(now.size() + 1);  // the present poles, and each mode split in turn
   parallel_for_cost(fits.size(), kFlopsPerTrialLine * channels * group.count, [&](std::size_t i) {
     fits[i] = i == 0 ? all.fit(group, data, now, weight)

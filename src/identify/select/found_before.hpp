@@ -8,8 +8,9 @@
 
 namespace percuss::identify {
 
-/// The residual of modes found before a joint search: `residual` of a joint fit of these modes (empty: it is computed),
-/// or the residual of a mode's own window where the mode has its own pole at each point. [channels][lines]
+/// The residual of modes found before a joint search, [channels][lines]: `residual` of a joint fit of these modes
+/// (empty: it is computed). Around a mode with frequency scatter it is scaled down to the rms residual of the mode's
+/// own window, where the mode has its own pole at each point.
 std::vector<Eigen::VectorXcd> residual_before(const FrfDataset& set, const std::vector<FittedMode>& modes,
                                               std::vector<Eigen::VectorXcd> residual);
 

@@ -170,7 +170,7 @@ bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, 
 std::optional<Pole> merge_if_scattered(const WindowedFit& all, const FitGroup& group) {
   const auto& poles = group.fit.poles;
   if (poles.size() < 2 || all.set().points.size() < kMinPoints) return std::nullopt;
-  const WindowData window{.data = all.data_without_other_modes(group), .weight = all.weights_from(group)};
+  const WindowData window{.data = all.data_without_other_modes(group), .weight = all.residual_noise(group)};
   FitGroup several = group;
   several.fit = all.fit(group, window.data, poles, window.weight);
   const std::size_t main = highest_peak(several.fit);
@@ -205,7 +205,7 @@ std::vector<ScatteredMode> scattered_modes(const WindowedFit& all, const FitGrou
   const std::size_t count = all.set().points.size();
   if (count < kMinPoints) return {};
   if ((group.fit.noise.array() / all.noise(group).array()).square().mean() < kMinScatterEnergy) return {};
-  const WindowData window{.data = all.data_without_other_modes(group), .weight = all.weights_from(group)};
+  const WindowData window{.data = all.data_without_other_modes(group), .weight = all.residual_noise(group)};
   const LocalFit common = all.fit(group, window.data, group.fit.poles, window.weight);
   const PointFits points = fit_each_point(all.set(), window, group, common.cost);
   if (points.degrees == 0 || common.degrees <= points.degrees) return {};

@@ -65,6 +65,7 @@ void read_speed(StrictObject& o, const std::string& side, double spacing_in, dou
     o.fail(fmt::format("a speed of {:g} mph", speed_mph), key, "give a speed above 0 mph, at most 400 mph");
 }
 
+// A shot of the session, or a hit that calibrates the ball lot (`of_lot`). The hit has no location and no damage.
 SessionShot read_session_shot(StrictObject& o, double spacing_in, bool of_lot) {
   SessionShot shot{.place = o.place()};
   for (const char* key : {"ball", "ball_g", "angle_deg"}) o.need(key);

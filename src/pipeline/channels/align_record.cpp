@@ -11,8 +11,8 @@
 namespace percuss::pipeline {
 namespace {
 
-// Taps on either side. The window's transition of 8 / (taps) reaches from 0.44 of the sampling rate to its mirror
-// image.
+// Taps on either side. The window's transition is 8/(2 kHalfTaps) = 0.1 of the sampling rate wide, with its middle at
+// 0.5. The filter is therefore exact up to 0.44.
 constexpr std::ptrdiff_t kHalfTaps = 40;
 
 // Window of Nuttall with four terms: side lobes at −98 dB. u: −1 … 1.

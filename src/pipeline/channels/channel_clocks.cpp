@@ -46,8 +46,8 @@ std::optional<ChannelClock> compare(const std::vector<identify::Mode>& first,
   return ChannelClock{.excess = slope.slope, .std = slope.std, .modes = excess.size(), .log_chance = slope.log_chance};
 }
 
-// Different frequencies of one mode leave a misfit, or are taken for two modes. A different clock does so for several
-// modes.
+// A mode whose frequency differs between the channels leaves a misfit, or is taken for two modes. One misfit suffices;
+// a single close pair may be a true one.
 bool may_differ(const std::vector<identify::Mode>& modes) {
   std::size_t pairs = 0;
   for (std::size_t m = 0; m < modes.size(); ++m) {

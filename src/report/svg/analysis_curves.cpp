@@ -15,7 +15,7 @@ namespace percuss::report {
 namespace {
 
 constexpr std::size_t kMaxFrfs = 8, kMaxHitsShown = 12, kDecayPoints = 400, kSpectrumPoints = 300;
-constexpr double kMaxAbove_dB = 40;  // a standard deviation as large as the value is unbounded in decibels
+constexpr double kMaxAbove_dB = 40;  // limit of above_dB, which is unbounded near a zero of the FRF
 constexpr double kBeyondBandwidth = 1.5;
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 

@@ -101,7 +101,7 @@ TEST(Geometry, NamesLineAndRemedyOfAnError) {
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1\n"), HasSubstr("no cell for angle (g.csv: line 2)"));
   EXPECT_THAT(rejection_of("point,position,angle_deg\n0,0.1,0\n"), HasSubstr("no unit for position (g.csv: line 1)"));
   EXPECT_THAT(rejection_of("point,position_kg,angle_deg\n0,0.1,0\n"), HasSubstr("g.csv: line 1"));
-  EXPECT_THAT(rejection_of("point,x_m,y_m\n0,0.1,0\n"), HasSubstr("neither x, y and z nor position and angle"));
+  EXPECT_THAT(rejection_of("point,x_m,y_m\n0,0.1,0\n"), HasSubstr("either x, y and z, or position and angle"));
   EXPECT_THAT(rejection_of("x_m,y_m,z_m\n0,0.1,0\n"), HasSubstr("no column of points"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg,angle_rad\n0,0.1,0,0\n"),
               HasSubstr("two columns are called angle"));

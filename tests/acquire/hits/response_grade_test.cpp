@@ -44,14 +44,15 @@ ResponseGrade grade(const std::vector<double>& accel) { return grade_response(hi
 TEST(GradeResponse, MeasuresTheLevelAtTheEnd) {
   for (const double tau : {1000.0, 3000.0, 20000.0}) {
     const std::size_t after = hit().gate_first + hit().gated_N.size();
-    const double window = std::floor(static_cast<double>(kSamples - after) / 20);  // first and last of the decay
+    const double window =
+        std::floor(static_cast<double>(kSamples - after) / 20);  // samples of the first and of the last twentieth
     const double exact = -20 * std::log10(std::exp(1.0)) * (static_cast<double>(kSamples - after) - window) / tau;
     constexpr double kPhase_dB = 0.1;  // a window holds 18.3 periods, not a whole number
     EXPECT_LE(std::abs(grade(ringing(tau)).end_level_dB - exact), kPhase_dB) << tau;
   }
 }
 
-TEST(GradeResponse, IsTruncatedWhenItStillRingsAtSixTimeConstants) {
+TEST(GradeResponse, IsTruncatedWhenTheRecordEndsBeforeSixTimeConstants) {
   EXPECT_TRUE(grade(ringing(2200)).truncated);   // −43 dB
   EXPECT_TRUE(grade(ringing(20000)).truncated);  // −5 dB
   EXPECT_FALSE(grade(ringing(1500)).truncated);  // −63 dB

@@ -19,7 +19,7 @@ TEST(LinesFromFrequencies, AllowsFrequenciesThatWereRounded) {
   for (std::size_t k = 0; k < freq_Hz.size(); ++k)
     freq_Hz[k] = std::round(0.1953125 * static_cast<double>(k) * 100) / 100;
   EXPECT_LE(std::abs(lines_from_frequencies(freq_Hz, "x").df_Hz() / 0.1953125 - 1), 1e-4)
-      << "half a hundredth in 195 Hz";
+      << "the last frequency, 195 Hz, is rounded to 0.01 Hz";
 }
 
 }  // namespace percuss::acquire::line_range_test

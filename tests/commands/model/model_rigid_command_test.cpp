@@ -19,6 +19,7 @@ TEST(ModelRigidCommand, PrintsADocumentThatFitsItsSchema) {
   EXPECT_EQ(document["curve"].back()["z_m"], 0.42);
 }
 
+// At the default swing rate of 60 rad/s, the centre of mass moves at 30 m/s when the pivot is 0.5 m away.
 TEST(ModelRigidCommand, TurnsAboutThePivot) {
   const auto about = run_percuss({"model", "rigid", "--pivot", "0.5", "--json"});
   const auto moving = run_percuss({"model", "rigid", "--bat-speed", "30", "--json"});

@@ -127,7 +127,7 @@ TEST(Object, IsJudgedByTheModesWhereAnglesAreAssumed) {
   EXPECT_TRUE(classifications(plate(), {.object = ObjectKind::tube, .angles_assumed = true})[0].ratio);
 }
 
-// The modes below the band, of the types that their ratios show.
+// Counts the modes below the band. Their types come from their ratios.
 LowerOrders lower(const std::vector<Mode>& below, const std::vector<Mode>& found) {
   return lower_orders(below, classifications(below), found, classifications(found), {});
 }

@@ -19,7 +19,7 @@ Mode mode_at(double freq_Hz, Complex first, Complex second, double std = 1e-3) {
           .residues = {{.channel = 0, .value = first, .std = std}, {.channel = 1, .value = second, .std = std}}};
 }
 
-/// Residues of bending in the plane ψ and of hoop at θ₀, for sensors at these angles.
+/// Bending in the plane plane_deg, and hoop with an antinode at turn_deg. The sensors are at 0° and second_deg.
 Mode bending(double freq_Hz, double plane_deg, double second_deg = 90) {
   return mode_at(freq_Hz, std::cos(plane_deg * kDegree), std::cos((second_deg - plane_deg) * kDegree));
 }

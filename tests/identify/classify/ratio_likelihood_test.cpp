@@ -51,7 +51,7 @@ TEST(RatioLikelihood, PrefersHoopForOppositeMotionAt90Degrees) {
 }
 
 TEST(RatioLikelihood, IsUniformForBendingAt90Degrees) {
-  // tan ψ takes every value equally often.
+  // χ is the angle ψ of the bending plane, and all planes are equally likely.
   const RatioLikelihood likelihood(0, pi / 2, kPlaced);
   constexpr double kTolerance = 1e-9;  // rounding
   for (double chi = -1.5; chi < 1.6; chi += 0.25)
@@ -116,7 +116,7 @@ TEST(RatioLikelihood, IsTheDensityOfTheRatiosOverAllAngles) {
 }
 
 TEST(RatioLikelihood, IncludesGainErrorsWhereTheyChangeTheRatio) {
-  // A gain error of 5 % changes χ = −45° by 1.4°, and χ = 0 not at all.
+  // A gain error of 10 % changes χ = −45° by 2.9°, and χ = 0 not at all.
   const RatioLikelihood known(0, pi / 2, {.angle_rad = 0.001, .gain = 0}),
       unknown(0, pi / 2, {.angle_rad = 0.001, .gain = 0.1});
   const RatioAngle off{.chi_rad = -pi / 4 + 0.12}, none{.chi_rad = 0};

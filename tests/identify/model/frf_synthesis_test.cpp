@@ -18,7 +18,7 @@ Mode mode_of(const Pole& pole, std::vector<Complex> residues) {
   return mode;
 }
 
-// Two channels of two modes on a mass line.
+// Two channels of two modes. The second channel also has a mass line.
 struct Case {
   FrfDataset set = test::empty_set(8192, 16384, 50, 2000, 2);
   std::vector<Mode> modes{mode_of({300, 0.01}, {1.0, -0.4}), mode_of({1100, 0.004}, {0.5, {0.2, 0.05}})};

@@ -76,7 +76,7 @@ TEST(GainErrors, AgreeWithTheStandardDeviationOfOneLine) {
   EXPECT_LE(std::abs(whole / (2 * one * one) - 1), 1e-9);
 }
 
-TEST(GainErrors, AreEmptyWithoutAForce) {
+TEST(GainErrors, AreEmptyWithoutNoiseOrForce) {
   FrfDataset set = gated_hit();
   set.points[0].noise_N = 0;
   EXPECT_EQ(gain_errors(set, 0, {1, 2}).size(), 0);

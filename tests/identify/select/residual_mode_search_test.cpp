@@ -34,7 +34,7 @@ TEST(ResidualModeSearch, RetriesTheMostSignificantBroadModeAlone) {
   EXPECT_EQ(search.next(all, ResidualSearch::all).size(), 1U) << "the most significant of the rejected modes";
 }
 
-TEST(ResidualModeSearch, FindsNothingInAZeroResidual) {
+TEST(ResidualModeSearch, FindsNothingInAResidualOfNoise) {
   const FrfDataset set = narrow_and_broad(2);
   WindowedFit all(set);
   all.replace({kNarrow, kBroad});

@@ -76,7 +76,7 @@ TEST(RecordFindings, AreNoneForAGoodTest) {
 
 class MissingSamples : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(MissingSamples, AreNamedAndPutBack) {
+TEST_P(MissingSamples, AreNamedAndPredicted) {
   const std::size_t count = GetParam();
   const Analysis analysis(changed(synth::synthesise(tube()).record,
                                   [count](std::size_t row, std::size_t, std::vector<double>& x) {
@@ -133,7 +133,7 @@ TEST(RecordFindings, NameAnExponentialWindowByTheDecayOfTheNoise) {
   EXPECT_THAT(codes_of(analysis), Contains("already_windowed"));
 }
 
-TEST(RecordFindings, RemoveAStepOfTheZeroAndASlope) {
+TEST(RecordFindings, RemoveAZeroShiftAndASlope) {
   const acquire::Record good = synth::synthesise(tube()).record;
   const Analysis step(changed(good,
                               [](std::size_t, std::size_t, std::vector<double>& x) {

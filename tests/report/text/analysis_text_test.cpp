@@ -121,7 +121,7 @@ TEST(FrfTerminalPlot, IsEmptyWhenTooNarrow) {
   EXPECT_EQ(frf_terminal_plot(analysis, 40), "");
 }
 
-// .ci/shells tests the output on a terminal: a bare machine has none.
+// This test has no terminal. .ci/shells tests the output on a terminal.
 TEST(FrfTerminalPlot, AppearsOnTerminalsOnly) {
   const test::ScratchFolder folder;
   test::write_small_test(folder.file("bat.h5"));

@@ -138,7 +138,7 @@ void print_open_records(const batch::Manifest& manifest, const std::vector<batch
                              open == 1 ? "record" : "records");
 }
 
-// Absolute, since run() changes the working folder.
+// Absolute, since run_shards() changes the working folder.
 std::string results_folder(const std::string& folder) {
   std::error_code problem;
   fs::create_directories(folder, problem);

@@ -91,15 +91,16 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& 
   return rate;
 }
 
-// Hammer tests are sampled faster. A time without a unit that gives a slower rate is probably in milliseconds.
+// Hammer tests are sampled at 200 Hz or more. A time without a unit that gives a lower rate is probably in
+// milliseconds.
 void require_plausible_unit(const CsvColumn& time, const CsvHeader& header, double fs_Hz, const std::string& file) {
   constexpr double kMinRate_Hz = 200, kMilli = 1000;
   if (parse_unit(time.unit) || header.fs_Hz || fs_Hz >= kMinRate_Hz) return;
-  throw InputError(fmt::format("the column {} states no unit: its steps are {:.6g} Hz in seconds and {:.6g} Hz in "
-                               "milliseconds",
-                               time.name, fs_Hz, kMilli * fs_Hz),
-                   file + ": time column", "state the sampling rate, or write the unit into the header: Time (ms)",
-                   {"fs"});
+  throw InputError(
+      fmt::format("the column {} states no unit: its steps give {:.6g} Hz if they are seconds and {:.6g} Hz "
+                  "if they are milliseconds",
+                  time.name, fs_Hz, kMilli * fs_Hz),
+      file + ": time column", "state the sampling rate, or write the unit into the header: Time (ms)", {"fs"});
 }
 
 // The rate from header and time column. Prefers the exact rate of the header if the rounded stamps allow it.

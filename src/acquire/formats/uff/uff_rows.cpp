@@ -12,7 +12,7 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kSameStep = 1e-4;  // relative: the columns round
+constexpr double kSameStep = 1e-4;  // relative: the text columns round a step
 
 using Functions = std::vector<const UffFunction*>;
 
@@ -36,7 +36,8 @@ std::vector<UffRow> rows_in_order(Functions functions, std::vector<bool> is_forc
   return rows;
 }
 
-// Gives the k-th response of each degree of freedom and quantity to the k-th force; empty when that does not work out.
+// Gives the k-th response of each degree of freedom and quantity to the k-th force. Empty when the rows
+// would differ in length.
 std::vector<UffRow> rows_by_dof(const Functions& functions, const std::vector<bool>& is_force) {
   std::vector<UffRow> rows;
   for (std::size_t i = 0; i < functions.size(); ++i) {
@@ -80,10 +81,11 @@ void require_one_sampling(const std::vector<UffRow>& rows, const std::string& fi
   const UffFunction& first = *rows.front().front();
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (const UffFunction* function : rows[r]) {
-      const bool length = function->count == rows[r].front()->count;
-      if (length && has_same_step(*function, first)) continue;
-      throw InputError(fmt::format("functions of row {} differ in {}", r, length ? "their sampling rate" : "length"),
-                       file, "export records that were sampled together");
+      const bool same_length = function->count == rows[r].front()->count;
+      if (same_length && has_same_step(*function, first)) continue;
+      throw InputError(
+          fmt::format("functions of row {} differ in {}", r, same_length ? "their sampling rate" : "length"), file,
+          "export records that were sampled together");
     }
   }
 }
