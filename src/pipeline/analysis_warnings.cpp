@@ -3,6 +3,7 @@
 #include "pipeline/analysis.hpp"
 #include "pipeline/warnings/channel_mode_warnings.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
+#include "pipeline/warnings/force_findings.hpp"
 #include "pipeline/warnings/hit_scatter_warnings.hpp"
 #include "pipeline/warnings/hit_warnings.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
@@ -30,6 +31,7 @@ std::vector<Warning> Analysis::warnings() const {
   add(channel_warnings(record(), graded));
   if (force_known && responses_.ready() && hits_.ready()) add(record_findings(record(), graded, responses()));
   if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
+  if (responses_.ready() && options_.hits.gate_force) add(coupling_warnings(graded, band_Hz().first));
   add(rest_warnings(graded));
   if (modes_.ready()) add(channel_mode_warnings(record(), modes(), channel_findings(), force_known));
   if (modes_.ready()) {

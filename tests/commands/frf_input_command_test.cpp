@@ -47,6 +47,24 @@ class FrfInput : public testing::Test {
   inline static std::unique_ptr<test::ScratchFolder> folder_;
 };
 
+TEST_F(FrfInput, IsWrittenOverTheLinesThatItHas) {
+  run_percuss({"frf", file("bat.h5"), "--band", "100:400", "-o", file("part.csv")});
+  run_percuss({"frf", file("part.csv"), "--band", "50:300", "-o", file("within.csv")});
+  run_percuss({"frf", file("bat.h5"), "--band", "100:300", "-o", file("expected.csv")});
+  const auto numbers_of = [](const std::string& path) {
+    auto lines = lines_of(test::bytes_of(path));
+    std::erase_if(lines, [](const std::string& line) { return line.empty() || line.front() == '#'; });
+    return lines;
+  };
+  EXPECT_EQ(numbers_of(file("within.csv")), numbers_of(file("expected.csv")));
+}
+
+TEST_F(FrfInput, TakesNoUnitOfAccelerationForAMobility) {
+  const auto outcome = run_percuss({"info", file("mobility.csv"), "--unit", "g"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("does not apply to the responses of a mobility"));
+}
+
 TEST_F(FrfInput, FindsTheModesOfTheRecord) {
   const json record = analysed({file("bat.h5"), "--band", "60:1000"});
   ASSERT_EQ(record["modes"].size(), 2U);

@@ -31,7 +31,13 @@ void refuse_inapplicable_options(const ReadOptions& options, const std::string& 
 double response_factor(const SignalOverrides& choice, const StoredFrfs& stored, FrfKind kind,
                        const std::string& where) {
   if (choice.scale) return *choice.scale;
-  if (!choice.unit.empty()) return require_unit(choice.unit, Quantity::acceleration, where).to_SI;
+  if (!choice.unit.empty()) {
+    if (kind != FrfKind::accelerance) {
+      throw InputError(fmt::format("a unit of acceleration does not apply to the responses of a {}", name_of(kind)),
+                       where, "state their scale instead", {"accel_scale"});
+    }
+    return require_unit(choice.unit, Quantity::acceleration, where).to_SI;
+  }
   return stored.unit && stored.unit->kind == kind ? stored.unit->response_to_SI : 1;
 }
 

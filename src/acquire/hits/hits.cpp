@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acquire/hits/ac_coupling.hpp"
 #include "acquire/hits/clipping.hpp"
 #include "acquire/hits/contact_gate.hpp"
 #include "acquire/hits/flat_top.hpp"
@@ -91,6 +92,7 @@ void measure_and_grade_pulse(Hit& hit, std::span<const double> all, std::size_t 
       further_force(scanned, shape_of_pulse(scanned, offset + peak), gate_in_all, hit.noise_N,
                     {.max_tail = std::max(kMinRead, static_cast<std::size_t>(kLongestPulse_s * fs_Hz))});
   gate_force(hit, x, gate, further, offset);
+  hit.coupling_Hz = ac_coupling_Hz(hit, x, fs_Hz);
   grade_pulse(hit, x, pulse, gate.first == 0);
   grade_second_pulse(hit, further.contacts, fs_Hz);
   grade_lasting_force(hit, x, peak, fs_Hz);

@@ -20,6 +20,7 @@ struct Hit {
   double bandwidth_Hz = 0;  // the force spectrum has fallen 20 dB below its largest line
   double noise_N = 0;       // standard deviation of the noise of the force channel
   double baseline_N = 0;
+  double coupling_Hz = 0;      // corner of the force channel's AC coupling, where the force shows it
   std::size_t gate_first = 0;  // first sample of `gated_N` in the row
   std::size_t pulse_end = 0;   // end of the pulse with the anti-alias filter's ringing, a sample of the row
   std::size_t tail_end = 0;    // end of the hammer's ringing or of the contact's tail; at least pulse_end

@@ -10,18 +10,28 @@ namespace percuss {
 inline namespace core {
 namespace {
 
+constexpr long long kAnyPower = 1LL << 40;     // beyond the power of ten of every text in memory
 constexpr std::size_t kLongestRewritten = 64;  // characters of a number with decimal comma or D exponent
 
 bool is_padding(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// from_chars reports "out of range" for numbers too large and too small: the text distinguishes them.
+// from_chars reports "out of range" for numbers too large and too small. The power of ten of the first digit other than
+// zero distinguishes them.
 ParsedNumber out_of_range(std::string_view text) {
-  const auto exponent = text.find_first_of("eE");
-  const bool tiny = exponent == std::string_view::npos ? text.substr(0, 3).find("0.") != std::string_view::npos ||
-                                                             text.substr(0, 2).find('.') != std::string_view::npos
-                                                       : exponent + 1 < text.size() && text[exponent + 1] == '-';
-  if (tiny) return {0, NumberProblem::none};
+  const auto exponent_at = std::min(text.find_first_of("eE"), text.size());
+  const std::string_view mantissa = text.substr(0, exponent_at);
+  const auto point = std::min(mantissa.find('.'), mantissa.size());
+  const auto first = std::min(mantissa.find_first_of("123456789"), mantissa.size());
+  const auto power = static_cast<long long>(point) - static_cast<long long>(first);
+  long long exponent = 0;
+  if (exponent_at < text.size()) {
+    std::string_view digits = text.substr(exponent_at + 1);
+    if (digits.front() == '+') digits.remove_prefix(1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (error == std::errc::result_out_of_range) exponent = digits.front() == '-' ? -kAnyPower : kAnyPower;
+  }
+  if (power + exponent < 0) return {0, NumberProblem::none};
   return {0, NumberProblem::too_large};
 }
 

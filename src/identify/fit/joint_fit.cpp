@@ -76,7 +76,12 @@ class JointFitter {
     state_ = projection_.evaluate(state_.model);
     choose_real();
     bool converged = improve_poles();
-    for (int round = 0; round < kMaxRounds && release(); ++round) converged = improve_poles();
+    bool released = false;
+    for (int round = 0; round < kMaxRounds && release(); ++round) {
+      released = true;
+      converged = improve_poles();
+    }
+    if (released && release_all()) converged = improve_poles();
     return result(converged, covariance_of(state_));
   }
 
@@ -129,6 +134,16 @@ class JointFitter {
     for (std::size_t m = 0; m < against.size(); ++m) {
       if (against[m] > std::max(1.0, kSpill * most)) state_.model.real[m] = 0;
     }
+    state_ = projection_.evaluate(state_.model);
+    return true;
+  }
+
+  // A structure with one mode of complex residues has others, whose phases may be too small for the test. True where a
+  // mode had real residues.
+  bool release_all() {
+    std::vector<char>& real = state_.model.real;
+    if (std::none_of(real.begin(), real.end(), [](char is_real) { return is_real != 0; })) return false;
+    std::fill(real.begin(), real.end(), 0);
     state_ = projection_.evaluate(state_.model);
     return true;
   }

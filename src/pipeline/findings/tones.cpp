@@ -1,13 +1,13 @@
 #include "pipeline/findings/tones.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <optional>
 #include <set>
 
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
+#include "pipeline/findings/sinusoids.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -18,7 +18,6 @@ constexpr double kAboveFlank = 4;          // times the lines just beyond the wi
 constexpr std::size_t kFlankLines = 3;
 constexpr std::size_t kFloorLines = 24;               // on either side
 constexpr std::size_t kMainLobe = 4;                  // lines on either side of the window's peak
-constexpr double kSteady = 0.2;                       // largest change of the power between the segments
 constexpr std::size_t kMinPhases = 4;                 // that show whether the phase is fixed to the hit
 constexpr double kMinForce = 0.01;                    // of the pulse's area: its spectrum below this has no sure phase
 constexpr double kFixedPhase = 0.85;                  // resultant length of the doubled phases; 1 for a mode
@@ -26,46 +25,10 @@ constexpr double kMinBefore = 0.5, kMaxBefore = 1.5;  // amplitude before the hi
 constexpr double kBeforeClear = 5;                    // standard deviations
 constexpr double kMaxWander = 0.01;                   // of the power: 0.14 rad between the halves
 constexpr double kWanderNoise = 3;                    // times the power beside the tone
-constexpr std::size_t kRestart = 256;                 // samples: rounding errors of a repeated product add up
 constexpr std::size_t kMaxTones = 60;
-
-// Blackman–Harris, 92 dB: modes that still ring beside a tone do not leak into it.
-double window_at(std::size_t n, std::size_t length) {
-  const double c = std::cos(kTwoPi * (static_cast<double>(n) + 0.5) / static_cast<double>(length));
-  const double twice = 2 * c * c - 1, thrice = (2 * twice - 1) * c;  // cosines of the multiples
-  return 0.35875 - 0.48829 * c + 0.14128 * twice - 0.01168 * thrice;
-}
-
-// A quarter to half of the row, from `first` on: a power of two, for which a transform is planned fast.
-struct Segment {
-  std::size_t first = 0, length = 0;
-};
-std::size_t segment_length(std::size_t samples) { return std::bit_floor(samples / 2); }
-Segment late_segment(std::size_t samples) { return {samples - segment_length(samples), segment_length(samples)}; }
-Segment early_segment(std::size_t samples) {
-  return {samples - segment_length(samples) - samples / 8, segment_length(samples)};
-}
-
-std::vector<double> window_of(std::size_t length) {
-  std::vector<double> window(length);
-  double sum = 0;
-  for (std::size_t n = 0; n < length; ++n) sum += window[n] = window_at(n, length);
-  for (double& value : window) value *= 2 / sum;
-  return window;
-}
-
-// Amplitude of a sinusoid in a segment, its phase at sample 0 of the row.
-Complex amplitude_in(std::span<const double> x, const Segment& segment, const std::vector<double>& window,
-                     double turns_per_sample) {
-  const Complex step = std::polar(1.0, -kTwoPi * turns_per_sample);
-  Complex sum, phase;
-  for (std::size_t n = 0; n < segment.length; ++n) {
-    const auto sample = static_cast<double>(segment.first + n);
-    phase = n % kRestart == 0 ? std::polar(1.0, -kTwoPi * std::fmod(turns_per_sample * sample, 1.0)) : phase * step;
-    sum += phase * (window[n] * x[segment.first + n]);
-  }
-  return sum;
-}
+constexpr double kMinMains_Hz = 45, kMaxMains_Hz = 65;
+constexpr std::size_t kMaxHarmonic = 20;
+constexpr double kSameHarmonic = 0.5;  // lines of the segment's transform
 
 std::vector<double> powers(std::span<const double> x, const Segment& segment, const std::vector<double>& window) {
   std::vector<double> block(segment.length);
@@ -86,26 +49,6 @@ bool is_narrow_peak(const std::vector<double>& power, std::size_t k) {
   std::vector<double> around(at(below), at(k - kMainLobe));
   around.insert(around.end(), at(k + kMainLobe + 1), at(k + kMainLobe + 1 + kFloorLines));
   return power[k] > kAboveFloor * median(std::move(around));
-}
-
-// Frequency from the phase advance between the segments, over all signals; 0 where the power changes.
-double refined(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
-  const std::size_t samples = signals.front().x.size();
-  const Segment early = early_segment(samples), late = late_segment(samples);
-  const auto shift = static_cast<double>(late.first - early.first);
-  for (int pass = 0; pass < 2; ++pass) {
-    Complex advance;
-    double early_power = 0, late_power = 0;
-    for (const ToneSignal& signal : signals) {
-      const Complex a = amplitude_in(signal.x, early, window, turns), b = amplitude_in(signal.x, late, window, turns);
-      advance += b * std::conj(a);
-      early_power += std::norm(a);
-      late_power += std::norm(b);
-    }
-    if (!(early_power > 0) || std::abs(late_power / early_power - 1) > kSteady) return 0;
-    turns += std::arg(advance) / (kTwoPi * shift);
-  }
-  return turns;
 }
 
 // The phase factor of the pulse's spectrum; nothing where the pulse has hardly any force at this frequency.
@@ -187,6 +130,75 @@ std::vector<double> distinct(std::vector<double> turns, std::size_t length) {
   return turns;
 }
 
+void add_tone(ToneFit& fit, std::span<const ToneSignal> signals, const std::vector<Complex>& amplitude, double turns,
+              double fs_Hz) {
+  Tone tone{.freq_Hz = turns * fs_Hz, .wanders = wanders_along(signals, turns)};
+  for (std::size_t s = 0; s < signals.size(); ++s) {
+    const double size = std::abs(amplitude[s]);
+    tone.largest = std::max(tone.largest, size);
+    if (signals[s].largest > 0) tone.share = std::max(tone.share, size / signals[s].largest);
+    fit.amplitudes[s].push_back(amplitude[s]);
+  }
+  fit.tones.push_back(tone);
+}
+
+double power_of(const std::vector<Complex>& amplitude) {
+  double power = 0;
+  for (const Complex value : amplitude) power += std::norm(value);
+  return power;
+}
+
+// The fundamental of the mains, in turns per sample, from all tones that are its harmonics: noise moves the frequency
+// of a weak harmonic alone. Nothing without a tone at the fundamental.
+std::optional<double> mains_of(const std::vector<Tone>& tones, double fs_Hz, double line) {
+  const auto base = std::find_if(tones.begin(), tones.end(), [](const Tone& tone) {
+    return tone.freq_Hz > kMinMains_Hz && tone.freq_Hz < kMaxMains_Hz;
+  });
+  if (base == tones.end()) return std::nullopt;
+  double sum = 0, weights = 0;
+  for (const Tone& tone : tones) {
+    const double order = std::round(tone.freq_Hz / base->freq_Hz), turns = tone.freq_Hz / fs_Hz;
+    if (order < 1 || std::abs(turns / order - base->freq_Hz / fs_Hz) > kSameHarmonic * line) continue;
+    const double weight = tone.largest * tone.largest * order;
+    sum += weight * turns;
+    weights += weight * order;
+  }
+  return sum / weights;
+}
+
+// Whether the sinusoid is steady and stands out of the lines beside it.
+bool is_steady_peak(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
+  const double beside = 1.5 * static_cast<double>(kMainLobe) / static_cast<double>(window.size());
+  const auto power = [&](double at) { return power_of(amplitudes_of(signals, window, at)); };
+  return refined(signals, window, turns) > 0 &&
+         power(turns) > kAboveFlank * 0.5 * (power(turns - beside) + power(turns + beside));
+}
+
+// Puts the harmonics of the mains at the multiples of their common fundamental, and adds those that have no peak of
+// their own in the first hit, or equal phases at all hits by chance.
+void add_mains(ToneFit& fit, std::span<const ToneSignal> signals, const std::vector<double>& window, double fs_Hz) {
+  const double line = 1 / static_cast<double>(window.size());
+  const std::optional<double> base = mains_of(fit.tones, fs_Hz, line);
+  if (!base) return;
+  ToneFit out{.tones = {}, .amplitudes = std::vector<std::vector<Complex>>(signals.size())};
+  std::vector<bool> known(kMaxHarmonic + 1);
+  for (const Tone& tone : fit.tones) {
+    double turns = tone.freq_Hz / fs_Hz;
+    const double order = std::round(turns / *base);
+    if (order >= 1 && order <= static_cast<double>(kMaxHarmonic) && std::abs(turns - order * *base) < line) {
+      turns = order * *base;
+      known[static_cast<std::size_t>(order)] = true;
+    }
+    add_tone(out, signals, amplitudes_of(signals, window, turns), turns, fs_Hz);
+  }
+  for (std::size_t k = 2; k <= kMaxHarmonic && static_cast<double>(k) * *base < 0.5 - line; ++k) {
+    const double turns = static_cast<double>(k) * *base;
+    if (!known[k] && is_steady_peak(signals, window, turns))
+      add_tone(out, signals, amplitudes_of(signals, window, turns), turns, fs_Hz);
+  }
+  fit = std::move(out);
+}
+
 }  // namespace
 
 std::vector<double> tone_candidates(std::span<const double> x) {
@@ -209,23 +221,16 @@ std::vector<double> tone_candidates(std::span<const double> x) {
 ToneFit find_tones(std::span<const ToneSignal> signals, std::vector<double> candidates, double fs_Hz) {
   ToneFit fit{.tones = {}, .amplitudes = std::vector<std::vector<Complex>>(signals.size())};
   if (signals.empty()) return fit;
-  const std::size_t samples = signals.front().x.size();
-  const std::vector<double> window = window_of(segment_length(samples));
-  for (const double candidate : distinct(std::move(candidates), segment_length(samples))) {
+  const std::size_t length = segment_length(signals.front().x.size());
+  const std::vector<double> window = window_of(length);
+  for (const double candidate : distinct(std::move(candidates), length)) {
     const double turns = refined(signals, window, candidate);
     if (!(turns > 0)) continue;
-    std::vector<Complex> amplitude;
-    Tone tone{.freq_Hz = turns * fs_Hz};
-    for (const ToneSignal& signal : signals) {
-      amplitude.push_back(amplitude_in(signal.x, late_segment(samples), window, turns));
-      tone.largest = std::max(tone.largest, std::abs(amplitude.back()));
-      if (signal.largest > 0) tone.share = std::max(tone.share, std::abs(amplitude.back()) / signal.largest);
-    }
-    if (!has_free_phase(signals, amplitude, turns) && !is_there_before(signals, amplitude, turns)) continue;
-    tone.wanders = wanders_along(signals, turns);
-    fit.tones.push_back(tone);
-    for (std::size_t s = 0; s < signals.size(); ++s) fit.amplitudes[s].push_back(amplitude[s]);
+    const std::vector<Complex> amplitude = amplitudes_of(signals, window, turns);
+    if (has_free_phase(signals, amplitude, turns) || is_there_before(signals, amplitude, turns))
+      add_tone(fit, signals, amplitude, turns, fs_Hz);
   }
+  add_mains(fit, signals, window, fs_Hz);
   return fit;
 }
 

@@ -22,7 +22,9 @@ constexpr double kMaxLevelSpread = 0.04;  // of the logarithm of the extremes
 constexpr double kMinForceSpread = 0.05;  // of the logarithm of the forces
 constexpr double kEqualLevels = 0.05;     // chance that two levels agree
 constexpr double kMaxLevelChance = 1e-3;
-constexpr std::size_t kMinPulse = 6;  // samples that are compared
+constexpr double kMinCouplingPhase_rad = 0.02;  // moves a mode there by a hundredth of its bandwidth
+constexpr double kMaxCornerSpread = 0.2;        // relative, of most hits around their median
+constexpr std::size_t kMinPulse = 6;            // samples that are compared
 
 // rms magnitude of the spectrum of a pulse between two frequencies, in shares of the sampling rate.
 double pulse_level(const std::vector<double>& pulse, double from, double to) {
@@ -152,6 +154,26 @@ std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, c
                    one_line(record.accel[clearest.channel].name, kMaxNameBytes), clearest.level, 100 * clearest.spread,
                    100 * clearest.force_spread)},
       "lower the gain, use a sensor of larger range, or strike more softly")};
+}
+
+std::vector<Warning> coupling_warnings(const std::vector<AnalysedHit>& hits, double low_Hz) {
+  std::vector<double> corners;
+  for (const std::size_t h : accepted_hits(hits)) corners.push_back(hits[h].hit.coupling_Hz);
+  if (corners.empty() || !(low_Hz > 0)) return {};
+  const double corner_Hz = median(corners);
+  const double phase_rad = std::atan(corner_Hz / low_Hz);
+  const auto agrees = [&](double hz) { return std::abs(hz - corner_Hz) < kMaxCornerSpread * corner_Hz; };
+  if (phase_rad < kMinCouplingPhase_rad ||
+      2 * std::count_if(corners.begin(), corners.end(), agrees) <= static_cast<std::ptrdiff_t>(corners.size()))
+    return {};
+  return {with_remedy(
+      {"ac_coupling",
+       fmt::format("the force undershoots after each pulse: its channel is AC-coupled, with a corner of {:.2g} Hz. The "
+                   "FRFs use the pulses alone, which turns their phase by {:.2g} rad at {:.4g} Hz, less above. Low "
+                   "modes are off by more than their ±",
+                   corner_Hz, phase_rad, low_Hz),
+       {"force_window"}},
+      "couple the channels by DC; or use the force of all samples, if the accelerometers are coupled alike")};
 }
 
 std::vector<Warning> duplicate_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {

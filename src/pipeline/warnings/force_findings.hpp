@@ -16,6 +16,10 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
 std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                                 const HitResponses& responses);
 
+/// `ac_coupling`: the force channel undershoots after each pulse, with a corner frequency that turns the FRFs' phase at
+/// `low_Hz`, the low end of the band.
+std::vector<Warning> coupling_warnings(const std::vector<AnalysedHit>& hits, double low_Hz);
+
 /// `duplicate`: hits whose pulses are equal in all samples, the noise included.
 std::vector<Warning> duplicate_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
 

@@ -34,6 +34,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"dropout", Severity::warn},
     {"skew", Severity::warn},
     {"zero_shift", Severity::warn},
+    {"ac_coupling", Severity::warn},
     {"drifting", Severity::warn},
     {"moving_modes", Severity::warn},
     {"nonlinear", Severity::warn},

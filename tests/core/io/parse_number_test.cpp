@@ -55,6 +55,10 @@ TEST(ParseNumber, RejectsTooLargeNumbersAndRoundsTooSmallOnesToZero) {
   EXPECT_EQ(problem_of(std::string(400, '9')), NumberProblem::too_large);
   EXPECT_EQ(value_of("1e-400"), 0);
   EXPECT_EQ(value_of("0." + std::string(400, '0') + "1"), 0);
+  EXPECT_EQ(problem_of("1" + std::string(400, '0') + "e-50"), NumberProblem::too_large);
+  EXPECT_EQ(value_of("-0." + std::string(400, '0') + "1e10"), 0);
+  EXPECT_EQ(value_of("1e-99999999999999999999"), 0);
+  EXPECT_EQ(problem_of("1e+99999999999999999999"), NumberProblem::too_large);
 }
 
 TEST(ParseNumber, RecognisesTextsForNonFiniteNumbers) {

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "pipeline/analysis.hpp"
+#include "support/force_row.hpp"
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
@@ -122,6 +123,25 @@ TEST(RecordFindings, RemoveHumThatDiffersInPhaseFromHitToHit) {
   EXPECT_NEAR(analysis.modes()[0].pole.damping_ratio, 0.02, 1e-4);
 }
 
+TEST(RecordFindings, RemoveAHarmonicOfTheMainsWithEqualPhasesAtAllHits) {
+  // The fundamental has another phase at each hit. The fifth harmonic alone looks like a mode without damping.
+  const Analysis analysis(
+      changed(synth::synthesise(tube()).record,
+              [](std::size_t row, std::size_t, std::vector<double>& x) {
+                const double largest = *std::max_element(x.begin(), x.end());
+                for (std::size_t n = 0; n < x.size(); ++n) {
+                  const double turns = 49.97 * static_cast<double>(n) / kRate_Hz;
+                  x[n] +=
+                      3e-3 * largest * std::cos(2 * std::numbers::pi * (turns + 0.37 * static_cast<double>(row * row)));
+                  x[n] += 1e-3 * largest * std::cos(2 * std::numbers::pi * 5 * turns);
+                }
+              }),
+      band());
+  EXPECT_THAT(codes_of(analysis), Contains("hum"));
+  ASSERT_EQ(analysis.modes().size(), 2U);
+  EXPECT_NEAR(analysis.modes()[0].pole.damping_ratio, 0.02, 1e-4);
+}
+
 TEST(RecordFindings, NameAnExponentialWindowByTheDecayOfTheNoise) {
   const double decay_per_s = 3;
   const Analysis analysis(changed(synth::synthesise(tube()).record,
@@ -131,6 +151,22 @@ TEST(RecordFindings, NameAnExponentialWindowByTheDecayOfTheNoise) {
                                   }),
                           band());
   EXPECT_THAT(codes_of(analysis), Contains("already_windowed"));
+}
+
+TEST(RecordFindings, NameAnAcCoupledForce) {
+  acquire::Record record = synth::synthesise(tube()).record;
+  record.read_force_N = [inner = record.read_force_N, rows = record.rows](std::size_t row, std::size_t first,
+                                                                          std::span<double> out) {
+    std::vector<double> x(rows[row].samples);
+    inner(row, 0, x);
+    constexpr double kCorner_Hz = 5;
+    x = test::ac_coupled(x, kRate_Hz / (2 * std::numbers::pi * kCorner_Hz));
+    std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+  };
+  EXPECT_THAT(codes_of(Analysis(record, band())), Contains("ac_coupling"));
+  AnalysisOptions all_samples = band();
+  all_samples.hits.gate_force = false;
+  EXPECT_THAT(codes_of(Analysis(record, all_samples)), Not(Contains("ac_coupling")));
 }
 
 TEST(RecordFindings, RemoveAZeroShiftAndASlope) {
