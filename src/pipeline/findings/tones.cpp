@@ -148,9 +148,18 @@ double power_of(const std::vector<Complex>& amplitude) {
   return power;
 }
 
-// The fundamental of the mains, in turns per sample, from all tones that are its harmonics: noise moves the frequency
-// of a weak harmonic alone. Nothing without a tone at the fundamental.
-std::optional<double> mains_of(const std::vector<Tone>& tones, double fs_Hz, double line) {
+// Power of a sinusoid over the power beside it.
+double power_to_noise(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
+  const double beside = 1.5 * static_cast<double>(kMainLobe) / static_cast<double>(window.size());
+  const auto power = [&](double at) { return power_of(amplitudes_of(signals, window, at)); };
+  return power(turns) / (0.5 * (power(turns - beside) + power(turns + beside)));
+}
+
+// The fundamental of the mains, in turns per sample, from all tones that are its harmonics, weighted by the variances
+// of their frequencies. Nothing without a tone at the fundamental.
+std::optional<double> mains_of(const std::vector<Tone>& tones, std::span<const ToneSignal> signals,
+                               const std::vector<double>& window, double fs_Hz) {
+  const double line = 1 / static_cast<double>(window.size());
   const auto base = std::find_if(tones.begin(), tones.end(), [](const Tone& tone) {
     return tone.freq_Hz > kMinMains_Hz && tone.freq_Hz < kMaxMains_Hz;
   });
@@ -159,26 +168,18 @@ std::optional<double> mains_of(const std::vector<Tone>& tones, double fs_Hz, dou
   for (const Tone& tone : tones) {
     const double order = std::round(tone.freq_Hz / base->freq_Hz), turns = tone.freq_Hz / fs_Hz;
     if (order < 1 || std::abs(turns / order - base->freq_Hz / fs_Hz) > kSameHarmonic * line) continue;
-    const double weight = tone.largest * tone.largest * order;
+    const double weight = power_to_noise(signals, window, turns) * order;
     sum += weight * turns;
     weights += weight * order;
   }
   return sum / weights;
 }
 
-// Whether the sinusoid is steady and stands out of the lines beside it.
-bool is_steady_peak(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
-  const double beside = 1.5 * static_cast<double>(kMainLobe) / static_cast<double>(window.size());
-  const auto power = [&](double at) { return power_of(amplitudes_of(signals, window, at)); };
-  return refined(signals, window, turns) > 0 &&
-         power(turns) > kAboveFlank * 0.5 * (power(turns - beside) + power(turns + beside));
-}
-
 // Puts the harmonics of the mains at the multiples of their common fundamental, and adds those that have no peak of
 // their own in the first hit, or equal phases at all hits by chance.
 void add_mains(ToneFit& fit, std::span<const ToneSignal> signals, const std::vector<double>& window, double fs_Hz) {
   const double line = 1 / static_cast<double>(window.size());
-  const std::optional<double> base = mains_of(fit.tones, fs_Hz, line);
+  const std::optional<double> base = mains_of(fit.tones, signals, window, fs_Hz);
   if (!base) return;
   ToneFit out{.tones = {}, .amplitudes = std::vector<std::vector<Complex>>(signals.size())};
   std::vector<bool> known(kMaxHarmonic + 1);
@@ -193,7 +194,7 @@ void add_mains(ToneFit& fit, std::span<const ToneSignal> signals, const std::vec
   }
   for (std::size_t k = 2; k <= kMaxHarmonic && static_cast<double>(k) * *base < 0.5 - line; ++k) {
     const double turns = static_cast<double>(k) * *base;
-    if (!known[k] && is_steady_peak(signals, window, turns))
+    if (!known[k] && refined(signals, window, turns) > 0 && power_to_noise(signals, window, turns) > kAboveFlank)
       add_tone(out, signals, amplitudes_of(signals, window, turns), turns, fs_Hz);
   }
   fit = std::move(out);
