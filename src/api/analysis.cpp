@@ -58,8 +58,8 @@ void require_consistent(const AnalysisOptions& options) {
     }
   }
   if (options.exponential != 0 && !(options.exponential >= kMinFraction && options.exponential < 1)) {
-    throw InputError("the end of the exponential window is not a fraction", kOptions, "give a number between 0 and 1",
-                     {"exponential"});
+    throw InputError("the final value of the exponential window is not a fraction", kOptions,
+                     "give a number between 0 and 1", {"exponential"});
   }
   for (const double delay_s : options.delay_s) {
     if (!std::isfinite(delay_s))

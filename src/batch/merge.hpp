@@ -16,7 +16,7 @@ struct MergedBatch {
   std::size_t records = 0, failed = 0;
 };
 
-/// Writes the rows of all shards, ordered by id, to each file by its extension, in constant memory.
+/// Writes the rows of all shards, ordered by id, to each file, in constant memory. The extension gives the format:
 ///   .jsonl  a head, then a line of JSON per record and per mode (docs/schema/batch.schema.json)
 ///   .csv    the same rows as a table; lists are separated by blanks, absent values are empty cells
 ///   .h5     of a batch with FRFs: a group per record with the content of an FRF file

@@ -15,6 +15,7 @@
 #include "batch/sha256_file.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "core/visible_text.hpp"
 
 namespace percuss::batch {
 namespace {
@@ -72,25 +73,6 @@ class CollectedFiles {
   RecordFiles files_;
   std::set<std::string> seen_;
 };
-
-bool is_utf8(const std::string& text) {
-  std::size_t more = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (more > 0) {
-      if ((byte & 0xC0U) != 0x80U) return false;
-      --more;
-    } else {
-      more = byte < 0x80               ? 0
-             : (byte & 0xE0U) == 0xC0U ? 1
-             : (byte & 0xF0U) == 0xE0U ? 2
-             : (byte & 0xF8U) == 0xF0U ? 3
-                                       : 4;
-      if (more > 3) return false;
-    }
-  }
-  return more == 0;
-}
 
 // The path as named, relative to the folder. The real path, if a symbolic link makes the relative path another file.
 std::string path_from(const std::string& path, const fs::path& folder) {

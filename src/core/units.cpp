@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cctype>
-#include <numbers>
 #include <utility>
 
 #include "core/error.hpp"
@@ -17,7 +16,6 @@ struct Name {
 };
 
 constexpr double kFoot_m = 12 * kInch_m;
-constexpr double kDegree_rad = std::numbers::pi / 180;
 
 // Names after normalised(): no spaces or outer brackets, squares as "2", micro as "u", accelerations as length/s2.
 constexpr std::array kNames = {
@@ -59,7 +57,6 @@ constexpr std::array kNames = {
     Name{"deg", {Quantity::angle, kDegree_rad}},
     Name{"degree", {Quantity::angle, kDegree_rad}},
     Name{"degrees", {Quantity::angle, kDegree_rad}},
-    Name{"\xC2\xB0", {Quantity::angle, kDegree_rad}},  // °
     Name{"rad", {Quantity::angle, 1}},
     Name{"m", {Quantity::length, 1}},
     Name{"mm", {Quantity::length, 1e-3}},

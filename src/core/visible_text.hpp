@@ -13,6 +13,9 @@ constexpr bool is_plain(char byte) { return (byte >= ' ' && byte <= '~') || byte
 /// for overlong forms and surrogates.
 std::size_t utf8_length(std::string_view text);
 
+/// Whether `text` consists of characters as utf8_length() counts them.
+bool is_utf8(std::string_view text);
+
 /// Removes the first character of `text`, which is not empty, and returns it as a reader is to see it. A character that
 /// a terminal obeys or does not show becomes its escape in JSON, \u202e: control characters (C0, DEL, C1), line and
 /// paragraph separators, marks of the direction of writing, characters without width. A byte that is not UTF-8 becomes

@@ -12,7 +12,7 @@ namespace percuss::identify {
 struct IdentifyOptions {
   Effort effort = Effort::best;
   std::optional<std::size_t> modes;  // largest number of modes; the most significant ones are kept
-  std::vector<double> start_Hz;      // fit exactly one mode from each of these frequencies
+  std::vector<double> start_Hz;      // fit at most one mode from each of these frequencies, and no others
 };
 
 /// The modes of a set of FRFs in ascending frequency, with one standard deviation of each value.

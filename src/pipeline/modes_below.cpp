@@ -32,11 +32,11 @@ const std::vector<identify::Mode>& Analysis::modes_below() const {
   return within_budget(budget_, modes_below_, [&] {
     const std::vector<identify::Mode>& found = modes();
     if (found.empty() || !options_.band_Hz) return std::vector<identify::Mode>{};
-    const double margin_Hz = lines().freq_Hz(0);
+    const double margin_begin_Hz = lines().freq_Hz(0);
     const double from_Hz =
         std::max(source_->default_band_Hz(force_hits()).first, found.front().pole.freq_Hz / kMaxRatio);
-    if (given_frfs() != nullptr || (margin_Hz - from_Hz) / lines().df_Hz() < kMinLines) return margin_modes_;
-    const Analysis lower(record(), lower_options(options_, {from_Hz, margin_Hz}, hits()));
+    if (given_frfs() != nullptr || (margin_begin_Hz - from_Hz) / lines().df_Hz() < kMinLines) return margin_modes_;
+    const Analysis lower(record(), lower_options(options_, {from_Hz, margin_begin_Hz}, hits()));
     std::vector<identify::Mode> below = lower.modes();
     below.insert(below.end(), margin_modes_.begin(), margin_modes_.end());
     return below;

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::batch::plan_test {
@@ -76,7 +77,11 @@ TEST_F(BatchPlan, StoresPathsRelativeToTheManifest) {
 }
 
 TEST_F(BatchPlan, RejectsNamesThatAreNotUtf8) {
-  EXPECT_THROW(records_of_files({make("a\xff.csv")}, folder_.path(), false), InputError);
+  for (const char* const name : {"a\xff.csv", "\xc0\xae.csv", "\xed\xa0\x80.csv"}) {  // no UTF-8, overlong, surrogate
+    const std::string path = make(name);
+    EXPECT_THAT(test::input_error_of([&] { records_of_files({path}, folder_.path(), false); }),
+                testing::HasSubstr("the file's name is not UTF-8"));
+  }
   EXPECT_EQ(ids({make("\xc3\xa4.csv")}).at(0), "\xc3\xa4");
 }
 

@@ -105,7 +105,9 @@ TEST(IdentifyModes, KeepsTheRequestedNumberOfModes) {
 }
 
 TEST(IdentifyModes, ReportsTheResidues) {
-  for (const Mode& mode : modes_of(structure({{180, 0.01}, {600, 0.006}}, 4, 1e-3))) {
+  const std::vector<Mode> found = modes_of(structure({{180, 0.01}, {600, 0.006}}, 4, 1e-3));
+  ASSERT_EQ(found.size(), 2U);
+  for (const Mode& mode : found) {
     ASSERT_EQ(mode.residues.size(), 2U);
     const double std = std::hypot(mode.residues[0].std, 0.9 * mode.residues[0].relative_std);
     EXPECT_LE(std::abs(mode.residues[0].value - 0.9), 2 * kDeviations * std);

@@ -114,8 +114,11 @@ int run(const Options& options) {
                                       summaries.size() - known - failed, known, failed) +
                           words(coverage);
   std::cout << end << '\n';
-  if (!options.table.empty())
-    write_table(options.table, "\n" + end + ".\n\n### Known defects\n" + defects_of(summaries) + tables_of(summaries));
+  if (!options.table.empty()) {
+    const std::string defects = defects_of(summaries);
+    write_table(options.table,
+                "\n" + end + ".\n" + (defects.empty() ? "" : "\n### Known defects\n" + defects) + tables_of(summaries));
+  }
   const bool covered = coverage.modes < kMinModes || (in_range(coverage.of_freq()) && in_range(coverage.of_damping()));
   return failed == 0 && covered ? 0 : 1;
 }

@@ -137,7 +137,9 @@ TEST(Recorder, RoundsToItsSteps) {
 TEST(Schedule, JittersWithinItsBounds) {
   SynthSpec spec = bat();
   spec.hits = 200;
-  for (const TrueHit& hit : schedule_hits(spec)) {
+  const std::vector<TrueHit> hits = schedule_hits(spec);
+  ASSERT_EQ(hits.size(), 200U);
+  for (const TrueHit& hit : hits) {
     EXPECT_GE(hit.onset_s, spec.pretrigger_s);
     EXPECT_LE(hit.onset_s, spec.pretrigger_s + spec.onset_spread_s);
     EXPECT_LE(std::abs(hit.width_s / spec.pulse.width_s - 1), 0.1);

@@ -3,18 +3,6 @@
 
 namespace percuss {
 inline namespace core {
-namespace {
-
-bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
-    const auto length = utf8_length(text);
-    if (length == 0) return false;
-    text.remove_prefix(length);
-  }
-  return true;
-}
-
-}  // namespace
 
 std::string to_utf8(std::string_view text) {
   if (is_utf8(text)) return std::string(text);

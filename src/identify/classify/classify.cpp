@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "identify/classify/asymmetry_split.hpp"
-#include "identify/classify/tube_reading.hpp"
+#include "identify/classify/tube_evidence.hpp"
 #include "identify/classify/type_posterior.hpp"
 
 namespace percuss::identify {

@@ -59,7 +59,7 @@ struct LowerOrders {
 ///   hoop (n = 2), turned by θ₀:  cos 2(θ₂ − θ₀)/cos 2(θ₁ − θ₀)       −1 for 90°, whatever θ₀             (2)
 /// Both likelihoods include the errors of the ratio, of the sensors' placement and of the channels' gains. All modes
 /// are classified together (type_posterior.hpp). Below 90 % confidence, the second type is stated as well.
-/// Without sensors, for an `other` object, and where assumed angles do not fit the modes (tube_reading.hpp), the modes
+/// Without sensors, for an `other` object, and where assumed angles do not fit the modes (tube_evidence.hpp), the modes
 /// keep an unknown type, no order and no split mode.
 /// overlay_dB[m] is the measured level difference at mode m's peak. source  [8] section 3.6 for the overlay rule and
 /// the 25 Hz rule. theory (6.1), (6.2), (6.3)

@@ -33,8 +33,8 @@ std::vector<Index> misfitting_channels(const WindowedFit& all, const FitGroup& g
   return channels;
 }
 
-// The ratio of the residual energies above the noise, after a split to before it, as a mean over these FRFs. Ratios are
-// averaged, not energies, because many FRFs observe little of a mode.
+// The residual energy above the noise after a split, over the same energy before it: the mean of this ratio over these
+// FRFs. Ratios are averaged, not energies, because many FRFs observe little of a mode.
 double residual_energy_ratio(const std::vector<Index>& channels, const VectorXd& expected, const LocalFit& before,
                              const LocalFit& after) {
   double sum = 0;
@@ -57,8 +57,8 @@ std::vector<Pole> split(std::vector<Pole> poles, std::size_t m) {
 std::vector<Pole> try_close_mode(const WindowedFit& all, const FitGroup& group, const AcceptanceContext& context) {
   const std::vector<Pole>& now = group.fit.poles;
   const std::size_t channels = all.set().channels.size(), unknowns = 2 + 2 * channels;
-  const bool fitted = group.fit.degrees > 2 * unknowns;
-  if (!fitted || now.size() >= WindowedFit::kMaxGroupSize) return now;
+  const bool enough_data = group.fit.degrees > 2 * unknowns;
+  if (!enough_data || now.size() >= WindowedFit::kMaxGroupSize) return now;
   const std::vector<Index> misfitting = misfitting_channels(all, group);
   if (misfitting.empty()) return now;
   const auto data = all.data_without_other_modes(group);

@@ -23,8 +23,9 @@ constexpr double kScatterFStatistic = 25;  // F statistic of separate poles
 constexpr double kMaxScatterCostRatio = 15;
 constexpr double kMaxScatterWidths = 3;      // bandwidths: poles farther apart are separate modes
 constexpr double kMaxScatterWidthRatio = 6;  // of the half-power bandwidths: beyond it the poles are separate modes
-constexpr double kScatterPair = 4;           // standard deviations of the scatter between two poles that describe it
-constexpr double kMaxPoleOffset = 1;         // bandwidths: a separate pole farther away is another mode
+// Largest distance of common poles that may stand for scatter, in standard deviations of the scatter.
+constexpr double kMaxPoleDistance = 4;
+constexpr double kMaxPoleOffset = 1;  // bandwidths: a separate pole farther away is another mode
 
 // The FRFs of one point as a data set, without their spectral lines.
 struct PointSet {
@@ -120,7 +121,7 @@ ScatteredMode scattered_mode(const WindowedFit& all, const FitGroup& group, cons
 
 // True where one pole per point can stand for these common poles: its frequency scatters as widely as they lie apart.
 // A true pair has two fixed poles; the pole of a point then lies at one of them or between.
-bool scatter_reaches(const PointFits& points, const std::vector<Pole>& poles) {
+bool scatter_spans(const PointFits& points, const std::vector<Pole>& poles) {
   std::vector<double> freq_Hz, off_Hz, size;
   double width_Hz = 0;
   for (const LocalFit& fit : points.fits) {
@@ -132,8 +133,8 @@ bool scatter_reaches(const PointFits& points, const std::vector<Pole>& poles) {
   const auto [low, high] = std::minmax_element(poles.begin(), poles.end(),
                                                [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
   for (const Pole& pole : poles) width_Hz = std::max(width_Hz, pole.half_power_Hz());
-  const double reach_Hz = kScatterPair * kNormalMad * median(off_Hz);
-  return high->freq_Hz - low->freq_Hz < std::max(reach_Hz, width_Hz);
+  const double max_distance_Hz = kMaxPoleDistance * kNormalMad * median(off_Hz);
+  return high->freq_Hz - low->freq_Hz < std::max(max_distance_Hz, width_Hz);
 }
 
 }  // namespace
@@ -164,7 +165,7 @@ bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, 
   // The costs are comparable: separate poles of one mode add fewer unknowns than one more common mode.
   const double max_cost = kMaxScatterCostRatio * more.fit.cost;
   const PointFits points = fit_each_point(set, window, one, max_cost);
-  return !points.fits.empty() && (one.fit.poles.size() > 1 || scatter_reaches(points, more.fit.poles));
+  return !points.fits.empty() && (one.fit.poles.size() > 1 || scatter_spans(points, more.fit.poles));
 }
 
 std::optional<Pole> merge_if_scattered(const WindowedFit& all, const FitGroup& group) {

@@ -18,7 +18,8 @@ struct Node {
 
 struct NodeOptions {
   std::size_t points = 17;  // in a fit, the nearest to the crossing
-  int highest_degree = 5;   // fourth powers follow a beam over half a wavelength to 1e-3 of its height
+  /// Degree 4 follows a beam's shape over half a wavelength to 1e-3 of its height; degree 5 gives its model error.
+  int highest_degree = 5;
 };
 
 /// The nodes: zero crossings of the shape. A crossing lies between neighbouring points of opposite sign, both three

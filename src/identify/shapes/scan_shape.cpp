@@ -71,8 +71,8 @@ VectorXd channel_weights(const ResidueTable& table) {
 ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<const double> position_m) {
   assert(point.size() == position_m.size());
   const ResidueTable table = table_of(mode, point, position_m);
+  if (table.value.size() == 0) return {};
   ScanShape shape{.position_m = table.position_m, .amplitude = {}, .std = {}};
-  if (table.value.size() == 0) return shape;
   const VectorXd weight = channel_weights(table);
   const MatrixXcd scaled = table.value * weight.cast<Complex>().asDiagonal();
   const VectorXcd channel_vector = leading_right_vector(scaled);

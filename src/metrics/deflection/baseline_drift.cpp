@@ -20,7 +20,7 @@ constexpr double kMinCycles = 3;       // of the oscillation within a window, fo
 constexpr double kContradiction = 30;  // χ² of two means, exceeded by chance once in three million
 constexpr double kLeakageMargin = 2;   // the oscillation's amplitude and phase are only estimated
 
-// ∫K·w with the Hann window K of one place, and the contributions of noise and bias to this mean.
+// ∫K·w with one of the two Hann windows K, and the contributions of noise and bias to this mean.
 struct WindowMean {
   double mean_m = 0;
   Vector2d by_bias;

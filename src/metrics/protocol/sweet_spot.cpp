@@ -31,7 +31,7 @@ SearchStep next_location(const std::map<HalfInches, double>& tested, const Searc
     if (!tested.contains(at)) return {.at = at};
   }
   const HalfInches best = best_of(tested);
-  std::set<HalfInches> level{best};
+  std::set<HalfInches> plateau{best};  // locations within the margin of the best
   std::vector<HalfInches> to_look_at{best};
   bool edge = false;
   while (!to_look_at.empty()) {
@@ -42,16 +42,16 @@ SearchStep next_location(const std::map<HalfInches, double>& tested, const Searc
         edge = true;
       } else if (!tested.contains(next)) {
         return {.at = next};
-      } else if (tested.at(best) - tested.at(next) < rules.margin - kSlack && level.insert(next).second) {
+      } else if (tested.at(best) - tested.at(next) < rules.margin - kSlack && plateau.insert(next).second) {
         to_look_at.push_back(next);
       }
     }
   }
-  return {.state = edge               ? SearchState::edge
-                   : level.size() > 1 ? SearchState::plateau
-                                      : SearchState::found,
+  return {.state = edge                 ? SearchState::edge
+                   : plateau.size() > 1 ? SearchState::plateau
+                                        : SearchState::found,
           .at = best,
-          .plateau = {level.begin(), level.end()}};
+          .plateau = {plateau.begin(), plateau.end()}};
 }
 
 }  // namespace percuss::metrics

@@ -89,6 +89,8 @@ class ContactPass {
   const BallOnBeamState& end() const { return state_; }
 
  private:
+  // The force is not smooth where contact begins and ends: steps shrink with the root of the approach. first_m_ keeps
+  // the first step above zero.
   double next_step_s() const {
     if (method_ == ImpactMethod::small_increment) return step_s_;
     return step_s_ * std::min(1.0, std::sqrt((std::max(0.0, now_.approach_m) + first_m_) / scale_m_));

@@ -78,8 +78,12 @@ class HoopFit {
 
 ShellFit fit_shell(const TubeShell& shell, const std::vector<MeasuredHoop>& measured, ShellUnknowns unknowns) {
   const HoopFit fit(shell, measured, unknowns);
-  if (std::ssize(measured) < fit.count())
-    throw InputError("E and wall need two frequencies", kHoops, kHoopRemedy, {"fit", "measured"});
+  if (std::ssize(measured) < fit.count()) {
+    if (unknowns == ShellUnknowns::both)
+      throw InputError("E and wall need two frequencies", kHoops, kHoopRemedy, {"fit", "measured"});
+    throw InputError(unknowns == ShellUnknowns::young ? "E needs a frequency" : "the wall needs a frequency", kHoops,
+                     "measure one hoop frequency or more", {"measured"});
+  }
   const Eigen::VectorXd best = fit.solve();
   const Eigen::MatrixXd j = fit.jacobian(best);
   const Eigen::MatrixXd covariance = inverse_gram(Eigen::MatrixXd(j.transpose() * j));

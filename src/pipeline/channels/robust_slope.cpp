@@ -12,7 +12,7 @@ namespace {
 constexpr int kPasses = 10;
 constexpr double kFar = 3;                 // standard deviations: farther values weigh ever less
 constexpr double kMedianOfSquare = 0.455;  // of a normal variable with variance 1
-constexpr double kLeast = 1e-12;           // of the values: smaller residuals are rounding
+constexpr double kMinRelativeRms = 1e-12;  // of the residual over the values: below it is rounding
 
 std::vector<double> squares(std::vector<double> values) {
   for (double& value : values) value *= value;
@@ -68,7 +68,7 @@ RobustSlope robust_slope(std::span<const double> x, std::span<const double> y, s
   out.std = std::max(std::sqrt(spread * count / (count - 1)) / information, 1 / std::sqrt(information));
   out.rms = weighted_rms(weight, residual);
   const double without = weighted_rms(weight, {y.begin(), y.end()});
-  if (without > 0) out.log_chance = (count - 1) * std::log(std::clamp(out.rms / without, kLeast, 1.0));
+  if (without > 0) out.log_chance = (count - 1) * std::log(std::clamp(out.rms / without, kMinRelativeRms, 1.0));
   return out;
 }
 

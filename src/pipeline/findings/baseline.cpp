@@ -8,9 +8,9 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMinQuiet = 16;  // samples
-constexpr std::size_t kRowShare = 16;  // windows in a row
+constexpr std::size_t kRowShare = 16;  // length of a row over the length of a window
 constexpr std::size_t kStepWindows = 4;
-constexpr double kMaxOff = 0.15;  // of the step: a window's distance from the decaying step
+constexpr double kMaxOff = 0.15;  // of the step or slope: largest distance of a window's mean from it
 
 double mean_level(std::span<const double> x) {
   return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
@@ -27,8 +27,9 @@ std::optional<BaselineChange> find_step(const RestLevels& levels, double largest
   }
   const double window_s = static_cast<double>(levels.window) / fs_Hz;
   const double decay_per_s = -std::log(ratio) / window_s;
-  const double turn = decay_per_s * window_s;
-  const double first_mean = turn > 1e-9 ? (1 - std::exp(-turn)) / turn : 1;  // over the first window, of the step
+  const double exponent = decay_per_s * window_s;
+  const double first_mean =
+      exponent > 1e-9 ? (1 - std::exp(-exponent)) / exponent : 1;  // of a unit step, over the first window
   const double size = shift[0] / first_mean;
   return BaselineChange{.step = true, .size = size, .share = std::abs(size) / largest, .decay_per_s = decay_per_s};
 }

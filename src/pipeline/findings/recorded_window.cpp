@@ -20,7 +20,6 @@ constexpr double kTaperEnd = 0.97;         // of the record: end of the part tha
 // Logarithm of the median level over the responses, relative to the noise before the hit, by block.
 struct LogLevels {
   std::vector<double> time_s, level;
-  double std = 0;  // of one block
 };
 
 // A straight line through the levels of blocks [first, end).

@@ -9,11 +9,12 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kGap = 2;         // cost of a mode that a hit does not show: √2 bandwidths off, or other residues
+// Cost of a mode that a hit does not show: equal to √2 bandwidths off, or to 1 bandwidth off with unlike residues.
+constexpr double kGap = 2;
 constexpr double kDoubling = 0.7;  // of a damping ratio, in nepers: costs as much as one bandwidth
 
-// The difference of the residues at a point over their size: 0 … 1, 1 for residues without likeness. A residue's size
-// counts, because one channel has no shape.
+// The squared difference of the residues at a point over their squared size: 0 for equal residues, at most 1. Unlike a
+// MAC, it compares amplitudes too, because the shape at one channel says nothing.
 double residue_distance(const identify::Mode& test, const identify::Mode& hit, int point) {
   double apart = 0, size = 0;
   for (const identify::Residue& own : hit.residues) {

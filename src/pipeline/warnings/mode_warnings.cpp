@@ -150,7 +150,7 @@ std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& mode
                         significant(pair->separation_Hz, 3));
   }
   if (list.empty()) return {};
-  return {{"double_peak", "split modes, quoted by their first peak: " + list +
+  return {{"double_peak", "split modes, listed by their first peak: " + list +
                               ". Possible causes: a tuned absorber, a crack or other damage, uneven wall or material"}};
 }
 

@@ -37,7 +37,7 @@ std::vector<Warning> unmodelled_pole_warnings(const identify::FrfDataset& set, c
 /// start_refused: starting frequencies at which no mode was found, with the reason.
 std::vector<Warning> refused_start_warnings(const std::vector<identify::RefusedStart>& refused);
 
-/// double_peak: split hoop modes, quoted by their first peak.
+/// double_peak: split hoop modes, listed by their first peak.
 std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& modes,
                                          const std::vector<identify::ModeClassification>& classifications);
 

@@ -176,7 +176,7 @@ void warn_of_pairs(const SurveyResults& survey, std::vector<Warning>& out) {
     add_name(pairs, text + (pair->quoted ? ")" : "; here the second peak is quoted, which hides the first)"));
   }
   if (!pairs.empty()) {
-    out.push_back({"double_peak", "split modes, quoted by their first peak: " + pairs +
+    out.push_back({"double_peak", "split modes, listed by their first peak: " + pairs +
                                       ". Planes turned by 90°/n indicate uneven wall or material; other possible "
                                       "causes: a tuned absorber, a crack or other damage"});
   }

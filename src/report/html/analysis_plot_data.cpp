@@ -20,8 +20,8 @@ using Json = nlohmann::ordered_json;
 // Quantisation steps, below the resolution of the plots.
 constexpr double kMagnitudeStep_dB = 0.01, kPhaseStep_deg = 0.1, kCoherenceStep = 1e-4;
 
-Json numbers_json(std::span<const double> values, double coarsest) {
-  QuantisedCurve numbers = quantised_curve(values, coarsest);
+Json numbers_json(std::span<const double> values, double min_step) {
+  QuantisedCurve numbers = quantised_curve(values, min_step);
   return {{"from", numbers.from}, {"step", numbers.step}, {"u16", std::move(numbers.u16)}};
 }
 
@@ -64,8 +64,8 @@ Json modes_plot_json(const pipeline::Analysis& analysis,
   return out;
 }
 
-Json samples_json(const HitSamples& samples, double coarsest) {
-  return {{"first", samples.first}, {"step", samples.step}, {"values", numbers_json(samples.value, coarsest)}};
+Json samples_json(const HitSamples& samples, double min_step) {
+  return {{"first", samples.first}, {"step", samples.step}, {"values", numbers_json(samples.value, min_step)}};
 }
 
 Json hits_plot_json(const pipeline::Analysis& analysis) {

@@ -10,7 +10,7 @@
 
 namespace percuss::report {
 
-QuantisedCurve quantised_curve(std::span<const double> values, double coarsest) {
+QuantisedCurve quantised_curve(std::span<const double> values, double min_step) {
   constexpr double kLargest = 65534;
   constexpr std::uint16_t kAbsent = 65535;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -20,7 +20,7 @@ QuantisedCurve quantised_curve(std::span<const double> values, double coarsest) 
     high = std::max(high, value);
   }
   if (!(low <= high)) low = high = 0;
-  const double step = std::max(coarsest, (high - low) / kLargest);
+  const double step = std::max(min_step, (high - low) / kLargest);
   std::vector<std::uint8_t> bytes;
   bytes.reserve(2 * values.size());
   for (const double value : values) {

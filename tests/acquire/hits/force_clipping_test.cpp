@@ -71,7 +71,9 @@ TEST(ForceClipping, IsJudgedPerFile) {
 
 TEST(ForceClipping, IsNoneInEqualHits) {
   const auto row = clipped_row(150, 1e9, 0, 500.3);
-  for (const Hit& hit : find_hits(test::force_record(25600, {row, row, row}))) EXPECT_EQ(overloads(hit), 0U);
+  const auto hits = find_hits(test::force_record(25600, {row, row, row}));
+  ASSERT_EQ(hits.size(), 3U);
+  for (const Hit& hit : hits) EXPECT_EQ(overloads(hit), 0U);
 }
 
 // A pulse of three samples has one or two clipped samples: no hit alone shows the clipping.
@@ -83,6 +85,7 @@ TEST(ForceClipping, IsFoundInEqualPeaksOfShortPulses) {
     return x;
   };
   const auto clipped = find_hits(test::force_record(25600, {row(300, 500.3), row(260, 500.4), row(340, 500.6)}));
+  ASSERT_EQ(clipped.size(), 3U);
   for (const Hit& hit : clipped) EXPECT_EQ(overloads(hit), 1U);
   const auto some =
       find_hits(test::force_record(25600, {row(300, 500.3), row(260, 500.4), row(340, 500.6), row(100, 500.5)}));

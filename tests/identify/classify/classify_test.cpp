@@ -68,7 +68,7 @@ TEST(Classify, FindsBendingAt45DegreesByItsOtherPlane) {
   for (const ModeClassification& classification : found) EXPECT_EQ(classification.family, ModeType::bending);
 }
 
-TEST(Classify, FindsBendingAtMinus45DegreesByThePlanesOfOtherModes) {
+TEST(Classify, IsUnsureOfHoopAtRightAnglesToThePlaneOfOtherModes) {
   // Modes at 45° show the bat's plane; a mode at right angles to it is then never certainly a hoop mode.
   const auto found = classifications({bending(169, 45), bending(575, 45), bending(1180, -45)});
   EXPECT_EQ(found[0].family, ModeType::bending);

@@ -128,7 +128,8 @@ TEST(FitLocally, KeepsItsStartWithoutData) {
 }
 
 TEST(PoleOfWindow, IsNearlyExactOnASingleMode) {
-  constexpr double kTolerance = 2e-3;  // a/(jω − s) + b(jω) approximates (jω)²/(s² + …) to about (bandwidth/frequency)²
+  // (a + b jω)/(jω − s) approximates (jω)²/((jω)² + …) to about (bandwidth/frequency)².
+  constexpr double kTolerance = 2e-3;
   FrfDataset set = test::empty_set(4096, 32768, 290, 310, 2);
   for (std::size_t o = 0; o < 2; ++o) test::add_mode(set, o, {300.37, 0.01}, kResidues[o]);
   const Pole found = pole_of_window(set, lines_of(set), 0);

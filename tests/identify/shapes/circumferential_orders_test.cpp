@@ -72,10 +72,9 @@ TEST(TubeShape, FindsThePlaneAtAnyAngle) {
 
 TEST(TubeShape, NamesBendingAndHoopOnly) {
   const TubeGeometry geometry = geometry_of({.angles = 8});
-  const std::array families{ModeType::unknown, ModeType::bending, ModeType::hoop, ModeType::unknown};
+  const std::array types{ModeType::unknown, ModeType::bending, ModeType::hoop, ModeType::unknown};
   for (int n = 0; n <= 3; ++n) {
-    EXPECT_EQ(mode_type_of(*tube_shape(pattern(geometry, n, 0.3, flat), geometry)),
-              families[static_cast<std::size_t>(n)])
+    EXPECT_EQ(mode_type_of(*tube_shape(pattern(geometry, n, 0.3, flat), geometry)), types[static_cast<std::size_t>(n)])
         << n;
   }
 }

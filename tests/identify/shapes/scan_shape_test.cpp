@@ -54,7 +54,13 @@ TEST(ShapeAlong, OmitsPointsWithoutResidues) {
   mode.residues.erase(mode.residues.begin() + 1);
   const auto shape = shape_along(mode, kPoints, kPositions);
   EXPECT_EQ(shape.position_m, (std::vector{0.1, 0.3, 0.4}));
-  EXPECT_TRUE(shape_along(Mode{}, kPoints, kPositions).amplitude.empty());
+}
+
+TEST(ShapeAlong, IsEmptyWithoutResidues) {
+  const auto shape = shape_along(Mode{}, kPoints, kPositions);
+  EXPECT_TRUE(shape.position_m.empty());
+  EXPECT_TRUE(shape.amplitude.empty());
+  EXPECT_TRUE(shape.std.empty());
 }
 
 }  // namespace percuss::identify::scan_shape_test

@@ -40,7 +40,9 @@ TEST(CandidatePoles, AreNearTheModesWithAPeak) {
 
 TEST(CandidatePoles, AreNotQuantisedToALine) {
   const FrfDataset set = three_modes();
-  for (const Pole& pole : candidate_poles(set, LineNoise(set))) {
+  const auto poles = candidate_poles(set, LineNoise(set));
+  ASSERT_EQ(poles.size(), 3U);
+  for (const Pole& pole : poles) {
     const double lines = pole.freq_Hz / set.lines.df_Hz();
     EXPECT_GE(std::abs(lines - std::round(lines)), 1e-6);
   }

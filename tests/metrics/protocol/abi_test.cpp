@@ -77,6 +77,7 @@ TEST(Abi, ComparesTheCompressionAfterATestWithTheLastBeforeIt) {
   run = run_of(with(cycle, {compression(470)}));
   EXPECT_EQ(run.next, AbiStep::performance);  // 16 %
   run = run_of(with(cycle, {compression(470), performance(0.721)}));
+  EXPECT_EQ(run.next, AbiStep::compression_after_performance);
   run = run_of(with(cycle, {compression(470), performance(0.721), compression(469)}));
   EXPECT_NEAR(*run.compressions.back().reduction, 1.0 / 470, 1e-12);
 }

@@ -181,10 +181,14 @@ TEST(BatMetrics, EndsEachWarningWithItsRemedy) {
   BatReadings r = readings_of({}, 0);
   r.swing.exponent = 0.5;
   r.mass_kg = 20 * kOunce_kg;
+  r.out_mps = 200;
+  std::vector<std::string> codes;
   for (const auto& warning : metrics_warnings(r, bat_metrics(r))) {
     EXPECT_NE(warning.remedy, "") << warning.code;
     EXPECT_TRUE(warning.message.ends_with("; " + warning.remedy)) << warning.message;
+    codes.push_back(warning.code);
   }
+  EXPECT_THAT(codes, testing::IsSupersetOf({"swing_speed_constant", "swing_exponent", "drop_class", "rebound_speed"}));
 }
 
 TEST(BatMetrics, PutsImplausibleValuesFirst) {

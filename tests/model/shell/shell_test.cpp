@@ -132,4 +132,13 @@ TEST(ShellFit, RefusesPatternsThatDoNotSeparateTheUnknowns) {
               testing::HasSubstr("two frequencies"));
 }
 
+TEST(ShellFit, RefusesNoFrequency) {
+  const auto message = [](ShellUnknowns unknowns) {
+    return test::input_error_of([&] { fit_shell(kAluminium, {}, unknowns); });
+  };
+  EXPECT_THAT(message(ShellUnknowns::young), testing::HasSubstr("E needs a frequency"));
+  EXPECT_THAT(message(ShellUnknowns::wall), testing::HasSubstr("the wall needs a frequency"));
+  EXPECT_THAT(message(ShellUnknowns::both), testing::HasSubstr("E and wall need two frequencies"));
+}
+
 }  // namespace percuss::model::shell_test

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 namespace percuss::pipeline::hit_consistency_test {
@@ -120,9 +119,10 @@ TEST_F(HitAgreement, AcceptsResponsesOfZero) {
   grade();
   for (auto& spectrum : accel_) std::fill(spectrum.begin(), spectrum.end(), Complex());
   grade();
+  ASSERT_EQ(hits_.size(), 5U);
   for (const AnalysedHit& hit : hits_) {
-    for (const acquire::Finding& finding : hit.hit.findings)
-      EXPECT_TRUE(std::isfinite(finding.value)) << finding.message;
+    EXPECT_TRUE(hit.accepted);
+    EXPECT_TRUE(hit.hit.findings.empty());  // an error that is not a number would be a finding
   }
 }
 

@@ -1,4 +1,4 @@
-#include "identify/classify/tube_reading.hpp"
+#include "identify/classify/tube_evidence.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,9 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t kTubePlanes = 45;  // 2° apart over 90°
-constexpr double kPriors = 2.05;  // sum: 1 each for bending and hoop, 0.05 for the others, which other() includes
+// Sum of the prior weights: 1 for bending, 1 for hoop, 0.05 for other types. RatioLikelihood::other() includes the
+// 0.05.
+constexpr double kPriors = 2.05;
 
 // The likelihoods of one ratio for each plane and for each placement of the sensors.
 struct RatioTable {
