@@ -66,7 +66,7 @@ struct BeamImpactResult {
   double energy_error = 0;  // largest |E/E₀ − 1| of the total energy E
 };
 
-/// errors  InputError: ball and beam do not separate; values not above 0.
+/// errors  InputError: ball and beam do not separate; values not above 0; a beam with shear or rotary inertia.
 BeamImpactResult beam_impact(const BeamImpact& impact);
 
 /// A ball that hits a rigid bat; z from the bat's centre of mass.

@@ -119,6 +119,10 @@ BeamImpactResult beam_impact(const BeamImpact& impact) {
   api::require_above_zero(impact.hertz_Npm15, "BeamImpact::hertz_Npm15");
   if (!(impact.at_m >= 0 && impact.at_m <= impact.beam.length_m))
     throw InputError("the impact is not on the beam", "BeamImpact::at_m", "give a position from the spring's end");
+  if (impact.beam.gyration_m > 0 || impact.beam.shear_stiffness_N > 0) {
+    throw InputError("an impact is computed on Euler–Bernoulli beams only", "BeamImpact::beam",
+                     "leave out the radius of gyration and the shear stiffness");
+  }
   const model::ImpactResult result = model::simulate_impact({.beam = api::uniform_beam(impact.beam),
                                                              .at_m = impact.at_m,
                                                              .ball_mass_kg = impact.ball_mass_kg,

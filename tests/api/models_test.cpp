@@ -37,6 +37,11 @@ TEST(PublicModels, ImpactAgreesWithTheCommandLine) {
   EXPECT_EQ(result.peak_force_N, document["peak_force_n"]);
 }
 
+TEST(PublicModels, ImpactRefusesABeamWithShear) {
+  EXPECT_THROW(beam_impact({.beam = {.shear_stiffness_N = 1e5}}), InputError);
+  EXPECT_THROW(beam_impact({.beam = {.gyration_m = 0.01}}), InputError);
+}
+
 TEST(PublicModels, RigidBatAndTrampolineAgreeWithTheCommandLine) {
   const auto rigid = document_of({"model", "rigid", "--cor", "0.5"});
   const auto& at = rigid["curve"][3];

@@ -101,10 +101,10 @@ std::string note_of(const pipeline::Analysis& analysis, std::size_t m) {
   const identify::ModeClassification& classification = analysis.classifications()[m];
   std::string note;
   const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
-  if (classification.split_mode) {
-    add(classification.split_mode->first ? fmt::format("split mode, {} Hz apart: this peak is quoted",
-                                                       significant(classification.split_mode->separation_Hz, 3))
-                                         : "second peak of the split mode");
+  if (const auto& split = classification.split_mode) {
+    add(split->first ? fmt::format("split mode, {} Hz apart", significant(split->separation_Hz, 3))
+                     : "second peak of the split mode");
+    if (split->quoted) note += ": this peak is quoted";
   }
   if (classification.family != identify::ModeType::unknown && classification.confidence < 0.95)
     add(fmt::format("{:.0f} % sure", classification.confidence * 100));
