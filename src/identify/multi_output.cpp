@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel/parallel.hpp"
+#include "identify/fit/completed_decays.hpp"
 #include "identify/fit/joint_fit.hpp"
 #include "identify/fit/principal_frfs.hpp"
 #include "identify/fit/windowed_fit.hpp"
@@ -18,7 +19,6 @@ namespace {
 using Eigen::Index;
 
 constexpr double kMaxRemainingAmplitude = 0.05;  // largest amplitude of a mode at the records' end
-constexpr double kCompleted = 1e-9;              // smaller truncation is negligible
 constexpr double kMaxResidualEnergy = 1.5;       // around a mode, over its expectation for noise
 constexpr double kCheckedWidths = 5;             // half-power bandwidths on either side of a checked pole
 constexpr double kMinCheckedLines = 10;          // on either side
@@ -59,47 +59,6 @@ std::vector<Pole> poles_of(const std::vector<FittedMode>& modes) {
   for (const FittedMode& mode : modes) poles.push_back(mode.mode.pole);
   return poles;
 }
-
-// The FRFs without truncation: the missing decays are added to the measured FRFs.
-class CompletedDecays {
- public:
-  explicit CompletedDecays(const FrfDataset& cut)
-      : cut_(cut), whole_{.lines = cut.lines, .usable_bandwidth_Hz = cut.usable_bandwidth_Hz} {
-    whole_.points.resize(cut.points.size());
-    parallel_for_cost(cut.points.size(), kFlopsPerProduct * cut.lines.count, [&](std::size_t p) {
-      const PointForce& point = cut.points[p];
-      whole_.points[p] = {.blocks = point.blocks, .spectra = {}, .ff = point.ff, .noise_N = point.noise_N};
-      whole_.points[p].complete = true;
-    });
-    whole_.channels.resize(cut.channels.size());
-    parallel_for_cost(cut.channels.size(), kFlopsPerProduct * cut.lines.count,
-                      [&](std::size_t o) { whole_.channels[o] = cut.channels[o]; });
-  }
-  const FrfDataset& set() const { return whole_; }
-  // Without records the truncation of the FRFs is unknown.
-  bool from_records() const {
-    return std::all_of(cut_.points.begin(), cut_.points.end(), [](const PointForce& p) { return !p.blocks.empty(); });
-  }
-
-  // The residues, and so the added decays, have a relative error as large as the truncation of the FRFs to which they
-  // were fitted.
-  void add_missing_decays(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
-    parallel_for_cost(cut_.channels.size(), kFlopsPerProduct * cut_.lines.count,
-                      [&](std::size_t o) { whole_.channels[o].frf = cut_.channels[o].frf; });
-    for (std::size_t m = 0; m < poles.size(); ++m) {
-      if (remaining_amplitude(poles[m], cut_.lines) < kCompleted) continue;
-      const TruncatedDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);
-      parallel_for_cost(cut_.channels.size(), kFlopsPerLine * cut_.lines.count, [&](std::size_t o) {
-        missing.add_to(whole_.channels[o].frf, residues(static_cast<Index>(o), static_cast<Index>(m)),
-                       cut_.points[cut_.channels[o].point]);
-      });
-    }
-  }
-
- private:
-  const FrfDataset& cut_;
-  FrfDataset whole_;
-};
 
 // Removes the truncation from the FRFs `few`, and fits `found` to them. Each pass reduces the error by the factor of
 // the remaining truncation.

@@ -55,6 +55,7 @@ LevenbergMarquardtSummary descend(const JointProjection& projection, JointState&
   LevenbergMarquardtOptions search = kJointSearch;
   search.max_steps = options.max_steps;
   search.step_tolerance = options.tolerance;
+  search.cost_tolerance = options.cost_tolerance;
   return levenberg_marquardt(problem, search);
 }
 
@@ -74,8 +75,9 @@ class JointFitter {
       return {.poles = state_.model.poles, .trials = trials_};
     projection_.weight_by_residual(state_, residual);
     state_ = projection_.evaluate(state_.model);
-    choose_real();
+    if (options_.test_real) choose_real();
     bool converged = improve_poles();
+    if (!options_.test_real) return result(converged, covariance_of(state_));
     bool released = false;
     for (int round = 0; round < kMaxRounds && release(); ++round) {
       released = true;

@@ -45,24 +45,38 @@ std::size_t unknowns_of(const FrfDataset& set, const std::vector<FittedMode>& mo
   return unknowns;
 }
 
-bool pair_is_scatter(const FrfDataset& set, const std::vector<FittedMode>& modes, const JointFit& fit) {
-  return std::any_of(modes.begin(), modes.end(), [&](const FittedMode& mode) {
-    if (!(mode.mode.freq_scatter_Hz > 0)) return false;
+std::vector<std::size_t> scatter_partners(const FrfDataset& set, const std::vector<FittedMode>& modes,
+                                          const JointFit& fit) {
+  std::vector<std::size_t> partners;
+  for (const FittedMode& mode : modes) {
+    if (!(mode.mode.freq_scatter_Hz > 0)) continue;
     const double reach_Hz = std::max(kScatterReach * mode.mode.freq_scatter_Hz, least_width_Hz(set, mode.mode.pole));
-    std::vector<double> near;
-    for (const Pole& pole : fit.poles) {
-      if (std::abs(pole.freq_Hz - mode.mode.pole.freq_Hz) < reach_Hz) near.push_back(pole.freq_Hz);
+    std::vector<std::size_t> near;
+    for (std::size_t m = 0; m < fit.poles.size(); ++m) {
+      if (std::abs(fit.poles[m].freq_Hz - mode.mode.pole.freq_Hz) < reach_Hz) near.push_back(m);
     }
-    if (near.size() < 2) return false;
-    const auto [low, high] = std::minmax_element(near.begin(), near.end());
+    if (near.size() < 2) continue;
+    const auto by_freq = [&](std::size_t a, std::size_t b) { return fit.poles[a].freq_Hz < fit.poles[b].freq_Hz; };
+    const auto [low, high] = std::minmax_element(near.begin(), near.end(), by_freq);
     double separate = 0, pair = 0;
     for (std::size_t o = 0; o < fit.residual.size(); ++o) {
       const double n = mode.noise(static_cast<Index>(o));
       separate += n * n * static_cast<double>(mode.count);
       pair += fit.residual[o].segment(static_cast<Index>(mode.first), static_cast<Index>(mode.count)).squaredNorm();
     }
-    return *high - *low < reach_Hz && separate < kPairGain * pair;
-  });
+    if (fit.poles[*high].freq_Hz - fit.poles[*low].freq_Hz >= reach_Hz || separate >= kPairGain * pair) continue;
+    const auto peak = [&](std::size_t m) {
+      return fit.residues.col(static_cast<Index>(m)).norm() / fit.poles[m].damping_ratio;
+    };
+    const std::size_t strongest =
+        *std::max_element(near.begin(), near.end(), [&](std::size_t a, std::size_t b) { return peak(a) < peak(b); });
+    for (const std::size_t m : near) {
+      if (m != strongest) partners.push_back(m);
+    }
+  }
+  std::sort(partners.begin(), partners.end());
+  partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+  return partners;
 }
 
 }  // namespace percuss::identify

@@ -18,8 +18,9 @@ std::vector<Eigen::VectorXcd> residual_before(const FrfDataset& set, const std::
 /// scatter at each point.
 std::size_t unknowns_of(const FrfDataset& set, const std::vector<FittedMode>& modes);
 
-/// True where a pair of the joint fit may only describe the scatter of one mode's frequency. A drift during the decay
-/// then makes the pair fit somewhat better than separate poles.
-bool pair_is_scatter(const FrfDataset& set, const std::vector<FittedMode>& modes, const JointFit& fit);
+/// The modes of the joint fit that may only describe the scatter of one mode's frequency, beside the strongest mode
+/// there. A drift during the decay makes such a pair fit somewhat better than separate poles. Ascending.
+std::vector<std::size_t> scatter_partners(const FrfDataset& set, const std::vector<FittedMode>& modes,
+                                          const JointFit& fit);
 
 }  // namespace percuss::identify

@@ -8,7 +8,13 @@ namespace {
 
 constexpr double kFixedEvaluations = 8;  // of a fit, in addition to those of its steps: residual, standard deviations
 
+// About two seconds, and a sixth of a second for each FRF.
+constexpr double kProducts = 1.5e9, kProductsPerFrf = 1.5e8;
+
 }  // namespace
+
+JointFitBudget::JointFitBudget(const FrfDataset& set)
+    : set_(set), left_(kProducts + kProductsPerFrf * static_cast<double>(set.channels.size())) {}
 
 bool JointFitBudget::allows(const std::vector<Pole>& poles) const {
   return left_ >= kFixedEvaluations * products(poles);

@@ -9,7 +9,7 @@ namespace percuss::identify {
 /// fits of hundreds of modes, or of misfitting ones, would take minutes.
 class JointFitBudget {
  public:
-  explicit JointFitBudget(const FrfDataset& set) : set_(set) {}
+  explicit JointFitBudget(const FrfDataset& set);
 
   /// Whether one more fit of these modes is affordable.
   bool allows(const std::vector<Pole>& poles) const;
@@ -22,9 +22,7 @@ class JointFitBudget {
   double products(const std::vector<Pole>& poles) const;
 
   const FrfDataset& set_;
-  double left_ = kProducts;
-
-  static constexpr double kProducts = 3e9;  // about four seconds
+  double left_;
 };
 
 }  // namespace percuss::identify

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "identify/fit/completed_decays.hpp"
 #include "identify/fit/joint_fit.hpp"
 #include "identify/select/found_before.hpp"
 #include "identify/select/joint_fit_budget.hpp"
@@ -21,7 +22,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
-constexpr double kJointGain = 25;    // likelihood ratio per unknown, as for a close mode
+constexpr double kJointGain = 8;     // likelihood ratio per unknown: the logarithm of the number of independent lines
 constexpr int kDroppingRounds = 12;  // of dropping modes
 constexpr int kJointSteps = 40;      // of a joint fit
 constexpr std::size_t kMaxJointModes = 150;
@@ -31,7 +32,10 @@ constexpr std::size_t kMaxPairTrials = 6;   // modes tried as a pair in one roun
 constexpr std::size_t kMaxSplitModes = 40;  // with more modes, no mode is tried as a close pair
 constexpr int kLinearRounds = 4;
 constexpr int kResidualRounds = 4;
-constexpr double kTrialStep = 1e-3;     // tolerance of the poles while their number changes
+constexpr std::size_t kSharedPoints = 3;  // from which shared columns pay
+constexpr double kTrialStep = 1e-3;       // tolerance of the poles while their number changes
+constexpr double kTrialCost = 1e-4;       // … and relative decrease of the squares
+constexpr double kFinalCost = 1e-9;
 constexpr std::size_t kMaxTrials = 27;  // of one more mode
 
 // The starts with significant residues, by linear fits at the starts: a small part of the work.
@@ -49,7 +53,8 @@ std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> po
 // The joint fit from these poles, without insignificant modes; nothing where it does not settle. A coarse tolerance
 // serves until no more modes are dropped. A fit that neither converges nor drops a mode is not repeated.
 std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget) {
-  JointFitOptions options{.max_steps = kJointSteps, .tolerance = kTrialStep};
+  JointFitOptions options{
+      .max_steps = kJointSteps, .tolerance = kTrialStep, .cost_tolerance = kTrialCost, .test_real = false};
   for (int round = 0; round < kDroppingRounds && !poles.empty() && budget.allows(poles); ++round) {
     JointFit fit = budget.fit(poles, options);
     const bool converged = fit.converged;
@@ -60,6 +65,7 @@ std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> pol
     if (!converged) break;
     if (options.tolerance < kTrialStep) return fit;
     options.tolerance = JointFitOptions{}.tolerance;
+    options.cost_tolerance = kFinalCost;
   }
   return std::nullopt;
 }
@@ -179,7 +185,7 @@ JointFit with_close_modes(const FrfDataset& set, JointFit fit, JointFitBudget& b
     for (std::vector<Pole>& poles : with_one_more(set, fit)) {
       ++tried;
       if (!budget.allows(poles)) return fit;
-      JointFit trial = budget.fit(std::move(poles), {.max_steps = kJointSteps});
+      JointFit trial = budget.fit(std::move(poles), {.max_steps = kJointSteps, .test_real = false});
       if (!trial.converged || without_weakest(set, trial, Misfit::counted).size() != trial.poles.size()) continue;
       if (!best || likelihood_ratio(set, best->residual, trial.residual) > 0) best = std::move(trial);
     }
@@ -202,6 +208,12 @@ JointFit without_misfit_modes(const FrfDataset& set, JointFit fit, JointFitBudge
   return fit;
 }
 
+// The same modes with real residues where the data allow it.
+JointFit with_tested_residues(const FrfDataset& set, JointFit fit) {
+  JointFit tested = fit_jointly(set, fit.poles, {.max_steps = kJointSteps, .cost_tolerance = kFinalCost});
+  return tested.converged ? tested : fit;
+}
+
 // The better of two joint fits, from the modes found before and from all starts, with the modes of its residual and
 // close modes added.
 std::optional<JointFit> best_fit(const FrfDataset& set, const std::vector<VectorXcd>& residual,
@@ -221,22 +233,48 @@ std::optional<JointFit> best_fit(const FrfDataset& set, const std::vector<Vector
   if (!fit) return std::nullopt;
   JointFit grown = with_residual_modes(set, *std::move(fit), budget);
   if (grown.poles.size() <= kMaxSplitModes) grown = with_close_modes(set, std::move(grown), budget);
-  return without_misfit_modes(set, std::move(grown), budget);
+  return with_tested_residues(set, without_misfit_modes(set, std::move(grown), budget));
 }
 
 }  // namespace
 
+// The FRFs for the search. With many points, a start of low damping would give each point columns of its own.
+FrfDataset with_shared_columns(const FrfDataset& set, const std::vector<FittedMode>& modes) {
+  CompletedDecays completed(set);
+  if (set.points.size() < kSharedPoints || set.window_decay_per_s() != 0 || !completed.from_records()) return set;
+  const std::vector<Pole> poles = start_poles(modes);
+  if (!poles.empty()) completed.add_missing_decays(poles, residues_at(set, poles));
+  return completed.set();
+}
+
+// The fit without the partners that only describe a frequency's scatter; nothing where it then has no more modes than
+// were known.
+std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const std::vector<FittedMode>& known,
+                                                 JointFit fit) {
+  const std::vector<std::size_t> partners = scatter_partners(set, known, fit);
+  if (partners.empty()) return fit;
+  if (fit.poles.size() - partners.size() <= known.size()) return std::nullopt;
+  std::vector<Pole> kept;
+  for (std::size_t m = 0; m < fit.poles.size(); ++m) {
+    if (!std::binary_search(partners.begin(), partners.end(), m)) kept.push_back(fit.poles[m]);
+  }
+  JointFit fewer = fit_jointly(set, kept, {.max_steps = kJointSteps, .cost_tolerance = kFinalCost, .test_real = false});
+  if (!fewer.converged) return std::nullopt;
+  return with_tested_residues(set, std::move(fewer));
+}
+
 void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residual, std::vector<FittedMode>& modes) {
   const std::vector<VectorXcd> before = residual_before(set, modes, residual);
   if (!must_search(set, before, modes)) return;
-  const std::optional<JointFit> fit = best_fit(set, before, modes);
+  const FrfDataset shared = with_shared_columns(set, modes);
+  std::optional<JointFit> fit = best_fit(shared, before, modes);
+  if (fit) fit = without_scatter_partners(shared, modes, *std::move(fit));
   if (!fit) return;
   const std::size_t unknowns = unknowns_of(set, modes), after = fit->poles.size() * (2 + 2 * set.channels.size());
   const double least =
       kJointGain * static_cast<double>(after > unknowns ? after - unknowns : 2 + 2 * set.channels.size());
   if (likelihood_ratio(set, before, fit->residual) < least) return;
-  if (pair_is_scatter(set, modes, *fit)) return;
-  modes = joint_modes(set, *fit);
+  modes = joint_modes(shared, *fit);
 }
 
 }  // namespace percuss::identify

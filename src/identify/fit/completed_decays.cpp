@@ -1,0 +1,47 @@
+#include "identify/fit/completed_decays.hpp"
+
+#include <algorithm>
+
+#include "core/parallel/parallel.hpp"
+#include "identify/model/modal_model.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+
+constexpr std::size_t kFlopsPerLine = 60;  // operations of a truncated decay
+
+}  // namespace
+
+CompletedDecays::CompletedDecays(const FrfDataset& cut)
+    : cut_(cut), whole_{.lines = cut.lines, .usable_bandwidth_Hz = cut.usable_bandwidth_Hz} {
+  whole_.points.resize(cut.points.size());
+  parallel_for_cost(cut.points.size(), kFlopsPerProduct * cut.lines.count, [&](std::size_t p) {
+    const PointForce& point = cut.points[p];
+    whole_.points[p] = {.blocks = point.blocks, .spectra = {}, .ff = point.ff, .noise_N = point.noise_N};
+    whole_.points[p].complete = true;
+  });
+  whole_.channels.resize(cut.channels.size());
+  parallel_for_cost(cut.channels.size(), kFlopsPerProduct * cut.lines.count,
+                    [&](std::size_t o) { whole_.channels[o] = cut.channels[o]; });
+}
+
+bool CompletedDecays::from_records() const {
+  return std::all_of(cut_.points.begin(), cut_.points.end(), [](const PointForce& p) { return !p.blocks.empty(); });
+}
+
+void CompletedDecays::add_missing_decays(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
+  parallel_for_cost(cut_.channels.size(), kFlopsPerProduct * cut_.lines.count,
+                    [&](std::size_t o) { whole_.channels[o].frf = cut_.channels[o].frf; });
+  for (std::size_t m = 0; m < poles.size(); ++m) {
+    if (remaining_amplitude(poles[m], cut_.lines) < kCompleted) continue;
+    const TruncatedDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);
+    parallel_for_cost(cut_.channels.size(), kFlopsPerLine * cut_.lines.count, [&](std::size_t o) {
+      missing.add_to(whole_.channels[o].frf, residues(static_cast<Index>(o), static_cast<Index>(m)),
+                     cut_.points[cut_.channels[o].point]);
+    });
+  }
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,33 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "identify/model/frf_dataset.hpp"
+
+namespace percuss::identify {
+
+/// The FRFs of a test without truncation: the decays that the records cut off are added to the measured FRFs. All
+/// points then share the columns of a joint fit, which costs a fraction of the work for tests of many points.
+class CompletedDecays {
+ public:
+  /// `cut` must outlive this object. Nothing is added yet.
+  explicit CompletedDecays(const FrfDataset& cut);
+
+  const FrfDataset& set() const { return whole_; }
+
+  /// False without records: the truncation of the FRFs is then unknown.
+  bool from_records() const;
+
+  /// Adds the missing decays of these modes to the measured FRFs; residues [channels, modes]. The added decays have a
+  /// relative error as large as the truncation of the FRFs to which the residues were fitted.
+  void add_missing_decays(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues);
+
+ private:
+  const FrfDataset& cut_;
+  FrfDataset whole_;
+};
+
+/// The largest amplitude of a mode at the end of the records that still counts as truncation.
+inline constexpr double kCompleted = 1e-9;
+
+}  // namespace percuss::identify
