@@ -61,7 +61,7 @@ TrueDeflection::Peak TrueDeflection::peak(const std::vector<double>& residue_per
     const double value = at_m(t, residue_per_kg);
     if (std::abs(value) > std::abs(top.value_m)) top = {value, t};
   }
-  // Repeats the vertex of the parabola through three points on finer grids.
+  // Refines the peak: moves it to the vertex of the parabola through three points, on finer and finer grids.
   for (double width_s = step_s; width_s > 1e-9; width_s /= 10) {
     const double a = at_m(top.time_s - width_s, residue_per_kg), b = top.value_m,
                  c = at_m(top.time_s + width_s, residue_per_kg);

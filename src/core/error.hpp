@@ -28,7 +28,8 @@ class MachineFault : public InputError {
 /// Whether a value of errno tells of the machine's state: EAGAIN, ENOMEM, EMFILE, ENOSPC, EIO, …
 bool is_machine_fault(int error);
 
-/// Throws "PROBLEM: the text of `error`", a value of errno: a MachineFault, or an InputError.
+/// Throws a MachineFault if is_machine_fault(error), otherwise an InputError. The message is `problem`, a colon and the
+/// text of `error`, a value of errno.
 [[noreturn]] void throw_system_error(std::string_view problem, int error, std::string_view where,
                                      std::string_view remedy);
 

@@ -14,7 +14,8 @@ struct CodeRange {
   std::uint32_t first, last;
 };
 
-// Unicode's control characters, separators of lines and paragraphs, and Default_Ignorable_Code_Point; ascending.
+// Unicode's control characters, separators of lines and paragraphs, Default_Ignorable_Code_Point, marks of annotations
+// (U+FFF9 to U+FFFB), and four noncharacters (U+FFFE, U+FFFF, U+10FFFE, U+10FFFF); ascending.
 constexpr std::array<CodeRange, 21> kHidden{{
     {0x0000, 0x001F},     {0x007F, 0x009F}, {0x00AD, 0x00AD},   {0x034F, 0x034F},   {0x061C, 0x061C},
     {0x115F, 0x1160},     {0x17B4, 0x17B5}, {0x180B, 0x180F},   {0x200B, 0x200F},   {0x2028, 0x202E},

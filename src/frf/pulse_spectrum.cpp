@@ -57,7 +57,7 @@ double kernel_gain(double samples_off, double grid) {
   return kKernelWidth * std::sinh(root) / root;
 }
 
-// The number of spectral lines of the block per line of the pulse's own transform. 0 where no factor of the block's
+// The number of spectral lines of the block per line of the oversampled transform. 0 where no factor of the block's
 // length is suitable.
 std::size_t steps_between(std::size_t pulse, std::size_t samples) {
   const std::size_t most = std::min(kMaxSteps, samples / std::max(kOversampling * pulse, 4 * kKernelWidth));
@@ -67,8 +67,8 @@ std::size_t steps_between(std::size_t pulse, std::size_t samples) {
   return 0;
 }
 
-// The pulse's transform about its middle sample, from kKernelWidth lines below zero to kKernelWidth lines above half
-// of `grid`.
+// The oversampled transform: the pulse's transform of length `grid` about its middle sample, from kKernelWidth lines
+// below zero to kKernelWidth lines above half of `grid`.
 std::vector<Complex> own_transform(std::span<const double> pulse, std::size_t grid) {
   std::vector<double> x(grid);
   const std::size_t middle = pulse.size() / 2;

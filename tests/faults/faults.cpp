@@ -1,7 +1,7 @@
-// The tests preload this library into percuss. It makes allocations and writes fail.
+// The tests preload this library into percuss. It makes allocations, forks and writes to regular files fail.
 //   PERCUSS_FAULT_ALLOCATION=N  the N-th allocation of each process fails; a forked child continues its parent's count
-//   PERCUSS_FAULT_WRITE=N       the N-th write or fsync and all later ones fail: the disk is full
-//   PERCUSS_FAULT_SHORT=N       no write accepts more than N bytes
+//   PERCUSS_FAULT_WRITE=N       the N-th write to a file, or fsync, and all later ones fail: the disk is full
+//   PERCUSS_FAULT_SHORT=N       no write to a file accepts more than N bytes
 //   PERCUSS_FAULT_FORK=N        the N-th fork of each process and all later ones fail
 #include <dlfcn.h>
 #include <sys/stat.h>

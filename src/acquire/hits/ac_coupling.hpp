@@ -7,7 +7,7 @@ namespace percuss::acquire {
 
 /// Corner frequency of a first-order high-pass in the force channel: an AC-coupled channel undershoots after each pulse
 /// and returns exponentially. 0 where the force after the hit's gate shows no significant undershoot, or where its
-/// integral over all samples contradicts the first quarter, as the integral of a drift or of a contact does.
+/// integral over all samples contradicts its early part, as the integral of a drift or of a contact does.
 /// `x` are the samples of the hit, baseline removed.
 /// theory (1.11)
 double ac_coupling_Hz(const Hit& hit, std::span<const double> x, double fs_Hz);

@@ -10,11 +10,12 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kPulseEdge = 0.05;   // of the peak: above the ringing of a brick-wall filter, below any pulse's flank
-constexpr std::size_t kRinging = 72;  // samples: twice the length of the filters of delta-sigma converters down to 1e-8
-constexpr double kGateNoise = 4;      // standard deviations
-constexpr std::size_t kGateGap = 8;   // samples without ringing that end the gate
-constexpr double kGateFloor = 1e-9;   // of the peak
+constexpr double kPulseEdge = 0.05;  // of the peak: above the ringing of a brick-wall filter, below any pulse's flank
+// In samples: twice the length of a delta-sigma converter's filter, whose ends are 1e-8 of its peak.
+constexpr std::size_t kRinging = 72;
+constexpr double kGateNoise = 4;          // standard deviations
+constexpr std::size_t kGateGap = 8;       // samples without ringing that end the gate
+constexpr double kGateFloor = 1e-9;       // of the peak
 constexpr std::size_t kMinPadded = 2048;  // samples
 constexpr std::size_t kPadding = 8;       // times the pulse length: the spectrum is nearly straight between lines
 constexpr double kBandwidthDrop = 0.1;    // −20 dB

@@ -14,7 +14,8 @@ constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples per task
 constexpr std::size_t kPart = std::size_t{1} << 15;   // samples per read: 256 KiB stay in the cache
 constexpr std::size_t kBlock = 64;                    // samples per value of the envelope
 constexpr std::size_t kNoiseSamples = 1024;           // per chunk: give a standard deviation to 4 %
-constexpr double kTriggerNoise = 12;       // standard deviations: one false alarm in 10^30 samples of Gaussian noise
+// Standard deviations: one false alarm in 10^30 samples of Gaussian noise, if the standard deviation is 4 % too small.
+constexpr double kTriggerNoise = 12;
 constexpr double kTriggerFraction = 0.01;  // of the largest: a smaller hit is useless
 
 struct Envelope {

@@ -17,10 +17,10 @@ namespace {
 constexpr std::uint64_t kLargestTable_bytes = std::uint64_t{16} << 20U;
 constexpr std::size_t kLongestCell = 40;  // shown in messages
 
-bool are_names(const std::vector<std::string_view>& cells) {
-  return std::none_of(cells.begin(), cells.end(), [](std::string_view cell) {
-    return parse_number(cell, false).problem == NumberProblem::none ||
-           parse_number(cell, false).problem == NumberProblem::not_finite;
+bool are_names(const std::vector<std::string_view>& cells, bool decimal_comma) {
+  return std::none_of(cells.begin(), cells.end(), [&](std::string_view cell) {
+    const NumberProblem problem = parse_number(cell, decimal_comma).problem;
+    return problem == NumberProblem::none || problem == NumberProblem::not_finite;
   });
 }
 
@@ -54,7 +54,7 @@ std::vector<NumberTableRow> parse_number_table(std::string_view text, const std:
     const std::string_view line = take_line(text, line_end);
     if (is_skipped(line, dialect)) continue;
     const auto cells = split_cells(line, dialect, wanted.columns + 1);
-    if (rows.empty() && are_names(cells)) continue;
+    if (rows.empty() && are_names(cells, dialect.decimal_comma)) continue;
     const std::string place = fmt::format("{}: line {}", where, number);
     if (rows.size() == wanted.max_rows)
       throw InputError(fmt::format("more than {} lines", wanted.max_rows), place, wanted.remedy);

@@ -15,7 +15,7 @@ TEST(AssignRows, TakesTheLeastTotalAndNotTheNearestFirst) {
   EXPECT_EQ(partner[1], 0U);
 }
 
-TEST(AssignRows, LeavesARowWithoutPartnerWhereEveryPairCostsMoreThanAGap) {
+TEST(AssignRows, LeavesARowWithoutPartnerForTheLeastTotal) {
   Eigen::MatrixXd cost(3, 2);
   cost << 0.1, 5,  //
       0.2, 5,      //

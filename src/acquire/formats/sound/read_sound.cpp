@@ -47,26 +47,34 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
   }
 }
 
-// Divides the frames into the rows of the calibration. In a truncated file the last rows are shorter or missing.
-void take_rows(const SoundCalibration& calibration, std::size_t frames, SignalTable& table) {
+// Divides the frames into the rows of the calibration, which begin at `starts`. In a truncated file the last rows are
+// shorter or missing. Rows of fewer than two samples are left out.
+void take_rows(const SoundCalibration& calibration, std::size_t frames, SignalTable& table,
+               std::vector<std::size_t>& starts) {
   std::size_t left = frames;
+  bool cut = false;
   for (RowInfo row : calibration.rows) {
+    cut = cut || row.samples > left;
     row.samples = std::min(row.samples, left);
+    if (row.samples >= 2) {
+      starts.push_back(frames - left);
+      table.rows.push_back(row);
+    }
     left -= row.samples;
-    if (row.samples >= 2) table.rows.push_back(row);
   }
-  const bool cut = !calibration.rows.empty() && (table.rows.size() < calibration.rows.size() ||
-                                                 table.rows.back().samples < calibration.rows.back().samples);
   if (cut) {
     table.notes.emplace_back(
         fmt::format("the file ends early: {} of {} rows are present, the last one may be incomplete", table.rows.size(),
                     calibration.rows.size()));
   }
-  if (calibration.rows.empty()) table.rows.push_back({.samples = frames});
+  if (calibration.rows.empty()) {
+    starts.push_back(0);
+    table.rows.push_back({.samples = frames});
+  }
 }
 
 void describe_calibrated(const SoundInput& sound, const SoundCalibration& calibration, const std::string& where,
-                         SignalTable& table) {
+                         SignalTable& table, std::vector<std::size_t>& starts) {
   if (calibration.signals.size() != sound.channels()) {
     throw InputError(fmt::format("{} signals described for {} channels", calibration.signals.size(), sound.channels()),
                      where, "export the file again");
@@ -84,7 +92,7 @@ void describe_calibrated(const SoundInput& sound, const SoundCalibration& calibr
                              .measures = signal.measures,
                              .to_SI = signal.to_SI});
   }
-  take_rows(calibration, sound.frames(), table);
+  take_rows(calibration, sound.frames(), table, starts);
 }
 
 }  // namespace
@@ -95,16 +103,12 @@ Record open_sound(const std::string& path, const ReadOptions& options) {
   table.files.push_back({.path = path, .bytes = std::filesystem::file_size(path)});
   table.format = sound->format();
   const std::string where = path + ": " + std::string(kCalibrationChunk);
+  std::vector<std::size_t> starts;
   if (const auto text = sound->chunk(kCalibrationChunk)) {
-    describe_calibrated(*sound, parse_calibration(*text, where), where, table);
+    describe_calibrated(*sound, parse_calibration(*text, where), where, table, starts);
   } else {
     describe_uncalibrated(*sound, options, table);
-  }
-  std::vector<std::size_t> starts;
-  std::size_t start = 0;
-  for (const RowInfo& row : table.rows) {
-    starts.push_back(start);
-    start += row.samples;
+    starts.push_back(0);
   }
   table.read = [sound, starts](std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
     sound->read(signal, starts[row] + first, out);

@@ -71,7 +71,7 @@ class LvmParser {
     return out;
   }
 
-  // The tag Separator names the character that follows it.
+  // The line of the tag Separator is "Separator<tab>Tab" or "Separator,Comma".
   void find_separator() {
     const auto at = file_.view().find("Separator");
     const bool comma =

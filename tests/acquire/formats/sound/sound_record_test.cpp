@@ -136,6 +136,16 @@ TEST_F(SoundRecord, IsCalibratedByItsChunk) {
   EXPECT_THAT(accel_mps2(record, 0, 1), ElementsAre(-25, 0));
 }
 
+TEST_F(SoundRecord, ReadsARowAfterOneThatIsTooShort) {
+  const std::string chunk = calibration_chunk(
+      R"({"signals": [{"name": "f", "measures": "force", "si_at_full_scale": 32768}, {"si_at_full_scale": 1}],)"
+      R"( "rows": [{"samples": 2}, {"samples": 1}, {"samples": 2}]})");
+  const Record record = opened(wav({.before = chunk}, integers({1, 0, 2, 0, 3, 0, 4, 0, 5, 0}, 2)));
+  ASSERT_EQ(record.rows.size(), 2U);
+  EXPECT_THAT(force_N(record, 1), ElementsAre(4, 5));
+  EXPECT_THAT(test::texts(record.notes), testing::Not(Contains(HasSubstr("ends early"))));
+}
+
 TEST_F(SoundRecord, TakesTheOtherChannelsAsAccelerationsWhenTheForceIsNamed) {
   const std::string bytes = wav({.channels = 3}, integers({1 << 14, 0, 1 << 13, 0, 1 << 14, 0}, 2));
   const Record record = opened(bytes, {.force_channel = "2"});
