@@ -155,7 +155,7 @@ TEST(RecordFindings, NameAnExponentialWindowByTheDecayOfTheNoise) {
 
 TEST(RecordFindings, NameAnAcCoupledForce) {
   synth::SynthSpec spec = tube();
-  spec.noise.force = 1e-3;  // less noise would show the undershoot as a tail of the pulse
+  spec.pretrigger_s = 0.05;  // for the level of the force at rest
   acquire::Record record = synth::synthesise(spec).record;
   record.read_force_N = [inner = record.read_force_N, rows = record.rows](std::size_t row, std::size_t first,
                                                                           std::span<double> out) {
