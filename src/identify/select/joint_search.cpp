@@ -22,7 +22,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
-constexpr double kJointGain = 8;     // likelihood ratio per unknown: the logarithm of the number of independent lines
+constexpr double kMaxGain = 25, kMinGain = 8;  // likelihood ratio per unknown: as for a close mode; ln of the lines
+constexpr double kModeGain = 150;    // … and per mode, where an unknown needs no more and no less than these
 constexpr int kDroppingRounds = 12;  // of dropping modes
 constexpr int kJointSteps = 40;      // of a joint fit
 constexpr std::size_t kMaxJointModes = 150;
@@ -145,16 +146,21 @@ std::vector<std::vector<Pole>> with_one_more(const FrfDataset& set, const JointF
   return trials;
 }
 
-// Twice the logarithm of the likelihood that these modes must gain.
-double least_gain(const FrfDataset& set, std::size_t modes) {
-  return kJointGain * static_cast<double>(modes * (2 + 2 * set.channels.size()));
+std::size_t unknowns_per_mode(const FrfDataset& set) { return 2 + 2 * set.channels.size(); }
+
+// Twice the logarithm of the likelihood that so many more unknowns must gain. Each of the many residues of a mode of a
+// survey needs to gain less than each of the few of a single record.
+double least_gain(const FrfDataset& set, std::size_t unknowns) {
+  const double each = std::clamp(kModeGain / static_cast<double>(unknowns_per_mode(set)), kMinGain, kMaxGain);
+  return each * static_cast<double>(unknowns);
 }
 
 // Replaces the fit where another gains enough for its additional modes; true where it did.
 bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit> other) {
   if (!other) return false;
   const std::size_t more = other->poles.size() > fit.poles.size() ? other->poles.size() - fit.poles.size() : 1;
-  if (likelihood_ratio(set, fit.residual, other->residual) <= least_gain(set, more)) return false;
+  if (likelihood_ratio(set, fit.residual, other->residual) <= least_gain(set, more * unknowns_per_mode(set)))
+    return false;
   fit = *std::move(other);
   return true;
 }
@@ -202,7 +208,7 @@ JointFit without_misfit_modes(const FrfDataset& set, JointFit fit, JointFitBudge
     std::optional<JointFit> fewer = settled_fit(set, std::move(kept), budget);
     if (!fewer || fewer->poles.size() >= fit.poles.size()) break;
     const double lost = likelihood_ratio(set, fewer->residual, fit.residual);
-    if (lost > least_gain(set, fit.poles.size() - fewer->poles.size())) break;
+    if (lost > least_gain(set, (fit.poles.size() - fewer->poles.size()) * unknowns_per_mode(set))) break;
     fit = *std::move(fewer);
   }
   return fit;
@@ -271,8 +277,7 @@ void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residua
   if (fit) fit = without_scatter_partners(shared, modes, *std::move(fit));
   if (!fit) return;
   const std::size_t unknowns = unknowns_of(set, modes), after = fit->poles.size() * (2 + 2 * set.channels.size());
-  const double least =
-      kJointGain * static_cast<double>(after > unknowns ? after - unknowns : 2 + 2 * set.channels.size());
+  const double least = least_gain(set, after > unknowns ? after - unknowns : unknowns_per_mode(set));
   if (likelihood_ratio(set, before, fit->residual) < least) return;
   modes = joint_modes(shared, *fit);
 }
