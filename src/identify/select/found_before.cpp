@@ -21,6 +21,7 @@ std::vector<VectorXcd> residual_before(const FrfDataset& set, const std::vector<
                                        std::vector<VectorXcd> residual) {
   if (residual.empty()) {
     std::vector<Pole> poles;
+    poles.reserve(modes.size());
     for (const FittedMode& mode : modes) poles.push_back(mode.mode.pole);
     const auto unknowns = static_cast<Index>(2 * modes.size());
     residual = fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns)).residual;

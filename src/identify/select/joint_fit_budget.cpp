@@ -32,8 +32,9 @@ double JointFitBudget::products(const std::vector<Pole>& poles) const {
   const bool common = std::all_of(poles.begin(), poles.end(), [&](const Pole& pole) {
     return decays_within_record(pole, set_.points.front(), set_.lines);
   });
-  const double parts = static_cast<double>(common ? 1 : set_.points.size());
-  const double rows = 2 * static_cast<double>(set_.lines.count), columns = static_cast<double>(2 * poles.size() + 10);
+  const auto parts = static_cast<double>(common ? 1 : set_.points.size());
+  const double rows = 2 * static_cast<double>(set_.lines.count);
+  const auto columns = static_cast<double>(2 * poles.size() + 10);
   return parts * rows * columns * columns;
 }
 

@@ -73,6 +73,7 @@ std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> pol
 
 std::vector<Pole> start_poles(const std::vector<FittedMode>& modes) {
   std::vector<Pole> poles;
+  poles.reserve(modes.size());
   for (const FittedMode& mode : modes) poles.push_back(mode.mode.pole);
   return poles;
 }
@@ -102,9 +103,10 @@ std::vector<FittedMode> joint_modes(const FrfDataset& set, const JointFit& fit) 
     mode.count = static_cast<std::size_t>(window.count);
     mode.peak_to_residual = standing_of(set, fit, m, Misfit::ignored).peak_to_residual;
     mode.noise.resize(static_cast<Index>(set.channels.size()));
-    for (std::size_t o = 0; o < set.channels.size(); ++o)
+    for (std::size_t o = 0; o < set.channels.size(); ++o) {
       mode.noise(static_cast<Index>(o)) =
           fit.residual[o].segment(window.first, window.count).norm() / std::sqrt(static_cast<double>(window.count));
+    }
     take_joint_mode(set, fit, m, mode);
   }
   std::sort(modes.begin(), modes.end(),
@@ -215,7 +217,7 @@ JointFit without_misfit_modes(const FrfDataset& set, JointFit fit, JointFitBudge
 }
 
 // The same modes with real residues where the data allow it.
-JointFit with_tested_residues(const FrfDataset& set, JointFit fit) {
+JointFit with_tested_residues(const FrfDataset& set, const JointFit& fit) {
   JointFit tested = fit_jointly(set, fit.poles, {.max_steps = kJointSteps, .cost_tolerance = kFinalCost});
   return tested.converged ? tested : fit;
 }
@@ -266,7 +268,7 @@ std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const st
   }
   JointFit fewer = fit_jointly(set, kept, {.max_steps = kJointSteps, .cost_tolerance = kFinalCost, .test_real = false});
   if (!fewer.converged) return std::nullopt;
-  return with_tested_residues(set, std::move(fewer));
+  return with_tested_residues(set, fewer);
 }
 
 void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residual, std::vector<FittedMode>& modes) {
