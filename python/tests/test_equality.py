@@ -171,11 +171,16 @@ def test_deflection_prints_the_same_document(tool, bat):
 
 
 def test_nodes_print_the_same_document(tool):
-    percuss.synth("roving-barrel").save("scan.h5")
-    points = len(set(percuss.read("scan.h5").points.tolist()))
-    positions = f"3:0.25:{3 + 0.25 * (points - 1)}in"
-    found = percuss.nodes("scan.h5", positions=positions, band=(60, 1500))
-    assert found.json == tool.document("nodes", "scan.h5", "--positions", positions, "--band", "60:1500")
+    # A beam struck every half inch from 6 to 9 in, with a node at 7.5 in.
+    inches = [6 + 0.5 * i for i in range(7)]
+    mode = {"frequency_hz": 200, "damping_ratio": 0.01, "residue_per_kg": [7.5 - at for at in inches]}
+    spec = {"fs_hz": 4096, "duration_s": 1, "modes": [mode], "sensors": [{}], "hits": 1,
+            "impact": [{"position_m": 0.0254 * at} for at in inches]}
+    with open("scan.json", "w", encoding="utf-8") as file:
+        json.dump(spec, file)
+    percuss.synth("scan.json").save("scan.h5")
+    found = percuss.nodes("scan.h5", positions="6:0.5:9in", band=(60, 1000))
+    assert found.json == tool.document("nodes", "scan.h5", "--positions", "6:0.5:9in", "--band", "60:1000")
 
 
 MODELS = [
