@@ -20,7 +20,8 @@
 namespace percuss::tools {
 namespace {
 
-constexpr double kResolution_m = 0.125 * kInch_m;  // rule of thumb: the node is at the smallest peak, to 1/8 in
+// Resolution of the position of the smallest peak, which the rule of thumb takes as the node.
+constexpr double kResolution_m = 0.125 * kInch_m;
 
 struct NodesFlags {
   ReadFlags read;
