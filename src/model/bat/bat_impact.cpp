@@ -87,7 +87,7 @@ Eigen::VectorXd BatImpact::amplitudes_at(double time_s) {
 BatRebound BatImpact::run() {
   BatRebound result;
   for (result.contacts = 0;; ++result.contacts) {
-    // A touch without compression by then was an error of rounding.
+    // If the ball is not compressed by this time, the touch was a rounding error.
     const double touch_by_s = time_s_ + 2 * free_.step_s;
     do {
       step();
