@@ -13,7 +13,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
 constexpr double kScatterReach = 4;  // standard deviations of the scatter: a pair farther apart does not imitate it
-constexpr double kPairGain = 15;     // residual energy of separate poles over the pair's: below it, one mode scatters
+// Residual energy with one pole per point over the residual energy with a pair: below this, one mode scatters.
+constexpr double kPairGain = 15;
 
 }  // namespace
 
