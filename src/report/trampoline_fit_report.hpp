@@ -1,0 +1,27 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "report/html/command_report.hpp"
+#include "report/trampoline_report.hpp"
+
+namespace percuss::report {
+
+/// A remark on a model's result, for the document and for the text.
+struct TrampolineWarning {
+  std::string code, message, remedy;
+  std::vector<OptionId> options;
+};
+
+/// What limits the result: a maximum at an end of the sweep, exponents that the CCOR does not determine, a bad fit.
+std::vector<TrampolineWarning> trampoline_warnings(const model::Trampoline& model, const model::HoopPeak& peak,
+                                                   const std::optional<FittedExponents>& fitted);
+
+/// "fit" of the document, and its lines of the text.
+nlohmann::ordered_json trampoline_fit_json(const model::Trampoline& model, const FittedExponents& fitted);
+ReportText trampoline_fit_text(const FittedExponents& fitted);
+
+/// The measured CCOR over the speed, with the model's curve and its range.
+LineChart ccor_chart(const model::Trampoline& model, const FittedExponents& fitted);
+
+}  // namespace percuss::report
