@@ -21,11 +21,8 @@ constexpr double kPairGain = 15;
 std::vector<VectorXcd> residual_before(const FrfDataset& set, const std::vector<FittedMode>& modes,
                                        std::vector<VectorXcd> residual) {
   if (residual.empty()) {
-    std::vector<Pole> poles;
-    poles.reserve(modes.size());
-    for (const FittedMode& mode : modes) poles.push_back(mode.mode.pole);
     const auto unknowns = static_cast<Index>(2 * modes.size());
-    residual = fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns)).residual;
+    residual = fit_residues(set, poles_of(modes), MatrixXd::Zero(unknowns, unknowns)).residual;
   }
   for (const FittedMode& mode : modes) {
     if (!(mode.mode.freq_scatter_Hz > 0)) continue;
