@@ -17,7 +17,7 @@ namespace {
 constexpr double kMaxExponentStd = 100;  // a larger one comes from rounding: the exponent is not determined
 constexpr double kRimRise = 1;           // of chi2 above its minimum, for 68 %
 constexpr int kRimSteps = 8;             // over half the rim: its extremes are met to 2 % of their distance
-constexpr double kStartMargin = 1e-3;  // of a start of b below 1 + a
+constexpr double kStartMargin = 1e-3;    // of a start of b below 1 + a
 constexpr const char* kMeasuredCcor = "the measured CCOR";
 
 // The minimum of chi2, and the pairs around it.
