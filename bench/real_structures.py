@@ -24,8 +24,9 @@ NEAR = 0.01  # relative: a mode found at a reference frequency
 CSV = ['--fs', '48000', '--unit', 'g', '--force-unit', 'N', '--quiet']
 ABOUT_MEASURED = """\
 `bench/real_structures.py` measures this section. The reference modes come from independent fits; they are another
-estimate, not the truth. "Over σ" is the scatter of a mode's single hits over their stated standard deviations: the median
-over the modes, and the part below 3. "Halves" compares the modes of every other point with those of the rest, over their σ.
+estimate, not the truth. "Over σ" is the scatter of a mode's single hits over their stated standard deviations: the
+median over the modes, and the part below 3. "Halves" compares the modes of every other point with those of the rest,
+over their σ.
 """
 ABOUT_SCENARIOS = """\
 Each scenario is a hammer test of a tube with one imperfection of real tests, simulated at 16 times the sampling rate
