@@ -116,8 +116,8 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
 double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole) {
   const JointWindow window = window_around(set, pole);
   double worst = 0;
-  for (std::size_t o = 0; o < residual.size(); ++o) {
-    const double part = noise_part(residual[o].segment(window.first, window.count));
+  for (const VectorXcd& of_frf : residual) {
+    const double part = noise_part(of_frf.segment(window.first, window.count));
     worst = std::max(worst, (1 - part) * std::sqrt(static_cast<double>(window.count)));
   }
   return worst;
