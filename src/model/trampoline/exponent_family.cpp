@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace percuss::model {
 namespace {
@@ -18,7 +19,7 @@ Trampoline with_exponents(Trampoline model, const Exponents& e) {
 // The best pair for each a, starting from neighbouring ones.
 class Valley {
  public:
-  Valley(const CcorMisfit& misfit, const Exponents& best) : misfit_(misfit), last_(best) {}
+  Valley(const CcorMisfit& misfit, Exponents best) : misfit_(misfit), last_(std::move(best)) {}
   Exponents at(double a) {
     last_ = misfit_.minimum({a, std::min(last_[1], 0.999 * (1 + a))}, {false, true});
     return last_;

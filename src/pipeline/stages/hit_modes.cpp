@@ -71,6 +71,7 @@ std::vector<HitMode> modes_of_hits(const std::vector<identify::Mode>& modes, con
                                    const std::function<identify::FrfDataset(std::size_t hit)>& dataset_of,
                                    identify::Effort effort) {
   std::vector<identify::Pole> poles;
+  poles.reserve(modes.size());
   for (const identify::Mode& mode : modes) poles.push_back(mode.pole);
   std::vector<HitMode> out;
   if (modes.empty()) return out;
