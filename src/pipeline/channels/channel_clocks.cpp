@@ -14,6 +14,8 @@ namespace {
 constexpr std::size_t kMaxChannels = 8;  // a fit each; more channels usually share one recorder
 constexpr std::size_t kMinShared = 4;
 constexpr double kNear = 2;                     // half-power bandwidths between the places of one mode in two channels
+constexpr double kMinMisfit = 1e-9;             // of a frequency: no clocks agree better; rounding leaves less
+constexpr double kMinResidual = 1e-8;           // of the FRFs: clocks that differ by kMinMisfit leave more
 constexpr std::size_t kFitFlops = 100'000'000;  // a lower limit
 
 identify::FrfDataset only(const identify::FrfDataset& set, std::size_t channel) {
@@ -51,8 +53,10 @@ std::optional<ChannelClock> compare(const std::vector<identify::Mode>& first,
 bool may_differ(const std::vector<identify::Mode>& modes) {
   std::size_t pairs = 0;
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (modes[m].freq_std_parts_Hz.misfit > 0 || modes[m].joint_misfit > 0) return true;
-    if (m > 0 && modes[m].pole.freq_Hz - modes[m - 1].pole.freq_Hz < modes[m].pole.half_power_Hz()) ++pairs;
+    const identify::Mode& mode = modes[m];
+    if (mode.freq_std_parts_Hz.misfit > kMinMisfit * mode.pole.freq_Hz) return true;
+    if (mode.joint_misfit > 0 && mode.joint_residual > kMinResidual) return true;
+    if (m > 0 && mode.pole.freq_Hz - modes[m - 1].pole.freq_Hz < mode.pole.half_power_Hz()) ++pairs;
   }
   return pairs > 1;
 }

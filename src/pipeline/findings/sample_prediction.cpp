@@ -16,6 +16,7 @@ using Eigen::VectorXd;
 
 constexpr auto kOrder = static_cast<Index>(kPredictionOrder);
 constexpr std::size_t kMinEquations = 4 * kPredictionOrder;
+constexpr Index kBlockRows = 200;
 constexpr std::size_t kStdSamples = 300;  // on either side: errors follow the size of the motion
 
 Map<const VectorXd> ahead(std::span<const double> x, std::size_t n) { return {x.data() + n + 1, kOrder}; }
@@ -46,6 +47,22 @@ double robust_error(const std::vector<std::size_t>& at, std::size_t middle, cons
   return robust_std(std::move(errors));
 }
 
+// The least-squares solution by the QR decompositions of blocks of rows that stay in the processor's cache.
+VectorXd solve_by_blocks(const MatrixXd& left, const VectorXd& right) {
+  const Index columns = left.cols() + 1;
+  MatrixXd triangle = MatrixXd::Zero(columns, columns);
+  for (Index row = 0; row < left.rows(); row += kBlockRows) {
+    const Index count = std::min(kBlockRows, left.rows() - row);
+    MatrixXd block(columns + count, columns);
+    block.topRows(columns) = triangle;
+    block.bottomLeftCorner(count, left.cols()) = left.middleRows(row, count);
+    block.bottomRightCorner(count, 1) = right.segment(row, count);
+    triangle = Eigen::HouseholderQR<MatrixXd>(block).matrixQR().topRows(columns).triangularView<Eigen::Upper>();
+  }
+  const Index n = left.cols();
+  return triangle.topLeftCorner(n, n).triangularView<Eigen::Upper>().solve(triangle.col(n).head(n));
+}
+
 VectorXd weights(std::span<const std::span<const double>> channels, const std::vector<double>& scale,
                  const std::vector<std::size_t>& at, bool forward) {
   const auto rows = static_cast<Index>(at.size() * channels.size());
@@ -62,7 +79,7 @@ VectorXd weights(std::span<const std::span<const double>> channels, const std::v
       right[row++] = channels[c][n] * scale[c];
     }
   }
-  return left.householderQr().solve(right);
+  return solve_by_blocks(left, right);
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "acquire/record/frf_record.hpp"
+#include "identify/model/mode.hpp"
+#include "pipeline/findings/tones.hpp"
+
+namespace percuss::pipeline {
+
+/// Removes the modes that are remainders of hum: narrower than a spectral line, at a harmonic of a tone of the mains,
+/// and with a coherence that independent phases at the hits give as well. A harmonic in noise keeps a remainder,
+/// because its removal needs its frequency. `hits`: averaged per FRF. theory (1.10)
+void remove_mains_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
+                        const acquire::LineRange& lines, const std::vector<acquire::PointFrf>& frfs, std::size_t hits);
+
+}  // namespace percuss::pipeline
