@@ -35,6 +35,7 @@ and independently of percuss. The outcomes are:
 - right: every clear mode is within 3 of its stated standard deviations; fair: within 5
 - named: results are off, and a message names the cause; warned: results are off, and a message says that they may be
 - refused: no modes; UNNAMED: right, but no message names the imperfection; SILENT: results are off without a message
+- other: nothing in the record tells of the imperfection
 
 `bench/real_structures.py` writes this section.
 """

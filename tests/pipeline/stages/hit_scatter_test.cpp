@@ -54,9 +54,10 @@ std::vector<std::string> warnings_of(const Analysis& analysis) {
   return out;
 }
 
-// A frequency that differs at random between the hits: the ± of a hit's mode is at least the scatter.
+// The frequency differs between the hits and follows neither the force nor the order; the ± of each hit's mode contains
+// this scatter.
 TEST(HitScatter, IsPartOfTheDeviationsOfSingleHits) {
-  constexpr std::array kOff{0.0, 1e-3, -1e-3, 2e-3, -2e-3};  // relative to the frequency; their rms is 1.58e-3
+  constexpr std::array kOff{0.0, 1e-3, -1e-3, 2e-3, -2e-3};  // relative to the frequency; standard deviation 1.58e-3
   const auto modes = [&](std::size_t hit) { return Modes{.first_Hz = kFirst_Hz * (1 + kOff.at(hit))}; };
   const Analysis analysis(record_of(modes, kOff.size(), 1), band());
   ASSERT_THAT(analysis.modes_per_hit(), SizeIs(2 * kOff.size()));
@@ -66,7 +67,7 @@ TEST(HitScatter, IsPartOfTheDeviationsOfSingleHits) {
     if (one.mode == 0) {
       // Each fit follows its hit to a few standard deviations of the noise, here below 1e-5 of the frequency.
       EXPECT_NEAR(one.pole.freq_Hz, kFirst_Hz * (1 + kOff.at(one.hit)), 5 * parts.noise);
-      // The hits are weighted by their noise, which differs threefold with their forces.
+      // The estimate weights the hits by their noise, so it differs from the plain standard deviation.
       EXPECT_NEAR(parts.hits, 1.58e-3 * kFirst_Hz, 0.25 * 1.58e-3 * kFirst_Hz);
     } else {
       EXPECT_EQ(parts.hits, 0);
