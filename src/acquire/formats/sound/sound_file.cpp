@@ -37,10 +37,7 @@ std::size_t sample_bytes(int format) {
   }
 }
 
-struct CloseSound {
-  void operator()(SNDFILE* file) const { sf_close(file); }
-};
-using SoundHandle = std::unique_ptr<SNDFILE, CloseSound>;
+using SoundHandle = std::unique_ptr<SNDFILE, int (*)(SNDFILE*)>;
 
 SF_CHUNK_INFO chunk_named(std::string_view id) {
   SF_CHUNK_INFO info{};
@@ -60,7 +57,7 @@ bool is_sound(std::string_view head) {
 struct SoundInput::Impl {
   std::string path;
   SF_INFO info{};
-  SoundHandle file;
+  SoundHandle file{nullptr, sf_close};
   mutable std::mutex mutex;  // the library has one position in the file
 
   [[noreturn]] void fail(const std::string& problem) const { throw InputError(problem, path, "export the file again"); }
@@ -129,7 +126,7 @@ struct SoundOutput::Impl {
   std::string path;
   AtomicFile target;
   std::string chunk;  // the library reads it when it closes the file
-  SoundHandle file;
+  SoundHandle file{nullptr, sf_close};
   std::size_t channels = 1;
 
   [[noreturn]] void fail() const {

@@ -97,7 +97,8 @@ TEST_F(MatFiles, HoldCellsAsMatricesOrOneByOne) {
 TEST_F(MatFiles, KeepTheNamesOfInnerFields) {
   const auto with_field = [](const char* field) {
     const std::array<std::size_t, 2> one{1, 1};
-    matvar_t* out = Mat_VarCreateStruct2(nullptr, 2, one.data(), &field, 1);
+    const std::array<const char*, 2> fields{field, nullptr};
+    matvar_t* out = Mat_VarCreateStruct2(nullptr, 2, one.data(), fields.data());
     Mat_VarSetStructFieldByName(out, field, 0, MatWriter::numbers<double>(field, MAT_C_DOUBLE, MAT_T_DOUBLE));
     return out;
   };
