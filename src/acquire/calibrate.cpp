@@ -106,10 +106,12 @@ Calibration calibrate(const Record& record, double mass_kg, const HitOptions& op
   }
   Calibration out;
   double largest = 0;
-  for (const Hit& hit : find_hits(record, options)) {
-    if (hit.gated_N.empty()) continue;
+  const std::vector<Hit> hits = find_hits(record, options);
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    const Hit& hit = hits[h];
+    if (hit.gated_N.empty()) continue;  // no pulse
     out.hits.push_back(compare(record, hit, mass_kg));
-    out.hits.back().index = out.hits.size() - 1;
+    out.hits.back().index = h;
     largest = std::max(largest, std::abs(hit.peak_N));
   }
   double weights = 0, sum = 0, squares = 0;

@@ -16,7 +16,7 @@ class NoHitError : public InputError {
 
 /// The result of one hit on the free mass.
 struct CalibrationHit {
-  std::size_t index = 0;
+  std::size_t index = 0;  // among all hits of the record, as find_hits numbers them
   double time_s = 0;
   double peak_force = 0;  // in the channel's present unit
   double peak_accel_mps2 = 0;

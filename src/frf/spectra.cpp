@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/parallel/per_thread.hpp"
 #include "frf/pulse_spectrum.hpp"
 #include "frf/windows.hpp"
 
@@ -45,7 +46,8 @@ ForceBlock force_block(const acquire::Hit& hit, double fs_Hz, double decay_per_s
 void force_spectrum(const ForceBlock& block, const LineRange& lines, std::span<Complex> out) {
   const bool short_pulse = block.ungated_N.empty() && block.offset + block.force_N.size() <= lines.samples;
   if (short_pulse && pulse_spectrum(block.force_N, block.offset, lines, out)) return;
-  thread_local std::vector<double> x;  // zero between calls, so only the pulse is copied and cleared
+  static const PerThread<std::vector<double>> blocks;
+  std::vector<double>& x = blocks.local();  // zero between calls, so only the pulse is copied and cleared
   if (x.size() != lines.samples) x.assign(lines.samples, 0);
   const std::vector<double>& force = block.ungated_N.empty() ? block.force_N : block.ungated_N;
   const std::size_t offset = block.ungated_N.empty() ? std::min(block.offset, x.size()) : 0;

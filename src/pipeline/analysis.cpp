@@ -180,6 +180,7 @@ const std::vector<identify::Mode>& Analysis::modes() const {
       all.modes.reset();  // the number limits the modes within the band, not the modes of its margin
       std::vector<identify::Mode> found = identify::identify_modes(set, all);
       add_scatter_between_hits(set, from, options_.modes, found);
+      if (humming) remove_mains_modes(found, from.responses.tones, set.lines, frfs(), hits_per_frf(from.hits));
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
       if (options_.modes.modes) identify::keep_clearest(split.within, *options_.modes.modes);

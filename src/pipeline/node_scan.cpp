@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <set>
 
@@ -100,6 +101,7 @@ void require_different_points(const Analysis& analysis, const NodeScan& scan) {
   constexpr double kMinDifference = 0.05;  // of the largest size
   double most = 0;
   for (const ModeAlongScan& along : scan.modes) {
+    assert(!along.shape.amplitude.empty());  // a mode comes from an FRF, whose point has a position
     const auto [low, high] = std::minmax_element(along.shape.amplitude.begin(), along.shape.amplitude.end());
     const double largest = std::max(std::abs(*low), std::abs(*high));
     if (largest > 0) most = std::max(most, (*high - *low) / largest);

@@ -2,91 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <limits>
-#include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
-#include "report/json/json_document.hpp"
+#include "report/json/compare_json.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
-#include "report/text/version.hpp"
 
 namespace percuss::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kMaxNamed = 8;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-// The comparison of one document with the first.
-struct Comparison {
-  const metrics::ComparedDocument& a;
-  const metrics::ComparedDocument& b;
-  metrics::PairedModes modes;
-  std::vector<metrics::DeflectionPair> deflections;
-};
-
-Json optional_number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
-Json pairs_json(const Comparison& c) {
-  Json pairs = Json::array();
-  for (const metrics::ModePair& pair : c.modes.pairs) {
-    pairs.push_back({{"a", pair.a},
-                     {"b", pair.b},
-                     {"frequency_a_hz", c.a.modes[pair.a].freq_Hz},
-                     {"frequency_b_hz", c.b.modes[pair.b].freq_Hz},
-                     {"difference_percent", pair.difference_percent},
-                     {"difference_std_percent", optional_number(pair.difference_std_percent)},
-                     {"mac", pair.mac ? Json(pair.mac->value) : Json()}});
-  }
-  return pairs;
-}
-
-Json unpaired_json(const metrics::ComparedDocument& document, const std::vector<std::size_t>& modes) {
-  Json list = Json::array();
-  for (const std::size_t m : modes) list.push_back({{"index", m}, {"frequency_hz", document.modes[m].freq_Hz}});
-  return list;
-}
-
-Json deflections_json(const Comparison& c) {
-  Json list = Json::array();
-  for (const metrics::DeflectionPair& pair : c.deflections) {
-    list.push_back({{"point", pair.point ? Json(*pair.point) : Json()},
-                    {"position_m", optional_number(pair.position_m)},
-                    {"peak_a_m", pair.a_m},
-                    {"peak_b_m", pair.b_m},
-                    {"ratio", pair.ratio},
-                    {"ratio_std", pair.ratio_std}});
-  }
-  return list;
-}
-
-Json comparison_json(const Comparison& c) {
-  const bool inverted = c.a.model && !c.b.model;
-  return {{"pairs", pairs_json(c)},
-          {"unpaired_a", unpaired_json(c.a, c.modes.unpaired_a)},
-          {"unpaired_b", unpaired_json(c.b, c.modes.unpaired_b)},
-          {"deflections", deflections_json(c)},
-          {"ratio", inverted ? "a/b" : "b/a"}};
-}
-
-std::string json_of(const std::vector<metrics::ComparedDocument>& documents,
-                    const std::vector<Comparison>& comparisons) {
-  Json json{{"schema", "percuss/compare/1"}, {"version", version()}, {"documents", Json::array()}};
-  for (const metrics::ComparedDocument& document : documents)
-    json["documents"].push_back({{"path", document.name}, {"schema", document.schema}});
-  json.update(comparison_json(comparisons.front()));
-  json["others"] = Json::array();
-  for (std::size_t i = 1; i < comparisons.size(); ++i) {
-    Json other{{"document", i + 1}};
-    other.update(comparison_json(comparisons[i]));
-    json["others"].push_back(std::move(other));
-  }
-  return indented_text(json) + "\n";
-}
 
 const metrics::ModePair* pair_at(const Comparison& c, std::size_t mode) {
   for (const metrics::ModePair& pair : c.modes.pairs) {
@@ -198,13 +127,22 @@ LineChart chart_of(const std::vector<Comparison>& comparisons) {
   const Comparison& first = comparisons.front();
   LineChart chart;
   if (!first.deflections.empty()) {
-    const bool positions = first.deflections.front().position_m.has_value();
+    // One scale for all: places in a document may have a position, or a point, or both.
+    const auto all_have = [&](auto member) {
+      return std::all_of(first.deflections.begin(), first.deflections.end(),
+                         [&](const metrics::DeflectionPair& pair) { return (pair.*member).has_value(); });
+    };
+    const bool positions = all_have(&metrics::DeflectionPair::position_m);
+    const bool points = all_have(&metrics::DeflectionPair::point);
     chart = {.title = "Largest deflection",
-             .x = {.label = positions ? "position, m" : "point"},
+             .x = {.label = positions ? "position, m"
+                            : points  ? "point"
+                                      : "place in the table"},
              .y = {.label = "largest deflection, mm"}};
     ChartCurve a{.name = first.a.name, .marks = true}, b{.name = first.b.name, .marks = true};
     for (const metrics::DeflectionPair& pair : first.deflections) {
-      for (ChartCurve* curve : {&a, &b}) curve->x.push_back(positions ? *pair.position_m : *pair.point);
+      const double place = positions ? *pair.position_m : points ? *pair.point : 1 + static_cast<double>(a.x.size());
+      for (ChartCurve* curve : {&a, &b}) curve->x.push_back(place);
       a.y.push_back(1000 * pair.a_m);
       b.y.push_back(1000 * pair.b_m);
     }
@@ -240,7 +178,7 @@ CommandReport compare_report(const std::vector<metrics::ComparedDocument>& docum
     modes = modes || !comparisons.back().modes.pairs.empty();
   }
   CommandReport report;
-  report.json = json_of(documents, comparisons);
+  report.json = compare_json(documents, comparisons);
   bool first = true;
   if (modes || !deflections) {
     report.text = modes_text(documents, comparisons);

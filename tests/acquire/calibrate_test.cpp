@@ -55,6 +55,13 @@ TEST(Calibrate, IsExactOnAFreeMass) {
   }
 }
 
+TEST(Calibrate, NumbersHitsAsTheRecordDoes) {
+  const Calibration found = calibrate(free_mass({.peaks_N = {300, 0, 420}}), kMass_kg);
+  ASSERT_EQ(found.hits.size(), 2U);  // the second row has no pulse
+  EXPECT_EQ(found.hits[0].index, 0U);
+  EXPECT_EQ(found.hits[1].index, 2U);
+}
+
 TEST(Calibrate, SatisfiesNewtonsLaw) {
   constexpr double kRounding = 1e-12;  // of sums of 15 products
   for (const double scale : {0.0102, -0.00684, 1.0, 1e-30, -1e30}) {

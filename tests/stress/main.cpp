@@ -110,14 +110,13 @@ int run(const Options& options) {
     if (!summary.failed() && summary.known() && options.full)
       std::cout << "      no longer fails; remove its defect from the cell\n";
   }
-  const std::string end = fmt::format("{} cells: {} as expected, {} with known defects, {} fail. ", summaries.size(),
-                                      summaries.size() - known - failed, known, failed) +
-                          words(coverage);
-  std::cout << end << '\n';
+  const std::string cells = fmt::format("{} cells: {} as expected, {} with known defects, {} fail.", summaries.size(),
+                                        summaries.size() - known - failed, known, failed);
+  std::cout << cells << ' ' << words(coverage) << '\n';
   if (!options.table.empty()) {
     const std::string defects = defects_of(summaries);
     write_table(options.table,
-                "\n" + end + ".\n" + (defects.empty() ? "" : "\n### Known defects\n" + defects) + tables_of(summaries));
+                "\n" + cells + '\n' + words(coverage) + ".\n" + (defects.empty() ? "" : "\n### Known defects\n" + defects) + tables_of(summaries));
   }
   const bool covered = coverage.modes < kMinModes || (in_range(coverage.of_freq()) && in_range(coverage.of_damping()));
   return failed == 0 && covered ? 0 : 1;

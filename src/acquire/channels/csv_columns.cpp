@@ -47,8 +47,8 @@ std::string list_of(const std::vector<CsvColumn>& columns) {
   for (std::size_t i = 0; i < std::min(columns.size(), kShown); ++i) {
     const auto& column = columns[i];
     const bool show_unit = !column.unit.empty() && column.base == column.name;
-    text +=
-        (i == 0 ? "" : ", ") + one_line(column.name, 40) + (show_unit ? " [" + one_line(column.unit, 20) + "]" : "");
+    const std::string shown = !column.shape.empty() ? column.shape : show_unit ? column.unit : "";
+    text += (i == 0 ? "" : ", ") + one_line(column.name, 40) + (shown.empty() ? "" : " [" + one_line(shown, 20) + "]");
   }
   if (columns.size() > kShown) text += fmt::format(", … ({} in all)", columns.size());
   return text;
@@ -222,6 +222,12 @@ const ChannelSetup* setup_of(const CsvColumn& column, const ReadOptions& options
     if (is_number_of(column, entry.name)) return &entry;
   }
   return nullptr;
+}
+
+std::optional<Quantity> quantity_named(std::string_view name) {
+  const std::string lower = lower_case(name);
+  if (has_one_of(lower, kAccelWords)) return Quantity::acceleration;
+  return has_one_of(lower, kForceWords) ? std::optional(Quantity::force) : std::nullopt;
 }
 
 bool may_be_time(const CsvColumn& column, const CsvColumns& columns) {

@@ -103,7 +103,7 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
   if (table.fs_Hz > 0) header.fs_Hz = table.fs_Hz;
   for (std::size_t i = 0; i < table.signals.size(); ++i) {
     header.columns.push_back(column_of(table, i));
-    if (!table.signals[i].shape.empty()) header.columns.back().unit = table.signals[i].shape;
+    header.columns.back().shape = table.signals[i].shape;
   }
   try {
     const CsvColumns found = find_csv_columns(header, options, table_name(table));
@@ -112,6 +112,10 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
     return roles;
   } catch (AmbiguousColumns& error) {
     error.format = table.format;
+    // The user chooses among arrays by their sizes.
+    for (CsvColumn& column : error.columns) {
+      if (!column.shape.empty()) column.unit = column.shape;
+    }
     throw;
   }
 }

@@ -46,7 +46,7 @@ struct SignalRoles {
 };
 
 /// Finds the roles as find_csv_columns does: by the options' names or numbers, the set-up, the unit, words in the name.
-/// The unit of a signal with a `shape` is not considered.
+/// A message lists the shape of an array in place of its unit.
 /// errors  AmbiguousColumns, InputError: as there.
 SignalRoles find_roles(const SignalTable& table, const ReadOptions& options);
 

@@ -184,11 +184,12 @@ ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2,
 }
 
 std::size_t decayed_length(const Hit& hit, std::size_t samples, const SampleWindow& accel_mps2) {
-  for (;;) {
+  while (samples > 0) {
     const std::size_t shorter = decayed_within(hit, samples, accel_mps2);
     if (2 * shorter > samples) return std::min(shorter, samples);
     samples = shorter;  // again, with windows that suit the shorter length
   }
+  return 0;
 }
 
 void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels) {

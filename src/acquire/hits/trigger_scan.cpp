@@ -6,6 +6,7 @@
 
 #include "core/math/statistics.hpp"
 #include "core/parallel/parallel.hpp"
+#include "core/parallel/per_thread.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -31,7 +32,8 @@ Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, s
   std::vector<std::vector<Extremes>> blocks(used);
   Envelope envelope{.blocks = {}, .chunk_median = std::vector<double>(used), .chunk_noise = std::vector<double>(used)};
   parallel_for_cost(used, size, [&](std::size_t c) {
-    thread_local std::vector<double> buffer;  // one per thread, not one per chunk
+    static const PerThread<std::vector<double>> buffers;  // one per thread, not one per chunk
+    std::vector<double>& buffer = buffers.local();
     std::vector<double> subset;
     const std::size_t begin = first + c * size, end = std::min(begin + size, last);
     for (std::size_t at = begin; at < end; at += kPart) {

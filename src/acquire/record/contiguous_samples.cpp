@@ -12,6 +12,7 @@
 
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
+#include "core/parallel/per_thread.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -62,7 +63,8 @@ void read_piece(const OpenFile& file, std::uint64_t offset, std::span<double> ou
   if constexpr (std::is_same_v<Stored, double>) {
     file.read(out.data(), out.size_bytes(), offset);
   } else {
-    thread_local std::vector<Stored> stored;
+    static const PerThread<std::vector<Stored>> buffers;
+    std::vector<Stored>& stored = buffers.local();
     stored.resize(out.size());
     file.read(stored.data(), stored.size() * sizeof(Stored), offset);
     std::copy(stored.begin(), stored.end(), out.begin());

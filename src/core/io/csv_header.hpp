@@ -17,6 +17,7 @@ struct CsvColumn {
   std::string base;       // the name without its unit: "force" of "force_N" and of "Force (N)"
   std::string unit;       // from a row of units, else from the name; empty: not stated
   bool has_numbers = true;
+  std::string shape{};  // of an array in a file that is not text, for messages: "4096x1"
 };
 
 struct CsvHeader {

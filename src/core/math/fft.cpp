@@ -10,12 +10,31 @@
 #include <shared_mutex>
 
 #include "core/library_call.hpp"
+#include "core/parallel/per_thread.hpp"
 
 namespace percuss {
 inline namespace core {
 namespace {
 
 fftw_complex* as_fftw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
+
+// Memory that is aligned for FFTW and grows as needed.
+class Scratch {
+ public:
+  std::span<Complex> first(std::size_t lines) {
+    if (room_ < lines) {
+      room_ = 0;
+      values_.reset(reinterpret_cast<Complex*>(fftw_alloc_complex(lines)));
+      if (!values_) throw std::bad_alloc();
+      room_ = lines;
+    }
+    return {values_.get(), lines};
+  }
+
+ private:
+  std::unique_ptr<Complex, decltype(&fftw_free)> values_{nullptr, fftw_free};
+  std::size_t room_ = 0;
+};
 
 // An upper estimate of the memory that FFTW allocates while it plans, or executes, a transform of n values.
 std::size_t plan_bytes(std::size_t n) { return 64 * n + (std::size_t{1} << 18U); }
@@ -121,16 +140,8 @@ std::vector<Complex> real_dft(std::span<const double> x) {
 }
 
 std::span<const Complex> real_dft_in_scratch(std::span<const double> x) {
-  thread_local std::unique_ptr<Complex, decltype(&fftw_free)> scratch(nullptr, fftw_free);  // aligned for FFTW
-  thread_local std::size_t room = 0;
-  const std::size_t lines = x.size() / 2 + 1;
-  if (room < lines) {
-    room = 0;
-    scratch.reset(reinterpret_cast<Complex*>(fftw_alloc_complex(lines)));
-    if (!scratch) throw std::bad_alloc();
-    room = lines;
-  }
-  const std::span out(scratch.get(), lines);
+  static const PerThread<Scratch> scratches;
+  const std::span<Complex> out = scratches.local().first(x.size() / 2 + 1);
   real_dft(x, out);
   return out;
 }

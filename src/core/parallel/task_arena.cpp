@@ -5,6 +5,8 @@
 
 #include <memory>
 
+#include "core/parallel/per_thread.hpp"
+
 namespace percuss {
 inline namespace core {
 namespace {
@@ -23,7 +25,8 @@ void within_arena(std::size_t threads, const Run& run) {
     return;
   }
   // Kept: threads that wait in an arena take new work there at once, but need long to enter another arena.
-  thread_local std::unique_ptr<tbb::task_arena> arena;
+  static const PerThread<std::unique_ptr<tbb::task_arena>> arenas;
+  std::unique_ptr<tbb::task_arena>& arena = arenas.local();
   if (!arena || arena->max_concurrency() != wanted) arena = std::make_unique<tbb::task_arena>(wanted);
   arena->execute(run);
 }

@@ -103,7 +103,7 @@ Eigen::MatrixXcd relative_force_errors(const FrfDataset& set, const PointForce& 
 Eigen::MatrixXcd gain_errors(const FrfDataset& set, std::size_t point, const std::vector<std::size_t>& lines,
                              ForceErrors of) {
   const PointForce& force = set.points[point];
-  if (force.blocks.empty() || !(force.noise_N > 0) || lines.empty()) return {};
+  if (force.blocks.empty() || force.ff.empty() || !(force.noise_N > 0) || lines.empty()) return {};
   const double gated = gated_samples(force);
   const double highest = set.lines.freq_Hz(lines.back()) / set.lines.fs_Hz;
   const double half = 0.5 * (highest - set.lines.freq_Hz(lines.front()) / set.lines.fs_Hz);

@@ -49,6 +49,10 @@ std::optional<int> drop_class_of(double drop) {
 }
 
 BatMetrics bat_metrics(const BatReadings& r) {
+  if (r.besr && r.bbcor) {
+    throw InputError("BESR and BBCOR are both given, but each follows from the other", "readings", "leave one out",
+                     {"besr", "bbcor"});
+  }
   BatMetrics out;
   out.drop = given([](const auto& m, const auto& l) { return drop_of(m, l); }, r.mass_kg, r.length_m);  // (P1)
   if (out.drop) out.drop_class = drop_class_of(out.drop->value());

@@ -17,7 +17,7 @@ struct BatReadings {
   std::optional<UncertainValue> moi_kgm2;      // replaces the pendulum
   std::optional<UncertainValue> ball_kg, z_m;  // z from the barrel's tip
   std::optional<UncertainValue> in_mps, out_mps;
-  std::optional<UncertainValue> besr, bbcor;  // replace the speeds
+  std::optional<UncertainValue> besr, bbcor;  // one of them replaces the speeds
   std::optional<UncertainValue> swing_mps;    // replaces the swing model
   double pitch_mps = kPitchSpeed_mps;
   double nominal_mps = kNominalSpeed_mps;
@@ -34,6 +34,7 @@ struct BatMetrics {
 
 /// Computes all results that the readings allow. BESR comes from the speeds, else from its own reading, else from
 /// BBCOR.
+/// errors  InputError: BESR and BBCOR are both given.
 BatMetrics bat_metrics(const BatReadings& readings);
 
 /// The class of a drop in the rules: −3 for 2.1 to 3.0 oz below the length in inches, none otherwise.

@@ -37,7 +37,7 @@ struct Rebound {
 };
 
 /// Solves (1) to (3) to 1e-10 of the ball's speed, until the barrel can no longer reach the ball.
-/// errors  InputError after a million steps, or where the constants leave no finite result.
+/// errors  InputError after a million steps or a thousand contacts, or where the constants leave no finite result.
 Rebound rebound(const Trampoline& model, double hoop_Hz);
 
 /// The same for a rigid barrel.

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 
@@ -77,9 +79,11 @@ Rebound rebound(const Trampoline& model, double hoop_Hz) {
   const double speed = model.ball_speed_mps;
   BallAndBarrel now = solver.follow({.ball_mps = speed});
   Rebound result{.first_cor = -now.ball_mps / speed};
-  while (result.contacts < kMaxContacts) {
-    const auto touch = FreeFlight(forces, now).next_touch();
-    if (!touch) break;
+  while (const auto touch = FreeFlight(forces, now).next_touch()) {
+    if (result.contacts == kMaxContacts) {
+      throw InputError(fmt::format("the ball has not left the barrel after {} contacts", kMaxContacts),
+                       "trampoline model", "give a lighter ball, or a ball or barrel with more damping");
+    }
     now = solver.follow(*touch);
     ++result.contacts;
   }

@@ -23,6 +23,7 @@ Segment late_segment(std::size_t samples);
 
 /// Blackman–Harris window, 92 dB, scaled to the amplitude of a sinusoid: modes that still ring beside a tone do not
 /// leak into it.
+inline constexpr std::size_t kMainLobe = 4;  // lines on either side of its peak
 std::vector<double> window_of(std::size_t length);
 
 /// Amplitude of a sinusoid in a segment, its phase at sample 0 of the row. The window has the segment's length.

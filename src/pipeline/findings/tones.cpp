@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
 #include "pipeline/findings/sinusoids.hpp"
+#include "pipeline/findings/tone_evidence.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -16,17 +16,8 @@ constexpr std::size_t kMinSamples = 4096;  // of a row: shorter ones do not sepa
 constexpr double kAboveFloor = 40;         // times the median power around: 1 of 10 000 noise lines exceeds 13 times
 constexpr double kAboveFlank = 4;          // times the lines just beyond the window's main lobe
 constexpr std::size_t kFlankLines = 3;
-constexpr std::size_t kFloorLines = 24;               // on either side
-constexpr std::size_t kMainLobe = 4;                  // lines on either side of the window's peak
-constexpr std::size_t kMinPhases = 4;                 // that show whether the phase is fixed to the hit
-constexpr double kMinForce = 0.01;                    // of the pulse's area: its spectrum below this has no sure phase
-constexpr double kFixedPhase = 0.85;                  // resultant length of the doubled phases; 1 for a mode
-constexpr double kMinBefore = 0.5, kMaxBefore = 1.5;  // amplitude before the hits over the tone's amplitude
-constexpr double kBeforeClear = 5;                    // standard deviations
-constexpr double kMaxWander = 0.01;                   // of the power: 0.14 rad between the halves
-constexpr double kWanderNoise = 3;                    // times the power beside the tone
+constexpr std::size_t kFloorLines = 24;  // on either side
 constexpr std::size_t kMaxTones = 60;
-constexpr double kMinMains_Hz = 45, kMaxMains_Hz = 65;
 constexpr std::size_t kMaxHarmonic = 20;
 constexpr double kSameHarmonic = 0.5;  // lines of the segment's transform
 
@@ -49,76 +40,6 @@ bool is_narrow_peak(const std::vector<double>& power, std::size_t k) {
   std::vector<double> around(at(below), at(k - kMainLobe));
   around.insert(around.end(), at(k + kMainLobe + 1), at(k + kMainLobe + 1 + kFloorLines));
   return power[k] > kAboveFloor * median(std::move(around));
-}
-
-// The phase factor of the pulse's spectrum; nothing where the pulse has hardly any force at this frequency.
-std::optional<Complex> force_direction(const ToneSignal& signal, double turns) {
-  Complex sum;
-  double most = 0;
-  for (std::size_t n = 0; n < signal.pulse_N.size(); ++n) {
-    sum += signal.pulse_N[n] * std::polar(1.0, -kTwoPi * turns * static_cast<double>(signal.pulse_first + n));
-    most += std::abs(signal.pulse_N[n]);
-  }
-  if (!(std::abs(sum) > kMinForce * most)) return std::nullopt;
-  return sum / std::abs(sum);
-}
-
-// Whether the phase relative to the force differs from hit to hit. The phase of a mode is fixed, up to its sign.
-bool has_free_phase(std::span<const ToneSignal> signals, const std::vector<Complex>& amplitude, double turns) {
-  Complex resultant;
-  double power = 0;
-  std::set<std::size_t> hits;
-  for (std::size_t s = 0; s < signals.size(); ++s) {
-    const std::optional<Complex> force = force_direction(signals[s], turns);
-    if (!force) continue;
-    const Complex relative = amplitude[s] * std::conj(*force);
-    resultant += relative * relative;
-    power += std::norm(relative);
-    hits.insert(signals[s].hit);
-  }
-  return hits.size() >= kMinPhases && std::abs(resultant) < kFixedPhase * power;
-}
-
-// Whether the sinusoid, extended to the time before the hits, is there.
-bool is_there_before(std::span<const ToneSignal> signals, const std::vector<Complex>& amplitude, double turns) {
-  double product = 0, square = 0, energy = 0, count = 0;
-  for (std::size_t s = 0; s < signals.size(); ++s) {
-    const auto quiet = signals[s].x.first(signals[s].quiet);
-    std::vector<double> tone(quiet.size());
-    double mean = 0, tone_mean = 0;
-    for (std::size_t n = 0; n < quiet.size(); ++n) {
-      tone[n] = (amplitude[s] * std::polar(1.0, kTwoPi * turns * static_cast<double>(n))).real();
-      mean += quiet[n] / static_cast<double>(quiet.size());
-      tone_mean += tone[n] / static_cast<double>(quiet.size());
-    }
-    for (std::size_t n = 0; n < quiet.size(); ++n) {
-      product += (quiet[n] - mean) * (tone[n] - tone_mean);
-      square += (tone[n] - tone_mean) * (tone[n] - tone_mean);
-      energy += (quiet[n] - mean) * (quiet[n] - mean);
-    }
-    count += static_cast<double>(quiet.size());
-  }
-  if (!(square > 0)) return false;
-  const double found = product / square;
-  const double std = std::sqrt(energy / count / square);
-  return found > std::max(kMinBefore, kBeforeClear * std) && found < kMaxBefore;
-}
-
-// Whether the amplitude, as a complex number, differs between the halves of the late segment.
-bool wanders_along(std::span<const ToneSignal> signals, double turns) {
-  const Segment late = late_segment(signals.front().x.size());
-  const Segment first{late.first, late.length / 2}, second{late.first + late.length / 2, late.length / 2};
-  const std::vector<double> window = window_of(late.length / 2);
-  const double beside = turns + 1.5 * static_cast<double>(kMainLobe) / static_cast<double>(first.length);
-  double change = 0, power = 0, noise = 0;
-  for (const ToneSignal& signal : signals) {
-    const auto at = [&](const Segment& half, double f) { return amplitude_in(signal.x, half, window, f); };
-    const Complex a = at(first, turns), b = at(second, turns);
-    change += std::norm(b - a);
-    power += std::norm(a) + std::norm(b);
-    noise += std::norm(at(first, beside)) + std::norm(at(second, beside));
-  }
-  return change > kMaxWander * power + kWanderNoise * noise;
 }
 
 std::vector<double> distinct(std::vector<double> turns, std::size_t length) {
@@ -160,9 +81,8 @@ double power_to_noise(std::span<const ToneSignal> signals, const std::vector<dou
 std::optional<double> mains_of(const std::vector<Tone>& tones, std::span<const ToneSignal> signals,
                                const std::vector<double>& window, double fs_Hz) {
   const double line = 1 / static_cast<double>(window.size());
-  const auto base = std::find_if(tones.begin(), tones.end(), [](const Tone& tone) {
-    return tone.freq_Hz > kMinMains_Hz && tone.freq_Hz < kMaxMains_Hz;
-  });
+  const auto base =
+      std::find_if(tones.begin(), tones.end(), [](const Tone& tone) { return may_be_mains(tone.freq_Hz); });
   if (base == tones.end()) return std::nullopt;
   double sum = 0, weights = 0;
   for (const Tone& tone : tones) {

@@ -16,6 +16,9 @@ struct Tone {
   bool wanders = false;  // its phase changes along the record, so that no sinusoid removes it
 };
 
+/// Whether the frequency may be the fundamental of the mains: 50 or 60 Hz, or of a generator.
+constexpr bool may_be_mains(double freq_Hz) { return freq_Hz > 45 && freq_Hz < 65; }
+
 /// One response in which tones are searched: the samples of a row.
 struct ToneSignal {
   std::span<const double> x;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/parallel/parallel.hpp"
+#include "core/parallel/per_thread.hpp"
 #include "pipeline/hits/correct_responses.hpp"
 
 namespace percuss::pipeline {
@@ -25,7 +26,8 @@ HitResponses read_responses(const acquire::Record& record, const std::vector<Ana
     const auto [h, c] = tasks[t];
     const auto spectrum = out.lines.part(t * range.count, range.count);
     const acquire::Hit& hit = hits[h].hit;
-    thread_local std::vector<double> buffer;  // allocated once per thread, not for every response
+    static const PerThread<std::vector<double>> buffers;  // allocated once per thread, not for every response
+    std::vector<double>& buffer = buffers.local();
     const auto accel = trace.run("read acceleration", [&, c = c] {
       return record.read_accel_mps2.view_or_read(hit.row, c, hit.first, range.samples, buffer);
     });

@@ -10,7 +10,7 @@ constexpr double kChance = 1e-3;      // that independent phases give a higher c
 constexpr double kMaxOff = 4e-4;      // error of the fundamental, as part of its frequency
 constexpr std::size_t kMinHits = 3;   // fewer do not show whether the phases are independent
 
-// The largest coherence of any FRF at a line. theory (2.5)
+// The largest coherence of any FRF at a line.
 double coherence_at(const std::vector<acquire::PointFrf>& frfs, std::size_t line) {
   double most = 0;
   for (const acquire::PointFrf& one : frfs) {
@@ -21,7 +21,7 @@ double coherence_at(const std::vector<acquire::PointFrf>& frfs, std::size_t line
 
 bool is_harmonic(double freq_Hz, const std::vector<Tone>& tones, double line_Hz) {
   return std::any_of(tones.begin(), tones.end(), [&](const Tone& tone) {
-    if (!is_mains(tone.freq_Hz)) return false;
+    if (!may_be_mains(tone.freq_Hz)) return false;
     const double order = std::round(freq_Hz / tone.freq_Hz);
     return order >= 1 && std::abs(freq_Hz - order * tone.freq_Hz) < line_Hz + kMaxOff * freq_Hz;
   });

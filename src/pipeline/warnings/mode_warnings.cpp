@@ -10,12 +10,17 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kMinJointResidual = 0.01;  // relative: below, the model's own approximations may cause it
-constexpr double kWorthNaming = 10;         // residual energy of the joint fit over the local fit's
-constexpr std::size_t kMaxNamedPeaks = 8;   // in one warning
-constexpr double kMaxSplitBandwidths = 5;   // separation of two peaks that asymmetry or damage splits
+constexpr double kMinJointResidual = 0.01;    // relative: below, the model's own approximations may cause it
+constexpr double kWorthNaming = 10;           // residual energy of the joint fit over the local fit's
+constexpr std::size_t kMaxListedEntries = 8;  // modes, peaks or poles in one warning
+constexpr double kMaxSplitBandwidths = 5;     // separation of two peaks that asymmetry or damage splits
 
 const char* separator(const std::string& list) { return list.empty() ? "" : ", "; }
+
+// The end of a list that names the first kMaxListedEntries of `count` entries.
+std::string and_more(std::size_t count) {
+  return count > kMaxListedEntries ? fmt::format(" and {} more", count - kMaxListedEntries) : "";
+}
 
 }  // namespace
 
@@ -51,12 +56,13 @@ std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes
     ++count;
     if (!std::isfinite(mode.joint_misfit)) {
       ++unsettled;
-    } else if (count - unsettled <= kMaxNamedPeaks) {
+    } else if (count - unsettled <= kMaxListedEntries) {
       list +=
           fmt::format("{}{:.1f} Hz ({} times)", separator(list), mode.pole.freq_Hz, significant(mode.joint_misfit, 2));
     }
   }
   if (count == 0) return {};
+  list += and_more(count - unsettled);
   const std::string why = list.empty() ? "the fit of all modes together did not converge"
                                        : "all modes together leave more residual energy around them: " + list;
   return {with_remedy(
@@ -75,9 +81,9 @@ std::vector<Warning> unmodelled_peak_warnings(std::vector<identify::UnmodelledPe
   });
   if (peaks.empty()) return {};
   std::string list;
-  for (std::size_t p = 0; p < std::min(peaks.size(), kMaxNamedPeaks); ++p)
+  for (std::size_t p = 0; p < std::min(peaks.size(), kMaxListedEntries); ++p)
     list += fmt::format("{}{:.6g} Hz ({:.0f} dB)", separator(list), peaks[p].freq_Hz, peaks[p].level_dB);
-  if (peaks.size() > kMaxNamedPeaks) list += fmt::format(" and {} lower ones", peaks.size() - kMaxNamedPeaks);
+  if (peaks.size() > kMaxListedEntries) list += fmt::format(" and {} lower ones", peaks.size() - kMaxListedEntries);
   return {with_remedy(
       {"unclaimed_peaks",
        "no mode models these peaks: " + list +
@@ -96,16 +102,14 @@ bool is_split_hoop(const std::vector<identify::Mode>& modes,
   return pair->separation_Hz <= kMaxSplitBandwidths * std::max(bandwidth_Hz(m), bandwidth_Hz(pair->partner));
 }
 
-std::vector<Warning> unmodelled_pole_warnings(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
-                                              std::pair<double, double> band_Hz) {
+std::vector<Warning> unmodelled_pole_warnings(std::vector<identify::Pole> poles, std::pair<double, double> band_Hz) {
+  std::erase_if(
+      poles, [&](const identify::Pole& pole) { return pole.freq_Hz < band_Hz.first || pole.freq_Hz > band_Hz.second; });
+  if (poles.empty()) return {};
   std::string list;
-  std::size_t named = 0;
-  for (const identify::Pole& pole : identify::unmodelled_poles(set, modes)) {
-    if (pole.freq_Hz < band_Hz.first || pole.freq_Hz > band_Hz.second || named == kMaxNamedPeaks) continue;
-    list += fmt::format("{}{:.6g} Hz ({:.2g} %)", separator(list), pole.freq_Hz, 100 * pole.damping_ratio);
-    ++named;
-  }
-  if (list.empty()) return {};
+  for (std::size_t p = 0; p < std::min(poles.size(), kMaxListedEntries); ++p)
+    list += fmt::format("{}{:.6g} Hz ({:.2g} %)", separator(list), poles[p].freq_Hz, 100 * poles[p].damping_ratio);
+  list += and_more(poles.size());
   return {with_remedy({"unmodelled_poles",
                        "the stabilisation diagram shows stable poles that no mode describes: " + list +
                            ". Modes may be missing there, and their neighbours may be off by more than their ±",

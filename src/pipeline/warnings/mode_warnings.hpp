@@ -30,9 +30,8 @@ bool is_split_hoop(const std::vector<identify::Mode>& modes,
 /// local_fits: modes around which the joint fit leaves more residual than their local fit.
 std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes);
 
-/// unmodelled_poles: stable poles within the band whose resonance no mode describes.
-std::vector<Warning> unmodelled_pole_warnings(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
-                                              std::pair<double, double> band_Hz);
+/// unmodelled_poles: stable poles within the band whose resonance no mode describes (identify::unmodelled_poles).
+std::vector<Warning> unmodelled_pole_warnings(std::vector<identify::Pole> poles, std::pair<double, double> band_Hz);
 
 /// start_refused: starting frequencies at which no mode was found, with the reason.
 std::vector<Warning> refused_start_warnings(const std::vector<identify::RefusedStart>& refused);

@@ -1,6 +1,7 @@
 #include "report/json/quantised_curve.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -20,12 +21,13 @@ QuantisedCurve quantised_curve(std::span<const double> values, double min_step) 
     high = std::max(high, value);
   }
   if (!(low <= high)) low = high = 0;
+  // Levels in dB, phases and coherences are far from the limits of a double, so that k fits in 16 bits.
+  assert(min_step > 0 && std::isfinite(high - low));
   const double step = std::max(min_step, (high - low) / kLargest);
   std::vector<std::uint8_t> bytes;
   bytes.reserve(2 * values.size());
   for (const double value : values) {
-    const auto k =
-        std::isfinite(value) ? static_cast<std::uint16_t>(std::lround(step > 0 ? (value - low) / step : 0)) : kAbsent;
+    const auto k = std::isfinite(value) ? static_cast<std::uint16_t>(std::lround((value - low) / step)) : kAbsent;
     bytes.push_back(static_cast<std::uint8_t>(k & 0xFFU));
     bytes.push_back(static_cast<std::uint8_t>(k >> 8U));
   }

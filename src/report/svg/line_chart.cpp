@@ -10,6 +10,7 @@
 
 #include "report/svg/chart_mark.hpp"
 #include "report/svg/chart_scale.hpp"
+#include "report/svg/extreme_samples.hpp"
 #include "report/text/text_table.hpp"
 
 namespace percuss::report {
@@ -20,7 +21,7 @@ constexpr double kLeft = 72, kRight = 620, kTop = 44, kBottom = 384;  // of the 
 constexpr double kLineHeight = 15, kCharacterWidth = 7;               // at most
 constexpr double kFlagCharacterWidth = 6.4;                           // on average
 constexpr double kLabelRoom = 20;                                     // right of a point, for its label
-constexpr std::size_t kMaxDrawn = 1000, kLongestName = 48;
+constexpr std::size_t kLongestName = 48;
 constexpr std::size_t kTicks = 6;
 
 // Five colours of Okabe and Ito that are dark enough for a line, and two others; each with a dash pattern.
@@ -32,29 +33,6 @@ constexpr std::array<const char*, 7> kLetterColours{"#0072B2", "#B34700", "#0070
 constexpr std::array<const char*, 7> kPageColours{"var(--c0)", "var(--c1)", "var(--c2)", "var(--c3)",
                                                   "var(--c7)", "var(--c5)", "var(--c4)"};
 constexpr std::array<const char*, 7> kDashes{"none", "7 3", "2 3", "9 3 2 3", "12 4", "4 2", "6 2 1 2 1 2"};
-
-// Indices of the samples to draw, ascending: of each run of neighbours the lowest, the highest and one gap if any.
-std::vector<std::size_t> extreme_samples(const std::vector<double>& y) {
-  std::vector<std::size_t> kept;
-  const std::size_t run = std::max<std::size_t>(1, 2 * y.size() / kMaxDrawn);
-  for (std::size_t begin = 0; begin < y.size(); begin += run) {
-    const std::size_t end = std::min(begin + run, y.size());
-    std::array<std::size_t, 3> chosen{end, end, end};  // lowest, highest, a gap
-    for (std::size_t i = begin; i < end; ++i) {
-      if (std::isnan(y[i])) {
-        chosen[2] = i;
-        continue;
-      }
-      if (chosen[0] == end || y[i] < y[chosen[0]]) chosen[0] = i;
-      if (chosen[1] == end || y[i] > y[chosen[1]]) chosen[1] = i;
-    }
-    std::sort(chosen.begin(), chosen.end());
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      if (chosen.at(i) < end && (i == 0 || chosen.at(i) != chosen.at(i - 1))) kept.push_back(chosen.at(i));
-    }
-  }
-  return kept;
-}
 
 // Shortened to the room available.
 std::string shown_name(const std::string& name) {

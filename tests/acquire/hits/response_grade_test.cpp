@@ -39,6 +39,8 @@ std::size_t decayed(const Hit& hit, std::span<const double> accel) {
                         [&](std::size_t first, std::size_t count) { return accel.subspan(first, count); });
 }
 
+TEST(DecayedLength, IsZeroWithoutSamples) { EXPECT_EQ(decayed(hit(), {}), 0U); }
+
 ResponseGrade grade(const std::vector<double>& accel) { return grade_response(hit(), accel, kFs_Hz); }
 
 TEST(GradeResponse, MeasuresTheLevelAtTheEnd) {

@@ -82,6 +82,10 @@ TEST(GainErrors, AreEmptyWithoutNoiseOrForce) {
   EXPECT_EQ(gain_errors(set, 0, {1, 2}).size(), 0);
   set.points[0].blocks.clear();
   EXPECT_EQ(gain_std(set, 0, 500), 0);
+  FrfDataset unknown = gated_hit();
+  unknown.points[0].ff.clear();
+  EXPECT_EQ(gain_errors(unknown, 0, {1, 2}).size(), 0);
+  EXPECT_EQ(gain_std(unknown, 0, 500), 0);
 }
 
 }  // namespace percuss::identify::force_noise_test

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "metrics/protocol/resolution.hpp"
+#include "support/messages.hpp"
 
 namespace percuss::metrics::bat_metrics_test {
 
@@ -28,6 +29,14 @@ BatReadings readings_of(const Numbers& n, double relative_std) {
           .z_m = reading(n.z_m, Reading::location),
           .in_mps = reading(n.in_mps, Reading::inbound),
           .out_mps = reading(n.out_mps, Reading::rebound)};
+}
+
+TEST(BatMetrics, RefuseBesrTogetherWithBbcor) {
+  BatReadings readings{.besr = UncertainValue(0.7, 0.01, Reading::given_besr),
+                       .bbcor = UncertainValue(0.5, 0.01, Reading::given_bbcor)};
+  EXPECT_THAT(test::options_of_error([&] { bat_metrics(readings); }), testing::ElementsAre("besr", "bbcor"));
+  readings.besr.reset();
+  EXPECT_EQ(bat_metrics(readings).bbcor->value(), 0.5);
 }
 
 using Result = std::function<double(const BatMetrics&)>;

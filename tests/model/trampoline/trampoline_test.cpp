@@ -1,5 +1,6 @@
 #include "model/trampoline/trampoline.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "model/trampoline/damped_oscillator.hpp"
+#include "support/input_error.hpp"
 
 namespace percuss::model::trampoline_test {
 
@@ -53,6 +55,13 @@ TEST(Trampoline, ReproducesIndependentFigures) {
     EXPECT_NEAR(found.cor, cor, kPromised) << hoop_Hz;
     EXPECT_EQ(found.contacts, contacts) << hoop_Hz;
   }
+}
+
+TEST(Trampoline, RefusesABallThatDoesNotLeave) {
+  Trampoline heavy = kBaseball;  // an elastic ball of 1000 kg: it bounces on the barrel, but moves inwards
+  heavy.ball_mass_kg = 1000;
+  heavy.damping = heavy.barrel_damping_Nspm = 0;
+  EXPECT_THAT(test::input_error_of([&] { rebound(heavy, 2); }), testing::HasSubstr("after 1000 contacts"));
 }
 
 TEST(Trampoline, ReproducesTheSourcesReference) { EXPECT_NEAR(rebound(kBaseball, 10e3).cor, 0.4892, 0.5e-4); }

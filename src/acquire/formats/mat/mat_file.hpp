@@ -34,7 +34,7 @@ bool is_mat(std::string_view head);
 
 /// Reads all variables of numbers and texts; fields of structures and cells become variables. In a structure array or
 /// cell array, fields that are vectors of equal length become a matrix [elements, length]. The notes name sparse
-/// arrays, functions and objects.
+/// arrays, functions, objects and other variables that are not read.
 /// errors  InputError: damaged; data or links in other files; more numbers than claim_limit_bytes allows.
 MatFile read_mat_file(const std::string& path);
 

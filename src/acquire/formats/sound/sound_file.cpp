@@ -37,6 +37,8 @@ std::size_t sample_bytes(int format) {
   }
 }
 
+using SoundHandle = std::unique_ptr<SNDFILE, int (*)(SNDFILE*)>;
+
 SF_CHUNK_INFO chunk_named(std::string_view id) {
   SF_CHUNK_INFO info{};
   std::copy_n(id.begin(), std::min(id.size(), sizeof info.id), info.id);
@@ -55,7 +57,7 @@ bool is_sound(std::string_view head) {
 struct SoundInput::Impl {
   std::string path;
   SF_INFO info{};
-  SNDFILE* file = nullptr;
+  SoundHandle file{nullptr, sf_close};
   mutable std::mutex mutex;  // the library has one position in the file
 
   [[noreturn]] void fail(const std::string& problem) const { throw InputError(problem, path, "export the file again"); }
@@ -66,7 +68,7 @@ SoundInput::SoundInput(const std::string& path) : impl_(std::make_unique<Impl>()
   i.path = path;
   // The library accepts other formats on weak evidence, so the signature is checked first.
   if (!is_sound(first_bytes(path, 64))) i.fail("not a WAV, RF64 or W64 file");
-  i.file = sf_open(path.c_str(), SFM_READ, &i.info);
+  i.file.reset(sf_open(path.c_str(), SFM_READ, &i.info));
   if (i.file == nullptr) i.fail(std::string("damaged: ") + sf_strerror(nullptr));
   const std::size_t bytes = sample_bytes(i.info.format);
   std::string problem;
@@ -77,12 +79,10 @@ SoundInput::SoundInput(const std::string& path) : impl_(std::make_unique<Impl>()
     // sf_open refuses fewer channels than one, a rate below 1 Hz and a negative number of frames.
     problem = "more samples than the file has bytes for";
   }
-  if (problem.empty()) return;
-  sf_close(i.file);
-  i.fail(problem);
+  if (!problem.empty()) i.fail(problem);
 }
 
-SoundInput::~SoundInput() { sf_close(impl_->file); }
+SoundInput::~SoundInput() = default;
 
 std::size_t SoundInput::channels() const { return static_cast<std::size_t>(impl_->info.channels); }
 std::size_t SoundInput::frames() const { return static_cast<std::size_t>(impl_->info.frames); }
@@ -96,7 +96,7 @@ std::string SoundInput::format() const {
 std::optional<std::string> SoundInput::chunk(std::string_view id) const {
   const std::scoped_lock lock(impl_->mutex);
   SF_CHUNK_INFO info = chunk_named(id);
-  SF_CHUNK_ITERATOR* const at = sf_get_chunk_iterator(impl_->file, &info);
+  SF_CHUNK_ITERATOR* const at = sf_get_chunk_iterator(impl_->file.get(), &info);
   if (at == nullptr || sf_get_chunk_size(at, &info) != SF_ERR_NO_ERROR) return std::nullopt;
   if (info.datalen > kMaxChunk_bytes || info.datalen > std::filesystem::file_size(impl_->path))
     impl_->fail("a custom chunk that is too long");
@@ -110,10 +110,11 @@ void SoundInput::read(std::size_t channel, std::size_t first, std::span<double> 
   const std::size_t channels = this->channels();
   std::vector<double> frames(std::min(out.size(), kFramesAtOnce) * channels);
   const std::scoped_lock lock(impl_->mutex);
-  if (sf_seek(impl_->file, static_cast<sf_count_t>(first), SEEK_SET) < 0) impl_->fail("truncated");
+  if (sf_seek(impl_->file.get(), static_cast<sf_count_t>(first), SEEK_SET) < 0) impl_->fail("truncated");
   for (std::size_t done = 0; done < out.size();) {
     const std::size_t count = std::min(out.size() - done, kFramesAtOnce);
-    if (sf_readf_double(impl_->file, frames.data(), static_cast<sf_count_t>(count)) != static_cast<sf_count_t>(count))
+    if (sf_readf_double(impl_->file.get(), frames.data(), static_cast<sf_count_t>(count)) !=
+        static_cast<sf_count_t>(count))
       impl_->fail("truncated");
     for (std::size_t n = 0; n < count; ++n) out[done + n] = frames[n * channels + channel];
     done += count;
@@ -124,12 +125,12 @@ struct SoundOutput::Impl {
   Impl(const std::string& its_path, bool force) : path(its_path), target(its_path, force) {}
   std::string path;
   AtomicFile target;
-  SNDFILE* file = nullptr;
-  std::string chunk;  // must live until the file is closed: the library reads it then
+  std::string chunk;  // the library reads it when it closes the file
+  SoundHandle file{nullptr, sf_close};
   std::size_t channels = 1;
 
   [[noreturn]] void fail() const {
-    throw InputError(std::string("cannot write: ") + sf_strerror(file), path, "is there room on the disk?");
+    throw InputError(std::string("cannot write: ") + sf_strerror(file.get()), path, "is there room on the disk?");
   }
 };
 
@@ -147,9 +148,10 @@ SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, st
     throw InputError(std::to_string(channels) + " channels, or the sampling rate, exceed the limits of the format",
                      path, "write it as HDF5");
   }
-  i.file = sf_open(i.target.temporary_path().c_str(), SFM_WRITE, &info);
+  i.file.reset(sf_open(i.target.temporary_path().c_str(), SFM_WRITE, &info));
   if (i.file == nullptr) i.fail();
-  sf_command(i.file, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it contains the time of day; see clear_time_stamp
+  sf_command(i.file.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr,
+             SF_FALSE);  // it contains the time of day; see clear_time_stamp
   if (kind == SoundKind::w64) return;
   if (!cues.empty()) {
     // As SF_CUES, for any number of cues: a count, then the cues.
@@ -163,7 +165,7 @@ SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, st
       std::memcpy(&point.fcc_chunk, "data", 4);
       std::memcpy(block.data() + 1 + c * sizeof point / sizeof(std::uint32_t), &point, sizeof point);
     }
-    sf_command(i.file, SFC_SET_CUE, block.data(), static_cast<int>(block.size() * sizeof(std::uint32_t)));
+    sf_command(i.file.get(), SFC_SET_CUE, block.data(), static_cast<int>(block.size() * sizeof(std::uint32_t)));
   }
   if (!chunk) return;
   i.chunk = chunk->text;
@@ -171,14 +173,14 @@ SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, st
   SF_CHUNK_INFO chunk_info = chunk_named(chunk->id);
   chunk_info.data = i.chunk.data();
   chunk_info.datalen = static_cast<unsigned>(i.chunk.size());
-  if (sf_set_chunk(i.file, &chunk_info) != SF_ERR_NO_ERROR) i.fail();
+  if (sf_set_chunk(i.file.get(), &chunk_info) != SF_ERR_NO_ERROR) i.fail();
 }
 
-SoundOutput::~SoundOutput() { sf_close(impl_->file); }
+SoundOutput::~SoundOutput() = default;
 
 void SoundOutput::append(std::span<const double> values) {
   const auto frames = static_cast<sf_count_t>(values.size() / impl_->channels);
-  if (sf_writef_double(impl_->file, values.data(), frames) != frames) impl_->fail();
+  if (sf_writef_double(impl_->file.get(), values.data(), frames) != frames) impl_->fail();
 }
 
 namespace {
@@ -208,8 +210,7 @@ void clear_time_stamp(const std::string& path) {
 }  // namespace
 
 void SoundOutput::commit() {
-  const int closed = sf_close(impl_->file);  // writes the lengths
-  impl_->file = nullptr;
+  const int closed = sf_close(impl_->file.release());  // writes the lengths
   if (closed != 0) impl_->fail();
   clear_time_stamp(impl_->target.temporary_path());
   impl_->target.commit();

@@ -73,10 +73,14 @@ class LvmParser {
 
   // The line of the tag Separator is "Separator<tab>Tab" or "Separator,Comma".
   void find_separator() {
-    const auto at = file_.view().find("Separator");
-    const bool comma =
-        at != std::string_view::npos && file_.view().substr(at + 9, 6).find("Comma") != std::string_view::npos;
-    separator_ = comma ? ',' : '\t';
+    constexpr std::string_view kTag = "Separator";
+    std::string_view head = file_.view().substr(0, file_.view().find(kEnd));
+    while (!head.empty()) {
+      const std::string_view line = trimmed(take_line(head, '\n'));
+      if (!line.starts_with(kTag)) continue;  // Decimal_Separator is another tag
+      if (line.substr(kTag.size()).find("Comma") != std::string_view::npos) separator_ = ',';
+      return;
+    }
   }
 
   // Lines "Name<separator>value<separator>value" up to the end of a header.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "acquire/channels/signal_table.hpp"
+#include "acquire/formats/uff/uff_roles.hpp"
 #include "acquire/formats/uff/uff_rows.hpp"
 #include "core/error.hpp"
 #include "core/io/time_stamps.hpp"
@@ -26,14 +26,6 @@ struct OpenUff {
   std::vector<UffRow> rows;
 };
 
-std::optional<Quantity> quantity_of_axis(const UffAxis& axis) {
-  const auto unit = parse_unit(axis.unit);
-  if (unit && (unit->quantity == Quantity::force || unit->quantity == Quantity::acceleration)) return unit->quantity;
-  if (axis.quantity == Uff58::excitation_force || axis.quantity == Uff58::reaction_force) return Quantity::force;
-  if (axis.quantity == Uff58::acceleration) return Quantity::acceleration;
-  return std::nullopt;
-}
-
 // Names of a row's functions, made unique.
 std::vector<std::string> names_of_row(const UffRow& row) {
   std::vector<std::string> names;
@@ -47,14 +39,6 @@ std::vector<std::string> names_of_row(const UffRow& row) {
     names.push_back(std::move(name));
   }
   return names;
-}
-
-bool is_force_function(const UffFunction& function, const ReadOptions& options) {
-  if (!options.force_channel.empty()) return uff_dof_name(function.response) == options.force_channel;
-  for (const ChannelSetup& entry : options.setup) {
-    if (entry.role == "force" && entry.name == uff_dof_name(function.response)) return true;
-  }
-  return quantity_of_axis(function.ordinate) == Quantity::force;
 }
 
 TableSignal signal_of(const UffFunction& function, const std::string& name, const std::optional<UffUnits>& units) {
@@ -136,26 +120,14 @@ bool is_uff_frf(const UffFunction& function) {
 
 std::string uff_set_list(const UffContents& contents) { return list_of_sets(contents); }
 
-std::string uff_dof_name(const UffDof& dof) {
-  if (!dof.name.empty()) return dof.name;
-  const int direction = std::abs(dof.direction);
-  const std::string sign = dof.direction < 0 ? "-" : "+";
-  if (direction < 1 || direction > 6) return fmt::format("node {}", dof.node);
-  constexpr std::array axes{"X", "Y", "Z", "RX", "RY", "RZ"};
-  return fmt::format("{}{}{}", dof.node, sign, axes.at(static_cast<std::size_t>(direction - 1)));
-}
-
 Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& options) {
   auto open = std::make_shared<OpenUff>();
   open->file = file;
   open->contents = std::move(contents);
   const std::string name = input_name(file.path);
   std::vector<const UffFunction*> functions;
-  std::vector<bool> is_force;
   for (const UffFunction& function : open->contents.functions) {
-    if (!is_time_record(function)) continue;
-    functions.push_back(&function);
-    is_force.push_back(is_force_function(function, options));
+    if (is_time_record(function)) functions.push_back(&function);
   }
   if (functions.empty()) {
     const auto& all = open->contents.functions;
@@ -168,7 +140,8 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
                      shapes ? "the file holds mode shapes; give the time record that they were identified from"
                             : "export functions as data set 58");
   }
-  open->rows = uff_rows(functions, is_force, name);
+  const ReadOptions named = with_names(options, functions);
+  open->rows = uff_rows(functions, force_functions(functions, named), name);
   SignalTable table;
   table.files.push_back({.path = file.path, .bytes = file.size});
   table.format = "UFF";
@@ -193,7 +166,7 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   table.read = [open](std::size_t row, std::size_t signal, std::size_t start, std::span<double> out) {
     open->rows[row][signal]->read(0, start, out);
   };
-  return record_of_table(std::move(table), options);
+  return record_of_table(std::move(table), named);
 }
 
 Record open_uff(const FileBytes& file, const ReadOptions& options) {

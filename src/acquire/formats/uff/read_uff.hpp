@@ -17,9 +17,6 @@ bool is_time_record(const UffFunction& function);
 /// Whether a function is an FRF.
 bool is_uff_frf(const UffFunction& function);
 
-/// The name of a degree of freedom: "force", "accel 1"; if it is unnamed, its node and direction: "12+Z".
-std::string uff_dof_name(const UffDof& dof);
-
 /// "data sets 15 (1), 58 (3)", for messages.
 std::string uff_set_list(const UffContents& contents);
 

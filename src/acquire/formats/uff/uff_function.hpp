@@ -16,6 +16,8 @@ namespace percuss::acquire {
 struct Uff58 {
   enum Function { time_response = 1, auto_spectrum = 2, cross_spectrum = 3, frequency_response = 4, coherence = 6 };
   enum Quantity {
+    unknown = 0,
+    general = 1,
     displacement = 8,
     reaction_force = 9,
     velocity = 11,

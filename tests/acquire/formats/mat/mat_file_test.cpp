@@ -94,6 +94,27 @@ TEST_F(MatFiles, HoldCellsAsMatricesOrOneByOne) {
   EXPECT_NE(find_variable(read, "single"), nullptr);
 }
 
+TEST_F(MatFiles, KeepTheNamesOfInnerFields) {
+  const auto with_field = [](const char* field) {
+    const std::array<std::size_t, 2> one{1, 1};
+    const std::array<const char*, 2> fields{field, nullptr};
+    matvar_t* out = Mat_VarCreateStruct2(nullptr, 2, one.data(), fields.data());
+    Mat_VarSetStructFieldByName(out, field, 0, MatWriter::numbers<double>(field, MAT_C_DOUBLE, MAT_T_DOUBLE));
+    return out;
+  };
+  {
+    MatWriter file(path_);
+    file.put(MatWriter::cell("same", {with_field("force"), with_field("force")}));
+    file.put(MatWriter::cell("other", {with_field("force"), with_field("accel")}));
+  }
+  const MatFile read = read_mat_file(path_);
+  ASSERT_THAT(read.variables, SizeIs(3));
+  ASSERT_NE(find_variable(read, "same.force"), nullptr);
+  EXPECT_THAT(find_variable(read, "same.force")->shape, ElementsAre(2, 2));
+  EXPECT_NE(find_variable(read, "other{1}.force"), nullptr);
+  EXPECT_NE(find_variable(read, "other{2}.accel"), nullptr);
+}
+
 TEST_F(MatFiles, NameWhatIsNotRead) {
   {
     MatWriter file(path_);
@@ -108,13 +129,16 @@ TEST_F(MatFiles, NameWhatIsNotRead) {
     sparse.ndata = 2;
     sparse.data = values.data();
     std::array<std::size_t, 2> shape{2, 1}, empty{0, 0};
+    std::array<std::size_t, 9> nine{1, 2, 1, 1, 1, 1, 1, 1, 1};
     file.put(Mat_VarCreate("thin", MAT_C_SPARSE, MAT_T_DOUBLE, 2, shape.data(), &sparse, MAT_F_DONT_COPY_DATA));
     file.put(Mat_VarCreate("nothing", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, empty.data(), values.data(), 0));
+    file.put(Mat_VarCreate("far", MAT_C_DOUBLE, MAT_T_DOUBLE, 9, nine.data(), values.data(), 0));
     file.put(MatWriter::numbers<double>("x", MAT_C_DOUBLE, MAT_T_DOUBLE));
   }
   const MatFile read = read_mat_file(path_);
-  ASSERT_THAT(read.notes, SizeIs(1));
+  ASSERT_THAT(read.notes, SizeIs(2));
   EXPECT_THAT(read.notes.front().text, HasSubstr("thin is not read: it is sparse (save full(…))"));
+  EXPECT_THAT(read.notes.back().text, HasSubstr("far is not read: it has 9 dimensions"));
   EXPECT_THAT(read.variables, SizeIs(1));
 }
 

@@ -50,6 +50,15 @@ std::string refusal_of(const MatFile& file, const ReadOptions& options = {}) {
   return input_error_of([&] { open_mat(file, options); });
 }
 
+TEST(MatOptions, AreNotNeededWhereUnitsTellTheSignals) {
+  const Record record = open_mat(file_of({numbers("x", {3, 1}, {4, 5, 6}), text("x_unit", "m/s^2"),
+                                          numbers("y_N", {3, 1}, {1, 2, 3}), numbers("p_Pa", {3, 1}, {7, 8, 9})}));
+  EXPECT_EQ(record.force.name, "y_N");
+  EXPECT_THAT(force_N(record), ElementsAre(1, 2, 3));
+  ASSERT_EQ(record.accel.size(), 1U);
+  EXPECT_THAT(accel_mps2(record), ElementsAre(4, 5, 6));
+}
+
 TEST(MatOptions, NameColumnsOfMatricesOnly) {
   const MatFile file = file_of({numbers("data", {3, 2}, {7, 8, 9, 10, 11, 12}), text("label", "abcdef"),
                                 numbers("cube", {2, 2, 2}, {1, 2, 3, 4, 5, 6, 7, 8})});

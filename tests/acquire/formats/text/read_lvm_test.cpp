@@ -50,6 +50,10 @@ TEST(ReadLvm, FollowsSeparatorAndDecimalMark) {
   EXPECT_EQ(force_N(opened(replaced(german, "0.00", "0,00")))[0], 1.5);
   const std::string commas = replaced(replaced(kHead, "Tab", "Comma") + kSegment, "\t", ",");
   EXPECT_EQ(force_N(opened(commas))[0], 1.5);
+  const std::string reordered =
+      replaced(commas, "Separator,Comma\r\nDecimal_Separator,.\r\n", "Decimal_Separator,.\r\nSeparator,Comma\r\n");
+  ASSERT_NE(reordered, commas);
+  EXPECT_EQ(force_N(opened(reordered))[0], 1.5);
 }
 
 TEST(ReadLvm, ReadsFilesWithoutTimesAndWithTimesPerChannel) {

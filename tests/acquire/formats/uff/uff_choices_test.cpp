@@ -7,6 +7,7 @@
 #include "acquire/formats/uff/read_frf_uff.hpp"
 #include "acquire/formats/uff/read_uff.hpp"
 #include "acquire/formats/uff/uff_contents.hpp"
+#include "acquire/formats/uff/uff_roles.hpp"
 #include "core/units.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"

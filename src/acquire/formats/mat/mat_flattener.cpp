@@ -1,0 +1,208 @@
+#include "acquire/formats/mat/mat_flattener.hpp"
+
+#include <fmt/format.h>
+#include <matio.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+constexpr std::size_t kMaxVariables = 10'000, kMaxDepth = 8, kMaxElements = 4096;
+constexpr std::size_t kMaxMatDimensions = 8, kMaxNameShown = 63;
+
+template <class Stored>
+void append_as_double(std::vector<double>& out, const void* data, std::size_t count) {
+  const auto* values = static_cast<const Stored*>(data);
+  out.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) out.push_back(static_cast<double>(values[i]));
+}
+
+bool to_doubles(matio_types type, const void* data, std::size_t count, std::vector<double>& out) {
+  switch (type) {
+    case MAT_T_DOUBLE:
+      return append_as_double<double>(out, data, count), true;
+    case MAT_T_SINGLE:
+      return append_as_double<float>(out, data, count), true;
+    case MAT_T_INT8:
+      return append_as_double<std::int8_t>(out, data, count), true;
+    case MAT_T_UINT8:
+      return append_as_double<std::uint8_t>(out, data, count), true;
+    case MAT_T_INT16:
+      return append_as_double<std::int16_t>(out, data, count), true;
+    case MAT_T_UINT16:
+      return append_as_double<std::uint16_t>(out, data, count), true;
+    case MAT_T_INT32:
+      return append_as_double<std::int32_t>(out, data, count), true;
+    case MAT_T_UINT32:
+      return append_as_double<std::uint32_t>(out, data, count), true;
+    case MAT_T_INT64:
+      return append_as_double<std::int64_t>(out, data, count), true;
+    case MAT_T_UINT64:
+      return append_as_double<std::uint64_t>(out, data, count), true;
+    default:
+      return false;
+  }
+}
+
+bool is_number_class(matio_classes kind) { return kind >= MAT_C_DOUBLE && kind <= MAT_C_UINT64; }
+
+matvar_t* to_mutable(const matvar_t* variable) { return const_cast<matvar_t*>(variable); }  // NOLINT: C
+
+std::uint64_t elements(const matvar_t* variable) {
+  std::uint64_t count = 1;
+  for (int i = 0; i < variable->rank; ++i) {
+    const std::uint64_t size = variable->dims[i];
+    if (size != 0 && count > UINT64_MAX / 16 / size) return UINT64_MAX / 16;
+    count *= size;
+  }
+  return count;
+}
+
+MatVariable described(const std::string& name, const matvar_t* variable) {
+  MatVariable out{.name = name};
+  for (int i = 0; i < variable->rank; ++i) out.shape.push_back(variable->dims[i]);
+  return out;
+}
+
+}  // namespace
+
+void MatFlattener::check_claim(const matvar_t* variable, std::size_t depth) {
+  if (variable == nullptr || variable->dims == nullptr) return;
+  if (depth > kMaxDepth) refuse("structures within structures more than 8 deep");
+  const std::uint64_t count = elements(variable);
+  if (variable->class_type == MAT_C_STRUCT || variable->class_type == MAT_C_CELL) {
+    const std::uint64_t fields =
+        variable->class_type == MAT_C_CELL ? 1 : Mat_VarGetNumberOfFields(to_mutable(variable));
+    const auto* const children = static_cast<matvar_t* const*>(variable->data);
+    spend(count * fields, sizeof(matvar_t*));
+    for (std::uint64_t i = 0; children != nullptr && i < count * fields; ++i) check_claim(children[i], depth + 1);
+    return;
+  }
+  const bool numbers = is_number_class(variable->class_type);  // become doubles
+  const std::uint64_t each_bytes = numbers ? sizeof(double) : static_cast<std::uint64_t>(variable->data_size);
+  spend(count, std::max<std::uint64_t>(each_bytes, 1) * (variable->isComplex != 0 ? 2 : 1));
+}
+
+void MatFlattener::add(const std::string& name, const matvar_t* variable) {
+  if (variable == nullptr || variable->dims == nullptr) return;
+  if (out_.variables.size() >= kMaxVariables) refuse("more than 10000 variables");
+  if (is_number_class(variable->class_type)) return add_numbers(name, variable);
+  if (variable->class_type == MAT_C_CHAR) return add_text(name, variable);
+  if (variable->class_type == MAT_C_STRUCT) return add_structure(name, variable);
+  if (variable->class_type == MAT_C_CELL) {
+    const auto* const cells = static_cast<matvar_t* const*>(variable->data);
+    if (cells != nullptr) add_elements(name, {cells, cells + elements(variable)}, '{', '}');
+    return;
+  }
+  if (variable->class_type == MAT_C_EMPTY) return;
+  const bool sparse = variable->class_type == MAT_C_SPARSE;
+  const bool function = variable->class_type == MAT_C_FUNCTION;
+  skip(name, sparse     ? "it is sparse (save full(…))"
+             : function ? "it is a function"
+                        : "it is a string or an object (save it as char, or as a structure)");
+}
+
+bool MatFlattener::reads(const matvar_t* variable) {
+  const auto kind = variable->class_type;
+  return is_number_class(kind) || kind == MAT_C_CHAR || kind == MAT_C_STRUCT || kind == MAT_C_CELL;
+}
+
+void MatFlattener::spend(std::uint64_t count, std::uint64_t each_bytes) {
+  if (count > left_bytes_ / each_bytes) refuse("the file claims more numbers than it can hold");
+  left_bytes_ -= count * each_bytes;
+}
+
+void MatFlattener::skip(const std::string& name, const std::string& why) {
+  out_.notes.emplace_back(fmt::format("{} is not read: {}", one_line(name, kMaxNameShown), why));
+}
+
+void MatFlattener::refuse(const std::string& problem) const {
+  throw InputError(problem, out_.path, "is it damaged? Save it again");
+}
+
+void MatFlattener::add_numbers(const std::string& name, const matvar_t* variable) {
+  if (variable->rank < 1 || static_cast<std::size_t>(variable->rank) > kMaxMatDimensions)
+    return skip(name, fmt::format("it has {} dimensions", variable->rank));
+  MatVariable out = described(name, variable);
+  const std::uint64_t count = elements(variable);
+  const std::uint64_t stored =
+      static_cast<std::uint64_t>(variable->nbytes) / static_cast<std::uint64_t>(std::max(variable->data_size, 1));
+  if (count == 0) return;
+  if (variable->data == nullptr || stored < count) refuse(one_line(name, kMaxNameShown) + " cannot be read");
+  bool known = true;
+  if (variable->isComplex != 0) {
+    const auto* const parts = static_cast<const mat_complex_split_t*>(variable->data);
+    if (parts->Re == nullptr || parts->Im == nullptr) refuse(one_line(name, kMaxNameShown) + " cannot be read");
+    known = to_doubles(variable->data_type, parts->Re, count, out.real) &&
+            to_doubles(variable->data_type, parts->Im, count, out.imaginary);
+  } else {
+    known = to_doubles(variable->data_type, variable->data, count, out.real);
+  }
+  if (!known) return skip(name, "its numbers have an unknown type (save it as double)");
+  out_.variables.push_back(std::move(out));
+}
+
+void MatFlattener::add_text(const std::string& name, const matvar_t* variable) {
+  MatVariable out = described(name, variable);
+  out.is_text = true;
+  const std::uint64_t count = elements(variable);
+  const bool wide = variable->data_type == MAT_T_UINT16 || variable->data_type == MAT_T_UTF16;
+  const std::size_t each = wide ? 2 : 1;
+  if (variable->data != nullptr && variable->nbytes >= count * each) {
+    const auto* const bytes = static_cast<const char*>(variable->data);
+    for (std::uint64_t i = 0; i < count; ++i) out.text += bytes[i * each];  // the low byte: units are ASCII
+  }
+  out_.variables.push_back(std::move(out));
+}
+
+void MatFlattener::add_structure(const std::string& name, const matvar_t* variable) {
+  const std::size_t fields = Mat_VarGetNumberOfFields(to_mutable(variable));
+  char* const* const names = Mat_VarGetStructFieldnames(variable);
+  const auto* const values = static_cast<matvar_t* const*>(variable->data);
+  const std::uint64_t count = elements(variable);
+  if (names == nullptr || values == nullptr) return;
+  for (std::size_t f = 0; f < fields; ++f) {
+    std::vector<const matvar_t*> column;
+    for (std::uint64_t e = 0; e < count; ++e) column.push_back(values[e * fields + f]);
+    if (names[f] != nullptr) add_elements(name + "." + names[f], column, '(', ')');
+  }
+}
+
+void MatFlattener::add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open,
+                                char close) {
+  if (elements_of.empty()) return;
+  if (elements_of.size() == 1) return add(name, elements_of.front());
+  if (elements_of.size() > kMaxElements) refuse("more than 4096 elements in " + one_line(name, kMaxNameShown));
+  MatFile parts{.path = out_.path};
+  MatFlattener within(parts, UINT64_MAX);
+  bool alike = true;
+  std::string inner;  // what follows the element's number in the name: ".x" of "test(1).x"
+  for (std::size_t e = 0; e < elements_of.size(); ++e) {
+    const std::string element = fmt::format("{}{}{}{}", name, open, e + 1, close);
+    within.add(element, elements_of[e]);
+    alike = alike && parts.variables.size() == e + 1;
+    if (!alike) continue;
+    const std::string its_inner = parts.variables.back().name.substr(element.size());
+    if (e == 0) inner = its_inner;
+    alike = its_inner == inner;
+  }
+  const auto same = [&](const MatVariable& v) {
+    return !v.is_text && !v.is_complex() && v.size() == parts.variables.front().size();
+  };
+  if (alike && std::all_of(parts.variables.begin(), parts.variables.end(), same)) {
+    const std::size_t rows = parts.variables.size(), length = parts.variables.front().size();
+    MatVariable stacked{.name = name + inner, .shape = {rows, length}};
+    stacked.real.resize(rows * length);
+    for (std::size_t i = 0; i < rows * length; ++i) stacked.real[i] = parts.variables[i % rows].real[i / rows];
+    out_.variables.push_back(std::move(stacked));
+  } else {
+    for (MatVariable& part : parts.variables) out_.variables.push_back(std::move(part));
+  }
+  out_.notes.insert(out_.notes.end(), parts.notes.begin(), parts.notes.end());
+  if (out_.variables.size() > kMaxVariables) refuse("more than 10000 variables");
+}
+
+}  // namespace percuss::acquire

@@ -1,0 +1,44 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "acquire/formats/mat/mat_file.hpp"
+
+struct matvar_t;  // of matio
+
+namespace percuss::acquire {
+
+/// Turns the variables of a MAT file, with the fields and cells in them, into variables of `out`.
+/// errors  InputError: more than 10000 variables, 4096 elements or 8 levels; numbers that the file lacks.
+class MatFlattener {
+ public:
+  /// `limit_bytes`: of all numbers that the headers may claim.
+  MatFlattener(MatFile& out, std::uint64_t limit_bytes) : out_(out), left_bytes_(limit_bytes) {}
+
+  /// Checks the sizes that the headers claim, before any number is read.
+  void check_claim(const matvar_t* variable, std::size_t depth = 0);
+
+  /// Adds a variable whose data are read. A note names what is skipped.
+  void add(const std::string& name, const matvar_t* variable);
+
+  /// Whether `add` needs the data of such a variable.
+  static bool reads(const matvar_t* variable);
+
+ private:
+  void skip(const std::string& name, const std::string& why);
+  void spend(std::uint64_t count, std::uint64_t each_bytes);
+  [[noreturn]] void refuse(const std::string& problem) const;
+  void add_numbers(const std::string& name, const matvar_t* variable);
+  void add_text(const std::string& name, const matvar_t* variable);
+  void add_structure(const std::string& name, const matvar_t* variable);
+  // Adds one field of several elements: as one matrix if the fields are vectors of equal length and name, else one by
+  // one.
+  void add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open, char close);
+
+  MatFile& out_;
+  std::uint64_t left_bytes_;
+};
+
+}  // namespace percuss::acquire

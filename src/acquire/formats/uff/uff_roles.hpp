@@ -1,0 +1,29 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acquire/formats/uff/uff_function.hpp"
+#include "acquire/record/record.hpp"
+#include "core/units.hpp"
+
+namespace percuss::acquire {
+
+/// Force or acceleration, by the unit, else by the type of data, else (types 0 and 1) by a word in the axis label;
+/// nothing for other quantities.
+std::optional<Quantity> quantity_of_axis(const UffAxis& axis);
+
+/// [functions] whether a time record is a force. The first of these rules that finds one applies:
+///   the name that the options or the set-up give, in any letter case;
+///   the axis (quantity_of_axis);
+///   a word for a force in the name of functions without a quantity, if it is one name.
+std::vector<bool> force_functions(const std::vector<const UffFunction*>& functions, const ReadOptions& options);
+
+/// The options with names in place of numbers, where each force must be known before functions make rows: no unit or
+/// type states the force, and the name of the numbered function occurs once per row.
+ReadOptions with_names(const ReadOptions& options, const std::vector<const UffFunction*>& functions);
+
+/// The name of a degree of freedom: "force", "accel 1"; if it is unnamed, its node and direction: "12+Z".
+std::string uff_dof_name(const UffDof& dof);
+
+}  // namespace percuss::acquire

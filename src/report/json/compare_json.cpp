@@ -1,0 +1,74 @@
+#include "report/json/compare_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "report/json/json_document.hpp"
+#include "report/text/version.hpp"
+
+namespace percuss::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json optional_number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json pairs_json(const Comparison& c) {
+  Json pairs = Json::array();
+  for (const metrics::ModePair& pair : c.modes.pairs) {
+    pairs.push_back({{"a", pair.a},
+                     {"b", pair.b},
+                     {"frequency_a_hz", c.a.modes[pair.a].freq_Hz},
+                     {"frequency_b_hz", c.b.modes[pair.b].freq_Hz},
+                     {"difference_percent", pair.difference_percent},
+                     {"difference_std_percent", optional_number(pair.difference_std_percent)},
+                     {"mac", pair.mac ? Json(pair.mac->value) : Json()}});
+  }
+  return pairs;
+}
+
+Json unpaired_json(const metrics::ComparedDocument& document, const std::vector<std::size_t>& modes) {
+  Json list = Json::array();
+  for (const std::size_t m : modes) list.push_back({{"index", m}, {"frequency_hz", document.modes[m].freq_Hz}});
+  return list;
+}
+
+Json deflections_json(const Comparison& c) {
+  Json list = Json::array();
+  for (const metrics::DeflectionPair& pair : c.deflections) {
+    list.push_back({{"point", pair.point ? Json(*pair.point) : Json()},
+                    {"position_m", optional_number(pair.position_m)},
+                    {"peak_a_m", pair.a_m},
+                    {"peak_b_m", pair.b_m},
+                    {"ratio", pair.ratio},
+                    {"ratio_std", pair.ratio_std}});
+  }
+  return list;
+}
+
+Json comparison_json(const Comparison& c) {
+  const bool inverted = c.a.model && !c.b.model;
+  return {{"pairs", pairs_json(c)},
+          {"unpaired_a", unpaired_json(c.a, c.modes.unpaired_a)},
+          {"unpaired_b", unpaired_json(c.b, c.modes.unpaired_b)},
+          {"deflections", deflections_json(c)},
+          {"ratio", inverted ? "a/b" : "b/a"}};
+}
+
+}  // namespace
+
+std::string compare_json(const std::vector<metrics::ComparedDocument>& documents,
+                         const std::vector<Comparison>& comparisons) {
+  Json json{{"schema", "percuss/compare/1"}, {"version", version()}, {"documents", Json::array()}};
+  for (const metrics::ComparedDocument& document : documents)
+    json["documents"].push_back({{"path", document.name}, {"schema", document.schema}});
+  json.update(comparison_json(comparisons.front()));
+  json["others"] = Json::array();
+  for (std::size_t i = 1; i < comparisons.size(); ++i) {
+    Json other{{"document", i + 1}};
+    other.update(comparison_json(comparisons[i]));
+    json["others"].push_back(std::move(other));
+  }
+  return indented_text(json) + "\n";
+}
+
+}  // namespace percuss::report

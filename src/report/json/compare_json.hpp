@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "metrics/compare.hpp"
+
+namespace percuss::report {
+
+/// The comparison of one document with the first.
+struct Comparison {
+  const metrics::ComparedDocument& a;
+  const metrics::ComparedDocument& b;
+  metrics::PairedModes modes;
+  std::vector<metrics::DeflectionPair> deflections;
+};
+
+/// The document percuss/compare/1. `comparisons`: of each document after the first.
+std::string compare_json(const std::vector<metrics::ComparedDocument>& documents,
+                         const std::vector<Comparison>& comparisons);
+
+}  // namespace percuss::report

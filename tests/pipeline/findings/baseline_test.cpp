@@ -1,0 +1,32 @@
+#include "pipeline/findings/baseline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace percuss::pipeline::baseline_test {
+
+RestLevels levels_after(std::initializer_list<double> after) {
+  RestLevels levels{.before = 0.0, .quiet = 100, .first = 100, .window = 100};
+  std::copy(after.begin(), after.end(), levels.after.begin());
+  return levels;
+}
+
+TEST(BaselineChange, IsAStepThatDecays) {
+  // A unit step with the time constant of one window: the means of the windows, (1 - 1/e) e^-w.
+  const double e = std::exp(-1.0);
+  const auto change =
+      find_baseline_change(levels_after({1 - e, (1 - e) * e, (1 - e) * e * e, (1 - e) * e * e * e}), 1600, 10, 1000);
+  ASSERT_TRUE(change && change->step);
+  EXPECT_NEAR(change->size, 1, 1e-9);
+  EXPECT_NEAR(change->decay_per_s, 10, 1e-7);
+}
+
+TEST(BaselineChange, IsNoneWhereTheShiftsCancel) {
+  // Both sums of shifts are exactly zero, so that their ratio is not a number.
+  EXPECT_FALSE(find_baseline_change(levels_after({1, 0.5, -1.5, 1}), 1600, 10, 1000));
+}
+
+}  // namespace percuss::pipeline::baseline_test

@@ -1,0 +1,40 @@
+#include "pipeline/warnings/mode_warnings.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace percuss::pipeline::mode_warnings_test {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<identify::Mode> misfitting_modes(std::size_t count) {
+  std::vector<identify::Mode> modes(count);
+  for (std::size_t m = 0; m < count; ++m) {
+    modes[m].pole = {.freq_Hz = 100.0 + 10 * static_cast<double>(m), .damping_ratio = 0.01};
+    modes[m].joint_misfit = 20;
+    modes[m].joint_residual = 0.1;
+  }
+  return modes;
+}
+
+TEST(LocalFitWarnings, CountTheModesBeyondTheirLimit) {
+  EXPECT_THAT(local_fit_warnings(misfitting_modes(8)).at(0).message, Not(HasSubstr(" more.")));
+  std::vector<identify::Mode> modes = misfitting_modes(12);
+  modes[3].joint_misfit = std::numeric_limits<double>::infinity();  // the fit did not converge: not in the list
+  EXPECT_THAT(local_fit_warnings(modes).at(0).message, HasSubstr("180.0 Hz (20 times) and 3 more."));
+}
+
+TEST(UnmodelledPoleWarnings, CountThePolesBeyondTheirLimit) {
+  std::vector<identify::Pole> poles;
+  for (int p = 0; p < 12; ++p) poles.push_back({.freq_Hz = 100.0 + 10 * p, .damping_ratio = 0.01});
+  const std::pair band_Hz{105.0, 1000.0};
+  EXPECT_THAT(unmodelled_pole_warnings(poles, band_Hz).at(0).message, HasSubstr("180 Hz (1 %) and 3 more."));
+  poles.resize(9);
+  EXPECT_THAT(unmodelled_pole_warnings(poles, band_Hz).at(0).message, Not(HasSubstr(" more.")));
+  EXPECT_TRUE(unmodelled_pole_warnings(poles, {200.0, 300.0}).empty());
+}
+
+}  // namespace percuss::pipeline::mode_warnings_test
