@@ -1,5 +1,7 @@
 #include "pipeline/analysis.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "frf/windows.hpp"
@@ -9,6 +11,7 @@
 #include "pipeline/source/frf_source.hpp"
 #include "pipeline/source/record_source.hpp"
 #include "pipeline/stages/hit_scatter.hpp"
+#include "pipeline/stages/mains_modes.hpp"
 
 namespace percuss::pipeline {
 
@@ -174,13 +177,16 @@ const std::vector<identify::Mode>& Analysis::modes() const {
   return within_budget(budget_, modes_, [&] {
     const identify::FrfDataset& set = fitted_frfs();
     const TestSpectra from = spectra();
+    const bool hums = std::any_of(from.responses.tones.begin(), from.responses.tones.end(),
+                                  [](const Tone& tone) { return may_be_mains(tone.freq_Hz); });
+    const std::vector<acquire::PointFrf>* const averages = hums ? &frfs() : nullptr;
     const ThreadLimit limit(options_.threads);
     return trace_.run("modes", [&] {
       identify::IdentifyOptions all = options_.modes;
       all.modes.reset();  // the number limits the modes within the band, not the modes of its margin
       std::vector<identify::Mode> found = identify::identify_modes(set, all);
       add_scatter_between_hits(set, from, options_.modes, found);
-      if (humming) remove_mains_modes(found, from.responses.tones, set.lines, frfs(), hits_per_frf(from.hits));
+      if (hums) remove_mains_modes(found, from.responses.tones, set.lines, *averages);
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
       if (options_.modes.modes) identify::keep_clearest(split.within, *options_.modes.modes);

@@ -6,17 +6,15 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kChance = 1e-3;      // that independent phases give a higher coherence
-constexpr double kMaxOff = 4e-4;      // error of the fundamental, as part of its frequency
-constexpr std::size_t kMinHits = 3;   // fewer do not show whether the phases are independent
+constexpr double kChance = 1e-3;         // that independent phases give a higher coherence
+constexpr double kMaxOff = 4e-4;         // error of the fundamental, as part of its frequency
+constexpr std::size_t kMinAverages = 3;  // fewer hits do not show whether the phases are independent
 
-// The largest coherence of any FRF at a line.
-double coherence_at(const std::vector<acquire::PointFrf>& frfs, std::size_t line) {
-  double most = 0;
-  for (const acquire::PointFrf& one : frfs) {
-    if (line < one.frf.coherence.size()) most = std::max(most, one.frf.coherence[line]);
-  }
-  return most;
+// Whether the motion at a line follows the force. The coherence of n hits with independent phases exceeds c with the
+// probability (1 − c)^(n − 1).
+bool follows_force(const acquire::Frf& frf, std::size_t line) {
+  if (frf.averages < kMinAverages || line >= frf.coherence.size()) return true;
+  return frf.coherence[line] > 1 - std::pow(kChance, 1 / static_cast<double>(frf.averages - 1));
 }
 
 bool is_harmonic(double freq_Hz, const std::vector<Tone>& tones, double line_Hz) {
@@ -30,14 +28,12 @@ bool is_harmonic(double freq_Hz, const std::vector<Tone>& tones, double line_Hz)
 }  // namespace
 
 void remove_mains_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
-                        const acquire::LineRange& lines, const std::vector<acquire::PointFrf>& frfs,
-                        std::size_t hits) {
-  if (hits < kMinHits) return;
-  // For n independent phases, the coherence exceeds c with the probability (1 − c)^(n − 1).
-  const double limit = 1 - std::pow(kChance, 1 / static_cast<double>(hits - 1));
+                        const acquire::LineRange& lines, const std::vector<acquire::PointFrf>& frfs) {
   std::erase_if(modes, [&](const identify::Mode& mode) {
-    return mode.pole.half_power_Hz() < lines.df_Hz() && is_harmonic(mode.pole.freq_Hz, tones, lines.df_Hz()) &&
-           coherence_at(frfs, lines.nearest(mode.pole.freq_Hz)) < limit;
+    const double freq_Hz = mode.pole.freq_Hz;
+    if (mode.pole.half_power_Hz() > lines.df_Hz() || !is_harmonic(freq_Hz, tones, lines.df_Hz())) return false;
+    return std::none_of(frfs.begin(), frfs.end(),
+                        [&](const acquire::PointFrf& one) { return follows_force(one.frf, lines.nearest(freq_Hz)); });
   });
 }
 
