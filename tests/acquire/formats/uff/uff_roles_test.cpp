@@ -34,7 +34,7 @@ void expect_two_hits(const std::string& text, const ReadOptions& options) {
   EXPECT_THAT(force_N(record, 0), ElementsAre(1, 2));
   EXPECT_THAT(force_N(record, 1), ElementsAre(5, 6));
   EXPECT_THAT(accel_mps2(record, 0, 0), ElementsAre(3, 4));
-  EXPECT_THAT(accel_mps2(record, 1, 0), ElementsAre(7, 8));
+  EXPECT_THAT(accel_mps2(record, 0, 1), ElementsAre(7, 8));
 }
 
 TEST(UffRoles, FindAForceByItsNameInAnyLetterCase) {
