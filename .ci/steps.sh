@@ -51,7 +51,18 @@ build() {
 
 all_sources() { git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'; }
 
-# The .cpp files to check again: changed files, and files that include a changed header of src/.
+# include_patterns PATH: the ways to write a header in an #include: its path, without any number of its leading folders.
+include_patterns() {
+  header=$1
+  while printf '"%s"\n<%s>\n' "$header" "$header"; do
+    case $header in
+      */*) header=${header#*/} ;;
+      *) return ;;
+    esac
+  done
+}
+
+# The .cpp files to check again: changed files, and files that include a changed header.
 changed_sources() {
   base=${CI_BASE:-$(git merge-base HEAD '@{upstream}' 2>/dev/null || true)}
   if [ -z "$base" ] || { [ -z "${CI_BASE:-}" ] && [ "$base" = "$(git rev-parse HEAD)" ]; }; then
@@ -61,7 +72,7 @@ changed_sources() {
     while read -r file; do
       case $file in
         *.cpp) echo "$file" ;;
-        *) all_sources | grep '\.cpp$' | xargs grep -lF "${file#src/}\"" || true ;;
+        *) all_sources | grep '\.cpp$' | xargs grep -lF "$(include_patterns "$file")" || true ;;
       esac
     done | sort -u
 }

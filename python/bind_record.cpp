@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "acquire/record/point_number.hpp"
 #include "bindings.hpp"
 #include "core/error.hpp"
 #include "numpy_views.hpp"
@@ -61,6 +62,7 @@ std::shared_ptr<const ArrayTest> test_of(const py::list& rows, const std::vector
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const auto row = rows[r].cast<py::tuple>();
     ArrayRow made{.point = points.empty() ? 0 : points.at(r)};
+    acquire::require_point_number(made.point, "arrays");
     const auto accel = row[1].cast<py::list>();
     for (const auto& one : accel) made.accel.push_back(strided_samples_of(one.cast<py::array>(), "accel"));
     const bool has_force = !row[0].is_none();

@@ -94,7 +94,7 @@ struct RecordArrays {
   double fs_Hz = 0;
   std::vector<std::vector<double>> force_N{};  // empty: no force was recorded
   std::vector<std::vector<std::vector<double>>> accel_mps2{};
-  std::vector<int> point{};                       // the point that each row hits; empty: one point
+  std::vector<int> point{};                       // the point that each row hits, from 0; empty: one point
   std::vector<double> angle_rad{}, position_m{};  // per acceleration channel; empty: not known
   bool continuous = false;                        // each row may hold several hits
 };

@@ -39,13 +39,13 @@ struct WriteOptions {
 
 /// .h5 .hdf5 .csv .mat .uff .unv .wav .rf64 .w64
 void write(const std::string& path, const Record& record, const WriteOptions& options = {});
-/// .h5 .csv .mat .uff .unv
+/// .h5 .hdf5 .csv .mat .uff .unv
 void write(const std::string& path, const FrfSet& frfs, const WriteOptions& options = {});
-/// .json .html .svg; .csv .h5 .mat: FRFs; .uff .unv: modes
+/// .json .html .svg; .csv .h5 .hdf5 .mat: FRFs; .uff .unv: modes
 void write(const std::string& path, const Analysis& analysis, const WriteOptions& options = {});
-/// .json .html .svg; .csv .h5 .uff .unv: mode shapes; .cmif.csv: the mode indicator
+/// .json .html .svg; .csv .h5 .hdf5 .uff .unv: mode shapes; .cmif.csv: the mode indicator
 void write(const std::string& path, const Survey& survey, const WriteOptions& options = {});
-/// .json; .csv .h5: curves over time
+/// .json; .csv .h5 .hdf5: curves over time
 void write(const std::string& path, const Deflections& deflections, const WriteOptions& options = {});
 
 }  // namespace percuss

@@ -21,7 +21,7 @@ class Frf(Result):
     std             (points, channels, lines) standard deviation in the unit of frf; None if a point has a single hit
     coherence       (points, channels, lines), 0 … 1; None if a point has a single hit
 
-    frf_at() returns one response without a copy. save() writes the chosen kind as .csv, .h5, .mat or .uff. Reading an
+    frf_at() returns one response without a copy. save() writes the chosen kind as .csv, .h5 (.hdf5), .mat or .uff. Reading an
     array raises NoHitError if no hit can be used.
     """
 

@@ -7,6 +7,7 @@
 
 #include "acquire/channels/channel_setup.hpp"
 #include "acquire/open_measurement.hpp"
+#include "acquire/record/point_number.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "api/handles.hpp"
 #include "core/error.hpp"
@@ -80,6 +81,7 @@ void require_shapes(const RecordArrays& arrays) {
     throw InputError("force and acceleration differ in rows", kArrays, "give one force per row");
   if (!arrays.point.empty() && arrays.point.size() != rows)
     throw InputError("points and rows differ in number", kArrays, "give one point per row");
+  for (const int point : arrays.point) acquire::require_point_number(point, kArrays);
   const std::size_t channels = arrays.accel_mps2.front().size();
   for (const std::vector<double>* places : {&arrays.angle_rad, &arrays.position_m}) {
     if (!places->empty() && places->size() != channels)

@@ -48,6 +48,7 @@ std::string checked_extension(const std::string& path, const std::vector<std::st
   return extension;
 }
 
+bool is_hdf5(const std::string& extension) { return extension == ".h5" || extension == ".hdf5"; }
 bool is_uff(const std::string& extension) { return extension == ".uff" || extension == ".unv"; }
 
 report::Provenance provenance(const WriteOptions& options) {
@@ -82,13 +83,13 @@ void write(const std::string& path, const Record& record, const WriteOptions& op
 }
 
 void write(const std::string& path, const FrfSet& frfs, const WriteOptions& options) {
-  api::checked_extension(path, {".csv", ".h5", ".mat", ".uff", ".unv"}, options);
+  api::checked_extension(path, {".csv", ".h5", ".hdf5", ".mat", ".uff", ".unv"}, options);
   report::write_frfs(path, frfs.data().record, api::frf_kind(options.kind.value_or(frfs.kind())), options.overwrite);
 }
 
 void write(const std::string& path, const Analysis& analysis, const WriteOptions& options) {
   const std::string kind =
-      api::checked_extension(path, {".json", ".html", ".svg", ".csv", ".h5", ".mat", ".uff", ".unv"}, options);
+      api::checked_extension(path, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".mat", ".uff", ".unv"}, options);
   const pipeline::Analysis& its = analysis.data().analysis;
   if (kind == ".json") {
     write_file(path, report::analysis_json(its), options.overwrite);
@@ -110,7 +111,7 @@ void write(const std::string& path, const Analysis& analysis, const WriteOptions
 
 void write(const std::string& path, const Survey& survey, const WriteOptions& options) {
   const std::string kind =
-      api::checked_extension(path, {".json", ".html", ".svg", ".csv", ".h5", ".uff", ".unv"}, options);
+      api::checked_extension(path, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".uff", ".unv"}, options);
   const pipeline::Survey& its = api::computed(survey);
   if (kind == ".json") {
     write_file(path, report::survey_json(its), options.overwrite);
@@ -133,10 +134,10 @@ void write(const std::string& path, const Survey& survey, const WriteOptions& op
 }
 
 void write(const std::string& path, const Deflections& deflections, const WriteOptions& options) {
-  const std::string kind = api::checked_extension(path, {".json", ".csv", ".h5"}, options);
+  const std::string kind = api::checked_extension(path, {".json", ".csv", ".h5", ".hdf5"}, options);
   const pipeline::Analysis& analysis = deflections.data().analysis->analysis;
   const pipeline::ImpactTest& test = deflections.data().test;
-  if (kind == ".h5") {
+  if (api::is_hdf5(kind)) {
     report::write_deflection_hdf5(path, analysis, test, options.overwrite);
   } else {
     write_file(path, kind == ".csv" ? report::deflection_csv(analysis, test) : deflections.json(), options.overwrite);

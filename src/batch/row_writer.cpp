@@ -6,6 +6,7 @@
 
 #include "acquire/formats/hdf5/hdf5_output.hpp"
 #include "acquire/formats/hdf5/write_frf_hdf5.hpp"
+#include "acquire/record/file_format.hpp"
 #include "batch/serialized_frf.hpp"
 #include "batch/sha256_file.hpp"
 #include "core/error.hpp"
@@ -126,8 +127,9 @@ std::string batch_header_line(const BatchTotals& totals) {
 
 std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals& totals, bool force,
                                       CsvFormulas formulas) {
-  if (path.ends_with(".csv")) return std::make_unique<CsvTable>(path, force, formulas);
-  if (!path.ends_with(".h5")) return std::make_unique<JsonLines>(path, totals, force);
+  const std::string extension = acquire::file_extension(path);
+  if (extension == ".csv") return std::make_unique<CsvTable>(path, force, formulas);
+  if (extension != ".h5" && extension != ".hdf5") return std::make_unique<JsonLines>(path, totals, force);
   if (totals.head.frf) return std::make_unique<FrfFile>(path, totals, force);
   throw InputError("the batch was planned without FRFs", path, "plan the batch with FRFs", {"batch.plan.frf"});
 }

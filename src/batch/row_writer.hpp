@@ -31,8 +31,8 @@ class RowWriter {
   virtual void commit() = 0;
 };
 
-/// The writer for an extension: .csv, .h5, otherwise JSON lines.
-/// errors  InputError: the file exists (without force) or cannot be written; .h5 of a batch without FRFs
+/// The writer for an extension, letter case aside: .csv, .h5 or .hdf5, otherwise JSON lines.
+/// errors  InputError: the file exists (without force) or cannot be written; HDF5 of a batch without FRFs
 std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals& totals, bool force,
                                       CsvFormulas formulas = CsvFormulas::neutralise);
 

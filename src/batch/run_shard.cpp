@@ -1,15 +1,14 @@
 #include "batch/run_shard.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <mutex>
 #include <new>
-#include <thread>
 #include <vector>
 
 #include "batch/journal.hpp"
 #include "batch/part_file.hpp"
+#include "batch/retries.hpp"
 #include "batch/sha256_file.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
@@ -17,31 +16,6 @@
 
 namespace percuss::batch {
 namespace {
-
-// Repeats work that a fault of the machine stops, after each of the waits. While the fault lasts, later work is tried
-// once: a thousand records must not wait a thousand times. Several threads may call at the same time.
-class Retries {
- public:
-  explicit Retries(const std::vector<std::chrono::milliseconds>& waits) : waits_(waits) {}
-
-  /// errors  MachineFault: the last attempt failed; the other errors of `work`
-  void run(const std::function<void()>& work) {
-    for (auto wait = waits_.begin();; ++wait) {
-      try {
-        return work();
-      } catch (const MachineFault&) {
-        lasts_ = lasts_ || wait == waits_.end();
-        if (lasts_) throw;
-      }
-      std::this_thread::sleep_for(*wait);
-    }
-  }
-  void end_of_fault() { lasts_ = false; }
-
- private:
-  const std::vector<std::chrono::milliseconds>& waits_;
-  std::atomic<bool> lasts_{false};
-};
 
 // Throws InputError if a file exists that no batch wrote.
 void require_replaceable(const std::string& path) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace percuss::metrics {
@@ -67,9 +66,23 @@ std::vector<ModePair> by_shape(const ComparedDocument& a, const ComparedDocument
   return chosen;
 }
 
-// Dynamic programming over both lists in ascending order: best[i][k] has the most pairs among the first i and k modes,
-// then the smallest sum of |ln(f_b/f_a)|.
-std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options) {
+// The modes that are not in `pairs`, ascending by frequency.
+std::vector<std::size_t> unpaired_ascending(const ComparedDocument& document, const std::vector<ModePair>& pairs,
+                                            std::size_t ModePair::*side) {
+  std::vector<std::size_t> order;
+  for (std::size_t m = 0; m < document.modes.size(); ++m) {
+    const auto holds = [&](const ModePair& pair) { return pair.*side == m; };
+    if (std::none_of(pairs.begin(), pairs.end(), holds)) order.push_back(m);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t x, std::size_t y) { return document.modes[x].freq_Hz < document.modes[y].freq_Hz; });
+  return order;
+}
+
+// Pairs of modes that are not in `chosen` and whose shapes cannot be compared. Dynamic programming over both lists in
+// ascending order: best[i][k] has the most pairs among the first i and k modes, then the smallest sum of |ln(f_b/f_a)|.
+std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocument& b,
+                                   const std::vector<ModePair>& chosen, const PairOptions& options) {
   struct Best {
     std::size_t pairs = 0;
     double apart = 0;
@@ -77,19 +90,12 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
       return pairs > other.pairs || (pairs == other.pairs && apart < other.apart);
     }
   };
-  const auto ascending = [](const ComparedDocument& document) {
-    std::vector<std::size_t> order(document.modes.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
-      return document.modes[x].freq_Hz < document.modes[y].freq_Hz;
-    });
-    return order;
-  };
-  const auto rows = ascending(a), columns = ascending(b);
+  const auto rows = unpaired_ascending(a, chosen, &ModePair::a);
+  const auto columns = unpaired_ascending(b, chosen, &ModePair::b);
   std::vector<std::vector<Best>> best(rows.size() + 1, std::vector<Best>(columns.size() + 1));
   const auto together = [&](std::size_t i, std::size_t k) -> std::optional<Best> {
     const ComparedMode &x = a.modes[rows[i]], &y = b.modes[columns[k]];
-    if (!frequencies_match(x, y, options.furthest)) return std::nullopt;
+    if (!frequencies_match(x, y, options.furthest) || mac_of(x, y)) return std::nullopt;
     const Best& before = best[i][k];
     return Best{.pairs = before.pairs + 1, .apart = before.apart + std::abs(std::log(y.freq_Hz / x.freq_Hz))};
   };
@@ -113,10 +119,6 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
     }
   }
   return pairs;
-}
-
-bool share_shapes(const ComparedDocument& a, const ComparedDocument& b) {
-  return !a.modes.empty() && !b.modes.empty() && mac_of(a.modes.front(), b.modes.front()).has_value();
 }
 
 // The deflection of a document at a position, interpolated between neighbours where possible.
@@ -145,7 +147,9 @@ std::optional<ComparedDeflection> at_point(const ComparedDocument& document, int
 }  // namespace
 
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options) {
-  PairedModes out{.pairs = share_shapes(a, b) ? by_shape(a, b, options) : by_frequency(a, b, options)};
+  PairedModes out{.pairs = by_shape(a, b, options)};
+  const auto others = by_frequency(a, b, out.pairs, options);
+  out.pairs.insert(out.pairs.end(), others.begin(), others.end());
   std::sort(out.pairs.begin(), out.pairs.end(), [](const ModePair& x, const ModePair& y) { return x.a < y.a; });
   const auto rest = [&](const ComparedDocument& document, std::size_t ModePair::*side) {
     std::vector<std::size_t> left;

@@ -57,9 +57,10 @@ struct PairedModes {
   std::vector<std::size_t> unpaired_a, unpaired_b;
 };
 
-/// Pairs the modes of two documents. With at least three common places it pairs by shape, the best MAC first. Otherwise
-/// it pairs by frequency, in order: it maximises the number of pairs, then minimises the differences of the logarithms
-/// of the frequencies. A bending mode never pairs with a hoop mode. Modes of 0 Hz (rigid-body modes) are left out.
+/// Pairs the modes of two documents. Two modes with shapes at three common places or more pair by shape only, the best
+/// MAC first. The modes that this leaves, and whose shapes cannot be compared, pair by frequency, in order: their
+/// number is maximised, then the differences of the logarithms of the frequencies are minimised. A bending mode never
+/// pairs with a hoop mode. Modes of 0 Hz (rigid-body modes) are left out.
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options = {});
 
 struct DeflectionPair {

@@ -87,6 +87,7 @@ TEST(PublicErrors, RefuseArraysThatDoNotFitTogether) {
                                       {.fs_Hz = 0, .force_N = {four}, .accel_mps2 = {{four}}},
                                       {.fs_Hz = 100, .force_N = {{0, 0, std::nan(""), 0}}, .accel_mps2 = {{four}}},
                                       {.fs_Hz = 100, .force_N = {four}, .accel_mps2 = {{four}}, .point = {1, 2}},
+                                      {.fs_Hz = 100, .force_N = {four}, .accel_mps2 = {{four}}, .point = {-5}},
                                       {.fs_Hz = 100, .force_N = {four}, .accel_mps2 = {{four}}, .angle_rad = {0, 1}}};
   for (const RecordArrays& arrays : bad) input_error_of([&] { record_from_arrays(arrays); });
 }

@@ -149,7 +149,7 @@ TEST_F(PublicResults, FrfFileEqualsThatOfTheCommand) {
 TEST_F(PublicResults, FilesEqualThoseOfAnalyze) {
   const std::string path = file_of("wood-bat");
   const Analysis analysis(open_record(path), {.band_Hz = kBand, .effort = Effort::quick});
-  for (const char* const kind : {".json", ".svg", ".csv", ".uff", ".h5", ".mat"}) {
+  for (const char* const kind : {".json", ".svg", ".csv", ".uff", ".h5", ".hdf5", ".mat"}) {
     const std::string ours = folder_.file("ours") + kind, theirs = folder_.file("theirs") + kind;
     write(ours, analysis);
     output_of({"analyze", path, "--band", "60:3200", "--effort", "quick", "--quiet", "-o", theirs});

@@ -118,11 +118,15 @@ TEST_F(BatchCommand, ReportsABadRecordAsAnalyzeDoes) {
 TEST_F(BatchCommand, GivesTheSameBytesForAnyNumberOfShards) {
   plan({"--frf"});
   ASSERT_EQ(run({"--threads", "1"}).code, 6);
-  ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "1.jsonl", "-o", "1.csv", "-o", "1.h5"}).code, 6);
+  ASSERT_EQ(
+      batch({"merge", "--manifest", "m.jsonl", "out", "-o", "1.jsonl", "-o", "1.csv", "-o", "1.h5", "-o", "1.HDF5"})
+          .code,
+      6);
   ASSERT_EQ(run({"--threads", "2", "-o", "two"}).code, 2);  // -o is given twice
   for (const std::string shard : {"2/3", "0/3", "1/3"})
     EXPECT_NE(batch({"run", "--manifest", "m.jsonl", "-o", "three", "--threads", "2", "--shard", shard}).code, 3);
   ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "three", "-o", "3.jsonl", "-o", "3.csv", "-o", "3.h5"}).code, 6);
+  EXPECT_EQ(bytes_of(folder_.file("1.HDF5")), bytes_of(folder_.file("1.h5")));
   for (const char* kind : {".jsonl", ".csv", ".h5"})
     EXPECT_EQ(bytes_of(folder_.file("1" + std::string(kind))), bytes_of(folder_.file("3" + std::string(kind)))) << kind;
 }

@@ -93,6 +93,13 @@ TEST_F(FrfCommand, WritesTheRequestedFiles) {
   EXPECT_EQ(test::bytes_of(file("frf.h5")).substr(1, 3), "HDF");
 }
 
+TEST_F(FrfCommand, WritesEqualFilesOfBothExtensionsOfHdf5) {
+  ASSERT_EQ(frf({file("bat.h5"), "-o", file("both.h5"), "-o", file("both.hdf5")}).code, 0);
+  EXPECT_EQ(test::bytes_of(file("both.hdf5")), test::bytes_of(file("both.h5")));
+  ASSERT_EQ(run_percuss({"analyze", file("bat.h5"), "-o", file("modes.hdf5")}).code, 0);
+  EXPECT_EQ(test::bytes_of(file("modes.hdf5")).substr(1, 3), "HDF");
+}
+
 TEST_F(FrfCommand, OverwritesOnlyWhenForced) {
   for (const char* name : {"kept.csv", "kept.h5", "kept.json"}) {
     test::write_bytes(file(name), "mine");
@@ -111,7 +118,7 @@ TEST_F(FrfCommand, RejectsUnknownKindsOfFile) {
   for (const char* name : {"frf.txt", "frf", "frf.csv.gz"}) {
     const auto outcome = frf({file("bat.h5"), "-o", file(name)});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.err, AllOf(HasSubstr(file(name)), HasSubstr(".csv, .h5, .json")));
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr(file(name)), HasSubstr(".csv, .h5, .hdf5, .json")));
   }
   EXPECT_EQ(frf({file("bat.h5"), "--kind", "impedance"}).code, 2);
 }

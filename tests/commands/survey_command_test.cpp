@@ -112,7 +112,7 @@ TEST_F(SurveyCommand, PrintsEqualBytesForAnyNumberOfThreads) {
 
 TEST_F(SurveyCommand, WritesShapesAndTheIndicator) {
   const auto outcome = survey({file("barrel.h5"), "--force", "-o", file("s.csv"), "-o", file("s.cmif.csv"), "-o",
-                               file("s.h5"), "-o", file("s.json")});
+                               file("s.h5"), "-o", file("s.hdf5"), "-o", file("s.json")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto shapes = test::lines_of(test::bytes_of(file("s.csv")));
   ASSERT_EQ(shapes.size(), 1U + 2U * 18U);
@@ -124,6 +124,7 @@ TEST_F(SurveyCommand, WritesShapesAndTheIndicator) {
   const acquire::hdf5::InputHdf5 stored(file("s.h5"));
   for (const char* set : {"shape", "shape_std", "xyz_m", "point", "auto_mac", "cmif", "cmif_frequency_hz"})
     EXPECT_TRUE(stored.has(set)) << set;
+  EXPECT_EQ(test::bytes_of(file("s.hdf5")), test::bytes_of(file("s.h5")));
   EXPECT_EQ(test::parse_json(test::bytes_of(file("s.json")))["schema"], "percuss/analysis/1");
 }
 

@@ -73,6 +73,28 @@ TEST(PairModes, PairsByShapeWherePossible) {
   EXPECT_NEAR(paired.pairs[0].mac->value, 1, 1e-12);
 }
 
+// Each pair of modes decides by itself whether it pairs by shape: the first modes have none here.
+TEST(PairModes, PairsByShapeAlthoughTheFirstModesHaveNone) {
+  ComparedDocument a = document_with({50, 100, 104}), b = document_with({52, 101, 103});
+  const auto shape = [](double x, double y, double z) {
+    return std::map<std::pair<int, int>, ComparedMode::Component>{
+        {{0, 0}, {{x, 0}, 0}}, {{1, 0}, {{y, 0}, 0}}, {{2, 0}, {{z, 0}, 0}}};
+  };
+  a.modes[1].shape = b.modes[2].shape = shape(1, 1, 1);
+  a.modes[2].shape = b.modes[1].shape = shape(1, 0, -1);
+  const PairedModes paired = pair_modes(a, b);
+  EXPECT_THAT(indices(paired), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 2), testing::Pair(2, 1)));
+  EXPECT_FALSE(paired.pairs[0].mac.has_value());
+  EXPECT_THAT(paired.unpaired_a, IsEmpty());
+  // Modes whose shapes differ do not pair by frequency.
+  a.modes[1].shape = b.modes[1].shape = shape(1, 1, 1);
+  a.modes[2].shape = b.modes[2].shape = {};
+  b.modes[1].shape = shape(1, 0, -1);
+  EXPECT_THAT(indices(pair_modes(a, b)), ElementsAre(testing::Pair(0, 0), testing::Pair(2, 2)));
+  a.modes[2].shape = b.modes[2].shape = shape(0, 1, 0);
+  EXPECT_THAT(indices(pair_modes(a, b)), ElementsAre(testing::Pair(0, 0), testing::Pair(2, 2)));
+}
+
 ComparedDocument deflected(bool model, const std::vector<std::pair<double, double>>& at) {
   ComparedDocument document{.model = model, .modes = {}, .deflections = {}};
   for (const auto& [position_m, peak_m] : at)

@@ -87,6 +87,8 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
+bool is_hdf5(const std::string& path) { return extension_of(path) == ".h5" || extension_of(path) == ".hdf5"; }
+
 bool is_uff(const std::string& path) { return extension_of(path) == ".uff" || extension_of(path) == ".unv"; }
 
 bool is_html(const std::string& path) { return extension_of(path) == ".html"; }

@@ -42,6 +42,9 @@ std::string with_display_names(const Host* host, std::string text);
 /// The extension of a path in lower case with its dot, or "".
 std::string extension_of(const std::string& path);
 
+/// Whether the path ends in .h5 or .hdf5.
+bool is_hdf5(const std::string& path);
+
 /// Whether the path ends in .uff or .unv (universal file).
 bool is_uff(const std::string& path);
 

@@ -134,7 +134,7 @@ void add_analyze(CommandLine& line) {
   command.example("percuss analyze frfs.h5", "Fit FRFs that another program measured or computed");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .mat, .uff, .unv");
+  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .hdf5, .mat, .uff, .unv");
   command.list("--only", flags->only, "Compute and report only these sections")
       .type("SECTION,...")
       .one_of({"hits", "frf", "coherence", "modes", "classes", "deflection"});

@@ -55,7 +55,7 @@ std::string html_of(const AnalyzeResults& results) {
 }  // namespace
 
 void check_analyze_outputs(const OutputFlags& output) {
-  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".mat", ".uff", ".unv"});
+  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".mat", ".uff", ".unv"});
 }
 
 void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSection>& sections, std::size_t tests) {

@@ -45,7 +45,7 @@ std::unique_ptr<pipeline::Analysis> analysis_of(const DeflectFlags& flags) {
 }
 
 void check_deflection_outputs(const OutputFlags& output) {
-  check_outputs(output, {".json", ".csv", ".h5", ".svg", ".html"});
+  check_outputs(output, {".json", ".csv", ".h5", ".hdf5", ".svg", ".html"});
 }
 
 void write_deflection(const OutputFlags& output, report::CommandReport report, const pipeline::Analysis& analysis,
@@ -54,11 +54,11 @@ void write_deflection(const OutputFlags& output, report::CommandReport report, c
   OutputGroup outputs;
   for (const std::string& path : output.paths) {
     const std::string kind = extension_of(path);
-    if (kind == ".h5" && !test.hits.empty()) {
+    if (is_hdf5(path) && !test.hits.empty()) {
       report::write_deflection_hdf5(path, analysis, test, output.force);
     } else if (kind == ".csv") {
       write_file(path, report::deflection_csv(analysis, test), output.force);
-    } else if (kind != ".h5") {
+    } else if (!is_hdf5(path)) {
       write_report(path, report, inputs_of(analysis), output);
     }
   }
@@ -145,7 +145,7 @@ void add_deflect(CommandLine& line) {
       .type("S");
   add_read_flags(command, flags->read, Reads::records);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".json, .csv, .h5, .svg, .html");
+  add_output_flags(command, flags->output, ".json, .csv, .h5, .hdf5, .svg, .html");
 }
 
 }  // namespace percuss::tools

@@ -87,7 +87,7 @@ std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags) {
 bool is_indicator(const std::string& path) { return path.ends_with(".cmif.csv"); }
 
 void check_survey_outputs(const OutputFlags& output) {
-  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".uff", ".unv"});
+  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".uff", ".unv"});
 }
 
 void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, const std::string& document) {
@@ -192,7 +192,7 @@ void add_survey(CommandLine& line) {
   command.example("percuss survey barrel.h5 --band 60:3200 -o survey.html", "Write a page that animates the shapes");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .uff, .unv");
+  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .hdf5, .uff, .unv");
   command
       .value("--geometry", flags->geometry_path,
              "Read the geometry from this file, a CSV as --example prints it (default: from the record)")

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "acquire/record/frf_record.hpp"
+#include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 
@@ -33,7 +34,8 @@ FrfRecord join_frfs(std::vector<FrfRecord> records) {
       throw InputError(fmt::format("the channels or the exponential window differ from {}", input_name_of(out)),
                        input_name_of(next), "analyse the file alone, or each file as one test", {"files"});
     }
-    const int after = out.frfs.back().point + 1 - std::min(0, next.frfs.front().point);
+    const int after = out.frfs.back().point + 1;
+    require_point_number(std::int64_t{after} + next.frfs.back().point, input_name_of(next));
     for (PointFrf& frf : next.frfs) {
       frf.point += after;
       out.frfs.push_back(std::move(frf));

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "acquire/record/point_number.hpp"
 #include "acquire/record/record.hpp"
 #include "core/error.hpp"
 
@@ -69,7 +70,7 @@ Record join_records(std::vector<Record> records, FileGrouping grouping) {
   out.notes.clear();
   out.continuous = true;
   auto joined = std::make_shared<Joined>();
-  int points = 0;
+  std::int64_t points = 0;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Record& record = records[r];
     require_alike(records.front(), record);
@@ -77,7 +78,10 @@ Record join_records(std::vector<Record> records, FileGrouping grouping) {
     for (std::size_t row = 0; row < record.rows.size(); ++row) {
       RowInfo info = record.rows[row];
       info.file += out.files.size();
-      if (grouping == FileGrouping::points) info.point += points;
+      if (grouping == FileGrouping::points) {
+        require_point_number(info.point + points, record.source());
+        info.point += static_cast<int>(points);
+      }
       out.rows.push_back(info);
       joined->rows.push_back({r, row});
     }

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "acquire/record/point_number.hpp"
 #include "acquire/sandbox/file_access.hpp"
 #include "acquire/sandbox/sandbox_record.hpp"
 #include "core/error.hpp"
@@ -69,8 +70,8 @@ bool plausible_frfs(const FrfRecord& record) {
   bool valid = lines > 1 && !record.frfs.empty() && !record.accel.empty() && record.lines.df_Hz() > 0;
   for (const PointFrf& frf : record.frfs) {
     const auto fits = [&](std::size_t size) { return size == 0 || size == lines; };
-    valid = valid && frf.channel < record.accel.size() && frf.frf.value.size() == lines && fits(frf.frf.std.size()) &&
-            fits(frf.frf.coherence.size());
+    valid = valid && is_point_number(frf.point) && frf.channel < record.accel.size() && frf.frf.value.size() == lines &&
+            fits(frf.frf.std.size()) && fits(frf.frf.coherence.size());
   }
   return valid && record.frfs.size() % record.accel.size() == 0;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "acquire/record/contiguous_samples.hpp"
+#include "acquire/record/point_number.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "acquire/sandbox/sandbox_protocol.hpp"
 #include "core/error.hpp"
@@ -89,7 +90,8 @@ bool plausible(const Record& record, std::uint64_t file_bytes) {
   bool valid = record.fs_Hz > 0 && std::isfinite(record.fs_Hz) && !record.rows.empty() && !record.accel.empty() &&
                record.files.size() <= 1 && fits(record.rows, 1, file_bytes) &&
                fits(record.rows, record.accel.size(), file_bytes);
-  for (const RowInfo& row : record.rows) valid = valid && row.samples >= 2 && row.file == 0;
+  for (const RowInfo& row : record.rows)
+    valid = valid && row.samples >= 2 && row.file == 0 && is_point_number(row.point);
   for (const ContiguousSignal& signal : record.contiguous) valid = valid && fits(record.rows, signal, file_bytes);
   return valid;
 }

@@ -6,6 +6,7 @@
 
 #include "core/budget.hpp"
 #include "core/parallel/task_arena.hpp"
+#include "core/parallel/thread_limit.hpp"
 
 namespace percuss {
 inline namespace core {
@@ -72,6 +73,8 @@ void parallel_for(std::size_t count, std::size_t threads, const Task& task) {
 
 ThreadLimit::ThreadLimit(std::size_t threads) : before_(std::exchange(thread_limit, threads)) {}
 ThreadLimit::~ThreadLimit() { thread_limit = before_; }
+
+std::size_t current_thread_limit() { return thread_limit; }
 
 void set_thread_initialiser(void (*initialise)()) {
   thread_initialised = true;

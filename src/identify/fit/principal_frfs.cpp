@@ -76,8 +76,8 @@ MatrixXd principal_components(const FrfDataset& set, std::size_t max_components)
 
 FrfDataset principal_frfs(const FrfDataset& set, const MatrixXd& components) {
   FrfDataset out{.lines = set.lines, .usable_bandwidth_Hz = set.usable_bandwidth_Hz};
-  PointForce force = set.points.front();
-  force.noise_N = 0;
+  const PointForce& one = set.points.front();
+  PointForce force{.blocks = one.blocks, .spectra = {}, .ff = one.ff, .noise_N = 0, .complete = true};
   for (Index i = 0; i < components.cols(); ++i) {
     FrfChannel& channel = out.channels.emplace_back();
     channel.channel = static_cast<std::size_t>(i);

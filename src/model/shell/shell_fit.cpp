@@ -14,7 +14,7 @@ constexpr double kShellDifference = 1e-6;  // of ln E or ln h, for central diffe
 constexpr double kMaxShellStd = 0.5;       // of ln E or ln h: a larger one means that they are not determined
 constexpr LevenbergMarquardtOptions kShellFitOptions{.max_damping = 1e12, .step_tolerance = 1e-12};
 constexpr const char* kHoops = "the measured hoop frequencies";
-constexpr const char* kHoopRemedy = "fit only E or only the wall, or add patterns with other n and m";
+constexpr const char* kSeparateRemedy = "fit only E or only the wall, or add patterns with other n and m";
 
 class HoopFit {
  public:
@@ -63,8 +63,12 @@ class HoopFit {
     };
     const auto jacobian_at = [&](const Eigen::VectorXd& at) { return jacobian(at); };
     const auto summary = levenberg_marquardt(x, if_usable, jacobian_at, kShellFitOptions);
-    if (summary.stop == LevenbergMarquardtStop::max_steps)
-      throw InputError("no shell fits the frequencies", kHoops, kHoopRemedy, {"measured"});
+    if (summary.stop == LevenbergMarquardtStop::max_steps) {
+      throw InputError("no shell fits the frequencies", kHoops,
+                       unknowns_ == ShellUnknowns::both ? kSeparateRemedy
+                                                        : "check the frequencies' n and m, and the size of the tube",
+                       {"measured"});
+    }
     return x;
   }
 
@@ -80,7 +84,7 @@ ShellFit fit_shell(const TubeShell& shell, const std::vector<MeasuredHoop>& meas
   const HoopFit fit(shell, measured, unknowns);
   if (std::ssize(measured) < fit.count()) {
     if (unknowns == ShellUnknowns::both)
-      throw InputError("E and wall need two frequencies", kHoops, kHoopRemedy, {"fit", "measured"});
+      throw InputError("E and wall need two frequencies", kHoops, kSeparateRemedy, {"fit", "measured"});
     throw InputError(unknowns == ShellUnknowns::young ? "E needs a frequency" : "the wall needs a frequency", kHoops,
                      "measure one hoop frequency or more", {"measured"});
   }
@@ -89,9 +93,11 @@ ShellFit fit_shell(const TubeShell& shell, const std::vector<MeasuredHoop>& meas
   const Eigen::MatrixXd covariance = inverse_gram(Eigen::MatrixXd(j.transpose() * j));
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
   if (!(sigma.maxCoeff() < kMaxShellStd)) {
-    throw InputError(unknowns == ShellUnknowns::both ? "these patterns do not separate E from the wall"
-                                                     : "these frequencies are too uncertain for a fit",
-                     kHoops, kHoopRemedy, {"fit", "measured"});
+    if (unknowns == ShellUnknowns::both) {
+      throw InputError("these patterns do not separate E from the wall", kHoops, kSeparateRemedy, {"fit", "measured"});
+    }
+    throw InputError("these frequencies are too uncertain for a fit", kHoops,
+                     "add frequencies, or measure them more precisely", {"measured"});
   }
   ShellFit result{.shell = fit.shell(best), .model_Hz = {}};
   if (unknowns != ShellUnknowns::wall) result.young_std_Pa = sigma[0] * result.shell.young_Pa;

@@ -118,7 +118,9 @@ Decay decay_of(const pipeline::Analysis& analysis, const acquire::Hit& hit, std:
     for (std::size_t i = at; i < at + block; ++i) sum += (samples[i] - mean) * (samples[i] - mean);
     out.value.push_back(level_dB_of(std::sqrt(sum / static_cast<double>(block))));
   }
-  const double highest = out.value.empty() ? 0 : *std::max_element(out.value.begin(), out.value.end());
+  // A constant block has no level (kGap), which std::max_element does not order.
+  double highest = kGap;
+  for (const double level : out.value) highest = std::fmax(highest, level);
   for (double& level : out.value) level -= highest;
   Decay decay{.level_dB = std::move(out)};
   if (hit.gate_first >= hit.first + kMinRest) {

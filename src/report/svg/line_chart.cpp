@@ -122,19 +122,48 @@ class Drawing {
   }
 
   // SVG path through x and y, interrupted at gaps.
-  std::string path_through(const std::vector<double>& x, const std::vector<double>& y, bool backwards = false) const {
+  std::string path_through(const std::vector<double>& x, const std::vector<double>& y) const {
     std::string path;
-    bool pen = backwards;
-    std::vector<std::size_t> drawn = extreme_samples(y);
-    if (backwards) std::reverse(drawn.begin(), drawn.end());
-    for (const std::size_t i : drawn) {
-      const double px = x_.pixel(x[i]), py = std::clamp(y_.pixel(y[i]), kTop, kBottom);
-      if (!std::isfinite(px) || std::isnan(y_.pixel(y[i]))) {
-        pen = backwards;
-        continue;
+    bool pen = false;
+    for (const std::size_t i : extreme_samples(y)) {
+      const bool drawn = is_drawn(x[i], y[i]);
+      if (drawn) path += vertex(pen, x[i], y[i]);
+      pen = drawn;
+    }
+    return path;
+  }
+
+  bool is_drawn(double x, double y) const { return std::isfinite(x_.pixel(x)) && !std::isnan(y_.pixel(y)); }
+
+  std::string vertex(bool pen, double x, double y) const {
+    return fmt::format("{}{:.1f} {:.1f}", pen ? "L" : "M", x_.pixel(x), std::clamp(y_.pixel(y), kTop, kBottom));
+  }
+
+  // SVG path around the area between the curves: a closed part between two gaps of either curve.
+  std::string path_around(const ChartBand& one) const {
+    std::vector<std::size_t> part(one.x.size());  // the number of gaps up to each sample
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const bool drawn = is_drawn(one.x[i], one.low[i]) && is_drawn(one.x[i], one.high[i]);
+      part[i] = (i == 0 ? 0 : part[i - 1]) + (drawn ? 0 : 1);
+    }
+    const auto in_gap = [&](std::size_t i) { return part[i] > (i == 0 ? 0 : part[i - 1]); };
+    std::vector<std::size_t> upper = extreme_samples(one.high), lower = extreme_samples(one.low);
+    std::erase_if(upper, in_gap);
+    std::erase_if(lower, in_gap);
+    std::string path;
+    for (auto high = upper.begin(), low = lower.begin(); high != upper.end();) {
+      const std::size_t here = part[*high];
+      bool pen = false;
+      for (; high != upper.end() && part[*high] == here; pen = true, ++high)
+        path += vertex(pen, one.x[*high], one.high[*high]);
+      low = std::find_if(low, lower.end(), [&](std::size_t i) { return part[i] >= here; });
+      const auto end = std::find_if(low, lower.end(), [&](std::size_t i) { return part[i] > here; });
+      for (auto back = end; back != low;) {
+        --back;
+        path += vertex(true, one.x[*back], one.low[*back]);
       }
-      fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", pen ? "L" : "M", px, py);
-      pen = true;
+      path += 'Z';
+      low = end;
     }
     return path;
   }
@@ -146,8 +175,7 @@ class Drawing {
   }
 
   void band(const ChartBand& one) {
-    add("<path d=\"{}{}Z\" fill=\"{}\" fill-opacity=\"0.2\"/>\n", path_through(one.x, one.high),
-        path_through(one.x, one.low, true), colour(one.style % kColours.size()));
+    add("<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.2\"/>\n", path_around(one), colour(one.style % kColours.size()));
   }
 
   void points(const ChartCurve& curve, std::size_t style) {

@@ -33,6 +33,16 @@ TEST(JoinFrfs, MakesEveryFileAPoint) {
   EXPECT_THAT(all.files, SizeIs(3));
 }
 
+TEST(JoinFrfs, RefusesPointNumbersThatBecomeTooLarge) {
+  FrfRecord far = small_frfs(), other = small_frfs();
+  for (PointFrf& frf : far.frfs) frf.point = 1'000'000'000;
+  other.files[0].path = "other.csv";
+  EXPECT_THAT(test::input_error_of([&] {
+                join_frfs({far, other});
+              }),
+              HasSubstr("1000000001 is not a point number (other.csv)"));
+}
+
 TEST(JoinFrfs, RefusesOtherLinesAndNamesTheFile) {
   const FrfRecord first = small_frfs();
   FrfRecord other = first;

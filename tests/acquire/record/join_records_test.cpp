@@ -65,6 +65,17 @@ TEST(JoinRecords, NumbersPointsByFile) {
   EXPECT_THAT(points_of(join_records({own, record_at("b", {{3}})}, FileGrouping::points)), ElementsAre(0, 4, 5));
 }
 
+TEST(JoinRecords, RefusesPointNumbersThatBecomeTooLarge) {
+  Record far = record_at("a", {{1}});
+  far.rows[0].point = 1'000'000'000;
+  EXPECT_THAT(input_error_of([&] {
+                join_records({far, record_at("b", {{1}})}, FileGrouping::points);
+              }),
+              HasSubstr("1000000001 is not a point number (b)"));
+  EXPECT_THAT(points_of(join_records({far, far, far}, FileGrouping::hits)),
+              ElementsAre(1'000'000'000, 1'000'000'000, 1'000'000'000));
+}
+
 TEST(JoinRecords, NamesTheFileThatDiffers) {
   const std::string rates = input_error_of([] {
     join_records({record_at("a", {{1}}), record_at("b", {{1}}, 101)}, FileGrouping::hits);

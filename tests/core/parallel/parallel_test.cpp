@@ -1,4 +1,5 @@
 #include "core/parallel/parallel.hpp"
+#include "core/parallel/thread_limit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +7,9 @@
 #include <atomic>
 #include <chrono>
 #include <limits>
+#include <mutex>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -120,6 +123,54 @@ TEST(ParallelForCost, ObeysAThreadLimitThatATaskSets) {
   std::atomic<int> after{0};
   parallel_for_cost(8, 1'000'000, [&](std::size_t) { ++after; });
   EXPECT_EQ(after, 8);
+}
+
+TEST(ThreadLimit, EndsWithTheLimitThatItReplaced) {
+  EXPECT_EQ(current_thread_limit(), 0U);
+  {
+    const ThreadLimit two(2);
+    {
+      const ThreadLimit one(1);
+      EXPECT_EQ(current_thread_limit(), 1U);
+    }
+    EXPECT_EQ(current_thread_limit(), 2U);
+    EXPECT_THROW(
+        {
+          const ThreadLimit three(3);
+          throw std::runtime_error("work");
+        },
+        std::runtime_error);
+    EXPECT_EQ(current_thread_limit(), 2U);
+  }
+  EXPECT_EQ(current_thread_limit(), 0U);
+}
+
+// The first tasks wait for each other, so that two threads take part if the machine has them.
+TEST(ThreadLimit, AppliesToTheTasksOfALoopOnEveryThread) {
+  constexpr std::size_t kLimit = 2;
+  std::mutex lock;
+  std::set<std::thread::id> threads;
+  std::atomic<int> wrong{0};
+  {
+    const ThreadLimit limit(kLimit);
+    parallel_for_cost(8, 1'000'000, [&](std::size_t) {
+      if (current_thread_limit() != kLimit) ++wrong;
+      const auto taking_part = [&] {
+        const std::scoped_lock held(lock);
+        threads.insert(std::this_thread::get_id());
+        return threads.size();
+      };
+      for (int ms = 0; ms < 1000 && taking_part() < 2; ++ms) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+  }
+  EXPECT_EQ(wrong, 0);
+  if (threads.size() < 2) GTEST_SKIP() << "no second thread took part";
+  // The threads that took part keep no limit.
+  std::atomic<int> limited{0};
+  parallel_for_cost(8, 1'000'000, [&](std::size_t) {
+    if (current_thread_limit() != 0) ++limited;
+  });
+  EXPECT_EQ(limited, 0);
 }
 
 }  // namespace percuss::parallel_test

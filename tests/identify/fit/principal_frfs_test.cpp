@@ -37,6 +37,17 @@ TEST(PrincipalFrfs, HoldThreeModesInThreeComponents) {
   for (std::size_t i = 3; i < energy.size(); ++i) EXPECT_LE(energy[i], kRounding * energy[0]) << i;
 }
 
+// The truncation of the points' records differs, and none describes the combinations.
+TEST(PrincipalFrfs, CountAsUntruncated) {
+  FrfDataset set = survey();
+  ASSERT_FALSE(set.points.at(0).blocks.empty());
+  const Pole slow{300, 1e-5};
+  ASSERT_FALSE(decays_within_record(slow, set.points[0], set.lines));
+  const FrfDataset few = few_of(set);
+  ASSERT_EQ(few.points.size(), 1U);
+  EXPECT_TRUE(decays_within_record(slow, few.points[0], few.lines));
+}
+
 TEST(PrincipalFrfs, KeepTheInformationAboutThePoles) {
   constexpr double kTolerance = 0.05;  // scatter of a noise estimate from 4000 values
   FrfDataset set = survey();

@@ -132,6 +132,17 @@ TEST(ShellFit, RefusesPatternsThatDoNotSeparateTheUnknowns) {
               testing::HasSubstr("two frequencies"));
 }
 
+// The remedy for two unknowns, to fit only one, is none for a single unknown.
+TEST(ShellFit, NamesARemedyForOneUnknown) {
+  auto uncertain = measured_on(kAluminium, {{.n = 2, .m = 1}});
+  uncertain[0].freq_std_Hz = uncertain[0].freq_Hz;
+  for (const ShellUnknowns unknowns : {ShellUnknowns::young, ShellUnknowns::wall}) {
+    EXPECT_EQ(test::input_error_of([&] { fit_shell(kAluminium, uncertain, unknowns); }),
+              "these frequencies are too uncertain for a fit (the measured hoop frequencies); add frequencies, or "
+              "measure them more precisely");
+  }
+}
+
 TEST(ShellFit, RefusesNoFrequency) {
   const auto message = [](ShellUnknowns unknowns) {
     return test::input_error_of([&] { fit_shell(kAluminium, {}, unknowns); });

@@ -34,6 +34,29 @@ TEST(LineChart, DrawsCurvesInsideThePlotAndBreaksThemAtNan) {
   EXPECT_THAT(svg, HasSubstr("<circle cx=\"620.0\""));
 }
 
+// A gap of either edge divides the band into areas, each closed by its own edges.
+TEST(LineChart, DividesABandAtGaps) {
+  const double gap = std::numeric_limits<double>::quiet_NaN();
+  const auto band_of = [&](const std::vector<double>& low, const std::vector<double>& high) {
+    LineChart chart{.x = {.range = std::pair(0.0, 4.0)},
+                    .y = {.range = std::pair(0.0, 4.0)},
+                    .curves = {{.x = {0, 4}, .y = {0, 4}}},
+                    .bands = {{.x = {0, 1, 2, 3, 4}, .low = low, .high = high}}};
+    const std::string svg = line_chart_svg(chart);
+    const std::size_t end = svg.find("\" fill=\"#0072B2\" fill-opacity"), begin = svg.rfind("<path d=\"", end) + 9;
+    return svg.substr(begin, end - begin);
+  };
+  EXPECT_EQ(band_of({1, 1, 1, 1, 1}, {3, 3, 3, 3, 3}),
+            "M72.0 129.0L209.0 129.0L346.0 129.0L483.0 129.0L620.0 129.0"
+            "L620.0 299.0L483.0 299.0L346.0 299.0L209.0 299.0L72.0 299.0Z");
+  const char* const two =
+      "M72.0 129.0L209.0 129.0L209.0 299.0L72.0 299.0ZM483.0 129.0L620.0 129.0L620.0 299.0L483.0 299.0Z";
+  EXPECT_EQ(band_of({1, 1, gap, 1, 1}, {3, 3, gap, 3, 3}), two);
+  EXPECT_EQ(band_of({1, 1, gap, 1, 1}, {3, 3, 3, 3, 3}), two);
+  EXPECT_EQ(band_of({1, 1, 1, 1, 1}, {3, 3, gap, 3, 3}), two);
+  EXPECT_EQ(band_of({gap, 1, 1, gap, gap}, {gap, 3, 3, gap, 3}), "M209.0 129.0L346.0 129.0L346.0 299.0L209.0 299.0Z");
+}
+
 TEST(LineChart, DrawsPointsAloneWithALegend) {
   const std::string svg = line_chart_svg(
       {.curves = {{.name = "wood", .x = {3, 1, 2}, .y = {1, 2, 3}, .line = false, .labels = {"A", "", "<B"}},

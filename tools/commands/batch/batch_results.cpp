@@ -42,9 +42,9 @@ int status(const ResultFlags& flags) {
 }
 
 int merge(const ResultFlags& flags) {
-  check_outputs(flags.output, {".jsonl", ".csv", ".h5"});
+  check_outputs(flags.output, {".jsonl", ".csv", ".h5", ".hdf5"});
   if (flags.output.paths.empty())
-    throw OptionError({}, "no output is given", "name a file that ends in .jsonl, .csv or .h5", {"output"});
+    throw OptionError({}, "no output is given", "name a file that ends in .jsonl, .csv, .h5 or .hdf5", {"output"});
   const batch::Manifest manifest(flags.manifest);
   const Progress progress("merging", flags.output.quiet);
   OutputGroup outputs;
@@ -97,7 +97,7 @@ void add_batch_merge(CommandLine& line) {
       "percuss batch merge --manifest manifest.jsonl results -o bats.jsonl -o bats.csv",
       "Turn records into a table");
   add_folder_and_manifest(command, *flags);
-  add_output_flags(command, flags->output, ".jsonl, .csv, .h5");
+  add_output_flags(command, flags->output, ".jsonl, .csv, .h5, .hdf5");
   add_formula_flag(command, flags->keep_formulas);
 }
 

@@ -8,6 +8,7 @@
 #include "acquire/channels/named_channels.hpp"
 #include "acquire/formats/hdf5/hdf5_input.hpp"
 #include "acquire/formats/hdf5/hdf5_layout.hpp"
+#include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -18,7 +19,6 @@ using hdf5::InputDataSet;
 using hdf5::InputHdf5;
 
 constexpr std::size_t kMaxPoints = 1'000'000;
-constexpr double kMaxPointNumber = 1e9;
 const char* const kRemedy = "store frf [points, channels, lines] and frequency_hz [lines]";
 
 struct Shape {
@@ -80,9 +80,10 @@ std::vector<int> points_of(const InputHdf5& file, std::size_t count) {
   if (set.shape() != std::vector<std::size_t>{count}) throw InputError("not one number per point", where, kRemedy);
   const auto numbers = set.read_all();
   for (std::size_t p = 0; p < count; ++p) {
-    if (!(std::abs(numbers[p]) <= kMaxPointNumber) || numbers[p] != std::round(numbers[p]))
+    if (!(std::abs(numbers[p]) <= static_cast<double>(kMaxPointNumber)) || numbers[p] != std::round(numbers[p]))
       throw InputError("not a whole number", where, "store whole numbers");
     points[p] = static_cast<int>(numbers[p]);
+    require_point_number(points[p], where);
   }
   if (std::set<int>(points.begin(), points.end()).size() != count)
     throw InputError("a point occurs twice", where, "give each point its own number");

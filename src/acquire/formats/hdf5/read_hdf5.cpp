@@ -15,6 +15,7 @@
 #include "acquire/channels/signal_overrides.hpp"
 #include "acquire/formats/hdf5/hdf5_layout.hpp"
 #include "acquire/formats/hdf5/hdf5_points.hpp"
+#include "acquire/record/point_number.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "acquire/record/sampling_rate.hpp"
 #include "core/error.hpp"
@@ -125,6 +126,7 @@ void describe_rows(const OpenRecord& open, Record& record) {
   const std::vector<int> point = hdf5::numbers_per_row(file, "point", open.layout.rows);
   const std::vector<int> run = hdf5::numbers_per_row(file, "run", open.layout.rows);
   for (std::size_t row = 0; row < open.layout.rows; ++row) {
+    require_point_number(point[row], file.where("point"));
     record.rows.push_back({.samples = open.layout.samples, .point = point[row], .run = run[row]});
   }
   const auto continuous = hdf5::number_attribute(file.id(), "continuous", file.path(), 1);

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "acquire/channels/csv_columns.hpp"
+#include "acquire/formats/mat/mat_frf_layout.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
+#include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -15,14 +18,7 @@ namespace {
 
 constexpr std::size_t kMaxMatFrfs = 1'000'000;
 
-// The sizes and strides of an array of FRFs.
-struct MatFrfLayout {
-  std::size_t points = 1, channels = 1, lines = 0;
-  std::size_t point_stride = 0, channel_stride = 0, line_stride = 1;
-  std::size_t at(std::size_t point, std::size_t channel, std::size_t line) const {
-    return point * point_stride + channel * channel_stride + line * line_stride;
-  }
-};
+bool is_frf_name(const std::string& name) { return lower_case(field_name(name)) == "frf"; }
 
 bool is_other_spectrum(const std::string& name) {
   for (const char* word : {"spec", "psd", "csd", "coh", "auto", "cross", "corr"}) {
@@ -36,7 +32,7 @@ std::vector<const MatVariable*> frf_candidates(const MatFile& file) {
   for (const MatVariable& variable : file.variables) {
     const bool fits = variable.is_complex() && variable.size() > 1 && variable.shape.size() <= 3;
     if (!fits) continue;
-    if (lower_case(field_name(variable.name)) == "frf") return {&variable};
+    if (is_frf_name(variable.name)) return {&variable};
     if (!is_other_spectrum(lower_case(variable.name))) out.push_back(&variable);
   }
   return out;
@@ -67,29 +63,6 @@ const MatVariable& chosen_frf(const MatFile& file, const std::vector<const MatVa
                   "accel_channel");
 }
 
-// The dimension of the lines is as long as the vector of frequencies. If several dimensions fit, it is the third one if
-// that fits, otherwise the first. If none fits, it is the longest. The other dimensions are points, then channels.
-MatFrfLayout frf_layout(const MatVariable& variable, std::size_t frequencies) {
-  std::vector<std::pair<std::size_t, std::size_t>> axes;  // size, stride
-  std::size_t stride = 1;
-  for (const std::size_t size : variable.shape) {
-    axes.emplace_back(size, stride);
-    stride *= size;
-  }
-  auto lines = std::find_if(axes.begin(), axes.end(), [&](const auto& axis) { return axis.first == frequencies; });
-  if (axes.size() == 3 && axes.back().first == frequencies) lines = axes.end() - 1;
-  if (lines == axes.end()) lines = std::max_element(axes.begin(), axes.end());
-  MatFrfLayout out{.lines = lines->first, .line_stride = lines->second};
-  axes.erase(lines);
-  out.points = axes[0].first;
-  out.point_stride = axes[0].second;
-  if (axes.size() > 1) {
-    out.channels = axes[1].first;
-    out.channel_stride = axes[1].second;
-  }
-  return out;
-}
-
 std::vector<double> frequencies_in(const MatFile& file) {
   for (const char* name : {"frequency_hz", "freq_hz", "frequency", "freq", "f", "freqs", "frequencies", "freq_domain",
                            "f_hz", "freq_vector", "fvec"}) {
@@ -118,36 +91,62 @@ LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size
   return out;
 }
 
-// The values of one point and channel in a real array of the FRFs' shape (standard deviations, coherence). Empty if the
-// file has no such array.
-std::vector<double> companion(const MatFile& file, const MatVariable& frf, const char* name, const MatFrfLayout& layout,
-                              std::size_t point, std::size_t channel) {
+// A real array of the FRFs' shape (standard deviations, coherence), else nullptr and a note.
+const MatVariable* companion_of(const MatFile& file, const MatVariable& frf, const char* name, StoredFrfs& out) {
   const MatVariable* const found = find_variable(file, name);
-  if (found == nullptr || found->is_complex() || found->shape != frf.shape) return {};
+  if (found == nullptr) return nullptr;
+  if (!found->is_text && !found->is_complex() && found->shape == frf.shape) return found;
+  out.record.notes.emplace_back(
+      fmt::format("{} is not used: it is not an array of {} real numbers", name, shape_name(frf.shape)));
+  return nullptr;
+}
+
+// The values of one point and channel; empty without a companion.
+std::vector<double> values_of(const MatFile& file, const MatVariable* companion, const MatFrfLayout& layout,
+                              std::size_t point, std::size_t channel) {
+  if (companion == nullptr) return {};
   std::vector<double> out(layout.lines);
   for (std::size_t k = 0; k < layout.lines; ++k) {
-    out[k] = found->real[layout.at(point, channel, k)];
-    if (!std::isfinite(out[k])) throw InputError("not a finite number", file.path + ": " + name, "leave it out");
+    out[k] = companion->real[layout.at(point, channel, k)];
+    if (std::isfinite(out[k])) continue;
+    throw InputError("not a finite number", file.path + ": " + one_line(companion->name, 40), "leave it out");
   }
   return out;
 }
 
-void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& layout, StoredFrfs& out) {
+// The numbers of the points; from 0 if the file does not number them.
+std::vector<int> point_numbers_in(const MatFile& file, std::size_t count) {
+  std::vector<int> points(count);
   const MatVariable* const numbers = find_variable(file, "point");
-  const bool numbered = numbers != nullptr && numbers->size() == layout.points;
+  const bool numbered = numbers != nullptr && numbers->size() == count;
+  const std::string where = file.path + ": point";
+  for (std::size_t p = 0; p < count; ++p) {
+    const double number = numbered ? numbers->real[p] : static_cast<double>(p);
+    const bool whole = std::abs(number) <= static_cast<double>(kMaxPointNumber) && std::rint(number) == number;
+    if (!whole || (numbered && numbers->is_complex())) throw InputError("not a whole number", where, "store 0, 1, …");
+    points[p] = static_cast<int>(number);
+    require_point_number(points[p], where);
+  }
+  if (std::set<int>(points.begin(), points.end()).size() != count)
+    throw InputError("a point occurs twice", where, "give each point its own number");
+  return points;
+}
+
+void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& layout, StoredFrfs& out) {
+  const std::vector<int> points = point_numbers_in(file, layout.points);
+  const MatVariable* const std = companion_of(file, frf, "frf_std", out);
+  const MatVariable* const coherence = companion_of(file, frf, "coherence", out);
   const auto averages = mat_number(file, {"averages"}).value_or(0);
   for (std::size_t p = 0; p < layout.points; ++p) {
-    const double number = numbered ? numbers->real[p] : static_cast<double>(p);
-    if (!(std::abs(number) <= 1e9)) throw InputError("not a whole number", file.path + ": point", "store 0, 1, …");
     for (std::size_t c = 0; c < layout.channels; ++c) {
-      StoredFrf stored{.point = static_cast<int>(number), .channel = c};
+      StoredFrf stored{.point = points[p], .channel = c};
       stored.value.resize(layout.lines);
       for (std::size_t k = 0; k < layout.lines; ++k) {
         const std::size_t at = layout.at(p, c, k);
         stored.value[k] = {frf.real[at], frf.imaginary[at]};
       }
-      stored.std = companion(file, frf, "frf_std", layout, p, c);
-      stored.coherence = companion(file, frf, "coherence", layout, p, c);
+      stored.std = values_of(file, std, layout, p, c);
+      stored.coherence = values_of(file, coherence, layout, p, c);
       stored.averages = averages > 0 && averages < 1e9 ? static_cast<std::size_t>(averages) : 0;
       out.frfs.push_back(std::move(stored));
     }
@@ -158,7 +157,7 @@ void describe_mat_channels(const MatFile& file, std::size_t channels, StoredFrfs
   const MatVariable* const angle_deg = find_variable(file, "angle_deg");
   const MatVariable* const position_m = find_variable(file, "position_m");
   const auto value = [&](const MatVariable* v, std::size_t c) {
-    const bool known = v != nullptr && v->size() == channels && std::isfinite(v->real[c]);
+    const bool known = v != nullptr && v->size() == channels && !v->is_complex() && std::isfinite(v->real[c]);
     return known ? std::optional(v->real[c]) : std::nullopt;
   };
   for (std::size_t c = 0; c < channels; ++c) {
@@ -187,7 +186,7 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   const auto candidates = named != nullptr ? std::vector{named} : frf_candidates(file);
   if (candidates.empty() || (force_named && !options.kind)) return std::nullopt;
   const std::vector<double> freq_Hz = frequencies_in(file);
-  const bool is_named_frf = field_name(candidates.front()->name) == "frf";
+  const bool is_named_frf = is_frf_name(candidates.front()->name);
   const std::size_t lines = frf_layout(*candidates.front(), freq_Hz.size()).lines;
   if (named == nullptr && !is_named_frf && !options.kind && may_hold_record(file, lines)) return std::nullopt;
   const MatVariable& frf = chosen_frf(file, candidates);

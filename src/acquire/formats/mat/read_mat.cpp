@@ -12,6 +12,7 @@
 #include "acquire/channels/signal_table.hpp"
 #include "acquire/formats/mat/mat_layout.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
+#include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -94,7 +95,7 @@ struct OpenMat {
 std::vector<std::optional<double>> per_channel(const MatFile& file, const char* name, std::size_t count) {
   std::vector<std::optional<double>> out(count);
   const MatVariable* const given = find_variable(file, name);
-  if (given == nullptr || given->size() != count || given->is_text) return out;
+  if (given == nullptr || given->size() != count || given->is_complex()) return out;
   for (std::size_t c = 0; c < count; ++c) {
     if (std::isfinite(given->real[c])) out[c] = given->real[c];
   }
@@ -105,7 +106,7 @@ int whole_number(const MatFile& file, const char* name, std::size_t row, std::si
   const MatVariable* const given = find_variable(file, name);
   if (given == nullptr || given->is_text) return 0;
   const auto is_whole = [](double x) { return std::abs(x) <= std::numeric_limits<int>::max() && std::rint(x) == x; };
-  if (given->size() != rows || !is_whole(given->real[row])) {
+  if (given->size() != rows || given->is_complex() || !is_whole(given->real[row])) {
     throw InputError(fmt::format("not one whole number for each of {} hits", rows), file.path + ": " + name,
                      "store one per hit");
   }
@@ -113,17 +114,16 @@ int whole_number(const MatFile& file, const char* name, std::size_t row, std::si
 }
 
 std::vector<std::vector<double>> geometry_in(const MatFile& file) {
-  const MatVariable* const given = find_variable(file, "geometry");
-  if (given == nullptr || given->is_text || given->shape.size() != 2 || given->shape[1] < 2 || given->shape[1] > 3)
-    return {};
+  const MatVariable* const given = real_matrix(file, "geometry");
+  if (given == nullptr || given->shape[1] < 2 || given->shape[1] > 3) return {};
   std::vector<std::vector<double>> out(given->shape[0]);
   for (std::size_t i = 0; i < given->size(); ++i) out[i % out.size()].push_back(given->real[i]);
   return out;
 }
 
 std::vector<TraceLine> trace_lines_in(const MatFile& file, std::size_t points) {
-  const MatVariable* const given = find_variable(file, "trace_lines");
-  if (given == nullptr || given->is_text || given->shape.size() != 2 || given->shape[1] != 2) return {};
+  const MatVariable* const given = real_matrix(file, "trace_lines");
+  if (given == nullptr || given->shape[1] != 2) return {};
   std::vector<double> numbers;
   const std::size_t lines = given->shape[0];
   for (std::size_t i = 0; i < lines; ++i) numbers.insert(numbers.end(), {given->real[i], given->real[lines + i]});
@@ -176,6 +176,7 @@ void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::siz
     table.rows.push_back({.samples = layout.samples,
                           .point = whole_number(open.file, "point", row, layout.rows),
                           .run = whole_number(open.file, "run", row, layout.rows)});
+    require_point_number(table.rows.back().point, open.file.path + ": point");
   }
   table.continuous = mat_number(open.file, {"continuous"}).value_or(layout.rows == 1 ? 1 : 0) != 0;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/io/strict_json.hpp"
 
@@ -30,10 +31,9 @@ void read_calibrated(StrictObject& o, SoundCalibration::Signal& signal) {
   o.read("position_m", signal.position_m);
 }
 
-// Points and runs may be negative, as in other formats.
-void read_whole(StrictObject& o, const char* key, int& to) {
+void read_whole(StrictObject& o, const char* key, double low, double high, int& to) {
   double value = to;
-  o.read_within(key, std::numeric_limits<int>::min(), std::numeric_limits<int>::max(), value);
+  o.read_within(key, low, high, value);
   if (value != std::round(value)) o.fail("not a whole number", key, "write a whole number");
   to = static_cast<int>(value);
 }
@@ -142,8 +142,8 @@ SoundCalibration parse_calibration(std::string_view text, const std::string& whe
       RowInfo& row = out.rows.emplace_back();
       item.need("samples");
       item.read("samples", row.samples);
-      read_whole(item, "point", row.point);
-      read_whole(item, "run", row.run);
+      read_whole(item, "point", 0, static_cast<double>(kMaxPointNumber), row.point);
+      read_whole(item, "run", std::numeric_limits<int>::min(), std::numeric_limits<int>::max(), row.run);
     });
     read_geometry(o, out);
   });

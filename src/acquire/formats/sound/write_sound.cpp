@@ -6,6 +6,7 @@
 
 #include "acquire/formats/sound/sound_calibration.hpp"
 #include "acquire/formats/sound/sound_file.hpp"
+#include "acquire/record/file_format.hpp"
 #include "core/error.hpp"
 #include "core/math/statistics.hpp"
 
@@ -67,8 +68,8 @@ SoundCalibration calibration_of(const Record& record, const std::vector<double>&
 }
 
 SoundKind sound_kind(const std::string& path) {
-  if (path.ends_with(".w64") || path.ends_with(".W64")) return SoundKind::w64;
-  return path.ends_with(".rf64") || path.ends_with(".RF64") ? SoundKind::rf64 : SoundKind::wav;
+  const std::string extension = file_extension(path);
+  return extension == ".w64" ? SoundKind::w64 : extension == ".rf64" ? SoundKind::rf64 : SoundKind::wav;
 }
 
 }  // namespace

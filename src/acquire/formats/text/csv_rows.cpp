@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "acquire/record/point_number.hpp"
 #include "acquire/record/sampling_rate.hpp"
 #include "core/error.hpp"
 #include "core/io/parse_number.hpp"
@@ -132,6 +133,8 @@ std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& colum
     if (*sources[k]) changes[k] = changes_of(table, (*sources[k])->index);
     for (const auto& change : changes[k]) starts.insert(change.line);
   }
+  for (const Change& change : changes[1])
+    require_point_number(change.value, table.place(change.line, columns.point->index));
   std::vector<CsvRow> rows;
   std::set<Labels> seen;
   std::array<std::size_t, 3> at{};

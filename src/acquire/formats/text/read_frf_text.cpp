@@ -8,6 +8,7 @@
 
 #include "acquire/formats/text/csv_layout.hpp"
 #include "acquire/formats/text/csv_table.hpp"
+#include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/io/parse_number.hpp"
 #include "core/units.hpp"
@@ -183,6 +184,7 @@ void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, 
   std::vector<std::pair<int, std::size_t>> seen;
   for (const Columns& c : columns) {
     channels = std::max(channels, std::min(*c.channel, columns.size()) + 1);  // a name may state any number
+    require_point_number(*c.point, file);
     seen.emplace_back(*c.point, *c.channel);
   }
   std::sort(seen.begin(), seen.end());

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "acquire/formats/uff/read_uff.hpp"
+#include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -207,6 +208,7 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
     if (annotation.angle_deg) signal.angle_rad = *annotation.angle_deg * kDegree_rad;
     signal.position_m = annotation.position_m;
     const int node = (grid.sensor_roves ? f->response.node : f->reference.node) - stated.node_offset;
+    require_point_number(node, uff_location(file, f->at));
     out.frfs.push_back(stored_frf(*f, node, channel));
     const auto coherence = coherences.find({key_of(f->reference), key_of(f->response)});
     if (coherence != coherences.end())

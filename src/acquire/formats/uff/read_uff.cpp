@@ -13,6 +13,7 @@
 #include "acquire/channels/signal_table.hpp"
 #include "acquire/formats/uff/uff_roles.hpp"
 #include "acquire/formats/uff/uff_rows.hpp"
+#include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/io/time_stamps.hpp"
 #include "core/units.hpp"
@@ -54,12 +55,14 @@ TableSignal signal_of(const UffFunction& function, const std::string& name, cons
 
 // The point of a row: the node of a roving sensor. Otherwise the struck point: the reference node, else the node of the
 // force.
-int point_of_row(const UffRow& row, bool sensor_roves) {
+int point_of_row(const UffRow& row, bool sensor_roves, const FileBytes& file) {
   const int offset = uff_annotation(*row.front()).node_offset;
   const UffFunction& last = *row.back();
-  if (sensor_roves) return last.response.node - offset;
-  const int node = last.reference.node != 0 ? last.reference.node : row.front()->response.node;
-  return std::max(node, offset) - offset;
+  const int struck = last.reference.node != 0 ? last.reference.node : row.front()->response.node;
+  // Node 0 is not stated: the first point.
+  const int point = (sensor_roves ? last.response.node : struck == 0 ? offset : struck) - offset;
+  require_point_number(point, uff_location(file, row.front()->at));
+  return point;
 }
 
 bool roving_sensor(const std::vector<UffRow>& rows) {
@@ -154,7 +157,7 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   const UffAnnotation stated = uff_annotation(*first.front());
   for (const UffRow& row : open->rows) {
     table.rows.push_back({.samples = row.front()->count,
-                          .point = point_of_row(row, sensor),
+                          .point = point_of_row(row, sensor, file),
                           .run = stated.by_percuss ? row.front()->load_case : 0});
   }
   table.geometry = uff_geometry(open->contents, stated.node_offset, table.notes);

@@ -126,12 +126,12 @@ TEST_F(Hdf5FrfLayout, YieldsToARecord) {
 TEST_F(Hdf5FrfLayout, HasStandardDeviationsAndCoherence) {
   const StoredFrfs frfs = read({2, 2, 2}, [](auto& file) {
     file.values("frf_std", {2, 2, 2}, {0, 1, 2, 3, 4, 5, 6, 7}).values("coherence", {2, 2, 2}, std::vector(8, 0.5));
-    file.values("point", {2}, {-5, 9}).numbers("", "averages", {3}).numbers("", "decay_per_s", {2.5});
+    file.values("point", {2}, {5, 9}).numbers("", "averages", {3}).numbers("", "decay_per_s", {2.5});
   });
   ASSERT_EQ(frfs.frfs.size(), 4U);
   EXPECT_THAT(frfs.frfs[2].std, ElementsAre(4, 5));
   EXPECT_THAT(frfs.frfs[3].coherence, ElementsAre(0.5, 0.5));
-  EXPECT_EQ(frfs.frfs[0].point, -5);
+  EXPECT_EQ(frfs.frfs[0].point, 5);
   EXPECT_EQ(frfs.frfs[3].point, 9);
   EXPECT_EQ(frfs.frfs[1].averages, 3U);
   EXPECT_EQ(frfs.record.decay_per_s, 2.5);
@@ -152,6 +152,10 @@ TEST_F(Hdf5FrfLayout, RefusesPointsThatAreNoWholeNumbers) {
                 }),
                 HasSubstr("not a whole number (" + path_ + ": /point)"));
   }
+  EXPECT_THAT(refusal_with([](auto& file) {
+                file.values("point", {2}, {0, -5});
+              }),
+              HasSubstr("-5 is not a point number (" + path_ + ": /point)"));
 }
 
 TEST_F(Hdf5FrfLayout, KnowsTheSensorsThatAreStated) {

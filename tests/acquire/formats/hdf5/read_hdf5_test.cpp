@@ -79,6 +79,17 @@ TEST_F(Hdf5Read, DescribesHitsAndChannelsAndReadsThem) {
   expect_ramps(record);
 }
 
+TEST_F(Hdf5Read, RefusesNegativePoints) {
+  Hdf5Builder(path_)
+      .ramp("force", {2, 50})
+      .ramp("accel", {2, 1, 50})
+      .numbers("", "fs", {25600})
+      .values("run", {2}, {-1, 0})
+      .values("point", {2}, {0, -5});
+  EXPECT_EQ(test::input_error_of([&] { open_hdf5(path_); }),
+            "-5 is not a point number (" + path_ + ": /point); number points from 0 to 1000000000");
+}
+
 TEST_F(Hdf5Read, AcceptsEveryNumberTypeAndStorage) {
   const std::vector<test::Hdf5Storage> storages{{.type = H5T_IEEE_F32LE}, {.type = H5T_IEEE_F32BE},
                                                 {.type = H5T_IEEE_F64BE}, {.type = H5T_STD_I16BE},

@@ -112,8 +112,29 @@ TEST(MatOptions, TakeDescriptionsOfTheRightShapeOnly) {
   EXPECT_FALSE(angles.accel[0].position_m.has_value());
 }
 
+TEST(MatOptions, TakeDescriptionsOfRealNumbersOnly) {
+  const auto complex = [](const std::string& name, const std::vector<std::size_t>& shape,
+                          const std::vector<double>& real) {
+    MatVariable out = numbers(name, shape, real);
+    out.imaginary = std::vector<double>(real.size(), 1);
+    return out;
+  };
+  const Record record =
+      open_mat(example({complex("geometry", {2, 2}, {0, 1, 0, 0}), complex("angle_deg", {1, 2}, {0, 90}),
+                        complex("position_m", {1, 2}, {0, 1})}),
+               {});
+  EXPECT_THAT(record.geometry, IsEmpty());
+  EXPECT_FALSE(record.accel[1].angle_rad.has_value());
+  EXPECT_FALSE(record.accel[1].position_m.has_value());
+  EXPECT_EQ(refusal_of(example({complex("point", {1, 1}, {1})})),
+            "not one whole number for each of 1 hits (x.mat: point); store one per hit");
+}
+
 TEST(MatOptions, NumberHitsByWholeNumbers) {
-  EXPECT_EQ(open_mat(example({numbers("point", {1, 1}, {-3})}), {}).rows[0].point, -3);
+  EXPECT_EQ(open_mat(example({numbers("point", {1, 1}, {3})}), {}).rows[0].point, 3);
+  EXPECT_EQ(open_mat(example({numbers("run", {1, 1}, {-3})}), {}).rows[0].run, -3);
+  EXPECT_EQ(refusal_of(example({numbers("point", {1, 1}, {-3})})),
+            "-3 is not a point number (x.mat: point); number points from 0 to 1000000000");
   EXPECT_EQ(open_mat(example({text("point", "7")}), {}).rows[0].point, 0);
   for (const MatVariable& point : {numbers("point", {1, 1}, {1.5}), numbers("point", {1, 1}, {3e9}),
                                    numbers("point", {1, 1}, {kNaN}), numbers("point", {2, 1}, {1, 2})}) {

@@ -114,6 +114,8 @@ TEST(SoundCalibrationText, IsRefusedWithThePlace) {
   };
   EXPECT_EQ(refusal(R"(, "rows": [{"samples": 2, "point": 1.5}])"),
             "not a whole number (x, rows[0].point); write a whole number");
+  EXPECT_EQ(refusal(R"(, "rows": [{"samples": 2, "point": -5}])"),
+            "-5 is out of range (x, rows[0].point); give 0 to 1e+09");
   const std::string not_coordinates =
       "not 2 or 3 coordinates for every point (x, geometry_m); write them point by point";
   EXPECT_EQ(refusal(R"(, "geometry_m": [0, 1, 2, 3])"), not_coordinates);

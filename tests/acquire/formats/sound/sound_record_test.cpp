@@ -211,7 +211,7 @@ TEST(SoundCalibration, ReadsBackWhatItWrites) {
   const SoundCalibration made{.fs_Hz = 51200.0 / 3,
                               .signals = {{.name = "f \"1\"", .measures = Quantity::force, .to_SI = 0.1},
                                           {.name = "a", .to_SI = -3, .angle_rad = 0.1, .position_m = 1e-3}},
-                              .rows = {{.samples = 7, .point = -1, .run = 2}},
+                              .rows = {{.samples = 7, .point = 1, .run = -2}},
                               .continuous = true,
                               .geometry = {{0.1, 0.2}, {0.3, 0.4}}};
   const std::string text = calibration_text(made);
@@ -220,7 +220,8 @@ TEST(SoundCalibration, ReadsBackWhatItWrites) {
   EXPECT_EQ(read.fs_Hz, made.fs_Hz);
   EXPECT_EQ(read.signals[1].to_SI, -3);
   EXPECT_EQ(read.geometry, made.geometry);
-  EXPECT_EQ(read.rows[0].point, -1);
+  EXPECT_EQ(read.rows[0].point, 1);
+  EXPECT_EQ(read.rows[0].run, -2);
 }
 
 TEST_F(SoundRecord, WrittenKeepsEveryDigitInWavAndRf64) {
@@ -243,6 +244,15 @@ TEST_F(SoundRecord, WrittenKeepsEveryDigitInWavAndRf64) {
     std::vector<double> stored(sound.frames());
     sound.read(0, 0, stored);
     for (const double value : stored) EXPECT_LE(std::abs(value), 1) << "players clip samples beyond ±1";
+  }
+}
+
+TEST_F(SoundRecord, WrittenHasTheFormOfItsExtensionInAnyLetterCase) {
+  const Record record = record_in_memory(1000, {{0, 300.1, -5}}, {{{0.1, 7e4, 3}}});
+  for (const auto& [name, form] :
+       {std::pair{"w.Rf64", "RF64"}, {"w.RF64", "RF64"}, {"w.Wav", "RIFF"}, {"w.W64", "riff"}, {"x.w64", "riff"}}) {
+    write_record(folder_.file(name), record, false);
+    EXPECT_EQ(test::bytes_of(folder_.file(name)).substr(0, 4), form) << name;
   }
 }
 

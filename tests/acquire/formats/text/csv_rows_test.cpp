@@ -57,6 +57,12 @@ TEST(CsvRows, RefuseNumbersOfHitsThatAreNotWhole) {
   }
 }
 
+TEST(CsvRows, RefuseNegativePoints) {
+  EXPECT_THAT(input_error_of([] { csv_record("point,t_s,force_N,acc_g\n0,0,1,2\n0,0.1,1,2\n-5,0,1,2\n-5,0.1,1,2\n"); }),
+              HasSubstr("-5 is not a point number (x.csv: line 4, column 1"));
+  EXPECT_EQ(csv_record("run,t_s,force_N,acc_g\n-5,0,1,2\n-5,0.1,1,2\n").rows[0].run, -5);
+}
+
 TEST(CsvRows, RefuseARowOfOneSample) {
   EXPECT_THAT(input_error_of([] { csv_record("hit,t_s,force_N,acc_g\n0,0,1,2\n0,0.1,1,2\n1,0,1,2\n"); }),
               HasSubstr("fewer than two samples (x.csv: line 4)"));

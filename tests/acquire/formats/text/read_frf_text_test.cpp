@@ -84,6 +84,11 @@ TEST(ReadFrfText, RefusesColumnsWithoutTheirPartner) {
   EXPECT_THAT(refusal("frequency,a_re,a_phase\n0,1,2\n1,1,2\n"), HasSubstr("no partner"));
 }
 
+TEST(ReadFrfText, RefusesPointNumbersThatAreTooLarge) {
+  EXPECT_THAT(refusal("frequency,p2000000000_c0_re,p2000000000_c0_im\n0,1,2\n1,1,2\n"),
+              HasSubstr("2000000000 is not a point number"));
+}
+
 TEST(ReadFrfText, RefusesPointsThatLackAChannel) {
   const char* const kMany = "not one FRF of every channel for every point";
   EXPECT_THAT(refusal("frequency,p0_c0_re,p0_c0_im,p1_c1_re,p1_c1_im\n0,1,2,3,4\n1,1,2,3,4\n"), HasSubstr(kMany));

@@ -42,6 +42,11 @@ acquire::FrfRecord read(const std::string& text, const acquire::FrfReadOptions& 
   return acquire::to_accelerances(std::move(stored).value(), options);
 }
 
+TEST(UffFrf, RefusesNegativeNodesOfPoints) {
+  UffText set{.reference_node = -2};
+  EXPECT_THAT(input_error_of([&] { read(frf_text(set, 1)); }), HasSubstr("-2 is not a point number (x.csv: line 3)"));
+}
+
 TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
   std::string text;
   for (const int node : {4, 9}) {

@@ -1,0 +1,23 @@
+#include "batch/retries.hpp"
+
+#include <thread>
+
+#include "core/error.hpp"
+
+namespace percuss::batch {
+
+void Retries::run(const std::function<void()>& work) {
+  for (auto wait = waits_.begin();; ++wait) {
+    try {
+      return work();
+    } catch (const MachineFault&) {
+      // Another thread may end the fault at any time, so that lasts_ alone does not guard the end of the waits.
+      const bool last_attempt = wait == waits_.end();
+      if (last_attempt) lasts_ = true;
+      if (last_attempt || lasts_) throw;
+    }
+    std::this_thread::sleep_for(*wait);
+  }
+}
+
+}  // namespace percuss::batch

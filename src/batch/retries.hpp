@@ -1,0 +1,25 @@
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <vector>
+
+namespace percuss::batch {
+
+/// Repeats work that a fault of the machine stops, after each of the waits. While the fault lasts, later work is tried
+/// once: a thousand records must not wait a thousand times. Several threads may call at the same time.
+class Retries {
+ public:
+  /// The waits must outlive the object.
+  explicit Retries(const std::vector<std::chrono::milliseconds>& waits) : waits_(waits) {}
+
+  /// errors  MachineFault: the last attempt failed; the other errors of `work`
+  void run(const std::function<void()>& work);
+  void end_of_fault() { lasts_ = false; }
+
+ private:
+  const std::vector<std::chrono::milliseconds>& waits_;
+  std::atomic<bool> lasts_{false};
+};
+
+}  // namespace percuss::batch

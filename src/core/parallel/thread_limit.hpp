@@ -1,0 +1,11 @@
+#pragma once
+#include <cstddef>
+
+namespace percuss {
+inline namespace core {
+
+/// The ThreadLimit that parallel_for_cost and parallel_for_chunks obey on this thread; 0: none.
+std::size_t current_thread_limit();
+
+}  // namespace core
+}  // namespace percuss

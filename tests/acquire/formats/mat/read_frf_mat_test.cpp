@@ -1,0 +1,119 @@
+#include "acquire/formats/mat/read_frf_mat.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "acquire/formats/mat/read_mat.hpp"
+#include "acquire/open_measurement.hpp"
+#include "support/input_error.hpp"
+#include "support/messages.hpp"
+
+// FRFs of MAT files: variables of another class or shape than expected, and the numbers of the points.
+namespace percuss::acquire::read_frf_mat_test {
+
+using test::input_error_of;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+MatVariable numbers(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<double>& real) {
+  return {.name = name, .shape = shape, .real = real};
+}
+
+MatVariable complex(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<double>& real) {
+  return {.name = name, .shape = shape, .real = real, .imaginary = std::vector<double>(real.size(), 0.5)};
+}
+
+MatVariable text(const std::string& name, const std::string& content) {
+  return {.name = name, .shape = {1, content.size()}, .text = content, .is_text = true};
+}
+
+MatFile file_of(const std::vector<MatVariable>& variables) { return {.path = "x.mat", .variables = variables}; }
+
+// Two points, one channel, three lines.
+MatFile two_points(const std::vector<MatVariable>& more) {
+  std::vector<MatVariable> variables{numbers("frequency_hz", {1, 3}, {0, 1, 2}),
+                                     complex("frf", {2, 1, 3}, {1, 2, 3, 4, 5, 6})};
+  variables.insert(variables.end(), more.begin(), more.end());
+  return file_of(variables);
+}
+
+// One point, one channel, three lines.
+MatFile one_point(const MatVariable& more) {
+  return file_of({numbers("frequency_hz", {1, 3}, {0, 1, 2}), complex("frf", {1, 3}, {1, 2, 3}), more});
+}
+
+std::vector<int> points_of(const MatFile& file) {
+  std::vector<int> points;
+  const StoredFrfs frfs = read_frf_mat(file, {}).value();
+  for (const StoredFrf& frf : frfs.frfs) points.push_back(frf.point);
+  return points;
+}
+
+TEST(ReadFrfMat, UsesCompanionsOfRealNumbersOnly) {
+  const StoredFrfs good = read_frf_mat(one_point(numbers("coherence", {1, 3}, {0.5, 0.6, 0.7})), {}).value();
+  EXPECT_THAT(good.frfs[0].coherence, ElementsAre(0.5, 0.6, 0.7));
+  EXPECT_THAT(good.record.notes, IsEmpty());
+  for (const std::string name : {"coherence", "frf_std"}) {
+    for (const MatVariable& other :
+         {text(name, "abc"), complex(name, {1, 3}, {1, 1, 1}), numbers(name, {3, 1}, {1, 1, 1})}) {
+      const StoredFrfs frfs = read_frf_mat(one_point(other), {}).value();
+      EXPECT_THAT(frfs.frfs[0].coherence, IsEmpty());
+      EXPECT_THAT(frfs.frfs[0].std, IsEmpty());
+      EXPECT_THAT(test::texts(frfs.record.notes),
+                  ElementsAre(name + " is not used: it is not an array of 1x3 real numbers"));
+    }
+  }
+}
+
+TEST(ReadFrfMat, NumbersPointsByWholeNumbersFromZero) {
+  EXPECT_THAT(points_of(two_points({})), ElementsAre(0, 1));
+  EXPECT_THAT(points_of(two_points({numbers("point", {1, 2}, {7, 3})})), ElementsAre(7, 3));
+  EXPECT_THAT(points_of(two_points({text("point", "73")})), ElementsAre(0, 1));
+  const auto refusal = [](const MatVariable& point) {
+    return input_error_of([&] { read_frf_mat(two_points({point}), {}); });
+  };
+  for (const double number : {1.5, 2e9, -0.5}) {
+    EXPECT_EQ(refusal(numbers("point", {1, 2}, {0, number})), "not a whole number (x.mat: point); store 0, 1, …");
+  }
+  EXPECT_EQ(refusal(complex("point", {1, 2}, {0, 1})), "not a whole number (x.mat: point); store 0, 1, …");
+  EXPECT_EQ(refusal(numbers("point", {1, 2}, {0, -5})),
+            "-5 is not a point number (x.mat: point); number points from 0 to 1000000000");
+  EXPECT_EQ(refusal(numbers("point", {1, 2}, {4, 4})),
+            "a point occurs twice (x.mat: point); give each point its own number");
+}
+
+TEST(ReadFrfMat, IgnoresAnglesThatAreNotReal) {
+  const StoredFrfs frfs = read_frf_mat(one_point(complex("angle_deg", {1, 1}, {90})), {}).value();
+  EXPECT_FALSE(frfs.record.accel.at(0).angle_rad.has_value());
+}
+
+// A longer array beside FRFs of another name may be a record; beside `frf` it is not, in either letter case.
+TEST(ReadFrfMat, KnowsTheNameFrfInEitherLetterCase) {
+  for (const std::string name : {"frf", "FRF", "test.Frf"}) {
+    const MatFile file = file_of({numbers("frequency_hz", {1, 3}, {0, 1, 2}), complex(name, {1, 3}, {1, 2, 3}),
+                                  numbers("other", {1, 6}, {0, 0, 0, 0, 0, 0})});
+    EXPECT_TRUE(read_frf_mat(file, {}).has_value()) << name;
+  }
+  const MatFile other = file_of({numbers("frequency_hz", {1, 3}, {0, 1, 2}), complex("h", {1, 3}, {1, 2, 3}),
+                                 numbers("other", {1, 6}, {0, 0, 0, 0, 0, 0})});
+  EXPECT_FALSE(read_frf_mat(other, {}).has_value());
+}
+
+TEST(ReadFrfMat, ReadsAnArrayOfOneDimension) {
+  const StoredFrfs frfs =
+      read_frf_mat(file_of({numbers("frequency_hz", {3}, {0, 1, 2}), complex("frf", {3}, {1, 2, 3})}), {}).value();
+  ASSERT_EQ(frfs.frfs.size(), 1U);
+  EXPECT_THAT(frfs.frfs[0].value, ElementsAre(Complex(1, 0.5), Complex(2, 0.5), Complex(3, 0.5)));
+}
+
+// Once read out of bounds by the reader.
+TEST(ReadFrfMat, ReadsTheFileWhoseCoherenceIsText) {
+  const std::string path = std::string(PERCUSS_SOURCE_DIR "/fuzz/corpus/foreign/text_coherence.mat");
+  const auto record = std::get<FrfRecord>(open_measurement(path, {.read = {.sandboxed = false}}));
+  ASSERT_EQ(record.frfs.size(), 1U);
+  EXPECT_THAT(record.frfs[0].frf.coherence, IsEmpty());
+  EXPECT_THAT(test::texts(record.notes), testing::Contains(HasSubstr("coherence is not used")));
+}
+
+}  // namespace percuss::acquire::read_frf_mat_test
