@@ -41,7 +41,7 @@ void use_layers(const BeamFlags& flags, model::UniformBeam& beam) {
 }  // namespace
 
 std::vector<double> parse_colon_list(const OptionId& option, const std::string& text, std::size_t least,
-                                     std::size_t most, const char* remedy) {
+                                     std::size_t most, const char* remedy, ColonZeros zeros) {
   const auto refuse = [&](const char* problem) { return OptionError::wrong_value(option, text, remedy, problem); };
   std::vector<double> numbers;
   const char* at = text.data();
@@ -50,7 +50,9 @@ std::vector<double> parse_colon_list(const OptionId& option, const std::string& 
     double number = 0;
     const auto [after, error] = std::from_chars(at, end, number);
     if (error != std::errc{} || (after != end && *after != ':')) throw refuse("it is not numbers separated by colons");
-    if (!(number > 0 && std::isfinite(number))) throw refuse("every number must be above zero");
+    const bool zero_allowed = zeros == ColonZeros::after_first && !numbers.empty();
+    if (!(number > 0 || (zero_allowed && number == 0)) || !std::isfinite(number))
+      throw refuse(zero_allowed ? "a number is below zero" : "every number must be above zero");
     numbers.push_back(number);
     more = after != end;
     at = after + (more ? 1 : 0);

@@ -22,9 +22,12 @@ void add_beam_flags(Command& command, BeamFlags& flags);
 /// The beam of the options; by default the composite bat. Throws UsageError for contradictory options.
 model::UniformBeam beam_of(const BeamFlags& flags);
 
+/// Which numbers of a list may be zero.
+enum class ColonZeros { none, after_first };
+
 /// Reads "1200:0.5:3e-3": `least` to `most` finite numbers above zero, separated by colons. Throws an OptionError that
 /// ends in `remedy`.
 std::vector<double> parse_colon_list(const OptionId& option, const std::string& text, std::size_t least,
-                                     std::size_t most, const char* remedy);
+                                     std::size_t most, const char* remedy, ColonZeros zeros = ColonZeros::none);
 
 }  // namespace percuss::tools
