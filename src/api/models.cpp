@@ -137,6 +137,8 @@ BeamImpactResult beam_impact(const BeamImpact& impact) {
           .peak_deflection_m = result.peak_deflection_m,
           .peak_deflection_time_s = result.peak_deflection_time_s,
           .recontact_s = result.recontact_s,
+          .contacts = result.contacts,
+          .final_cor = result.final_cor,
           .energy_error = result.energy_error};
 }
 

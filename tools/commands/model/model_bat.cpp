@@ -173,7 +173,8 @@ void add_model_bat(CommandLine& line) {
   command.example("percuss model bat --profile profile.txt --profile-unit cm:mm --wave 0.7 -o bat.svg",
                   "Add the wave along the bat after an impact 0.7 m from the knob");
   command.example(
-      "percuss model bat --profile profile.txt --profile-unit cm:mm --profile-kind points --total-mass 0.88 --fit young --measured 165,568,1177",
+      "percuss model bat --profile profile.txt --profile-unit cm:mm --profile-kind points --total-mass 0.88 --fit "
+      "young --measured 165,568,1177",
       "Take the density from the mass, and fit Young's modulus");
   add_structure_flags(command, flags->structure, "slices", true);
   add_support(command, *flags);
