@@ -14,7 +14,7 @@ using Eigen::Index;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr int kIntervalsPerElement = 4;  // each is searched for a change of sign
-constexpr double kAtRest = 1e-9;         // of the largest deflection: less is rounding of a part that does not move
+constexpr double kAtRest = 1e-7;         // of the largest deflection: less is rounding of a part that does not move
 constexpr double kAtSupport = 1e-9;      // of the length
 
 double about_support_kgm2(const BatModes& modes) {

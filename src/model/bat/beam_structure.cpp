@@ -4,12 +4,17 @@
 #include "model/bat/timoshenko_elements.hpp"
 
 namespace percuss::model {
+namespace {
+
+constexpr double kMassElements = 84;  // as bat_modes: where a wall reaches the axis, the mass depends on the elements
+
+}  // namespace
 
 double density_for_mass(const BeamStructure& structure, double total_kg) {
   const auto mass_with = [&](double density_kgpm3) {
     BeamStructure trial = structure;
     trial.material.density_kgpm3 = density_kgpm3;
-    return inertia_of(timoshenko_beam(trial, trial.length_m())).mass_kg;
+    return inertia_of(timoshenko_beam(trial, trial.length_m() / kMassElements)).mass_kg;
   };
   const double fixed_kg = mass_with(0), volume_m3 = (mass_with(1000) - fixed_kg) / 1000;
   if (!(volume_m3 > 0)) {
