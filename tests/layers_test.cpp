@@ -49,7 +49,7 @@ const std::vector<Level>& levels() {
       {"identify/shapes"},
       {"identify"},
       {"model/beam", "model/shell", "model/trampoline"},
-      {"model/impact"},
+      {"model/impact", "model/section"},
       {"model/bat"},
       {"metrics/protocol", "metrics/deflection"},
       {"metrics/study"},

@@ -61,9 +61,11 @@ struct BeamImpact {
 struct BeamImpactResult {
   double cor = 0;  // at the first separation
   double contact_s = 0, peak_force_N = 0;
-  double peak_deflection_m = 0, peak_deflection_time_s = 0;
+  double peak_deflection_m = 0, peak_deflection_time_s = 0;  // NaN where the beam flies off
   std::optional<double> recontact_s{};
-  double energy_error = 0;  // largest |E/E₀ − 1| of the total energy E
+  std::size_t contacts = 1;           // until the ball stays away
+  std::optional<double> final_cor{};  // after the last contact; none where the contacts do not end
+  double energy_error = 0;            // largest |E/E₀ − 1| of the total energy E
 };
 
 /// errors  InputError: ball and beam do not separate; values not above 0; a beam with shear or rotary inertia.
@@ -104,11 +106,25 @@ TrampolineRebound trampoline_rebound(const Trampoline& model, double hoop_Hz);
 /// The rebound from a rigid barrel.
 TrampolineRebound rigid_wall_rebound(const Trampoline& model);
 
-/// A bat of round slices from the knob on. shapes  end_m and diameter_m of equal length, end_m ascending.
+/// A mass without stiffness on a bat, such as a grip or a cap: spread evenly, or a point mass where both ends are
+/// equal.
+struct BatMass {
+  double mass_kg = 0;
+  double from_m = 0, to_m = 0;
+};
+
+/// A round bat from the knob on. shapes  end_m, diameter_m and, for a hollow bat, wall_m of equal length; end_m
+/// ascends.
 struct BatProfile {
   std::vector<double> end_m, diameter_m;
   double density_kgpm3 = 649, young_Pa = 1.814e10;
-  double shear_Pa = 1.05e9;  // shear modulus × shape factor
+  double shear_Pa = 1.05e9;      // shear modulus × shape factor
+  std::vector<double> wall_m{};  // empty: solid
+  bool points = false;           // dimensions change linearly between end_m; else each is that of a slice up to end_m
+  std::vector<BatMass> added{};
+  BeamSupport support = BeamSupport::free;
+  double support_m = 0.1524;     // position of the support
+  double torsion_Nmprad = 1200;  // of the spring
 };
 
 struct BatModes {
@@ -117,13 +133,15 @@ struct BatModes {
   std::vector<std::vector<double>> node_m;  // [modes]
 };
 
-/// Elastic modes of a free bat. errors  InputError: shapes that do not agree, values not above 0.
+/// Elastic modes of a bat. errors  InputError: shapes that do not agree, values not above 0, masses or a support that
+/// are not on the bat.
 BatModes bat_modes(const BatProfile& profile, std::size_t modes = 5);
 
 struct BatCollision {
   double ball_mass_kg = 0.145, ball_speed_mps = 67;
-  double bat_speed_mps = 0, swing_rate_radps = 60;
-  double cor = 0.5;  // of the ball itself
+  double bat_speed_mps = 0;      // of a free bat
+  double swing_rate_radps = 60;  // of a free bat, or of a bat on a pin; a bat on a spring or in a clamp rests
+  double cor = 0.5;              // of the ball itself
   std::size_t modes = 40;
 };
 

@@ -28,7 +28,7 @@ bat = _make(
     "model bat",
     _Result,
     _RETURNS.format(keys="frequency_hz (modes,), node_m, mass_kg, curve")
-    + " profile may be an array (slices, 2): the position of each slice's far end, from the knob, and the diameter, in the units of profile_unit.",
+    + " profile may be an array (slices, 2): the position of each slice's far end, from the knob, and the diameter, in the units of profile_unit. A file with a line of names may hold walls and layers.",
     "",
     [],
 )

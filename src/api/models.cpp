@@ -15,6 +15,19 @@ namespace percuss {
 namespace api {
 namespace {
 
+model::BeamSupport internal_support(BeamSupport support) {
+  switch (support) {
+    case BeamSupport::torsion:
+      return model::BeamSupport::torsion;
+    case BeamSupport::pinned:
+      return model::BeamSupport::pinned;
+    case BeamSupport::clamped:
+      return model::BeamSupport::clamped;
+    default:
+      return model::BeamSupport::free;
+  }
+}
+
 model::UniformBeam uniform_beam(const Beam& beam) {
   require_above_zero(beam.ei_Nm2, "Beam::ei_Nm2");
   require_above_zero(beam.rho_a_kgpm, "Beam::rho_a_kgpm");
@@ -26,12 +39,8 @@ model::UniformBeam uniform_beam(const Beam& beam) {
                          .length_m = beam.length_m,
                          .gyration_m = beam.gyration_m,
                          .shear_stiffness_N = beam.shear_stiffness_N};
-  if (beam.support == BeamSupport::torsion) {
-    require_above_zero(beam.torsion_Nmprad, "Beam::torsion_Nmprad");
-    out.support = model::BeamSupport::torsion;
-  }
-  if (beam.support == BeamSupport::pinned) out.support = model::BeamSupport::pinned;
-  if (beam.support == BeamSupport::clamped) out.support = model::BeamSupport::clamped;
+  if (beam.support == BeamSupport::torsion) require_above_zero(beam.torsion_Nmprad, "Beam::torsion_Nmprad");
+  out.support = internal_support(beam.support);
   return out;
 }
 
@@ -64,23 +73,48 @@ TrampolineRebound rebound_of(const model::Rebound& rebound) {
   return {.cor = rebound.cor, .contact_s = rebound.contact_s, .contacts = rebound.contacts};
 }
 
-model::BatModes modes_of_profile(const BatProfile& profile, std::size_t modes) {
+void check_profile(const BatProfile& profile) {
   if (profile.end_m.empty() || profile.end_m.size() != profile.diameter_m.size())
     throw InputError("ends and diameters differ in number", "BatProfile", "give one diameter per slice");
-  double start_m = 0;
+  if (!profile.wall_m.empty() && profile.wall_m.size() != profile.end_m.size())
+    throw InputError("ends and walls differ in number", "BatProfile", "give one wall per slice, or none");
+  double start_m = profile.points ? -1 : 0;
   for (const double end_m : profile.end_m) {
-    if (!(end_m > start_m && std::isfinite(end_m)))
+    if (!(end_m > start_m && end_m >= 0 && std::isfinite(end_m)))
       throw InputError("the ends of the slices do not ascend", "BatProfile::end_m", "count from the knob");
     start_m = end_m;
   }
   for (const double diameter_m : profile.diameter_m) require_above_zero(diameter_m, "BatProfile::diameter_m");
+  for (const double wall_m : profile.wall_m) require_above_zero(wall_m, "BatProfile::wall_m");
+  require_above_zero(profile.end_m.back(), "BatProfile::end_m");
   require_above_zero(profile.density_kgpm3, "BatProfile::density_kgpm3");
   require_above_zero(profile.young_Pa, "BatProfile::young_Pa");
   require_above_zero(profile.shear_Pa, "BatProfile::shear_Pa");
-  return model::bat_modes(
+  const double length_m = profile.end_m.back();
+  for (const BatMass& one : profile.added) {
+    require_above_zero(one.mass_kg, "BatMass::mass_kg");
+    if (!(one.from_m >= 0 && one.to_m >= one.from_m && one.to_m <= length_m))
+      throw InputError("the mass is not on the bat", "BatMass", "give positions from the knob");
+  }
+  if (profile.support == BeamSupport::free) return;
+  if (!(profile.support_m >= 0 && profile.support_m <= length_m))
+    throw InputError("the support is not on the bat", "BatProfile::support_m", "give a position from the knob");
+  if (profile.support == BeamSupport::torsion) require_above_zero(profile.torsion_Nmprad, "BatProfile::torsion_Nmprad");
+}
+
+model::BatModes modes_of_profile(const BatProfile& profile, std::size_t modes) {
+  check_profile(profile);
+  model::BeamStructure bat = model::structure_of(
       {.end_m = profile.end_m, .diameter_m = profile.diameter_m},
-      {.density_kgpm3 = profile.density_kgpm3, .young_Pa = profile.young_Pa, .shear_Pa = profile.shear_Pa},
-      {.modes = modes});
+      {.density_kgpm3 = profile.density_kgpm3, .young_Pa = profile.young_Pa, .shear_Pa = profile.shear_Pa});
+  if (profile.points) bat.table.kind = model::ProfileKind::points;
+  for (std::size_t i = 0; i < profile.wall_m.size(); ++i)
+    bat.table.stations[i].layers[0].thickness_m = profile.wall_m[i];
+  for (const BatMass& one : profile.added)
+    bat.added.push_back({.mass_kg = one.mass_kg, .from_m = one.from_m, .to_m = one.to_m});
+  bat.support = {
+      .kind = internal_support(profile.support), .at_m = profile.support_m, .torsion_Nmprad = profile.torsion_Nmprad};
+  return model::bat_modes(bat, {.modes = modes});
 }
 
 model::TubeShell shell_of(const Tube& tube, std::size_t n) {
@@ -137,6 +171,8 @@ BeamImpactResult beam_impact(const BeamImpact& impact) {
           .peak_deflection_m = result.peak_deflection_m,
           .peak_deflection_time_s = result.peak_deflection_time_s,
           .recontact_s = result.recontact_s,
+          .contacts = result.contacts,
+          .final_cor = result.final_cor,
           .energy_error = result.energy_error};
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/math/roots.hpp"
 #include "core/units.hpp"
+#include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::report {
@@ -18,6 +19,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr Eigen::Index kModesShown = 8;  // whose shares of the energy are listed
 constexpr std::size_t kModesInText = 5;
+constexpr Eigen::Index kModesInTable = 4;
+constexpr std::size_t kRowsInTable = 13;
 
 // Exit speeds over the position of impact, each with its energy balance.
 struct BatCurve {
@@ -32,15 +35,13 @@ struct BatCurve {
 
 BatCurve curve_of(const model::BatModes& bat, const model::BatCollision& collision, const std::vector<double>& z_m) {
   const auto modes = static_cast<std::size_t>(bat.freq_Hz.size());
-  const model::RigidCollision rigid = model::rigid_collision(bat.inertia, collision);
   BatCurve curve{.z_m = z_m, .flexible = model::bat_sweep(bat, modes, collision, z_m), .best = {}, .best_rigid = {}};
   for (const model::BatRebound& half : model::bat_sweep(bat, modes / 2, collision, z_m))
     curve.half.values.push_back(half.exit_speed_mps);
   for (std::size_t i = 0; i < z_m.size(); ++i) {
     const model::BatRebound& r = curve.flexible[i];
     curve.exit.values.push_back(r.exit_speed_mps);
-    curve.rigid.values.push_back(r.contacts == 0 ? r.exit_speed_mps
-                                                 : model::exit_speed_mps(rigid, z_m[i] - bat.inertia.cm_m));
+    curve.rigid.values.push_back(model::rigid_exit_speed_mps(bat, collision, z_m[i]));
     curve.contact.values.push_back(r.contact_s);
     curve.contacts.values.push_back(static_cast<double>(r.contacts));
     curve.ball.values.push_back(r.ball_share);
@@ -48,8 +49,8 @@ BatCurve curve_of(const model::BatModes& bat, const model::BatCollision& collisi
   }
   curve.best = bracketed_maximum([&](double z) { return model::bat_rebound(bat, modes, collision, z).exit_speed_mps; },
                                  z_m, curve.exit.values);
-  curve.best_rigid = bracketed_maximum([&](double z) { return model::exit_speed_mps(rigid, z - bat.inertia.cm_m); },
-                                       z_m, curve.rigid.values);
+  curve.best_rigid = bracketed_maximum([&](double z) { return model::rigid_exit_speed_mps(bat, collision, z); }, z_m,
+                                       curve.rigid.values);
   return curve;
 }
 
@@ -84,15 +85,19 @@ Json curve_json(const BatCurve& curve) {
   return json;
 }
 
+std::string inertia_text(const model::BatModes& bat) {
+  return fmt::format("bat: {:.4f} kg, {:.3f} m long, centre of mass {:.1f} mm from the knob, {:.5f} kg·m² about it\n",
+                     bat.inertia.mass_kg, bat.length_m, 1000 * bat.inertia.cm_m, bat.inertia.inertia_kgm2);
+}
+
 std::string modes_text(const model::BatModes& bat) {
-  std::string text =
-      fmt::format("bat: {:.4f} kg, {:.3f} m long, centre of mass {:.1f} mm from the knob, {:.5f} kg·m² about it\n",
-                  bat.inertia.mass_kg, bat.length_m, 1000 * bat.inertia.cm_m, bat.inertia.inertia_kgm2);
+  std::string text;
   for (std::size_t mode = 0; mode < std::min(kModesInText, static_cast<std::size_t>(bat.freq_Hz.size())); ++mode) {
-    fmt::format_to(std::back_inserter(text), "bending {}: {:.1f} Hz, nodes", mode + 1,
-                   bat.freq_Hz[static_cast<Eigen::Index>(mode)]);
-    for (const double z : model::nodes_of(bat, mode)) fmt::format_to(std::back_inserter(text), " {:.1f}", 1000 * z);
-    text += " mm from the knob\n";
+    const std::vector<double> nodes = model::nodes_of(bat, mode);
+    fmt::format_to(std::back_inserter(text), "bending {}: {:.1f} Hz, {}", mode + 1,
+                   bat.freq_Hz[static_cast<Eigen::Index>(mode)], nodes.empty() ? "no nodes" : "nodes");
+    for (const double z : nodes) fmt::format_to(std::back_inserter(text), " {:.1f}", 1000 * z);
+    text += nodes.empty() ? "\n" : " mm from the knob\n";
   }
   return text;
 }
@@ -109,6 +114,38 @@ std::string curve_text(const model::BatModes& bat, const BatCurve& curve) {
       "{:.0f} mm); higher modes may change it by about as much\n",
       curve.best.y, 1000 * curve.best.x, (bat.length_m - curve.best.x) / kInch_m, curve.best_rigid.y,
       1000 * curve.best_rigid.x, bat.freq_Hz.size(), most, 1000 * most_at);
+}
+
+// The share of the energy in mode `m` for each impact.
+NumericColumn participation_column(const BatCurve& curve, Eigen::Index m) {
+  NumericColumn column{.name = fmt::format("mode_share_{}", m + 1), .values = {}};
+  column.values.reserve(curve.flexible.size());
+  for (const model::BatRebound& r : curve.flexible) column.values.push_back(r.mode_share[m]);
+  return column;
+}
+
+// Exit speeds and the shares of the energy, for some of the impacts.
+TextTable participation_table(const BatCurve& curve, Eigen::Index modes) {
+  const Eigen::Index shown = std::min(modes, kModesInTable);
+  std::vector<TextTable::Column> heads{{"impact, mm", TextTable::Align::right},
+                                       {"exit speed", TextTable::Align::right},
+                                       {"rigid bat", TextTable::Align::right},
+                                       {"lost in ball", TextTable::Align::right}};
+  for (Eigen::Index m = 0; m < shown; ++m) heads.push_back({fmt::format("bending {}", m + 1), TextTable::Align::right});
+  heads.push_back({"other modes", TextTable::Align::right});
+  TextTable table(std::move(heads));
+  const auto percent = [](double share) { return fmt::format("{:.2f} %", 100 * share); };
+  const std::size_t every = std::max<std::size_t>(1, (curve.z_m.size() + kRowsInTable - 2) / (kRowsInTable - 1));
+  for (std::size_t i = 0; i < curve.z_m.size(); i += every) {
+    const model::BatRebound& r = curve.flexible[i];
+    std::vector<std::string> cells{fmt::format("{:.1f}", 1000 * curve.z_m[i]),
+                                   fmt::format("{:.2f} m/s", r.exit_speed_mps),
+                                   fmt::format("{:.2f} m/s", curve.rigid.values[i]), percent(r.ball_share)};
+    for (Eigen::Index m = 0; m < shown; ++m) cells.push_back(percent(r.mode_share[m]));
+    cells.push_back(percent(r.mode_share.tail(r.mode_share.size() - shown).sum()));
+    table.add(std::move(cells));
+  }
+  return table;
 }
 
 // The deflections replace the table and precede the chart.
@@ -135,16 +172,32 @@ Json show_wave(const model::BatModes& bat, const model::BatCollision& collision,
     report.columns.push_back({fmt::format("deflection_m_{:g}_s", time_s), w_m});
     chart.curves.push_back({fmt::format("{:g} ms", 1000 * time_s), at_m, w_mm});
   }
+  NumericColumn exit{.name = "exit_speed_mps", .values = {}}, rigid{.name = "rigid_exit_speed_mps", .values = {}};
+  for (const model::BatRebound& r :
+       model::bat_sweep(bat, static_cast<std::size_t>(bat.freq_Hz.size()), collision, at_m))
+    exit.values.push_back(r.exit_speed_mps);
+  for (const double z_m : at_m) rigid.values.push_back(model::rigid_exit_speed_mps(bat, collision, z_m));
+  report.columns.push_back(std::move(exit));
+  report.columns.push_back(std::move(rigid));
   report.charts.insert(report.charts.begin(), std::move(chart));
   return json;
 }
 
-BendingPlot bending_of(const model::BatModes& bat, const model::BatProfile& profile) {
+// Half the size of the section across the bending axis.
+double half_size_m(const model::SectionTable& table, const model::SectionStation& station) {
+  if (table.round) return station.width_m / 2;
+  double height_m = 0;
+  for (const model::SectionLayer& layer : station.layers) height_m += layer.thickness_m;
+  return height_m / 2;
+}
+
+BendingPlot bending_of(const model::BatModes& bat, const model::SectionTable& table) {
   BendingPlot plot{.ends = "Left: the knob."};
-  double begin_m = 0;
-  for (std::size_t i = 0; i < profile.end_m.size(); ++i) {
-    for (const double z_m : {begin_m, profile.end_m[i]}) plot.outline_m.emplace_back(z_m, profile.diameter_m[i] / 2);
-    begin_m = profile.end_m[i];
+  for (std::size_t i = 0; i < table.stations.size(); ++i) {
+    const model::SectionStation& station = table.stations[i];
+    const double half_m = half_size_m(table, station);
+    if (table.kind == model::ProfileKind::slices || i == 0) plot.outline_m.emplace_back(table.start_m(i), half_m);
+    plot.outline_m.emplace_back(station.at_m, half_m);
   }
   for (std::size_t m = 0; m < std::min(kModesInText, static_cast<std::size_t>(bat.freq_Hz.size())); ++m) {
     const auto column = static_cast<Eigen::Index>(m);
@@ -162,14 +215,16 @@ BendingPlot bending_of(const model::BatModes& bat, const model::BatProfile& prof
 
 }  // namespace
 
-CommandReport bat_report(const model::BatModes& bat, const model::BatProfile& profile,
+CommandReport bat_report(const model::BatModes& bat, const model::BeamStructure& structure,
                          const model::BatCollision& collision, const std::vector<double>& z_m,
-                         const std::optional<BatWaveRequest>& wave) {
+                         const StructureOrigin& origin, const std::optional<BatWaveRequest>& wave) {
   const BatCurve curve = curve_of(bat, collision, z_m);
+  const std::vector<double> freq_Hz(bat.freq_Hz.begin(), bat.freq_Hz.end());
   Json json{{"schema", "percuss/model-bat/1"}, {"version", version()}};
   json.update(modes_json(bat));
   json["best"] = {{"z_m", curve.best.x}, {curve.exit.name, curve.best.y}};
   json["curve"] = curve_json(curve);
+  add_structure_json(structure, origin, freq_Hz, json);
   CommandReport report;
   report.charts = {{.title = "Flexible bat",
                     .x = {.label = "impact from the knob, m"},
@@ -177,9 +232,14 @@ CommandReport bat_report(const model::BatModes& bat, const model::BatProfile& pr
                     .curves = {{"bending", z_m, curve.exit.values}, {"rigid", z_m, curve.rigid.values}}}};
   report.columns = {{"z_m", z_m},  curve.exit,     curve.rigid, curve.half,
                     curve.contact, curve.contacts, curve.ball,  curve.vibration};
+  for (Eigen::Index m = 0; m < std::min(kModesShown, bat.freq_Hz.size()); ++m)
+    report.columns.push_back(participation_column(curve, m));
   if (wave) json["wave"] = show_wave(bat, collision, *wave, report);
-  report.bending = bending_of(bat, profile);
-  report.text = modes_text(bat) + curve_text(bat, curve);
+  report.bending = bending_of(bat, structure.table);
+  report.text = inertia_text(bat);
+  add_structure_text(structure, origin, freq_Hz, "the knob", report.text);
+  report.text += modes_text(bat) + curve_text(bat, curve) + "\n";
+  report.text += participation_table(curve, bat.freq_Hz.size());
   report.json = json.dump(2) + "\n";
   return report;
 }

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/units.hpp"
 #include "report/text/text_table.hpp"
@@ -25,6 +28,8 @@ constexpr std::array<SweptName, 5> kSwept{{{"ei", "EI, N·m²"},
                                            {"at", "impact from the spring's end, m"},
                                            {"speed", "ball speed, m/s"}}};
 
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // an empty field of the table
+
 Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 // Members of the document for one impact, and for each impact of a sweep.
@@ -32,17 +37,23 @@ void add_result(Json& json, const model::ImpactResult& r) {
   json["cor"] = r.cor;
   json["contact_s"] = r.contact_s;
   json["peak_force_n"] = r.peak_force_N;
-  json["peak_deflection_m"] = r.peak_deflection_m;
-  json["peak_deflection_time_s"] = r.peak_deflection_time_s;
+  json["peak_deflection_m"] = r.flies_off ? Json() : Json(r.peak_deflection_m);
+  json["peak_deflection_time_s"] = r.flies_off ? Json() : Json(r.peak_deflection_time_s);
+  json["flies_off"] = r.flies_off;
   json["recontact"] = r.recontact_s.has_value();
   json["recontact_time_s"] = optional_json(r.recontact_s);
+  json["contacts"] = r.contacts;
+  json["last_separation_s"] = r.last_separation_s;
+  json["final_cor"] = optional_json(r.final_cor);
   json["energy_error"] = r.energy_error;
 }
 
-std::string document(const model::ImpactResult& result, const std::vector<ImpactSweep>& sweeps) {
+Json document(double speed_mps, const model::ImpactResult& result, const std::vector<ImpactSweep>& sweeps) {
   Json json{{"schema", "percuss/model-impact/1"}, {"version", version()}};
   add_result(json, result);
   json["cor_uncertainty"] = optional_json(result.cor_uncertainty);
+  json["final_cor_uncertainty"] = optional_json(result.final_cor_uncertainty);
+  json["final_ball_speed_mps"] = result.final_cor ? Json(-*result.final_cor * speed_mps) : Json();
   json["lost_j"] = result.lost_J;
   json["steps"] = result.steps;
   json["frequency_hz"] = Json::array();
@@ -55,38 +66,66 @@ std::string document(const model::ImpactResult& result, const std::vector<Impact
       json["sweep"].push_back(std::move(entry));
     }
   }
-  return json.dump(2) + "\n";
+  return json;
 }
 
 std::string recontact_text(const model::ImpactResult& r) {
   return r.recontact_s ? fmt::format("after {:.1f} ms", 1000 * *r.recontact_s) : "none";
 }
 
+// The speed against the ball's initial direction, and what a negative one means.
+std::string speed_text(double cor, double speed_mps) {
+  return fmt::format("{:.4g} m/s{}", std::abs(cor) * speed_mps, cor < 0 ? " in the same direction" : "");
+}
+
+std::string deflection_text(const model::ImpactResult& r) {
+  if (r.flies_off) return "the beam flies off: its deflection has no maximum";
+  return fmt::format("largest deflection of the struck point {:.4g} mm, {:.2f} ms after first touch",
+                     1000 * r.peak_deflection_m, 1000 * r.peak_deflection_time_s);
+}
+
+std::string contacts_text(const model::Impact& impact, const model::ImpactResult& r) {
+  if (r.contacts == 1) return "second contact: " + recontact_text(r);
+  if (!r.final_cor)
+    return fmt::format("second contact: {}; the contacts do not end after {} of them", recontact_text(r), r.contacts);
+  return fmt::format(
+      "second contact: {}; the ball leaves for good after {} contacts and {:.1f} ms, with {}: coefficient of "
+      "restitution {:.5f}",
+      recontact_text(r), r.contacts, 1000 * r.last_separation_s, speed_text(*r.final_cor, impact.speed_mps),
+      *r.final_cor);
+}
+
 std::string result_text(const model::Impact& impact, const model::ImpactResult& r) {
   std::string text = fmt::format(
       "coefficient of restitution {:.5f} at the first separation, after {:.3f} ms of contact\n"
-      "ball speed {:.4g} m/s before and {:.4g} m/s after impact{}\n"
-      "largest force {:.5g} N; largest deflection of the struck point {:.4g} mm, {:.2f} ms after first touch\n"
-      "second contact: {}\nerror of the energy balance {:.1e}",
-      r.cor, 1000 * r.contact_s, impact.speed_mps, std::abs(r.cor) * impact.speed_mps,
-      r.cor < 0 ? " in the same direction" : "", r.peak_force_N, 1000 * r.peak_deflection_m,
-      1000 * r.peak_deflection_time_s, recontact_text(r), r.energy_error);
+      "ball speed {:.4g} m/s before and {} after {}\n"
+      "largest force {:.5g} N; {}\n{}\nerror of the energy balance {:.1e}",
+      r.cor, 1000 * r.contact_s, impact.speed_mps, speed_text(r.cor, impact.speed_mps),
+      r.contacts > 1 ? "the first contact" : "impact", r.peak_force_N, deflection_text(r), contacts_text(impact, r),
+      r.energy_error);
   if (r.lost_J > 0) text += fmt::format("; {:.4g} J lost in the contact", r.lost_J);
   return text + "\n";
 }
 
 TextTable sweep_table(const ImpactSweep& sweep) {
-  TextTable table({{sweep.parameter, TextTable::Align::right},
-                   {"restitution", TextTable::Align::right},
-                   {"contact", TextTable::Align::right},
-                   {"force", TextTable::Align::right},
-                   {"deflection", TextTable::Align::right},
-                   {"second contact"}});
+  const bool several =
+      std::any_of(sweep.results.begin(), sweep.results.end(), [](const auto& r) { return r.contacts > 1; });
+  std::vector<TextTable::Column> heads{
+      {sweep.parameter, TextTable::Align::right}, {"restitution", TextTable::Align::right},
+      {"contact", TextTable::Align::right},       {"force", TextTable::Align::right},
+      {"deflection", TextTable::Align::right},    {"second contact"}};
+  if (several) heads.push_back({"restitution at last", TextTable::Align::right});
+  TextTable table(std::move(heads));
   for (std::size_t i = 0; i < sweep.values.size(); ++i) {
     const model::ImpactResult& r = sweep.results[i];
-    table.add({fmt::format("{:.6g}", sweep.values[i]), fmt::format("{:.4f}", r.cor),
-               fmt::format("{:.3f} ms", 1000 * r.contact_s), fmt::format("{:.4g} N", r.peak_force_N),
-               fmt::format("{:.3f} mm", 1000 * r.peak_deflection_m), recontact_text(r)});
+    std::vector<std::string> cells{fmt::format("{:.6g}", sweep.values[i]),
+                                   fmt::format("{:.4f}", r.cor),
+                                   fmt::format("{:.3f} ms", 1000 * r.contact_s),
+                                   fmt::format("{:.4g} N", r.peak_force_N),
+                                   r.flies_off ? "flies off" : fmt::format("{:.3f} mm", 1000 * r.peak_deflection_m),
+                                   recontact_text(r)};
+    if (several) cells.push_back(r.final_cor ? fmt::format("{:.4f}", *r.final_cor) : "not known");
+    table.add(std::move(cells));
   }
   return table;
 }
@@ -124,10 +163,10 @@ LineChart series_chart(const std::vector<NumericColumn>& columns) {
 // A row per impact of all sweeps; parameters that a sweep does not vary keep their value.
 std::vector<NumericColumn> sweep_columns(const model::Impact& impact, const std::vector<ImpactSweep>& sweeps) {
   std::vector<NumericColumn> columns;
-  columns.reserve(kSwept.size() + 6);
+  columns.reserve(kSwept.size() + 8);
   for (const SweptName& name : kSwept) columns.push_back({name.key, {}});
-  for (const char* name :
-       {"cor", "contact_s", "peak_force_n", "peak_deflection_m", "peak_deflection_time_s", "recontact_time_s"})
+  for (const char* name : {"cor", "contact_s", "peak_force_n", "peak_deflection_m", "peak_deflection_time_s",
+                           "recontact_time_s", "final_cor", "contacts"})
     columns.push_back({name, {}});
   for (const ImpactSweep& sweep : sweeps) {
     for (std::size_t i = 0; i < sweep.values.size(); ++i) {
@@ -136,22 +175,24 @@ std::vector<NumericColumn> sweep_columns(const model::Impact& impact, const std:
       std::size_t c = 0;
       for (const SweptName& name : kSwept) columns[c++].values.push_back(*swept_value(varied, name.key));
       const model::ImpactResult& r = sweep.results[i];
-      for (const double value : {r.cor, r.contact_s, r.peak_force_N, r.peak_deflection_m, r.peak_deflection_time_s,
-                                 r.recontact_s.value_or(std::numeric_limits<double>::quiet_NaN())})
+      for (const double value :
+           {r.cor, r.contact_s, r.peak_force_N, r.peak_deflection_m, r.peak_deflection_time_s,
+            r.recontact_s.value_or(kNone), r.final_cor.value_or(kNone), static_cast<double>(r.contacts)})
         columns[c++].values.push_back(value);
     }
   }
   return columns;
 }
 
-LineChart sweep_chart(const model::Impact& impact, const std::vector<ImpactSweep>& sweeps) {
-  LineChart chart{.title = "Ball on beam", .y = {.label = "coefficient of restitution"}};
+// Each sweep as a curve of the value `of` a result.
+LineChart sweep_chart(const model::Impact& impact, const std::vector<ImpactSweep>& sweeps, LineChart chart,
+                      const std::function<double(const model::ImpactResult&)>& of) {
   model::Impact base = impact;
   for (const ImpactSweep& sweep : sweeps) {
     ChartCurve curve{.name = sweep.parameter, .x = sweep.values, .marks = true};
     if (sweeps.size() > 1) curve.x = scaled(sweep.values, 1 / *swept_value(base, sweep.parameter));
     curve.y.reserve(sweep.results.size());
-    for (const model::ImpactResult& result : sweep.results) curve.y.push_back(result.cor);
+    for (const model::ImpactResult& result : sweep.results) curve.y.push_back(of(result));
     chart.curves.push_back(std::move(curve));
   }
   chart.x.label = "parameter over its value without a sweep";
@@ -159,6 +200,20 @@ LineChart sweep_chart(const model::Impact& impact, const std::vector<ImpactSweep
     if (sweeps.size() == 1 && sweeps.front().parameter == name.key) chart.x.label = name.label;
   }
   return chart;
+}
+
+// Restitution and, unless the beam flies off, deflection over the parameters.
+std::vector<LineChart> sweep_charts(const model::Impact& impact, const std::vector<ImpactSweep>& sweeps,
+                                    bool flies_off) {
+  std::vector<LineChart> charts{sweep_chart(impact, sweeps,
+                                            {.title = "Ball on beam", .y = {.label = "coefficient of restitution"}},
+                                            [](const model::ImpactResult& r) { return r.cor; })};
+  if (!flies_off) {
+    charts.push_back(sweep_chart(impact, sweeps,
+                                 {.title = "Deflection of the struck point", .y = {.label = "largest deflection, mm"}},
+                                 [](const model::ImpactResult& r) { return 1000 * r.peak_deflection_m; }));
+  }
+  return charts;
 }
 
 }  // namespace
@@ -172,16 +227,27 @@ double* swept_value(model::Impact& impact, const std::string& parameter) {
 }
 
 CommandReport impact_report(const model::Impact& impact, const model::ImpactResult& result,
-                            const std::vector<ImpactSweep>& sweeps) {
+                            const std::vector<ImpactSweep>& sweeps, const model::BeamStructure* shaped,
+                            const StructureOrigin& origin) {
   CommandReport report;
-  report.json = document(result, sweeps);
-  report.text = result_text(impact, result);
+  Json json = document(impact.speed_mps, result, sweeps);
+  if (shaped != nullptr) {
+    std::vector<double> elastic_Hz;
+    for (const double omega : result.omega_radps) {
+      if (omega > 0) elastic_Hz.push_back(omega / kTwoPi);
+    }
+    add_structure_json(*shaped, origin, elastic_Hz, json);
+    add_structure_text(*shaped, origin, elastic_Hz, "x = 0", report.text);
+  }
+  report.json = json.dump(2) + "\n";
+  report.text += result_text(impact, result);
   for (const ImpactSweep& sweep : sweeps) {
     report.text += "\n";
     report.text += sweep_table(sweep);
   }
   report.columns = sweeps.empty() ? series_columns(result.series) : sweep_columns(impact, sweeps);
-  report.charts = {sweeps.empty() ? series_chart(report.columns) : sweep_chart(impact, sweeps)};
+  report.charts = sweeps.empty() ? std::vector<LineChart>{series_chart(report.columns)}
+                                 : sweep_charts(impact, sweeps, result.flies_off);
   return report;
 }
 

@@ -4,6 +4,7 @@
 
 #include "model/impact/impact.hpp"
 #include "report/html/command_report.hpp"
+#include "report/structure_report.hpp"
 
 namespace percuss::report {
 
@@ -14,9 +15,11 @@ struct ImpactSweep {
   std::vector<model::ImpactResult> results;  // [values]
 };
 
-/// JSON: percuss/model-impact/1. Columns and chart show the time series or, if there are any, the sweeps.
+/// JSON: percuss/model-impact/1. Columns and charts show the time series or, if there are any, the sweeps. `shaped` is
+/// the beam with a table of sections, if it has one.
 CommandReport impact_report(const model::Impact& impact, const model::ImpactResult& result,
-                            const std::vector<ImpactSweep>& sweeps = {});
+                            const std::vector<ImpactSweep>& sweeps = {}, const model::BeamStructure* shaped = nullptr,
+                            const StructureOrigin& origin = {});
 
 /// The value of `impact` that a sweep of `parameter` varies; nullptr for an unknown name.
 double* swept_value(model::Impact& impact, const std::string& parameter);

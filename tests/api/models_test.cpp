@@ -67,6 +67,45 @@ TEST(PublicModels, BatAndShellAgreeWithTheCommandLine) {
   EXPECT_EQ(long_hoop_Hz({}, 2), shell["rayleigh_hz"]);
 }
 
+TEST(PublicModels, HollowHeldAndLoadedBatsAgreeWithTheCommandLine) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("bat.csv"), "x,diameter,wall\n0,0.028,0.003\n0.4,0.03,0.003\n0.84,0.066,0.0025\n");
+  const BatProfile profile{.end_m = {0, 0.4, 0.84},
+                           .diameter_m = {0.028, 0.03, 0.066},
+                           .wall_m = {0.003, 0.003, 0.0025},
+                           .points = true,
+                           .added = {{.mass_kg = 0.03, .from_m = 0, .to_m = 0.25}},
+                           .support = BeamSupport::torsion,
+                           .torsion_Nmprad = 900};
+  const auto bat =
+      document_of({"model", "bat", "--profile", folder.file("bat.csv"), "--profile-kind", "points", "--add-mass",
+                   "0.03:0:0.25", "--support", "torsion", "--torsion", "900", "--modes", "6"});
+  EXPECT_EQ(bat_modes(profile, 6).freq_Hz, bat["frequency_hz"].get<std::vector<double>>());
+  const auto& at = bat["curve"][40];
+  EXPECT_EQ(bat_exit_speeds_mps(profile, {at["z_m"]}, {.modes = 6})[0], at["exit_speed_mps"]);
+}
+
+TEST(PublicModels, BatRefusesMassesAndSupportsOffTheBat) {
+  const BatProfile plain{.end_m = {0.84}, .diameter_m = {0.05}};
+  BatProfile wrong = plain;
+  wrong.added = {{.mass_kg = 0.03, .from_m = 0.5, .to_m = 0.9}};
+  EXPECT_THROW(bat_modes(wrong), InputError);
+  wrong = plain;
+  wrong.support = BeamSupport::pinned;
+  wrong.support_m = 1;
+  EXPECT_THROW(bat_modes(wrong), InputError);
+  wrong = plain;
+  wrong.wall_m = {0.003, 0.003};
+  EXPECT_THROW(bat_modes(wrong), InputError);
+}
+
+TEST(PublicModels, ImpactFollowsTheBallToItsLastContact) {
+  const auto document = document_of({"model", "impact", "--rho-a", "0.8"});
+  const BeamImpactResult result = beam_impact({.beam = {.rho_a_kgpm = 0.8}});
+  EXPECT_EQ(*result.final_cor, document["final_cor"]);
+  EXPECT_EQ(result.contacts, document["contacts"]);
+}
+
 TEST(PublicMetrics, AgreeWithTheCommandLine) {
   constexpr double kInch = 0.0254, kOunce = 0.028349523125, kMph = 0.44704;
   const auto document =

@@ -71,6 +71,7 @@ class Examples : public testing::Test {
                         false);
     test::write_bytes(prepared()->file("hits.csv"), calibration_hits());
     test::write_bytes(prepared()->file("profile.txt"), "2 50\n10 26\n45 28\n60 50\n84 66\n");
+    test::write_bytes(prepared()->file("blade.csv"), "x,width,thickness\n0,100,25\n250,108,38\n550,108,30\n");
   }
   static void TearDownTestSuite() { prepared().reset(); }
 

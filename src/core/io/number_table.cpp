@@ -25,10 +25,9 @@ bool are_names(const std::vector<std::string_view>& cells, bool decimal_comma) {
 }
 
 NumberTableRow row_of(const std::vector<std::string_view>& cells, const std::string& place, const CsvDialect& dialect,
-                      const NumberTableSpec& wanted) {
-  if (cells.size() != wanted.columns) {
-    throw InputError(fmt::format("{} numbers wanted, {} found", wanted.columns, cells.size()), place, wanted.remedy);
-  }
+                      const NumberTableSpec& wanted, std::size_t columns) {
+  if (cells.size() != columns)
+    throw InputError(fmt::format("{} numbers wanted, {} found", columns, cells.size()), place, wanted.remedy);
   NumberTableRow row{.place = place, .values = {}};
   row.values.reserve(cells.size());
   for (const std::string_view cell : cells) {
@@ -45,28 +44,43 @@ NumberTableRow row_of(const std::vector<std::string_view>& cells, const std::str
 
 }  // namespace
 
-std::vector<NumberTableRow> parse_number_table(std::string_view text, const std::string& where,
-                                               const NumberTableSpec& wanted) {
+NumberTable parse_named_number_table(std::string_view text, const std::string& where, const NumberTableSpec& wanted) {
   const char line_end = find_line_end(text);
   const CsvDialect dialect = find_dialect(probe_lines(text, line_end), line_end);
-  std::vector<NumberTableRow> rows;
+  const std::size_t most = std::max(wanted.columns, wanted.max_columns);
+  std::size_t columns = wanted.columns;
+  NumberTable table;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::string_view line = take_line(text, line_end);
     if (is_skipped(line, dialect)) continue;
-    const auto cells = split_cells(line, dialect, wanted.columns + 1);
-    if (rows.empty() && are_names(cells, dialect.decimal_comma)) continue;
+    const auto cells = split_cells(line, dialect, most + 1);
+    if (table.rows.empty() && are_names(cells, dialect.decimal_comma)) {
+      std::vector<std::string>& names = table.headers.emplace_back();
+      for (const std::string_view cell : cells) names.push_back(to_utf8(trimmed(cell)));
+      continue;
+    }
     const std::string place = fmt::format("{}: line {}", where, number);
-    if (rows.size() == wanted.max_rows)
+    if (table.rows.size() == wanted.max_rows)
       throw InputError(fmt::format("more than {} lines", wanted.max_rows), place, wanted.remedy);
-    rows.push_back(row_of(cells, place, dialect, wanted));
+    if (table.rows.empty()) columns = std::clamp(cells.size(), wanted.columns, most);
+    table.rows.push_back(row_of(cells, place, dialect, wanted, columns));
   }
-  if (rows.empty()) throw InputError("no numbers", where, wanted.remedy);
-  return rows;
+  if (table.rows.empty()) throw InputError("no numbers", where, wanted.remedy);
+  return table;
+}
+
+NumberTable read_named_number_table(const std::string& path, const NumberTableSpec& wanted) {
+  const FileBytes bytes = read_input(path, kLargestTable_bytes);
+  return parse_named_number_table(bytes.view(), input_name(path), wanted);
+}
+
+std::vector<NumberTableRow> parse_number_table(std::string_view text, const std::string& where,
+                                               const NumberTableSpec& wanted) {
+  return parse_named_number_table(text, where, wanted).rows;
 }
 
 std::vector<NumberTableRow> read_number_table(const std::string& path, const NumberTableSpec& wanted) {
-  const FileBytes bytes = read_input(path, kLargestTable_bytes);
-  return parse_number_table(bytes.view(), input_name(path), wanted);
+  return read_named_number_table(path, wanted).rows;
 }
 
 }  // namespace core

@@ -15,9 +15,16 @@ struct NumberTableRow {
 
 /// The required form of such a table.
 struct NumberTableSpec {
-  std::size_t columns = 2;  // in every line
+  std::size_t columns = 2;      // in every line
+  std::size_t max_columns = 0;  // if above `columns`: every line has as many as the first, and at most this many
   std::size_t max_rows = 10'000;
   std::string remedy;  // for messages: describes the expected lines
+};
+
+/// A table of numbers with the lines of names before it.
+struct NumberTable {
+  std::vector<std::vector<std::string>> headers;  // the cells of each line of names, UTF-8, without blanks around them
+  std::vector<NumberTableRow> rows;
 };
 
 /// Reads a text of numbers, with delimiters, quotes, comments and decimal marks as in records. Lines of names may come
@@ -26,9 +33,13 @@ struct NumberTableSpec {
 /// many lines, too many bytes
 std::vector<NumberTableRow> read_number_table(const std::string& path, const NumberTableSpec& wanted);
 
+/// As read_number_table, with the lines of names.
+NumberTable read_named_number_table(const std::string& path, const NumberTableSpec& wanted);
+
 /// As read_number_table, for a text in memory; `where` names it.
 std::vector<NumberTableRow> parse_number_table(std::string_view text, const std::string& where,
                                                const NumberTableSpec& wanted);
+NumberTable parse_named_number_table(std::string_view text, const std::string& where, const NumberTableSpec& wanted);
 
 }  // namespace core
 }  // namespace percuss

@@ -8,6 +8,7 @@
 #include "model/bat/bat_impact.hpp"
 
 namespace percuss::model {
+
 double LossyBall::force_N(double u_m, double largest_m) const {
   if (!(u_m > 0)) return 0;
   if (u_m >= largest_m) return stiffness * std::pow(u_m, exponent);
@@ -15,10 +16,27 @@ double LossyBall::force_N(double u_m, double largest_m) const {
   return stiffness * std::pow(largest_m, exponent) * std::pow(u_m / largest_m, unloading);
 }
 
+double struck_speed_mps(const BatModes& bat, const BatCollision& collision, double z_m) {
+  switch (bat.support.kind) {
+    case BeamSupport::free:
+      return swing_speed_mps(rigid_collision(bat.inertia, collision), z_m - bat.inertia.cm_m);
+    case BeamSupport::pinned:
+      return collision.swing_rate_radps * (z_m - bat.support.at_m);
+    default:
+      return 0;
+  }
+}
+
+double rigid_exit_speed_mps(const BatModes& bat, const BatCollision& collision, double z_m) {
+  const double v = collision.ball_speed_mps, u = struck_speed_mps(bat, collision, z_m);
+  if (!(v + u > 0)) return -v;
+  const double ratio = collision.ball.mass_kg * bat.rigid_mobility_per_kg(z_m), e = collision.ball.restitution;
+  return (v * (e - ratio) + u * (1 + e)) / (1 + ratio);  // (3)
+}
+
 BatRebound bat_rebound(const BatModes& bat, std::size_t modes, const BatCollision& collision, double z_m,
                        const BatCollisionOptions& options) {
-  const double swing_mps = swing_speed_mps(rigid_collision(bat.inertia, collision), z_m - bat.inertia.cm_m);
-  if (!(collision.ball_speed_mps + swing_mps > 0)) {  // the bat moves away from the ball
+  if (!(collision.ball_speed_mps + struck_speed_mps(bat, collision, z_m) > 0)) {  // the bat moves away from the ball
     return {.exit_speed_mps = -collision.ball_speed_mps,
             .contacts = 0,
             .mode_share = Eigen::VectorXd::Zero(std::min(static_cast<Eigen::Index>(modes), bat.freq_Hz.size()))};

@@ -25,9 +25,19 @@ struct LossyBall {
 struct BatCollision {
   LossyBall ball;
   double ball_speed_mps = 67;    // towards the bat
-  double bat_speed_mps = 0;      // of its centre of mass, towards the ball
-  double swing_rate_radps = 60;  // about its centre of mass; the barrel moves towards the ball
+  double bat_speed_mps = 0;      // of its centre of mass, towards the ball; a free bat only
+  double swing_rate_radps = 60;  // about its centre of mass, or about its pin; the barrel moves towards the ball
 };
+
+/// The speed of the bat at z_m before the impact, towards the ball. A bat on a spring or in a clamp is at rest.
+double struck_speed_mps(const BatModes& bat, const BatCollision& collision, double z_m);
+
+/// The exit speed from the rigid bat, with u from struck_speed_mps and 1/M_e from rigid_mobility_per_kg:
+///   v' = [v (e − m/M_e) + u (1 + e)]/(1 + m/M_e)                                                        (3)
+/// It equals exit_speed_mps of rigid_collision.hpp for a free bat. Where the bat moves away from the ball, the ball
+/// keeps its speed. On a spring the rigid bat turns about the spring's pin, and the spring does not act during the
+/// contact.
+double rigid_exit_speed_mps(const BatModes& bat, const BatCollision& collision, double z_m);
 
 /// The result of a collision. Energies are shares of the collision energy ½ μ v², with μ = m M_e/(m + M_e) and v the
 /// closing speed at the point of impact. The remaining share is the energy of the relative motion of ball and

@@ -26,7 +26,7 @@ Eigen::ArrayXd rigid_and_elastic(const Eigen::Vector2d& rigid, const Eigen::Vect
 BatImpact::BatImpact(const BatModes& bat, std::size_t modes, const BatCollision& collision, double z_m,
                      const BatCollisionOptions& options)
     : ball_(collision.ball),
-      swing_mps_(swing_speed_mps(rigid_collision(bat.inertia, collision), z_m - bat.inertia.cm_m)),
+      swing_mps_(struck_speed_mps(bat, collision, z_m)),
       closing_mps_(collision.ball_speed_mps + swing_mps_),
       wall_m_(std::pow((ball_.exponent + 1) * ball_.mass_kg * closing_mps_ * closing_mps_ / (2 * ball_.stiffness),
                        1 / (ball_.exponent + 1))),

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 namespace percuss::model {
 namespace {
@@ -13,10 +13,11 @@ using ElementMatrix = Eigen::Matrix<double, 6, 6>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 // Gauss–Legendre points on 0 … 1: four are exact to degree 7, and the squared shape functions have degree 6.
-constexpr std::array<double, 4> kGaussAt{0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
-                                         0.9305681557970263};
-constexpr std::array<double, 4> kGaussWeight{0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
-                                             0.1739274225687269};
+constexpr std::array<double, kGaussPoints> kGaussAt{0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
+                                                    0.9305681557970263};
+constexpr std::array<double, kGaussPoints> kGaussWeight{0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
+                                                        0.1739274225687269};
+constexpr double kSamePlace = 1e-9;  // of the beam's length: positions closer than this are one node
 
 // The ratio of bending to shear stiffness: 12 EI / (κGA h²).
 double shear_parameter(const BeamElement& e) {
@@ -30,12 +31,13 @@ void add_square(ElementMatrix& sum, double factor, const ElementVector& shape) {
 
 void add_element(const BeamElement& e, Index first, Triplets& stiffness, Triplets& mass) {
   ElementMatrix k = ElementMatrix::Zero(), m = ElementMatrix::Zero();
-  for (std::size_t i = 0; i < kGaussAt.size(); ++i) {
+  for (std::size_t i = 0; i < kGaussPoints; ++i) {
     const double x = kGaussAt.at(i), weight_m = kGaussWeight.at(i) * e.element_length_m;
-    add_square(k, weight_m * e.bending_Nm2, e.curvature(x));
-    add_square(k, weight_m * e.shear_N, e.shear(x));
-    add_square(m, weight_m * e.mass_kgpm, e.deflection(x));
-    add_square(m, weight_m * e.rotary_kgm, e.rotation(x));
+    const BeamSection& section = e.at_gauss.at(i);
+    add_square(k, weight_m * section.bending_Nm2, e.curvature(x));
+    if (std::isfinite(e.shear_N)) add_square(k, weight_m * section.shear_N, e.shear(x));
+    add_square(m, weight_m * section.mass_kgpm, e.deflection(x));
+    add_square(m, weight_m * section.rotary_kgm, e.rotation(x));
   }
   for (Index row = 0; row < k.rows(); ++row) {
     for (Index column = 0; column < k.cols(); ++column) {
@@ -45,15 +47,86 @@ void add_element(const BeamElement& e, Index first, Triplets& stiffness, Triplet
   }
 }
 
-BeamElement element_of(double diameter_m, double start_m, double element_length_m, const BatMaterial& material) {
-  const double area_m2 = std::numbers::pi / 4 * diameter_m * diameter_m;
-  const double second_m4 = area_m2 * diameter_m * diameter_m / 16;
-  return {.start_m = start_m,
-          .element_length_m = element_length_m,
-          .bending_Nm2 = material.young_Pa * second_m4,
-          .shear_N = material.shear_Pa * area_m2,
-          .mass_kgpm = material.density_kgpm3 * area_m2,
-          .rotary_kgm = material.density_kgpm3 * second_m4};
+// The mass per length of masses that are spread over the element at x_m.
+double spread_kgpm(const BeamStructure& structure, double x_m) {
+  double sum = 0;
+  for (const AddedMass& one : structure.added) {
+    if (one.to_m > one.from_m && x_m > one.from_m && x_m < one.to_m) sum += one.mass_kg / (one.to_m - one.from_m);
+  }
+  return sum;
+}
+
+BeamElement element_of(const BeamStructure& structure, std::size_t station, double start_m, double element_length_m) {
+  BeamElement e{.start_m = start_m, .element_length_m = element_length_m};
+  const double spread = spread_kgpm(structure, start_m + element_length_m / 2);
+  for (std::size_t i = 0; i < kGaussPoints; ++i) {
+    BeamSection& section = e.at_gauss.at(i);
+    section = section_at(structure.table, structure.material, station, start_m + kGaussAt.at(i) * element_length_m);
+    section.mass_kgpm += spread;
+    if (structure.slender) section.rotary_kgm = 0;
+    e.bending_Nm2 += kGaussWeight.at(i) * section.bending_Nm2;
+    e.shear_N += kGaussWeight.at(i) * section.shear_N;
+    e.mass_kgpm += kGaussWeight.at(i) * section.mass_kgpm;
+    e.rotary_kgm += kGaussWeight.at(i) * section.rotary_kgm;
+  }
+  if (structure.slender) e.shear_N = std::numeric_limits<double>::infinity();
+  return e;
+}
+
+// Positions inside the beam, besides the stations, at which a node must lie; ascending.
+std::vector<double> extra_nodes(const BeamStructure& structure) {
+  std::vector<double> all;
+  if (structure.support.kind != BeamSupport::free) all.push_back(structure.support.at_m);
+  for (const AddedMass& one : structure.added) all.insert(all.end(), {one.from_m, one.to_m});
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void add_stretch(const BeamStructure& structure, std::size_t station, double start_m, double end_m, double max_m,
+                 std::vector<BeamElement>& elements) {
+  const double stretch_m = end_m - start_m;
+  const int parts = std::max(1, static_cast<int>(std::ceil(stretch_m / max_m * (1 - 1e-9))));
+  for (int part = 0; part < parts; ++part)
+    elements.push_back(element_of(structure, station, start_m + part * stretch_m / parts, stretch_m / parts));
+}
+
+std::vector<BeamElement> elements_of(const BeamStructure& structure, double max_m) {
+  const double same_m = kSamePlace * structure.length_m();
+  const std::vector<double> extra = extra_nodes(structure);
+  std::vector<BeamElement> elements;
+  for (std::size_t i = 0; i < structure.table.stations.size(); ++i) {
+    double start_m = structure.table.start_m(i);
+    const double end_m = structure.table.stations[i].at_m;
+    for (const double node_m : extra) {
+      if (node_m <= start_m + same_m || node_m >= end_m - same_m) continue;
+      add_stretch(structure, i, start_m, node_m, max_m, elements);
+      start_m = node_m;
+    }
+    if (end_m > start_m) add_stretch(structure, i, start_m, end_m, max_m, elements);
+  }
+  return elements;
+}
+
+std::size_t node_at(const TimoshenkoBeam& beam, double x_m) {
+  const std::vector<double> at_m = positions_of(beam);
+  const auto nearest = std::min_element(at_m.begin(), at_m.end(),
+                                        [&](double a, double b) { return std::abs(a - x_m) < std::abs(b - x_m); });
+  return static_cast<std::size_t>(nearest - at_m.begin());
+}
+
+Index deflection_unknown(std::size_t node) { return kUnknownsPerElement * static_cast<Index>(node); }
+
+void fix_unknowns(const BeamStructure& structure, TimoshenkoBeam& beam) {
+  if (structure.support.kind != BeamSupport::free) {
+    const Index unknown = deflection_unknown(node_at(beam, structure.support.at_m));
+    beam.fixed.push_back(unknown);
+    if (structure.support.kind == BeamSupport::clamped) beam.fixed.push_back(unknown + 1);
+  }
+  if (!structure.slender) return;
+  for (std::size_t i = 0; i < beam.elements.size(); ++i) {
+    beam.fixed.push_back(deflection_unknown(i) + 2);
+    beam.fixed.push_back(deflection_unknown(i) + 3);
+  }
 }
 
 }  // namespace
@@ -82,18 +155,13 @@ ElementVector BeamElement::curvature(double x) const {
           -f, (6 * x - 2 + p) / (1 + p) / element_length_m};
 }
 
-TimoshenkoBeam timoshenko_beam(const BatProfile& profile, const BatMaterial& material, double max_element_length_m) {
+TimoshenkoBeam timoshenko_beam(const BeamStructure& structure, double max_element_length_m) {
   TimoshenkoBeam beam;
-  double start_m = 0;
-  for (std::size_t i = 0; i < profile.end_m.size(); ++i) {
-    const double slice_m = profile.end_m[i] - start_m;
-    const int parts = std::max(1, static_cast<int>(std::ceil(slice_m / max_element_length_m * (1 - 1e-9))));
-    for (int part = 0; part < parts; ++part) {
-      beam.elements.push_back(
-          element_of(profile.diameter_m[i], start_m + part * slice_m / parts, slice_m / parts, material));
-    }
-    start_m = profile.end_m[i];
+  beam.elements = elements_of(structure, max_element_length_m);
+  for (const AddedMass& one : structure.added) {
+    if (!(one.to_m > one.from_m)) beam.masses.push_back({.node = node_at(beam, one.from_m), .mass_kg = one.mass_kg});
   }
+  fix_unknowns(structure, beam);
   Triplets stiffness, mass;
   stiffness.reserve(36 * beam.elements.size());
   mass.reserve(36 * beam.elements.size());
@@ -102,11 +170,45 @@ TimoshenkoBeam timoshenko_beam(const BatProfile& profile, const BatMaterial& mat
     add_element(e, first, stiffness, mass);
     first += kUnknownsPerElement;
   }
+  for (const NodeMass& one : beam.masses) {
+    const Index unknown = deflection_unknown(one.node);
+    mass.emplace_back(unknown, unknown, one.mass_kg);
+  }
+  if (structure.support.kind == BeamSupport::torsion) {
+    const Index unknown = deflection_unknown(node_at(beam, structure.support.at_m)) + 1;
+    stiffness.emplace_back(unknown, unknown, structure.support.torsion_Nmprad);
+  }
   beam.stiffness.resize(first + 2, first + 2);
   beam.mass.resize(first + 2, first + 2);
   beam.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
   beam.mass.setFromTriplets(mass.begin(), mass.end());
   return beam;
+}
+
+TimoshenkoBeam timoshenko_beam(const BatProfile& profile, const BatMaterial& material, double max_element_length_m) {
+  return timoshenko_beam(structure_of(profile, material), max_element_length_m);
+}
+
+BatInertia inertia_of(const TimoshenkoBeam& beam) {
+  BatInertia sum;
+  double about_origin = 0;
+  const auto add = [&](double mass_kg, double x_m) {
+    sum.mass_kg += mass_kg;
+    sum.cm_m += mass_kg * x_m;
+    about_origin += mass_kg * x_m * x_m;
+  };
+  for (const BeamElement& e : beam.elements) {
+    for (std::size_t i = 0; i < kGaussPoints; ++i) {
+      const double weight_m = kGaussWeight.at(i) * e.element_length_m;
+      add(weight_m * e.at_gauss.at(i).mass_kgpm, e.start_m + kGaussAt.at(i) * e.element_length_m);
+      about_origin += weight_m * e.at_gauss.at(i).rotary_kgm;
+    }
+  }
+  const std::vector<double> at_m = positions_of(beam);
+  for (const NodeMass& one : beam.masses) add(one.mass_kg, at_m[one.node]);
+  sum.cm_m /= sum.mass_kg;
+  sum.inertia_kgm2 = about_origin - sum.mass_kg * sum.cm_m * sum.cm_m;
+  return sum;
 }
 
 std::vector<double> positions_of(const TimoshenkoBeam& beam) {

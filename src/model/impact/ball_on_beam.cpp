@@ -23,15 +23,19 @@ BallOnBeam::BallOnBeam(const Impact& impact)
       hertz_(impact.hertz_Npm15),
       hysteresis_(impact.hysteresis_spm),
       mobility_(1 / impact.ball_mass_kg) {
-  omega_.reserve(impact.modes);
-  y_.reserve(impact.modes);
-  for (const BeamMode& mode : beam_modes(impact.beam, impact.modes)) {
+  for (const StruckMode& mode : impact.struck) {
     omega_.push_back(mode.omega_radps);
-    y_.push_back(mode.shape(impact.at_m) / std::sqrt(impact.beam.mass_per_length_kgpm * mode.norm_m));
-    mobility_ += y_.back() * y_.back();
+    y_.push_back(mode.weight);
   }
+  if (impact.struck.empty()) {
+    for (const BeamMode& mode : beam_modes(impact.beam, impact.modes)) {
+      omega_.push_back(mode.omega_radps);
+      y_.push_back(mode.shape(impact.at_m) / std::sqrt(impact.beam.mass_per_length_kgpm * mode.norm_m));
+    }
+  }
+  for (const double y : y_) mobility_ += y * y;
   for (ModalRotation* turn : {&first_, &second_, &third_}) {
-    for (auto* values : {&turn->c, &turn->s_over_omega, &turn->omega_s}) values->resize(impact.modes);
+    for (auto* values : {&turn->c, &turn->s_over_omega, &turn->omega_s}) values->resize(omega_.size());
   }
 }
 
@@ -127,6 +131,11 @@ void BallOnBeam::step(BallOnBeamState& state, double dt_s) {
   kick(state, kPart * dt_s);
   drift(state, second_);
   kick(state, kPart * dt_s);
+  drift(state, first_);
+}
+
+void BallOnBeam::move_freely(BallOnBeamState& state, double dt_s) {
+  set_rotation(first_, dt_s);
   drift(state, first_);
 }
 

@@ -33,6 +33,8 @@ class BallOnBeam {
 
   /// Advances by one symmetric fourth-order step.
   void step(BallOnBeamState& state, double dt_s);
+  /// Advances without contact, exactly.
+  void move_freely(BallOnBeamState& state, double dt_s);
   /// Advances by one step with the force at its start.
   void small_increment(BallOnBeamState& state, double dt_s);
 

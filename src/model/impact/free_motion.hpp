@@ -17,6 +17,11 @@ class FreeMotion {
   double ball_mps() const { return ball_mps_; }
   double ball_at(double time_s) const { return ball_m_ + ball_mps_ * time_s; }
 
+  /// Whether ball and beam move apart at the separation.
+  bool opens() const { return gap_at(0).rate > 0; }
+  /// Whether a rigid-body mode carries the struck point away, so that its deflection has no maximum.
+  bool flies_off() const { return steady_mps_ != 0; }
+
   /// The time at which the gap closes again, within `until_s`. The gap, its rate and a bound of the acceleration (from
   /// the modes' amplitudes) give an interval in which the gap stays open. Each step is that interval, so no step
   /// can miss a touch.

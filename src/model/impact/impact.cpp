@@ -4,136 +4,22 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
 
-#include "core/budget.hpp"
 #include "core/error.hpp"
 #include "core/math/roots.hpp"
 #include "model/impact/ball_on_beam.hpp"
+#include "model/impact/contact_chain.hpp"
+#include "model/impact/contact_pass.hpp"
 #include "model/impact/free_motion.hpp"
 
 namespace percuss::model {
 namespace {
 
-constexpr double kFirstPassSteps = 32;            // of the first pass, per Hertz contact time
-constexpr double kMaxImpactError = 5e-10;         // of the coefficient of restitution, and of the energy
-constexpr double kTargetImpactError = 2e-10;      // from which the next shorter step is chosen
-constexpr std::size_t kMaxModeSteps = 5'000'000;  // modes times steps in one pass: less than a second
-constexpr std::size_t kStepsPerCheck = 64;        // of the budget: below 1 ms
+constexpr double kFirstPassSteps = 32;        // of the first pass, per Hertz contact time
+constexpr double kMaxImpactError = 5e-10;     // of the coefficient of restitution, and of the energy
+constexpr double kTargetImpactError = 2e-10;  // from which the next shorter step is chosen
 constexpr double kClassicStep_s = 1e-5;
 constexpr std::size_t kSeriesContact = 400, kSeriesFree = 4000;
-
-double hertz_approach_m(const Impact& impact) {
-  return std::pow(1.25 * impact.ball_mass_kg * impact.speed_mps * impact.speed_mps / impact.hertz_Npm15, 0.4);
-}
-
-// The maximum of the cubic through two points with these rates, and its position from 0 to 1.
-struct CubicMaximum {
-  double value = 0, at = 0;
-};
-CubicMaximum maximum_of_cubic(double from, double from_rate, double to, double to_rate, double width) {
-  const auto cubic = [&](double t) {
-    const double u = 1 - t;
-    return u * u * ((1 + 2 * t) * from + t * width * from_rate) + t * t * ((3 - 2 * t) * to - u * width * to_rate);
-  };
-  CubicMaximum largest{.value = std::max(from, to), .at = to > from ? 1.0 : 0.0};
-  if (!(from_rate > 0 && to_rate < 0)) return largest;
-  const double chord = (to - from) / width;
-  const auto rate = [&](double t) {
-    const double u = 1 - t;
-    return u * u * from_rate + t * t * to_rate + 2 * t * u * (3 * chord - from_rate - to_rate);
-  };
-  const double at = bracketed_root(rate, 0, 1);
-  return cubic(at) > largest.value ? CubicMaximum{.value = cubic(at), .at = at} : largest;
-}
-
-// Integrates the contact once, with one nominal step.
-class ContactPass {
- public:
-  ContactPass(BallOnBeam& system, const Impact& impact, ImpactMethod method, double step_s)
-      : system_(system), method_(method), step_s_(step_s), scale_m_(hertz_approach_m(impact)) {
-    state_ = system.start(impact.speed_mps);
-    now_ = system.read(state_);
-    first_m_ = std::pow(step_s * impact.speed_mps, 2) / scale_m_;
-  }
-
-  ImpactResult run(bool series) {
-    const double energy_J = now_.energy_J, speed_mps = state_.ball_mps;
-    append_moment(series);
-    for (bool touching = true; touching; append_moment(series)) {
-      if (++result_.steps * system_.modes() > kMaxModeSteps) {
-        throw InputError("ball and beam do not separate", "the contact, at the limit of steps",
-                         "check ball and beam for a wrong value, or use a longer step or fewer modes",
-                         {"hertz", "ball_mass", "speed", "ei", "rho_a", "step", "modes"});
-      }
-      if (result_.steps % kStepsPerCheck == 0) check_budget();
-      const BallOnBeamReading before = now_;
-      double dt_s = next_step_s();
-      saved_ = state_;
-      move_to(dt_s);
-      touching = now_.contact_event_m > 0;
-      if (!touching) {
-        const double start_event_m = std::max(before.contact_event_m, std::numeric_limits<double>::min());
-        dt_s = bracketed_root([&](double t) { return t == 0 ? start_event_m : move_to(t); }, 0, dt_s);
-        move_to(dt_s);
-      }
-      update_peaks(before, dt_s);
-      result_.energy_error = std::max(result_.energy_error, std::abs(now_.energy_J / energy_J - 1));
-    }
-    result_.contact_s = time_s_;
-    result_.cor = -state_.ball_mps / speed_mps;
-    result_.lost_J = state_.lost_J;
-    return std::move(result_);
-  }
-
-  const BallOnBeamState& end() const { return state_; }
-
- private:
-  // The force is not smooth where contact begins and ends: steps shrink with the root of the approach. first_m_ keeps
-  // the first step above zero.
-  double next_step_s() const {
-    if (method_ == ImpactMethod::small_increment) return step_s_;
-    return step_s_ * std::min(1.0, std::sqrt((std::max(0.0, now_.approach_m) + first_m_) / scale_m_));
-  }
-  // Moves from the saved state by dt_s and returns the contact event there.
-  double move_to(double dt_s) {
-    state_ = saved_;
-    if (method_ == ImpactMethod::small_increment) {
-      system_.small_increment(state_, dt_s);
-    } else {
-      system_.step(state_, dt_s);
-    }
-    now_ = system_.read(state_);
-    return now_.contact_event_m;
-  }
-  // Updates the largest force and deflection, which may lie within the step.
-  void update_peaks(const BallOnBeamReading& before, double dt_s) {
-    const CubicMaximum force =
-        maximum_of_cubic(before.force_N, before.force_rate_Nps, now_.force_N, now_.force_rate_Nps, dt_s);
-    result_.peak_force_N = std::max(result_.peak_force_N, force.value);
-    const CubicMaximum bent = maximum_of_cubic(before.beam_m, before.beam_mps, now_.beam_m, now_.beam_mps, dt_s);
-    if (bent.value > result_.peak_deflection_m) {
-      result_.peak_deflection_m = bent.value;
-      result_.peak_deflection_time_s = time_s_ + bent.at * dt_s;
-    }
-    time_s_ += dt_s;
-  }
-  void append_moment(bool wanted) {
-    if (!wanted) return;
-    result_.series.push_back({.time_s = time_s_,
-                              .beam_m = now_.beam_m,
-                              .ball_m = state_.ball_m,
-                              .force_N = now_.force_N,
-                              .ball_speed_mps = state_.ball_mps});
-  }
-
-  BallOnBeam& system_;
-  ImpactMethod method_;
-  double step_s_, scale_m_, first_m_ = 0, time_s_ = 0;
-  BallOnBeamState state_, saved_;
-  BallOnBeamReading now_;
-  ImpactResult result_;
-};
 
 [[noreturn]] void refuse_values(const char* what) {
   throw InputError(std::string(what) + " beyond the range of numbers", "ball and beam",
@@ -157,7 +43,10 @@ void thin_series(std::vector<ImpactMoment>& series) {
 
 void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool series) {
   if (const auto touch = free.next_contact_s(kFollowUp_s)) result.recontact_s = result.contact_s + *touch;
-  if (const auto peak = free.peak(kFollowUp_s, result.peak_deflection_m)) {
+  result.flies_off = free.flies_off();
+  if (result.flies_off) {
+    result.peak_deflection_m = result.peak_deflection_time_s = std::numeric_limits<double>::quiet_NaN();
+  } else if (const auto peak = free.peak(kFollowUp_s, result.peak_deflection_m)) {
     result.peak_deflection_m = peak->value_m;
     result.peak_deflection_time_s = result.contact_s + peak->time_s;
   }
@@ -171,6 +60,25 @@ void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool serie
                              .ball_m = free.ball_at(time_s),
                              .ball_speed_mps = free.ball_mps()});
   }
+}
+
+// Follows the ball to its last contact. The chain runs with the step of the first contact and with half of it.
+void follow_contacts(BallOnBeam& system, const Impact& impact, ImpactMethod method, double step_s,
+                     ImpactResult& result) {
+  const auto chain_of = [&](double chain_step_s) {
+    ContactPass first(system, impact, method, chain_step_s, system.start(impact.speed_mps));
+    const double contact_s = first.run(false).contact_s;
+    return contact_chain(system, impact, method, chain_step_s, first.end(), contact_s);
+  };
+  const ContactChain coarse = chain_of(step_s), fine = chain_of(step_s / 2);
+  result.contacts = fine.contacts;
+  result.last_separation_s = fine.last_separation_s;
+  result.energy_error = std::max(result.energy_error, fine.energy_error);
+  if (!fine.complete) return;
+  result.final_cor = -fine.ball_mps / impact.speed_mps;
+  // Fourth order: halving the step leaves a 15th of the change, if the contacts correspond.
+  const double orders = method == ImpactMethod::modal && coarse.contacts == fine.contacts ? 15 : 1;
+  result.final_cor_uncertainty = std::abs(fine.ball_mps - coarse.ball_mps) / impact.speed_mps / orders;
 }
 
 }  // namespace
@@ -195,12 +103,12 @@ ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options)
   const bool controlled = options.method == ImpactMethod::modal && options.step_s == 0;
   double step_s = options.step_s;
   if (step_s == 0) step_s = controlled ? hertz_contact_s(impact) / kFirstPassSteps : kClassicStep_s;
-  ContactPass first(system, impact, options.method, step_s);
+  ContactPass first(system, impact, options.method, step_s, system.start(impact.speed_mps));
   ImpactResult result = first.run(options.series);
   BallOnBeamState end = first.end();
   for (double shorter = 2; controlled && !has_converged(result);) {
     step_s /= shorter;
-    ContactPass finer(system, impact, options.method, step_s);
+    ContactPass finer(system, impact, options.method, step_s, system.start(impact.speed_mps));
     const double before = result.cor;
     result = finer.run(options.series);
     end = finer.end();
@@ -210,6 +118,13 @@ ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options)
   }
   result.omega_radps = system.omega_radps();
   follow_free_motion(FreeMotion(system, end), result, options.series);
+  result.final_cor = result.cor;
+  result.final_cor_uncertainty = result.cor_uncertainty;
+  result.last_separation_s = result.contact_s;
+  if (result.recontact_s) {
+    result.final_cor = result.final_cor_uncertainty = std::nullopt;
+    follow_contacts(system, impact, options.method, step_s, result);
+  }
   return result;
 }
 

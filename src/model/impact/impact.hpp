@@ -12,6 +12,12 @@ enum class ImpactMethod {
   small_increment  // the source's method: the force is constant over each step; first order
 };
 
+/// A mode of the beam at the struck point: yᵢ of (1) below.
+struct StruckMode {
+  double omega_radps = 0;  // 0 for a rigid-body mode
+  double weight = 0;       // 1/√kg
+};
+
 /// A ball that hits a beam at rest. The defaults are the composite bat and the cricket ball of [9], struck 60 mm from
 /// its free end. The source does not state its Hertz constant; this one reproduces the level of its results.
 struct Impact {
@@ -21,6 +27,7 @@ struct Impact {
   double hertz_Npm15 = 3.2e6;
   double hysteresis_spm = 0;  // χ of (2)
   std::size_t modes = 10;
+  std::vector<StruckMode> struck{};  // replaces `beam`, `at_m` and `modes` where it is not empty
 };
 
 struct ImpactOptions {
@@ -38,21 +45,27 @@ struct ImpactResult {
   double cor = 0;        // −v_out/v_in at the first separation; negative when the ball follows the beam
   double contact_s = 0;  // from the first touch to the first separation
   double peak_force_N = 0;
-  double peak_deflection_m = 0, peak_deflection_time_s = 0;  // of the beam at at_m, until 80 ms after separation
-  std::optional<double> recontact_s;                         // time of the next touch within those 80 ms
-  double energy_error = 0;                // largest |E/E₀ − 1|, E = ball + modes + contact + lost energy
-  double lost_J = 0;                      // to the hysteresis of the contact
-  std::optional<double> cor_uncertainty;  // from the change in the last refinement; none for a given step
-  std::size_t steps = 0;                  // of the contact, in the last pass
-  std::vector<double> omega_radps;        // of the modes
-  std::vector<ImpactMoment> series;       // the contact and 80 ms after it, without further contacts
+  double peak_deflection_m = 0, peak_deflection_time_s = 0;  // of the beam at at_m, until 80 ms after separation; NaN
+                                                             // where the beam flies off
+  bool flies_off = false;  // a rigid-body mode carries the struck point away, so there is no largest deflection
+  std::optional<double> recontact_s;            // time of the next touch within those 80 ms
+  std::size_t contacts = 1;                     // until the ball stays away for 80 ms
+  double last_separation_s = 0;                 // from the first touch
+  std::optional<double> final_cor;              // −v_out/v_in after the last contact; none where contacts do not end
+  std::optional<double> final_cor_uncertainty;  // from halving the step, as cor_uncertainty
+  double energy_error = 0;                      // largest |E/E₀ − 1|, E = ball + modes + contact + lost energy
+  double lost_J = 0;                            // to the hysteresis of the contact
+  std::optional<double> cor_uncertainty;        // from the change in the last refinement; none for a given step
+  std::size_t steps = 0;                        // of the contact, in the last pass
+  std::vector<double> omega_radps;              // of the modes
+  std::vector<ImpactMoment> series;             // the contact and 80 ms after it, without further contacts
 };
 
 /// The time after the first separation for which the motion is followed.
 inline constexpr double kFollowUp_s = 0.08;
 
-/// Simulates a Hertz ball on a beam from the first touch to the first separation, and the free motion after it. The
-/// separation is located within its step.
+/// Simulates a Hertz ball on a beam from the first touch to the first separation, and the free motion after it. Where
+/// they touch again, further contacts follow until the ball stays away. Each separation is located within its step.
 ///   η̈ᵢ + ωᵢ² ηᵢ = yᵢ F,  w₁ = Σ yᵢ ηᵢ,  yᵢ = Xᵢ(c)/√(ρA Nᵢ),  m ẅ₂ = −F         (1)
 ///   F = k₂ α^(3/2) (1 + χ α̇), not below 0;  α = w₂ − w₁ > 0, else F = 0           (2)
 /// The contact ends when F falls to zero. If 1 + χα̇ reaches zero before α does, the ball keeps a dent of depth α in the

@@ -45,7 +45,152 @@ TEST_F(ModelBatCommand, WritesTableAndPictureOfSpeedsOrWave) {
   EXPECT_THAT(test::bytes_of(folder_.file("a.svg")), testing::StartsWith("<svg "));
   ASSERT_EQ(run({"--modes", "10", "--wave", "0.6", "--wave-times", "0:0.001:0.002", "-o", "w.csv"}).code, 0);
   EXPECT_EQ(test::lines_of(test::bytes_of(folder_.file("w.csv")))[0],
-            "z_m,deflection_m_0_s,deflection_m_0.001_s,deflection_m_0.002_s");
+            "z_m,deflection_m_0_s,deflection_m_0.001_s,deflection_m_0.002_s,exit_speed_mps,rigid_exit_speed_mps");
+}
+
+nlohmann::json document_of(const test::ProcessOutcome& outcome) {
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  auto document = test::parse_json(outcome.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("model-bat")), testing::IsEmpty());
+  return document;
+}
+
+// Rows of the wave's table hold the exit speed of an impact there, as the curve does for the same positions.
+TEST_F(ModelBatCommand, PutsExitSpeedsBesideTheWave) {
+  const auto curve = document_of(run({"--modes", "10", "--at", "0.4:0.1:0.5", "--json"}))["curve"];
+  ASSERT_EQ(run({"--modes", "10", "--wave", "0.6", "--wave-times", "0:0.001:0.002", "-o", "w.csv"}).code, 0);
+  bool found = false;
+  for (const std::string& line : test::lines_of(test::bytes_of(folder_.file("w.csv")))) {
+    if (!line.starts_with("0.4,")) continue;  // the end of a slice is an element's node
+    found = true;
+    const std::size_t last = line.rfind(','), before = line.rfind(',', last - 1);
+    EXPECT_NEAR(std::stod(line.substr(before + 1)), curve[0]["exit_speed_mps"].get<double>(), 1e-9);
+    EXPECT_NEAR(std::stod(line.substr(last + 1)), curve[0]["rigid_exit_speed_mps"].get<double>(), 1e-9);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(ModelBatCommand, ListsTheParticipationOfModes) {
+  ASSERT_EQ(run({"--modes", "10", "--at", "0.5:0.1:0.8", "-o", "a.csv"}).code, 0);
+  EXPECT_THAT(test::lines_of(test::bytes_of(folder_.file("a.csv")))[0],
+              testing::EndsWith("vibration_share,mode_share_1,mode_share_2,mode_share_3,mode_share_4,mode_share_5,"
+                                "mode_share_6,mode_share_7,mode_share_8"));
+  EXPECT_THAT(run({"--modes", "10"}).out, HasSubstr("bending 4  other modes"));
+}
+
+// Long slices: both meanings are computed, and the one that is not taken is named with the difference.
+TEST_F(ModelBatCommand, SaysWhatTheRowsMean) {
+  const auto slices = document_of(run({"--modes", "3", "--json"}));
+  const auto points = document_of(run({"--modes", "3", "--profile-kind", "points", "--json"}));
+  EXPECT_EQ(slices["profile"]["kind"], "slices");
+  EXPECT_EQ(points["profile"]["kind"], "points");
+  EXPECT_EQ(slices["profile"]["other_kind"]["frequency_hz"], points["frequency_hz"]);
+  EXPECT_EQ(points["profile"]["other_kind"]["frequency_hz"], slices["frequency_hz"]);
+  EXPECT_EQ(slices["warnings"][0]["code"], "long_slices");
+  EXPECT_TRUE(points["warnings"].empty());
+  EXPECT_THAT(run({"--modes", "3"}).out, HasSubstr("4 slices (constant between the positions), free"));
+  EXPECT_THAT(run({"--modes", "3"}).out, HasSubstr("(--profile-kind)"));
+  EXPECT_THAT(run({"--modes", "3", "--profile-kind", "points"}).out, HasSubstr("4 points (linear between"));
+}
+
+TEST_F(ModelBatCommand, HasNoSecondMeaningForShortSlices) {
+  std::string text;
+  for (int i = 1; i <= 84; ++i) text += std::to_string(i) + "," + std::to_string(30 + 0.4 * i) + "\n";
+  test::write_bytes(folder_.file("bat.csv"), text);
+  const auto document = document_of(run({"--modes", "3", "--json"}));
+  EXPECT_TRUE(document["profile"]["other_kind"].is_null());
+  EXPECT_TRUE(document["warnings"].empty());
+}
+
+// The bat of beam_structure_test.cpp, whose frequencies come from the integrated differential equations.
+constexpr const char* kHollow = "position,diameter,wall\n0,28,3\n35,28,3\n60,62,2.5\n84,66,2.5\n";
+
+TEST_F(ModelBatCommand, ReadsHollowHeldAndLoadedBats) {
+  test::write_bytes(folder_.file("bat.csv"), kHollow);
+  const std::vector<std::string> bat{"--profile-kind", "points",     "--young", "7e10",       "--density",
+                                     "2700",           "--shear",    "1.3e10",  "--add-mass", "0.05:0.84",
+                                     "--add-mass",     "0.03:0:0.3", "--modes", "5",          "--json"};
+  const auto held = [&](std::vector<std::string> more) {
+    more.insert(more.end(), bat.begin(), bat.end());
+    return document_of(run(more));
+  };
+  const auto free = held({});
+  EXPECT_NEAR(free["frequency_hz"][0].get<double>(), 252.1725503, 0.001);
+  EXPECT_NEAR(free["mass_kg"].get<double>(), 0.8589932413749422, 1e-9);
+  EXPECT_EQ(free["support"]["kind"], "free");
+  EXPECT_EQ(free["added_mass"].size(), 2U);
+  const auto spring = held({"--support", "torsion", "--torsion", "1500"});
+  EXPECT_NEAR(spring["frequency_hz"][1].get<double>(), 258.0186204, 0.001);
+  EXPECT_EQ(spring["support"]["at_m"], 0.1524);
+  EXPECT_NEAR(held({"--support", "pinned"})["frequency_hz"][0].get<double>(), 244.6183874, 0.001);
+  EXPECT_NEAR(held({"--support", "clamped"})["frequency_hz"][0].get<double>(), 37.09876125, 0.001);
+}
+
+// Layers in the table: the shell alone, with a core, and the constants of the whole from options.
+TEST_F(ModelBatCommand, ReadsLayersFromNamedColumns) {
+  test::write_bytes(folder_.file("bat.csv"),
+                    "end,diameter,wall,young,shear,density,wall_2,young_2,shear_2,density_2\n"
+                    "84,66,3,7e10,1.3e10,2700,63,1e9,3e8,300\n");
+  const auto layered = document_of(run({"--modes", "2", "--json"}));
+  EXPECT_EQ(layered["profile"]["layers"], 2);
+  constexpr double kQuarterPi = 0.78539816339744831;
+  const double shell_kg = 2700 * kQuarterPi * (0.066 * 0.066 - 0.060 * 0.060) * 0.84;
+  const double core_kg = 300 * kQuarterPi * 0.060 * 0.060 * 0.84;
+  EXPECT_NEAR(layered["mass_kg"].get<double>(), shell_kg + core_kg, 1e-12);
+}
+
+TEST_F(ModelBatCommand, FitsConstantsToMeasuredFrequencies) {
+  const auto truth = document_of(run({"--young", "1.5e10", "--total-mass", "0.9", "--modes", "3", "--json"}));
+  std::string measured;
+  for (const auto& f : truth["frequency_hz"]) measured += (measured.empty() ? "" : ",") + f.dump();
+  const auto fit = document_of(
+      run({"--total-mass", "0.9", "--fit", "young", "--measured", measured, "--measured-std", "0.1", "--json"}));
+  EXPECT_NEAR(fit["material"]["young_pa"].get<double>(), 1.5e10, 1e4);
+  EXPECT_NEAR(fit["mass_kg"].get<double>(), 0.9, 1e-12);
+  EXPECT_EQ(fit["fit"]["parameters"][0]["name"], "young_pa");
+  EXPECT_GT(fit["fit"]["parameters"][0]["std"].get<double>(), 0);
+  EXPECT_THAT(run({"--fit", "young", "--measured", measured}).out, HasSubstr("fitted: Young's modulus"));
+}
+
+TEST_F(ModelBatCommand, RefusesContradictions) {
+  using Words = std::vector<std::string>;
+  for (const Words& words : std::vector<Words>{{"--total-mass", "0.9", "--density", "600"},
+                                               {"--add-mass", "0.1:2"},
+                                               {"--add-mass", "0.1:0.5:0.4"},
+                                               {"--add-mass", "0:0.5"},
+                                               {"--torsion", "100"},
+                                               {"--support-at", "0.1"},
+                                               {"--support-at", "2", "--support", "pinned"},
+                                               {"--swing-rate", "10", "--support", "clamped"},
+                                               {"--bat-speed", "10", "--support", "pinned"},
+                                               {"--fit", "torsion", "--measured", "160"},
+                                               {"--fit", "young"},
+                                               {"--measured", "160"},
+                                               {"--profile-kind", "lines"}}) {
+    const auto outcome = run(words);
+    EXPECT_EQ(outcome.code, 2) << testing::PrintToString(words) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(words[0]));
+    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+  }
+}
+
+TEST_F(ModelBatCommand, NamesTheInvalidColumn) {
+  for (const auto& [text, named] :
+       std::vector<std::pair<std::string, std::string>>{{"2,50,1\n4,40,1\n", "column 3 has no name"},
+                                                        {"end,diameter,mass\n2,50,1\n", "'mass'"},
+                                                        {"end,diameter,diameter\n2,50,1\n", "repeats"},
+                                                        {"end,diameter,thickness\n2,50,1\n", "walls"},
+                                                        {"end,diameter,young_2\n2,50,1e9\n", "layer 1 has no wall"},
+                                                        {"end,width,young\n2,50,1e9\n", "layer 1 has no thickness"},
+                                                        {"end,diameter,wall\n2,50,0\n", "wall"},
+                                                        {"end,diameter,young\n2,50,-1\n", "Young"},
+                                                        {"end (mm),diameter (mm),wall\n2,50,1\n", "mm"}}) {
+    test::write_bytes(folder_.file("bat.csv"), text);
+    const auto outcome = run({});
+    EXPECT_EQ(outcome.code, 3) << text << outcome.out;
+    EXPECT_THAT(outcome.err, HasSubstr(named)) << text;
+    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+  }
 }
 
 TEST_F(ModelBatCommand, NamesTheInvalidOption) {

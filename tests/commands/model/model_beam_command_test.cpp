@@ -119,4 +119,38 @@ TEST(ModelBeamCommand, NamesTheInvalidOption) {
   }
 }
 
+// The uniform beam as a table of its section, and a fit of its stiffness and spring.
+TEST(ModelBeamCommand, ReadsATableOfSections) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("beam.csv"), "x,width,thickness\n0,0.1,0.02\n0.3,0.1,0.02\n0.57,0.1,0.02\n");
+  const auto document_of = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"model",     "beam", "--profile", folder.file("beam.csv"),
+                                   "--density", "1120", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto outcome = test::run_percuss(words);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    auto document = test::parse_json(outcome.out);
+    EXPECT_THAT(test::schema_violations(document, test::schema_named("model-beam")), testing::IsEmpty());
+    return document;
+  };
+  for (const char* support : {"torsion", "pinned", "clamped", "free"}) {
+    const auto shaped = document_of({"--young", "6e10", "--support", support, "--modes", "5"});
+    const auto outcome = test::run_percuss({"model", "beam", "--support", support, "--modes", "5", "--json"});
+    const auto uniform = test::parse_json(outcome.out);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double f_Hz = uniform["frequency_hz"][i].get<double>();
+      EXPECT_NEAR(shaped["frequency_hz"][i].get<double>(), f_Hz, 1e-6 * f_Hz) << support << i;
+      ASSERT_EQ(shaped["node_m"][i].size(), uniform["node_m"][i].size()) << support << i;
+      for (std::size_t n = 0; n < shaped["node_m"][i].size(); ++n)
+        EXPECT_NEAR(shaped["node_m"][i][n].get<double>(), uniform["node_m"][i][n].get<double>(), 1e-6);
+    }
+    EXPECT_TRUE(shaped["lambda"][0].is_null());
+  }
+  const auto fit = document_of(
+      {"--young", "3e10", "--fit", "young,torsion", "--measured", "14.536,322.433,1037.79", "--measured-std", "0.01"});
+  EXPECT_NEAR(fit["material"]["young_pa"].get<double>(), 6e10, 6e10 * 1e-4);
+  EXPECT_NEAR(fit["support"]["torsion_nmprad"].get<double>(), 1200, 1);
+  EXPECT_EQ(test::run_percuss({"model", "beam", "--fit", "young", "--measured", "14"}).code, 2);
+}
+
 }  // namespace percuss::model_beam_command_test

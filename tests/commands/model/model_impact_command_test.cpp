@@ -41,6 +41,101 @@ TEST(ModelImpactCommand, SweepsEachOfItsParameters) {
   EXPECT_EQ(sweep[25]["at"], 0.025);
 }
 
+// impact_test.cpp states the source of the figures.
+TEST(ModelImpactCommand, ReportsTheReboundAfterTheLastContact) {
+  const auto light = document({"--rho-a", "0.8"});
+  EXPECT_EQ(light["recontact"], true);
+  EXPECT_GT(light["contacts"].get<int>(), 1);
+  EXPECT_NEAR(light["cor"].get<double>(), 0.0665, 1e-3);
+  EXPECT_NEAR(light["final_cor"].get<double>(), 0.912, 1e-3);
+  EXPECT_NEAR(light["final_ball_speed_mps"].get<double>(), -0.912 * 5, 5e-3);
+  EXPECT_LT(light["final_cor_uncertainty"].get<double>(), 1e-6);
+  EXPECT_THAT(run_percuss({"model", "impact", "--rho-a", "0.8"}).out, HasSubstr("the ball leaves for good after"));
+  const auto heavy = document({});
+  EXPECT_EQ(heavy["contacts"], 1);
+  EXPECT_EQ(heavy["final_cor"], heavy["cor"]);
+}
+
+TEST(ModelImpactCommand, HasNoLargestDeflectionOfABeamThatFliesOff) {
+  for (const char* support : {"free", "pinned"}) {
+    const auto flying = document({"--support", support});
+    EXPECT_EQ(flying["flies_off"], true);
+    EXPECT_TRUE(flying["peak_deflection_m"].is_null());
+    EXPECT_TRUE(flying["peak_deflection_time_s"].is_null());
+    const auto text = run_percuss({"model", "impact", "--support", support}).out;
+    EXPECT_THAT(text, HasSubstr("the beam flies off"));
+    EXPECT_THAT(text, testing::Not(HasSubstr("largest deflection of")));
+  }
+  const auto held = document({"--support", "clamped"});
+  EXPECT_EQ(held["flies_off"], false);
+  EXPECT_GT(held["peak_deflection_m"].get<double>(), 0);
+}
+
+// The uniform beam as a table of its section: the same impact, up to the error of the elements.
+TEST(ModelImpactCommand, StrikesABeamWithATableOfSections) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("beam.csv"), "x,width,thickness\n0,0.1,0.02\n0.57,0.1,0.02\n");
+  const std::vector<std::string> table{"--profile", folder.file("beam.csv"), "--young", "6e10", "--density", "1120"};
+  const std::vector<std::string> uniform{"--ei", "4000", "--rho-a", "2.24"};
+  for (const char* support : {"torsion", "pinned", "clamped", "free"}) {
+    std::vector<std::string> a{"--support", support}, b = a;
+    a.insert(a.end(), table.begin(), table.end());
+    b.insert(b.end(), uniform.begin(), uniform.end());
+    const auto shaped = document(a), plain = document(b);
+    EXPECT_NEAR(shaped["cor"].get<double>(), plain["cor"].get<double>(), 1e-5) << support;
+    EXPECT_NEAR(shaped["peak_force_n"].get<double>(), plain["peak_force_n"].get<double>(), 0.01) << support;
+    EXPECT_EQ(shaped["frequency_hz"].size(), 10U);
+    EXPECT_EQ(shaped["profile"]["kind"], "points");
+  }
+  std::vector<std::string> sweep{"--sweep", "torsion=600:600:1200", "--sweep", "at=0.4:0.1:0.5",
+                                 "--sweep", "speed=4:1:5"};
+  auto a = sweep, b = sweep;
+  a.insert(a.end(), table.begin(), table.end());
+  b.insert(b.end(), uniform.begin(), uniform.end());
+  const auto shaped = document(a)["sweep"], plain = document(b)["sweep"];
+  ASSERT_EQ(shaped.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_NEAR(shaped[i]["cor"].get<double>(), plain[i]["cor"].get<double>(), 1e-5) << i;
+}
+
+TEST(ModelImpactCommand, RefusesOptionsOfAUniformBeamBesideATable) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("beam.csv"), "0,0.1,0.02\n0.57,0.1,0.02\n");
+  using Words = std::vector<std::string>;
+  for (const Words& words : std::vector<Words>{{"--ei", "4000"},
+                                               {"--rho-a", "2"},
+                                               {"--length", "0.5"},
+                                               {"--layer", "1e9:0.1:0.1"},
+                                               {"--sweep", "ei=1000:1000:2000"},
+                                               {"--at", "0.6"}}) {
+    Words arguments{"model", "impact", "--profile", folder.file("beam.csv"), "--young", "1e10", "--density", "600"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const auto outcome = run_percuss(arguments);
+    EXPECT_EQ(outcome.code, 2) << testing::PrintToString(words);
+    EXPECT_THAT(outcome.err, HasSubstr(words[0]));
+    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+  }
+  for (const Words& words : std::vector<Words>{{"--young", "1e10"}, {"--density", "600"}, {"--add-mass", "0.1:0.2"}}) {
+    Words arguments{"model", "impact"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    EXPECT_EQ(run_percuss(arguments).code, 2) << words[0];
+  }
+  EXPECT_EQ(run_percuss({"model", "impact", "--profile", folder.file("beam.csv"), "--density", "600"}).code, 2);
+}
+
+// One sweep of positions gives the curve of deflection over position: in the table, and as a second picture.
+TEST(ModelImpactCommand, DrawsDeflectionOverPosition) {
+  const test::ScratchFolder folder;
+  ASSERT_EQ(run_percuss({"model", "impact", "--sweep", "at=0.025:0.065:0.545", "-o", "a.svg", "-o", "a.csv"},
+                        {.folder = folder.path()})
+                .code,
+            0);
+  const std::string svg = test::bytes_of(folder.file("a.svg"));
+  EXPECT_THAT(svg, HasSubstr("coefficient of restitution"));
+  EXPECT_THAT(svg, HasSubstr("largest deflection, mm"));
+  EXPECT_THAT(test::bytes_of(folder.file("a.csv")), HasSubstr("peak_deflection_m"));
+}
+
 TEST(ModelImpactCommand, GivesTheSameResultOnOneThread) {
   const std::vector<std::string> words{"model", "impact", "--sweep", "ei=1000:500:6000", "--json", "--threads"};
   auto one = words, four = words;

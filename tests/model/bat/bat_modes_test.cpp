@@ -50,7 +50,7 @@ TEST(BatModes, HaveNodesWhereTheDeflectionIsZero) {
 }
 
 TEST(BatModes, HaveTheMassOfTheSlices) {
-  const BatInertia inertia = inertia_of(kStepped, {});
+  const BatInertia inertia = bat_modes(kStepped, {}).inertia;
   constexpr double kRounding = 1e-14;
   EXPECT_NEAR(inertia.mass_kg, 0.864980234515948, kRounding);
   EXPECT_NEAR(inertia.cm_m, 0.5529285310201772, kRounding);

@@ -38,10 +38,63 @@ void use_layers(const BeamFlags& flags, model::UniformBeam& beam) {
     throw OptionError({"layer"}, "gives a stiffness that is not a finite number above 0", kLayerForm);
 }
 
+// Refuses a table whose material is not complete.
+void check_material(const StructureFlags& flags, const model::BeamStructure& beam) {
+  const auto require = [&](bool given, std::optional<double> model::SectionLayer::*constant, const char* option,
+                           const char* what) {
+    const bool complete = std::all_of(beam.table.stations.begin(), beam.table.stations.end(), [&](const auto& station) {
+      return std::all_of(station.layers.begin(), station.layers.end(),
+                         [&](const model::SectionLayer& layer) { return (layer.*constant).has_value(); });
+    });
+    if (!given && !complete)
+      throw OptionError({option}, std::string("is missing: the profile does not give ") + what, "give it", {"profile"});
+  };
+  require(flags.young_Pa.has_value(), &model::SectionLayer::young_Pa, "young", "Young's modulus of all layers");
+  require(flags.density_kgpm3 || flags.total_mass_kg, &model::SectionLayer::density_kgpm3, "density",
+          "the density of all layers");
+  if (!beam.slender)
+    require(flags.shear_Pa.has_value(), &model::SectionLayer::shear_Pa, "shear", "the shear modulus of all layers");
+}
+
+// Without shear moduli the beam is an Euler–Bernoulli beam.
+bool has_shear(const model::BeamStructure& beam) {
+  const auto& layers = beam.table.stations.front().layers;
+  return std::any_of(layers.begin(), layers.end(), [](const auto& layer) { return layer.shear_Pa.has_value(); });
+}
+
 }  // namespace
 
+std::optional<model::BeamStructure> shaped_beam_of(const BeamFlags& flags) {
+  const StructureFlags& table = flags.structure;
+  const auto refuse = [](const char* option, const char* problem) {
+    return OptionError({option}, problem, "omit one", {"profile"});
+  };
+  if (table.profile.empty()) {
+    constexpr const char* kNeedsTable = "needs a profile";
+    if (table.density_kgpm3) throw refuse("density", kNeedsTable);
+    if (table.young_Pa) throw refuse("young", kNeedsTable);
+    if (table.shear_Pa) throw refuse("shear", kNeedsTable);
+    if (table.total_mass_kg) throw refuse("total_mass", kNeedsTable);
+    if (!table.added.empty()) throw refuse("add_mass", kNeedsTable);
+    return {};
+  }
+  constexpr const char* kInTable = "belongs to a uniform beam, and the profile gives the sections";
+  if (flags.stiffness_Nm2) throw refuse("ei", kInTable);
+  if (flags.mass_per_length_kgpm) throw refuse("rho_a", kInTable);
+  if (!flags.layers.empty()) throw refuse("layer", kInTable);
+  if (flags.length_m) throw refuse("length", kInTable);
+  const model::UniformBeam support = beam_of(flags);
+  model::BeamStructure beam = read_structure(table, {"position", "width", "thickness"});
+  beam.slender = !table.shear_Pa && !has_shear(beam);
+  check_material(table, beam);
+  beam.support = {.kind = support.support, .at_m = 0, .torsion_Nmprad = support.torsion_Nmprad};
+  if (beam.support.kind == model::BeamSupport::torsion && support.torsion_Nmprad == 0)
+    beam.support.kind = model::BeamSupport::pinned;
+  return beam;
+}
+
 std::vector<double> parse_colon_list(const OptionId& option, const std::string& text, std::size_t least,
-                                     std::size_t most, const char* remedy) {
+                                     std::size_t most, const char* remedy, ColonZeros zeros) {
   const auto refuse = [&](const char* problem) { return OptionError::wrong_value(option, text, remedy, problem); };
   std::vector<double> numbers;
   const char* at = text.data();
@@ -50,7 +103,9 @@ std::vector<double> parse_colon_list(const OptionId& option, const std::string& 
     double number = 0;
     const auto [after, error] = std::from_chars(at, end, number);
     if (error != std::errc{} || (after != end && *after != ':')) throw refuse("it is not numbers separated by colons");
-    if (!(number > 0 && std::isfinite(number))) throw refuse("every number must be above zero");
+    const bool zero_allowed = zeros == ColonZeros::after_first && !numbers.empty();
+    if (!(number > 0 || (zero_allowed && number == 0)) || !std::isfinite(number))
+      throw refuse(zero_allowed ? "a number is below zero" : "every number must be above zero");
     numbers.push_back(number);
     more = after != end;
     at = after + (more ? 1 : 0);
@@ -71,12 +126,15 @@ void add_beam_flags(Command& command, BeamFlags& flags) {
   command.value("--torsion", flags.torsion_Nmprad, "Set the stiffness of the torsion spring at x = 0 (default: 1200)")
       .not_negative()
       .type("N*M/RAD");
-  command.value("--length", flags.length_m, "Set the length of the beam").above_zero().type("M").show_default();
+  command.value("--length", flags.length_m, "Set the length of the beam (default: 0.57)").above_zero().type("M");
   command
       .repeatable("--layer", flags.layers,
                   "Add a layer of the section, from the underside up, in Pa, m, m and kg/m³ (repeatable); layers "
                   "replace --ei, and layers with a density also --rho-a")
       .type("YOUNG:WIDTH:HEIGHT[:DENSITY]");
+  const std::string previous = command.heading("Beam that is not uniform");
+  add_structure_flags(command, flags.structure, "points", false);
+  command.heading(previous);
 }
 
 model::UniformBeam beam_of(const BeamFlags& flags) {
@@ -85,7 +143,7 @@ model::UniformBeam beam_of(const BeamFlags& flags) {
   beam.stiffness_Nm2 = flags.stiffness_Nm2.value_or(beam.stiffness_Nm2);
   beam.mass_per_length_kgpm = flags.mass_per_length_kgpm.value_or(beam.mass_per_length_kgpm);
   beam.torsion_Nmprad = flags.torsion_Nmprad.value_or(beam.torsion_Nmprad);
-  beam.length_m = flags.length_m;
+  beam.length_m = flags.length_m.value_or(beam.length_m);
   if (!flags.layers.empty()) use_layers(flags, beam);
   if (flags.torsion_Nmprad && beam.support != model::BeamSupport::torsion) {
     throw OptionError({"torsion"}, "needs a torsion spring, and the support is " + flags.support, "omit one",

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "commands/model/structure_flags.hpp"
 #include "core/error.hpp"
+#include "model/bat/beam_structure.hpp"
 #include "model/beam/beam.hpp"
 
 namespace percuss::tools {
@@ -13,18 +15,29 @@ namespace percuss::tools {
 struct BeamFlags {
   std::string support = "torsion";
   std::optional<double> stiffness_Nm2, mass_per_length_kgpm, torsion_Nmprad;
-  double length_m = model::UniformBeam().length_m;
+  std::optional<double> length_m;
   std::vector<std::string> layers;
+  StructureFlags structure;
 };
 
 void add_beam_flags(Command& command, BeamFlags& flags);
 
-/// The beam of the options; by default the composite bat. Throws UsageError for contradictory options.
+/// The uniform beam of the options; by default the composite bat. Throws UsageError for contradictory options.
 model::UniformBeam beam_of(const BeamFlags& flags);
+
+/// The longest element of a beam with a table of sections, as a fraction of its length.
+inline constexpr double kBeamElementFraction = 1.0 / 200;
+
+/// The beam of the table of sections; nothing without one. Throws UsageError for options of a uniform beam beside the
+/// table, for options of the table without one, and where a constant of the material is missing.
+std::optional<model::BeamStructure> shaped_beam_of(const BeamFlags& flags);
+
+/// Which numbers of a list may be zero.
+enum class ColonZeros { none, after_first };
 
 /// Reads "1200:0.5:3e-3": `least` to `most` finite numbers above zero, separated by colons. Throws an OptionError that
 /// ends in `remedy`.
 std::vector<double> parse_colon_list(const OptionId& option, const std::string& text, std::size_t least,
-                                     std::size_t most, const char* remedy);
+                                     std::size_t most, const char* remedy, ColonZeros zeros = ColonZeros::none);
 
 }  // namespace percuss::tools

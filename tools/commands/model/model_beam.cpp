@@ -1,13 +1,17 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "cli/option_error.hpp"
 #include "cli/report_output.hpp"
 #include "commands/model/beam_flags.hpp"
+#include "commands/model/frequency_fit_flags.hpp"
+#include "commands/model/model_budget.hpp"
 #include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
 #include "report/beam_report.hpp"
+#include "report/shaped_beam_report.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -19,9 +23,9 @@ struct ModelBeamFlags {
   BeamFlags beam;
   std::optional<double> gyration_m, shear_stiffness_N;
   std::size_t modes = 10;
-  std::vector<std::string> fit, readings;
-  std::vector<double> measured_Hz, measured_std_Hz;
-  std::vector<std::size_t> measured_modes;
+  FrequencyFitFlags fit;
+  std::vector<std::string> readings;
+  std::vector<double> budget;
   OutputFlags output;
 };
 
@@ -38,8 +42,10 @@ std::vector<model::BeamParameter> fitted_parameters(const ModelBeamFlags& flags)
       {"torsion", model::BeamParameter::torsion, b.torsion_Nmprad.has_value() || !flags.readings.empty()},
       {"rho-a", model::BeamParameter::mass_per_length, b.mass_per_length_kgpm.has_value()}};
   std::vector<model::BeamParameter> fitted;
-  for (const std::string& name : flags.fit) {
+  for (const std::string& name : flags.fit.names) {
     const auto found = std::find_if(names.begin(), names.end(), [&](const FitName& one) { return name == one.name; });
+    if (found == names.end())
+      throw OptionError::wrong_value("fit", name, "fit ei, torsion or rho-a", "it needs a profile", {"profile"});
     if (found->given) throw OptionError::wrong_value("fit", name, "omit one", "its value is given as well");
     if (std::find(fitted.begin(), fitted.end(), found->which) != fitted.end())
       throw OptionError::wrong_value("fit", name, "name each parameter once", "it is named twice");
@@ -66,7 +72,7 @@ void check_fit(const ModelBeamFlags& flags, model::BeamSupport support,
                              : "has two parameters, but without a spring frequencies determine EI/ρA only",
                       "omit one and give its value", {"ei", "rho_a", "torsion"});
   }
-  if (flags.measured_Hz.size() < fitted.size()) {
+  if (flags.fit.measured_Hz.size() < fitted.size()) {
     throw OptionError({"fit"}, "has more parameters than there are frequencies", "measure at least as many frequencies",
                       {"measured"});
   }
@@ -74,30 +80,9 @@ void check_fit(const ModelBeamFlags& flags, model::BeamSupport support,
 
 std::vector<model::MeasuredFrequency> measured_frequencies(const ModelBeamFlags& flags, model::BeamSupport support) {
   const std::size_t rigid = model::rigid_body_modes(support);
-  const std::size_t count = flags.measured_Hz.size();
-  const auto& std_Hz = flags.measured_std_Hz;
-  if (!flags.measured_modes.empty() && flags.measured_modes.size() != count) {
-    throw OptionError({"measured_modes"}, "does not have one number per frequency", "give one for each frequency",
-                      {"measured"});
-  }
-  if (std_Hz.size() > 1 && std_Hz.size() != count) {
-    throw OptionError({"measured_std"}, "does not have one value per frequency",
-                      "give one for each frequency, or one for all", {"measured"});
-  }
   std::vector<model::MeasuredFrequency> measured;
-  measured.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t mode = flags.measured_modes.empty() ? rigid + i : flags.measured_modes[i];
-    if (mode < rigid || mode >= kMaxBeamModes) {
-      throw OptionError({"measured_modes"}, "names a rigid-body mode, or one not below 200",
-                        "use the numbers of the table");
-    }
-    if (i > 0 && !(flags.measured_Hz[i] > flags.measured_Hz[i - 1] && mode > measured.back().mode))
-      throw OptionError({"measured", "measured_modes"}, "must rise", "sort the frequencies and their modes");
-    measured.push_back({.mode = mode,
-                        .freq_Hz = flags.measured_Hz[i],
-                        .std_Hz = std_Hz.empty() ? 0 : std_Hz[std::min(i, std_Hz.size() - 1)]});
-  }
+  for (const model::MeasuredMode& one : measured_modes(flags.fit, rigid))
+    measured.push_back({.mode = rigid + one.elastic, .freq_Hz = one.freq_Hz, .std_Hz = one.std_Hz});
   return measured;
 }
 
@@ -119,8 +104,32 @@ model::TorsionFit static_torsion(const ModelBeamFlags& flags, const model::Unifo
   return model::fit_torsion(readings, beam.stiffness_Nm2);
 }
 
+int model_shaped_beam(const ModelBeamFlags& flags, model::BeamStructure beam) {
+  for (const auto& [given, option] : {std::pair{flags.gyration_m.has_value(), "gyration"},
+                                      std::pair{flags.shear_stiffness_N.has_value(), "shear_stiffness"},
+                                      std::pair{!flags.readings.empty(), "static"}}) {
+    if (given) throw OptionError({option}, "belongs to a uniform beam", "omit one", {"profile"});
+  }
+  const std::size_t rigid = model::rigid_body_modes(beam.support.kind);
+  report::StructureOrigin origin{.total_mass_kg = flags.beam.structure.total_mass_kg, .first_mode = rigid};
+  if (flags.fit.any()) {
+    origin.measured = measured_modes(flags.fit, rigid);
+    const auto parameters = structure_parameters(flags.fit, beam, origin.total_mass_kg.has_value());
+    origin.fit = model::fit_structure(beam, parameters, origin.measured, {.total_mass_kg = origin.total_mass_kg});
+    beam = origin.fit->structure;
+  }
+  const std::size_t elastic = flags.modes > rigid ? flags.modes - rigid : 1;
+  origin.other = other_profile_kind(beam, elastic, kBeamElementFraction);
+  const model::BatModes modes =
+      model::bat_modes(beam, {.modes = elastic, .max_element_fraction = kBeamElementFraction});
+  return show_report(report::shaped_beam_report(beam, modes, flags.modes, origin), flags.output,
+                     {flags.beam.structure.profile});
+}
+
 int model_beam(const ModelBeamFlags& flags) {
   check_report_outputs(flags.output);
+  const ModelBudget budget(flags.budget, "model beam");
+  if (auto shaped = shaped_beam_of(flags.beam)) return model_shaped_beam(flags, std::move(*shaped));
   model::UniformBeam beam = beam_of(flags.beam);
   beam.gyration_m = flags.gyration_m.value_or(0);
   beam.shear_stiffness_N = flags.shear_stiffness_N.value_or(0);
@@ -132,8 +141,7 @@ int model_beam(const ModelBeamFlags& flags) {
     origin.torsion = static_torsion(flags, beam);
     beam.torsion_Nmprad = origin.torsion->torsion_Nmprad;
   }
-  if (!fitted.empty() || !flags.measured_Hz.empty() || !flags.measured_std_Hz.empty() ||
-      !flags.measured_modes.empty()) {
+  if (flags.fit.any()) {
     check_fit(flags, beam.support, fitted);
     origin.measured = measured_frequencies(flags, beam.support);
     origin.fit = model::fit_beam(beam, fitted, origin.measured);
@@ -146,17 +154,20 @@ int model_beam(const ModelBeamFlags& flags) {
 
 void add_model_beam(CommandLine& line) {
   auto flags = line.values<ModelBeamFlags>();
-  Command command = line.command("model beam", "Predict natural frequencies, nodes and shapes of a uniform beam",
+  Command command = line.command("model beam", "Predict natural frequencies, nodes and shapes of a beam",
                                  [flags] { return model_beam(*flags); });
   command.about(
-      "Models a uniform beam held at one end; the default support is a torsion spring, as for a clamped bat. Reports "
-      "frequencies in Hz, nodes in m from the held end, and shapes. --fit finds the stiffness, the spring or the mass "
-      "from measured frequencies, with standard deviations.");
+      "Models a beam held at one end; the default support is a torsion spring, as for a clamped bat. The beam is "
+      "uniform, or has the sections of a table (--profile). Reports frequencies in Hz, nodes in m from the held end, "
+      "and shapes. --fit finds the stiffness, the spring or the mass from measured frequencies, with standard "
+      "deviations.");
   command.example("percuss model beam --support free --length 0.84 --modes 6", "Model a free beam of 0.84 m");
   command.example("percuss model beam --fit ei,torsion --measured 14.5,322,1038 --measured-std 0.1,1,4",
                   "Fit stiffness and spring to three measured frequencies");
   command.example("percuss model beam --layer 70e9:0.03:0.002:2700 --layer 10e9:0.03:0.02:700 -o beam.html",
                   "Model a section of two layers, and write a page");
+  command.example("percuss model beam --profile blade.csv --profile-unit mm:mm --young 1.1e10 --density 450",
+                  "Model a blade from its widths and thicknesses");
   add_beam_flags(command, flags->beam);
   command.value("--modes", flags->modes, "List this many modes, including rigid-body modes (0 Hz)")
       .within(1, kMaxBeamModes)
@@ -168,28 +179,17 @@ void add_model_beam(CommandLine& line) {
   command.value("--shear-stiffness", flags->shear_stiffness_N, "Add shear (Timoshenko) with this shear stiffness κGA")
       .above_zero()
       .type("NEWTON");
+  add_frequency_fit_flags(
+      command, flags->fit, {"ei", "torsion", "rho-a", "young", "shear", "density", "added-mass"},
+      "Set the mode numbers of the measured frequencies, as in the table (default: the lowest elastic modes)");
   const std::string previous = command.heading("Fit to measurements");
-  command.list("--fit", flags->fit, "Fit these parameters to --measured")
-      .type("NAME,...")
-      .one_of({"ei", "torsion", "rho-a"});
-  command.list("--measured", flags->measured_Hz, "Set the measured frequencies, lowest first")
-      .above_zero()
-      .type("HZ,...");
-  command
-      .list("--measured-std", flags->measured_std_Hz,
-            "Set the standard deviations of the measured frequencies; one each, or one for all")
-      .above_zero()
-      .type("HZ,...");
-  command
-      .list("--measured-modes", flags->measured_modes,
-            "Set the mode numbers of the measured frequencies, as in the table (default: the lowest elastic modes)")
-      .type("N,...");
   command
       .repeatable("--static", flags->readings,
                   "Compute the spring's stiffness from a transverse load in N, its distance from the spring in m, and "
                   "the deflection there in m (repeatable)")
       .type("LOAD:LEVER:DEFLECTION");
   command.heading(previous);
+  add_model_budget(command, flags->budget);
   add_output_flags(command, flags->output, kReportKinds);
 }
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
+#include <optional>
 
 #include "cli/option_error.hpp"
 #include "cli/ranges.hpp"
@@ -11,6 +13,7 @@
 #include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
+#include "model/bat/struck_modes.hpp"
 #include "report/impact_report.hpp"
 
 namespace percuss::tools {
@@ -33,6 +36,34 @@ struct ModelImpactFlags {
   OutputFlags output;
 };
 
+// A beam with a table of sections, and its modes.
+struct ShapedBeam {
+  model::BeamStructure structure;
+  model::BatModes modes;
+};
+
+model::BatModes modes_of(const model::BeamStructure& structure, std::size_t modes) {
+  return model::bat_modes(structure, {.modes = modes, .max_element_fraction = kBeamElementFraction});
+}
+
+std::optional<ShapedBeam> solved_shaped_beam(const ModelImpactFlags& flags) {
+  auto structure = shaped_beam_of(flags.beam);
+  if (!structure) return {};
+  return ShapedBeam{.structure = *structure, .modes = modes_of(*structure, flags.impact.modes)};
+}
+
+// Sets the modes at the struck point. A varied spring changes the modes.
+void strike_shaped(const ShapedBeam& shaped, model::Impact& impact) {
+  if (impact.beam.torsion_Nmprad == shaped.structure.support.torsion_Nmprad) {
+    impact.struck = model::struck_modes(shaped.modes, impact.at_m, impact.modes);
+    return;
+  }
+  model::BeamStructure varied = shaped.structure;
+  varied.support.torsion_Nmprad = impact.beam.torsion_Nmprad;
+  varied.support.kind = impact.beam.torsion_Nmprad > 0 ? model::BeamSupport::torsion : model::BeamSupport::pinned;
+  impact.struck = model::struck_modes(modes_of(varied, impact.modes), impact.at_m, impact.modes);
+}
+
 void check_impact_position(const OptionId& option, double at_m, const model::UniformBeam& beam) {
   if (!(at_m >= 0 && at_m <= beam.length_m)) {
     throw OptionError::wrong_value(option, fmt::format("{:g}", at_m), "strike from 0 to the length of the beam",
@@ -40,13 +71,15 @@ void check_impact_position(const OptionId& option, double at_m, const model::Uni
   }
 }
 
-report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& impact) {
+report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& impact, bool shaped) {
   const std::size_t equals = text.find('=');
   report::ImpactSweep sweep{.parameter = text.substr(0, equals)};
   std::replace(sweep.parameter.begin(), sweep.parameter.end(), '-', '_');
   model::Impact trial = impact;
   if (equals == std::string::npos || report::swept_value(trial, sweep.parameter) == nullptr)
     throw OptionError::wrong_value("sweep", text, kSweepForm, "it is not a known name and a range");
+  if (shaped && (sweep.parameter == "ei" || sweep.parameter == "rho_a"))
+    throw OptionError::wrong_value("sweep", text, "vary torsion, at or speed", "the profile gives it", {"profile"});
   if (sweep.parameter == "torsion" && impact.beam.support != model::BeamSupport::torsion) {
     throw OptionError::wrong_value("sweep", text, "choose the torsion support", "the beam has no torsion spring",
                                    {"support"});
@@ -62,12 +95,13 @@ report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& im
   return sweep;
 }
 
-void run_sweep(const model::Impact& impact, const model::ImpactOptions& options, std::size_t threads,
-               report::ImpactSweep& sweep) {
+void run_sweep(const model::Impact& impact, const std::optional<ShapedBeam>& shaped,
+               const model::ImpactOptions& options, std::size_t threads, report::ImpactSweep& sweep) {
   sweep.results.resize(sweep.values.size());
   parallel_for(sweep.values.size(), threads, [&](std::size_t i) {
     model::Impact varied = impact;
     *report::swept_value(varied, sweep.parameter) = sweep.values[i];
+    if (shaped) strike_shaped(*shaped, varied);
     sweep.results[i] = model::simulate_impact(varied, options);
   });
 }
@@ -93,21 +127,37 @@ int model_impact(const ModelImpactFlags& flags) {
   check_report_outputs(flags.output);
   const ModelBudget budget(flags.budget, "model impact");
   model::Impact impact = flags.impact;
+  const std::optional<ShapedBeam> shaped = solved_shaped_beam(flags);
   impact.beam = beam_of(flags.beam);
+  if (shaped) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    impact.beam.length_m = shaped->structure.length_m();
+    impact.beam.stiffness_Nm2 = impact.beam.mass_per_length_kgpm = kNone;
+  }
   check_impact_position("at", impact.at_m, impact.beam);
+  if (shaped) strike_shaped(*shaped, impact);
   impact.hysteresis_spm = model::hysteresis_for_spm(flags.contact_cor, impact.speed_mps);
   std::vector<report::ImpactSweep> sweeps;
   sweeps.reserve(flags.sweeps.size());
   std::size_t swept = 0;
   for (const std::string& text : flags.sweeps) {
-    sweeps.push_back(parse_sweep(text, impact));
+    sweeps.push_back(parse_sweep(text, impact, shaped.has_value()));
     swept += sweeps.back().values.size();
   }
   if (swept > kMaxSwept) throw OptionError({"sweep"}, "has more than 10000 values in all", "give fewer values");
   const model::ImpactOptions options = impact_options(flags, impact);
   const model::ImpactResult result = model::simulate_impact(impact, options);
-  for (report::ImpactSweep& sweep : sweeps) run_sweep(impact, options, flags.threads, sweep);
-  return show_report(report::impact_report(impact, result, sweeps), flags.output);
+  for (report::ImpactSweep& sweep : sweeps) run_sweep(impact, shaped, options, flags.threads, sweep);
+  std::optional<report::StructureOrigin> origin;
+  if (shaped) {
+    origin = report::StructureOrigin{.total_mass_kg = flags.beam.structure.total_mass_kg,
+                                     .first_mode = model::rigid_body_modes(shaped->structure.support.kind)};
+    origin->other = other_profile_kind(shaped->structure, flags.impact.modes, kBeamElementFraction);
+  }
+  return show_report(report::impact_report(impact, result, sweeps, shaped ? &shaped->structure : nullptr,
+                                           origin.value_or(report::StructureOrigin{})),
+                     flags.output,
+                     shaped ? std::vector<std::string>{flags.beam.structure.profile} : std::vector<std::string>{});
 }
 
 }  // namespace
@@ -119,7 +169,8 @@ void add_model_impact(CommandLine& line) {
                    [flags] { return model_impact(*flags); });
   command.about(
       "Simulates the impact of a ball on the beam of percuss model beam: coefficient of restitution (COR), force, "
-      "contact time and deflection of the beam. --sweep varies constants of the beam, the impact position or the "
+      "contact time and deflection of the beam, at the first contact and after the last. --sweep varies constants of "
+      "the beam, the impact position or the "
       "speed.");
   command.example("percuss model impact --at 0.5 --speed 6", "Simulate one impact, 0.5 m from the spring at 6 m/s");
   command.example("percuss model impact --sweep ei=1000:1000:6000 --sweep rho-a=0.6:0.2:3 -o curves.svg",

@@ -1,0 +1,174 @@
+#include "report/structure_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "report/beam_report.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/text_table.hpp"
+
+namespace percuss::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct StructureName {
+  const char *key, *name, *unit;
+  double per_unit = 1;  // of the unit in the text
+};
+StructureName name_of(model::StructureParameter which) {
+  switch (which) {
+    case model::StructureParameter::young:
+      return {"young_pa", "Young's modulus", "GPa", 1e9};
+    case model::StructureParameter::shear:
+      return {"shear_pa", "shear modulus × shape factor", "GPa", 1e9};
+    case model::StructureParameter::density:
+      return {"density_kgpm3", "density", "kg/m³"};
+    case model::StructureParameter::torsion:
+      return {"torsion_nmprad", "spring", "N·m/rad"};
+    default:
+      return {"added_mass_kg", "added mass", "kg"};
+  }
+}
+
+const char* kind_name(model::ProfileKind kind) { return kind == model::ProfileKind::slices ? "slices" : "points"; }
+
+Json structure_fit_json(const StructureOrigin& origin) {
+  if (!origin.fit) return {};
+  Json parameters = Json::array(), frequencies = Json::array();
+  for (const model::FittedStructureParameter& one : origin.fit->parameters) {
+    parameters.push_back(
+        {{"name", name_of(one.which).key}, {"value", one.value}, {"std", one.std ? Json(*one.std) : Json()}});
+  }
+  for (std::size_t i = 0; i < origin.measured.size(); ++i) {
+    const model::MeasuredMode& one = origin.measured[i];
+    const double model_Hz = origin.fit->model_Hz[i];
+    frequencies.push_back({{"mode", origin.first_mode + one.elastic},
+                           {"measured_hz", one.freq_Hz},
+                           {"measured_std_hz", one.std_Hz > 0 ? Json(one.std_Hz) : Json()},
+                           {"model_hz", model_Hz},
+                           {"difference_percent", 100 * (model_Hz / one.freq_Hz - 1)}});
+  }
+  return {{"parameters", parameters}, {"frequencies", frequencies}};
+}
+
+// The largest relative difference between the frequencies of the two kinds, and the index of its mode.
+struct KindDifference {
+  double relative = 0;
+  std::size_t mode = 0;
+};
+KindDifference largest_difference(const std::vector<double>& freq_Hz, const OtherProfileKind& other) {
+  KindDifference largest;
+  for (std::size_t i = 0; i < std::min(freq_Hz.size(), other.freq_Hz.size()); ++i) {
+    const double relative = other.freq_Hz[i] / freq_Hz[i] - 1;
+    if (std::abs(relative) > std::abs(largest.relative)) largest = {.relative = relative, .mode = i};
+  }
+  return largest;
+}
+
+// A warning where the table was read as slices and they are long.
+std::optional<Message> kind_warning(const model::BeamStructure& structure, const StructureOrigin& origin,
+                                    const std::vector<double>& freq_Hz) {
+  if (!origin.other || structure.table.kind != model::ProfileKind::slices) return {};
+  const KindDifference worst = largest_difference(freq_Hz, *origin.other);
+  return Message{
+      fmt::format("slices are up to {:.1f} % of the length long; with linear dimensions between the positions mode {} "
+                  "would be {:.1f} Hz, not {:.1f} Hz ({:+.1f} %); if the table holds measured points, say so",
+                  100 * structure.table.longest_fraction(), origin.first_mode + worst.mode,
+                  origin.other->freq_Hz[worst.mode], freq_Hz[worst.mode], 100 * worst.relative),
+      {"profile_kind"}};
+}
+
+std::string support_text(const model::StructureSupport& support, const std::string& from) {
+  const std::string place = fmt::format("{:.1f} mm from {}", 1000 * support.at_m, from);
+  switch (support.kind) {
+    case model::BeamSupport::torsion:
+      return fmt::format("on a pin with a spring of {:.6g} N·m/rad, {}", support.torsion_Nmprad, place);
+    case model::BeamSupport::pinned:
+      return "on a pin " + place;
+    case model::BeamSupport::clamped:
+      return "clamped " + place;
+    default:
+      return "free";
+  }
+}
+
+void add_fit_text(const StructureOrigin& origin, ReportText& text) {
+  for (const model::FittedStructureParameter& one : origin.fit->parameters) {
+    const StructureName name = name_of(one.which);
+    text += one.std ? fmt::format("fitted: {} {} {}\n", name.name,
+                                  value_with_std(one.value / name.per_unit, *one.std / name.per_unit), name.unit)
+                    : fmt::format("fitted: {} {:.6g} {} (no ±: no more frequencies than unknowns)\n", name.name,
+                                  one.value / name.per_unit, name.unit);
+  }
+  TextTable table({{"mode", TextTable::Align::right},
+                   {"measured", TextTable::Align::right},
+                   {"model", TextTable::Align::right},
+                   {"difference", TextTable::Align::right}});
+  for (std::size_t i = 0; i < origin.measured.size(); ++i) {
+    const model::MeasuredMode& one = origin.measured[i];
+    const double model_Hz = origin.fit->model_Hz[i];
+    table.add({std::to_string(origin.first_mode + one.elastic), value_with_std(one.freq_Hz, one.std_Hz) + " Hz",
+               fmt::format("{:.6g} Hz", model_Hz), fmt::format("{:+.2f} %", 100 * (model_Hz / one.freq_Hz - 1))});
+  }
+  text += table;
+}
+
+}  // namespace
+
+void add_structure_json(const model::BeamStructure& structure, const StructureOrigin& origin,
+                        const std::vector<double>& freq_Hz, nlohmann::ordered_json& json) {
+  const model::SectionTable& table = structure.table;
+  json["profile"] = {{"kind", kind_name(table.kind)},
+                     {"section", table.round ? "round" : "rectangular"},
+                     {"stations", table.stations.size()},
+                     {"layers", table.stations.front().layers.size()},
+                     {"longest_fraction", table.longest_fraction()},
+                     {"other_kind", Json()}};
+  if (origin.other) {
+    json["profile"]["other_kind"] = {{"kind", kind_name(origin.other->kind)}, {"frequency_hz", origin.other->freq_Hz}};
+  }
+  json["material"] = {{"density_kgpm3", structure.material.density_kgpm3},
+                      {"young_pa", structure.material.young_Pa},
+                      {"shear_pa", structure.slender ? Json() : Json(structure.material.shear_Pa)},
+                      {"density_from_mass", origin.total_mass_kg.has_value()}};
+  const bool held = structure.support.kind != model::BeamSupport::free;
+  const bool spring = structure.support.kind == model::BeamSupport::torsion;
+  json["support"] = {{"kind", support_name(structure.support.kind)},
+                     {"at_m", held ? Json(structure.support.at_m) : Json()},
+                     {"torsion_nmprad", spring ? Json(structure.support.torsion_Nmprad) : Json()}};
+  json["added_mass"] = Json::array();
+  for (const model::AddedMass& one : structure.added)
+    json["added_mass"].push_back({{"mass_kg", one.mass_kg}, {"from_m", one.from_m}, {"to_m", one.to_m}});
+  json["fit"] = structure_fit_json(origin);
+  json["warnings"] = Json::array();
+  if (const auto warning = kind_warning(structure, origin, freq_Hz)) {
+    json["warnings"].push_back({{"code", "long_slices"},
+                                {"severity", "warn"},
+                                {"message", warning->text},
+                                {"value", largest_difference(freq_Hz, *origin.other).relative},
+                                {"remedy", "read the table as points"}});
+  }
+}
+
+void add_structure_text(const model::BeamStructure& structure, const StructureOrigin& origin,
+                        const std::vector<double>& freq_Hz, const std::string& from, ReportText& text) {
+  const model::SectionTable& table = structure.table;
+  std::string line = fmt::format("{} {} ({} between the positions), {}", table.stations.size(), kind_name(table.kind),
+                                 table.kind == model::ProfileKind::slices ? "constant" : "linear",
+                                 support_text(structure.support, from));
+  if (origin.total_mass_kg)
+    line += fmt::format("; density {:.1f} kg/m³ from the mass", structure.material.density_kgpm3);
+  for (const model::AddedMass& one : structure.added) {
+    line += fmt::format("; {:.1f} g added at {:.1f} mm", 1000 * one.mass_kg, 1000 * one.from_m);
+    if (one.to_m > one.from_m) line += fmt::format(" to {:.1f} mm", 1000 * one.to_m);
+  }
+  text.say({line, {}});
+  if (origin.fit) add_fit_text(origin, text);
+  if (const auto warning = kind_warning(structure, origin, freq_Hz)) text.warn(*warning);
+}
+
+}  // namespace percuss::report
