@@ -76,6 +76,30 @@ TEST_F(StudyCommand, ReplacesIdsAndWritesTheKey) {
   EXPECT_EQ(study({"t.csv", "--blind", "key.csv"}).code, 3);  // an existing key is not overwritten
 }
 
+TEST_F(StudyCommand, DescribesGroupsAndCountsPrograms) {
+  const auto bats = [](const std::string& program, int first) {
+    std::string rows;
+    for (int i = 0; i < 6; ++i)
+      rows += "b" + std::to_string(first + i) + ",33,aluminum," + program + "," + std::to_string(0.70 + 0.001 * i * i) +
+              "," + std::to_string(10000 + 100 * i) + "\n";
+    return rows;
+  };
+  test::write_bytes(folder_.file("p.csv"),
+                    "id,length_in,material,program,besr,moi_oz_in2\n" + bats("", 0) + bats("bbcor", 10));
+  const auto document = test::parse_json(study({"p.csv", "--json"}).out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("study")), testing::IsEmpty());
+  EXPECT_EQ(document["figures"][0]["classes"][0]["association"]["bats"], 6);
+  EXPECT_EQ(document["groups"][0]["states"], 12);
+  const auto all = test::parse_json(study({"p.csv", "--json", "--program", "all"}).out);
+  EXPECT_EQ(all["figures"][0]["classes"][0]["association"]["bats"], 12);
+  EXPECT_EQ(study({"p.csv", "--program", "usssa"}).code, 3);
+  const std::string text = study({"p.csv"}).out;
+  EXPECT_THAT(text, HasSubstr("6 bats of the program bbcor are drawn"));
+  EXPECT_THAT(text, HasSubstr("aluminum, new, bbcor"));
+  ASSERT_EQ(study({"p.csv", "--figures", "f", "--quiet"}).code, 0);
+  EXPECT_THAT(bytes_of(folder_.file("f/groups.csv")), HasSubstr("aluminum,all,all,12,besr,12,"));
+}
+
 TEST_F(StudyCommand, RejectsUnusableInput) {
   test::write_bytes(folder_.file("bad.csv"), "id,length_in,material\na,33,paper\n");
   test::rejection_of({"study", folder_.file("bad.csv")}, {".json", ".csv"}, "bat a");

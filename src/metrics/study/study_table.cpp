@@ -150,6 +150,11 @@ std::vector<std::string_view> wanted_keys() {
 
 }  // namespace
 
+const char* name_of(BarrelMaterial material) {
+  if (material == BarrelMaterial::wood) return "wood";
+  return material == BarrelMaterial::aluminum ? "aluminum" : "composite";
+}
+
 const char* column_of(StudyQuantity q) { return kQuantityNames.at(static_cast<std::size_t>(q)).column; }
 const char* axis_of(StudyQuantity q) { return kQuantityNames.at(static_cast<std::size_t>(q)).axis; }
 const char* phrase_of(StudyQuantity q) { return kQuantityNames.at(static_cast<std::size_t>(q)).words; }

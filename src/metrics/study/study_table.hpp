@@ -9,6 +9,7 @@
 namespace percuss::metrics {
 
 enum class BarrelMaterial { wood, aluminum, composite };
+const char* name_of(BarrelMaterial material);
 
 /// The quantities of a study, in the units of the source's figures.
 enum class StudyQuantity { moi, drop, bending1, bending2, hoop1, hoop2, besr, bbs, bbcor };
