@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
@@ -16,32 +17,11 @@ using Json = nlohmann::ordered_json;
 constexpr double kUnlikelyChi2 = 0.01;
 constexpr int kCcorPoints = 41;
 
-// The model's CCOR over the speeds around the measured ones, and its range over the allowed exponents.
-struct CcorCurve {
-  std::vector<double> speed_mps, cor, low, high;
-};
-
-CcorCurve ccor_curve(const model::Trampoline& model, const FittedExponents& fitted) {
+std::pair<double, double> measured_speeds_mps(const FittedExponents& fitted) {
   const auto [slowest, fastest] =
       std::minmax_element(fitted.measured.begin(), fitted.measured.end(),
                           [](const auto& a, const auto& b) { return a.speed_mps < b.speed_mps; });
-  const model::CcorMisfit misfit(model, fitted.measured);
-  const double low = 0.9 * slowest->speed_mps, high = 1.1 * fastest->speed_mps;
-  CcorCurve out;
-  for (int i = 0; i < kCcorPoints; ++i) {
-    const double speed = low + (high - low) * i / (kCcorPoints - 1);
-    const double cor = misfit.cor(fitted.fit.exponents(), speed);
-    out.speed_mps.push_back(speed);
-    out.cor.push_back(cor);
-    out.low.push_back(cor);
-    out.high.push_back(cor);
-    for (const model::Exponents& e : fitted.fit.rim) {
-      const double other = misfit.cor(e, speed);
-      out.low.back() = std::min(out.low.back(), other);
-      out.high.back() = std::max(out.high.back(), other);
-    }
-  }
-  return out;
+  return {slowest->speed_mps, fastest->speed_mps};
 }
 
 Json family_json(const FittedExponents& fitted) {
@@ -113,21 +93,39 @@ std::vector<TrampolineWarning> trampoline_warnings(const model::Trampoline& mode
                    "check the points and their deviations",
                    {"fit_ccor"}});
   }
-  const auto fastest = std::max_element(fitted->measured.begin(), fitted->measured.end(),
-                                        [](const auto& a, const auto& b) { return a.speed_mps < b.speed_mps; });
-  const auto slowest = std::min_element(fitted->measured.begin(), fitted->measured.end(),
-                                        [](const auto& a, const auto& b) { return a.speed_mps < b.speed_mps; });
-  if (model.ball_speed_mps > fastest->speed_mps || model.ball_speed_mps < slowest->speed_mps) {
+  const auto [slowest_mps, fastest_mps] = measured_speeds_mps(*fitted);
+  if (model.ball_speed_mps > fastest_mps || model.ball_speed_mps < slowest_mps) {
     out.push_back({"speed_extrapolated",
                    fmt::format("the ball's speed of {:g} m/s lies outside the measured speeds, {:g} to {:g} m/s",
-                               model.ball_speed_mps, slowest->speed_mps, fastest->speed_mps),
+                               model.ball_speed_mps, slowest_mps, fastest_mps),
                    "measure the CCOR at this speed, too",
                    {"speed"}});
   }
   return out;
 }
 
-Json trampoline_fit_json(const model::Trampoline& model, const FittedExponents& fitted) {
+CcorCurve ccor_curve(const model::Trampoline& model, const FittedExponents& fitted) {
+  const auto [slowest_mps, fastest_mps] = measured_speeds_mps(fitted);
+  const model::CcorMisfit misfit(model, fitted.measured);
+  const double low = 0.9 * slowest_mps, high = 1.1 * fastest_mps;
+  CcorCurve out;
+  for (int i = 0; i < kCcorPoints; ++i) {
+    const double speed = low + (high - low) * i / (kCcorPoints - 1);
+    const double cor = misfit.cor(fitted.fit.exponents(), speed);
+    out.speed_mps.push_back(speed);
+    out.cor.push_back(cor);
+    out.low.push_back(cor);
+    out.high.push_back(cor);
+    for (const model::Exponents& e : fitted.fit.rim) {
+      const double other = misfit.cor(e, speed);
+      out.low.back() = std::min(out.low.back(), other);
+      out.high.back() = std::max(out.high.back(), other);
+    }
+  }
+  return out;
+}
+
+Json trampoline_fit_json(const FittedExponents& fitted, const CcorCurve& curve) {
   const model::ExponentFit& fit = fitted.fit;
   const auto std_or_null = [](double std, bool held) { return held ? Json() : Json(std); };
   Json held = Json::array();
@@ -157,7 +155,6 @@ Json trampoline_fit_json(const model::Trampoline& model, const FittedExponents& 
     json["points"].push_back(
         {{"speed_mps", m.speed_mps}, {"cor", m.cor}, {"cor_std", m.cor_std}, {"model_cor", fit.model_cor[i]}});
   }
-  const CcorCurve curve = ccor_curve(model, fitted);
   for (std::size_t i = 0; i < curve.cor.size(); ++i) {
     json["ccor"].push_back({{"speed_mps", curve.speed_mps[i]},
                             {"cor", curve.cor[i]},
@@ -199,8 +196,7 @@ ReportText trampoline_fit_text(const FittedExponents& fitted) {
   return out;
 }
 
-LineChart ccor_chart(const model::Trampoline& model, const FittedExponents& fitted) {
-  CcorCurve curve = ccor_curve(model, fitted);
+LineChart ccor_chart(const FittedExponents& fitted, CcorCurve curve) {
   LineChart chart{.title = "CCOR over the speed",
                   .x = {.label = "speed of the ball, m/s"},
                   .y = {.label = "coefficient of restitution"}};

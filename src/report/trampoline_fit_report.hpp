@@ -17,11 +17,17 @@ struct TrampolineWarning {
 std::vector<TrampolineWarning> trampoline_warnings(const model::Trampoline& model, const model::HoopPeak& peak,
                                                    const std::optional<FittedExponents>& fitted);
 
+/// The model's CCOR over the speeds around the measured ones, and its range over the allowed exponents.
+struct CcorCurve {
+  std::vector<double> speed_mps, cor, low, high;
+};
+CcorCurve ccor_curve(const model::Trampoline& model, const FittedExponents& fitted);
+
 /// "fit" of the document, and its lines of the text.
-nlohmann::ordered_json trampoline_fit_json(const model::Trampoline& model, const FittedExponents& fitted);
+nlohmann::ordered_json trampoline_fit_json(const FittedExponents& fitted, const CcorCurve& curve);
 ReportText trampoline_fit_text(const FittedExponents& fitted);
 
 /// The measured CCOR over the speed, with the model's curve and its range.
-LineChart ccor_chart(const model::Trampoline& model, const FittedExponents& fitted);
+LineChart ccor_chart(const FittedExponents& fitted, CcorCurve curve);
 
 }  // namespace percuss::report

@@ -4,6 +4,7 @@
 
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "report/text/number_format.hpp"
 #include "report/text/version.hpp"
@@ -56,24 +57,19 @@ Json peak_json(const model::HoopPeak& peak, const std::optional<FittedExponents>
 
 std::string peak_text(const std::vector<double>& hoop_Hz, const model::HoopPeak& peak, double wall, double reference,
                       const std::optional<FittedExponents>& fitted) {
-  std::string text;
-  if (peak.at_edge) {
-    text = fmt::format(
-        "trampoline: no maximum lies within {:g} to {:g} Hz; the COR is largest, {:.4f}, at the end, {:.1f} Hz",
-        hoop_Hz.front(), hoop_Hz.back(), peak.cor, peak.hoop_Hz);
-  } else {
-    text =
-        fmt::format("trampoline: the COR is largest, {:.4f}, at a hoop frequency of {:.1f} Hz", peak.cor, peak.hoop_Hz);
-  }
-  if (fitted && !fitted->fit.rim.empty()) {
-    const model::SweepRange& range = fitted->range;
-    if (fitted->fit.determined && !fitted->fit.at_limit && !range.at_edge) {
-      text += fmt::format(" ± {:.2g} Hz", (range.high.hoop_Hz - range.low.hoop_Hz) / 2);
-    } else {
-      text += fmt::format(" ({:.0f} to {:.0f} Hz with the exponents that fit about as well)", range.low.hoop_Hz,
-                          range.high.hoop_Hz);
-    }
-  }
+  const bool has_range = fitted && !fitted->fit.rim.empty();
+  const bool has_std = has_range && fitted->fit.determined && !fitted->fit.at_limit && !fitted->range.at_edge;
+  const double low_Hz = has_range ? fitted->range.low.hoop_Hz : 0, high_Hz = has_range ? fitted->range.high.hoop_Hz : 0;
+  const std::string peak_Hz =
+      has_std ? value_with_std(peak.hoop_Hz, (high_Hz - low_Hz) / 2) : fmt::format("{:.1f}", peak.hoop_Hz);
+  std::string text =
+      peak.at_edge
+          ? fmt::format(
+                "trampoline: no maximum lies within {:g} to {:g} Hz; the COR is largest, {:.4f}, at the end, {} Hz",
+                hoop_Hz.front(), hoop_Hz.back(), peak.cor, peak_Hz)
+          : fmt::format("trampoline: the COR is largest, {:.4f}, at a hoop frequency of {} Hz", peak.cor, peak_Hz);
+  if (has_range && !has_std)
+    text += fmt::format(" ({:.0f} to {:.0f} Hz with the exponents that fit about as well)", low_Hz, high_Hz);
   return text + fmt::format(". It is {:.3f} of the rigid wall's {:.5f} and {:.3f} of the {:.4f} at 10 kHz\n",
                             peak.cor / wall, wall, peak.cor / reference, reference);
 }
@@ -123,7 +119,11 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
     json["curve"].back()["cor_high"] = fitted->range.cor_high[i];
   }
   if (extras.modal_mass_kg) json["modal_mass_kg"] = *extras.modal_mass_kg;
-  if (fitted) json["fit"] = trampoline_fit_json(model, *fitted);
+  CcorCurve ccor;
+  if (fitted) {
+    ccor = ccor_curve(model, *fitted);
+    json["fit"] = trampoline_fit_json(*fitted, ccor);
+  }
   CommandReport report;
   report.text = peak_text(hoop_Hz, peak, wall, reference, fitted) + extras_text(model, peak, extras);
   if (fitted) report.text += trampoline_fit_text(*fitted);
@@ -137,7 +137,7 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
   report.columns = {{"hoop_hz", hoop_Hz}, cor, loaded, contact, contacts};
   if (fitted) {
     report.charts[0].bands = {{.x = hoop_Hz, .low = fitted->range.cor_low, .high = fitted->range.cor_high}};
-    report.charts.push_back(ccor_chart(model, *fitted));
+    report.charts.push_back(ccor_chart(*fitted, std::move(ccor)));
     report.columns.push_back({"cor_low", fitted->range.cor_low});
     report.columns.push_back({"cor_high", fitted->range.cor_high});
   }

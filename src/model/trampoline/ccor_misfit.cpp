@@ -16,14 +16,18 @@ constexpr LevenbergMarquardtOptions kExponentFitOptions{.max_damping = 1e12, .st
 
 }  // namespace
 
+Trampoline with_exponents(Trampoline model, const Exponents& e) {
+  model.stiffness_exponent = e[0];
+  model.damping_exponent = e[1];
+  return model;
+}
+
 bool CcorMisfit::is_usable(const Exponents& e) {
   return e[0] >= 0 && e[0] <= kMaxStiffnessExponent && e[1] >= 0 && e[1] < 1 + e[0];
 }
 
 double CcorMisfit::cor(const Exponents& e, double speed_mps) const {
-  Trampoline model = model_;
-  model.stiffness_exponent = e[0];
-  model.damping_exponent = e[1];
+  Trampoline model = with_exponents(model_, e);
   model.ball_speed_mps = speed_mps;
   return rigid_wall_rebound(model).cor;
 }
@@ -77,6 +81,10 @@ Exponents CcorMisfit::minimum(const Exponents& start, const std::array<bool, 2>&
                      "check the speeds, or hold an exponent", {"fit_ccor", "hold"});
   }
   return exponents_at(parameters);
+}
+
+Exponents CcorMisfit::best_with_a(double a, const Exponents& near) const {
+  return minimum({a, std::min(near[1], (1 - kStartMargin) * (1 + a))}, {false, true});
 }
 
 std::optional<std::array<double, 2>> CcorMisfit::range_within_std(const Exponents& at, int varied) const {

@@ -16,9 +16,13 @@ struct MeasuredCor {
 /// The exponents [a, b] of the ball's stiffness and damping.
 using Exponents = Eigen::Vector2d;
 
+/// `model` with these exponents.
+Trampoline with_exponents(Trampoline model, const Exponents& e);
+
 /// Fits search 0 ≤ a ≤ kMaxStiffnessExponent: a ball's contact stiffens (Hertz: a = 1/2). A larger a is a wall of its
 /// own, which no ball has.
 inline constexpr double kMaxStiffnessExponent = 3;
+inline constexpr double kStartMargin = 1e-3;  // of a start of b below 1 + a
 
 /// The weighted misfit of the model's CCOR to measured values, as a function of the exponents.
 /// theory (10.5)
@@ -40,6 +44,10 @@ class CcorMisfit {
   /// Minimises chi2 over the free exponents, from `start`, within the usable ones.
   /// errors  InputError: no convergence.
   Exponents minimum(const Exponents& start, const std::array<bool, 2>& free) const;
+
+  /// The pair of the least chi2 with this a. The search starts from the b of `near`, where the dashpot releases the
+  /// ball. errors  InputError: no convergence.
+  Exponents best_with_a(double a, const Exponents& near) const;
 
   /// The values of exponent `varied` for which no residual exceeds 1, with the other exponent of `at`; none if there
   /// are none.

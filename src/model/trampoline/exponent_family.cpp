@@ -9,33 +9,14 @@ namespace {
 constexpr int kPairs = 12;         // listed
 constexpr double kScanStep = 0.1;  // of a, in the search for pairs within every standard deviation
 
-Trampoline with_exponents(Trampoline model, const Exponents& e) {
-  model.stiffness_exponent = e[0];
-  model.damping_exponent = e[1];
-  return model;
-}
-
-// The best pair for each a, starting from neighbouring ones.
-class Valley {
- public:
-  Valley(const CcorMisfit& misfit, const Exponents& best) : misfit_(misfit), last_(best) {}
-  Exponents at(double a) {
-    last_ = misfit_.minimum({a, std::min(last_[1], 0.999 * (1 + a))}, {false, true});
-    return last_;
-  }
-
- private:
-  const CcorMisfit& misfit_;
-  Exponents last_;
-};
-
 // The end of the values of a with a pair within every standard deviation, or with a chi2 within the interval.
 double family_end(const CcorMisfit& misfit, const ExponentFit& fit, double interval_end, double direction) {
-  Valley valley(misfit, fit.exponents());
+  Exponents pair = fit.exponents();
   double end = interval_end;
   for (double a = interval_end + direction * kScanStep; a >= 0 && a <= kMaxStiffnessExponent;
        a += direction * kScanStep) {
-    if (!misfit.range_within_std(valley.at(a), 1)) break;
+    pair = misfit.best_with_a(a, pair);
+    if (!misfit.range_within_std(pair, 1)) break;
     end = a;
   }
   return end;
@@ -51,8 +32,11 @@ std::vector<FamilyPair> exponent_family(const Trampoline& model, const std::vect
     pairs.clear();
     const double low = family_end(misfit, fit, fit.a_interval.low, -1);
     const double high = family_end(misfit, fit, fit.a_interval.high, 1);
-    Valley valley(misfit, fit.exponents());
-    for (int i = 0; i < kPairs; ++i) pairs.push_back(valley.at(low + (high - low) * i / (kPairs - 1)));
+    Exponents pair = fit.exponents();
+    for (int i = 0; i < kPairs; ++i) {
+      pair = misfit.best_with_a(low + (high - low) * i / (kPairs - 1), pair);
+      pairs.push_back(pair);
+    }
   }
   const int varied = fit.held.damping && !fit.held.stiffness ? 0 : 1;
   std::vector<FamilyPair> out;

@@ -17,7 +17,6 @@ namespace {
 constexpr double kMaxExponentStd = 100;  // a larger one comes from rounding: the exponent is not determined
 constexpr double kRimRise = 1;           // of chi2 above its minimum, for 68 %
 constexpr int kRimSteps = 8;             // over half the rim: its extremes are met to 2 % of their distance
-constexpr double kStartMargin = 1e-3;  // of a start of b below 1 + a
 constexpr const char* kMeasuredCcor = "the measured CCOR";
 
 // The minimum of chi2, and the pairs around it.
@@ -71,13 +70,12 @@ class PairSearch {
     }
   }
 
-  // The best pair with this value of exponent k.
+  // The best pair with this value of exponent k, which is a where both are free.
   Exponents valley_at(int k, double value) const {
+    if (both_free()) return misfit_.best_with_a(value, best_);
     Exponents at = best_;
     at[k] = value;
-    if (!both_free()) return at;
-    at[1] = std::min(at[1], (1 - kStartMargin) * (1 + value));
-    return misfit_.minimum(at, {false, true});
+    return at;
   }
 
   double end_of_rim(int k, double limit) {

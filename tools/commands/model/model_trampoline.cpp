@@ -92,16 +92,18 @@ model::HeldExponents held_exponents(TrampolineFlags& flags) {
     const std::size_t sign = text.find('=');
     const ParsedNumber number = parse_number(sign == std::string::npos ? "" : text.substr(sign + 1), false);
     const std::string name = text.substr(0, sign);
-    if ((name != "a" && name != "b") || number.problem != NumberProblem::none || number.value < 0)
+    if ((name != "a" && name != "b") || number.problem != NumberProblem::none || number.value < 0) {
       throw OptionError::wrong_value("hold", text, "give a=VALUE or b=VALUE with a value of 0 or more");
+    }
     std::optional<double>& exponent = name == "a" ? flags.stiffness_exponent : flags.damping_exponent;
     if (exponent && *exponent != number.value)
-      throw OptionError({"hold"}, "gives another value of " + name + " than the constant", "give one of them", {name});
+      throw OptionError({"hold"}, "gives a second value of " + name, "give one of them", {name});
     exponent = number.value;
   }
-  if (!flags.hold.empty() && flags.ccor.empty())
+  if (!flags.hold.empty() && flags.ccor.empty()) {
     throw OptionError({"hold"}, "holds an exponent of a fit, but nothing is fitted", "give measured CCOR",
                       {"fit_ccor"});
+  }
   return {.stiffness = flags.stiffness_exponent.has_value(), .damping = flags.damping_exponent.has_value()};
 }
 
@@ -110,9 +112,10 @@ std::optional<double> mass_from_shift(const TrampolineFlags& flags) {
   const char* remedy = "give both frequencies, the loaded one lower, and the extra mass";
   if (!flags.free_hoop_Hz || !flags.loaded_hoop_Hz)
     throw OptionError({"free_hoop", "loaded_hoop"}, "must be given together", remedy, {"extra_mass"});
-  if (!(*flags.free_hoop_Hz > *flags.loaded_hoop_Hz && flags.extra_mass_kg > 0))
+  if (!(*flags.free_hoop_Hz > *flags.loaded_hoop_Hz && flags.extra_mass_kg > 0)) {
     throw OptionError({"loaded_hoop"}, "must be below the free frequency, with an extra mass above 0", remedy,
                       {"extra_mass"});
+  }
   return model::modal_mass_kg(flags.extra_mass_kg, *flags.free_hoop_Hz, *flags.loaded_hoop_Hz);
 }
 
@@ -127,8 +130,7 @@ int model_trampoline(TrampolineFlags flags) {
   if (!flags.ccor.empty()) {
     report::FittedExponents fitted{.measured = measured_of(flags.ccor), .fit = {}};
     fitted.fit = model::fit_exponents(model, fitted.measured, held);
-    model.stiffness_exponent = fitted.fit.stiffness_exponent;
-    model.damping_exponent = fitted.fit.damping_exponent;
+    model = model::with_exponents(model, fitted.fit.exponents());
     extras.fitted = std::move(fitted);
   }
   return show_report(report::trampoline_report(model, hoop.values(), extras), flags.output);
