@@ -132,7 +132,7 @@ std::string study_json(const metrics::Study& study) {
   json["groups"] = groups_json(study);
   for (const metrics::StudyStatement& s : study.statements) json["statements"].push_back(statement_json(s));
   for (const metrics::StudyFigure& f : study.figures) json["figures"].push_back(figure_json(study, f));
-  for (const metrics::StudyHistory& t : study.trails) {
+  for (const metrics::StudyHistory& t : study.histories) {
     json["trails"].push_back({{"bat", t.bat},
                               {"states", ids_json(study, t.states)},
                               {"besr", association_json(t.besr)},
@@ -192,13 +192,13 @@ ReportText study_text(const metrics::Study& study) {
                a ? interval(a->pearson) : ""});
   }
   out += table;
-  for (const metrics::StudyHistory& t : study.trails) {
+  for (const metrics::StudyHistory& t : study.histories) {
     if (t.besr) {
       out += fmt::format("\n{}, {} states: BESR over the hoop frequency ρ = {}", t.bat, t.states.size(),
                          interval(t.besr->spearman));
     }
   }
-  if (!study.trails.empty()) out += "\n";
+  if (!study.histories.empty()) out += "\n";
   add_programs(study, out);
   add_outliers(study, out);
   add_groups(study, out);

@@ -129,4 +129,29 @@ TEST_F(StudyCommand, JoinsAnalysesThatNameTheirBat) {
   }
 }
 
+// From the bench to the figure of a break-in: the documents of four commands, as they are.
+TEST_F(StudyCommand, JoinsTheDocumentsOfAllCommands) {
+  const auto run = [&](std::vector<std::string> words) { return run_percuss(words, {.folder = folder_.path()}); };
+  const auto keep = [&](const char* name, const std::vector<std::string>& words) {
+    const auto outcome = run(words);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    test::write_bytes(folder_.file(name), outcome.out);
+  };
+  run({"synth", "composite-bat", "-o", "bat.h5"});
+  keep("a.json", {"analyze", "bat.h5", "--band", "60:3200", "--json", "--quiet", "--bat-id", "AS333", "--bat",
+                  "material=composite"});
+  keep("m.json",
+       {"metrics", "--bat-id", "AS333", "--length-in", "33", "--weight-oz", "30", "--moi-oz-in2", "9600", "--json"});
+  test::write_bytes(folder_.file("log.json"), R"({"bat": {"id": "AS333"}, "entries": [
+    {"do": "compression", "force_lbf": [600, 600, 600, 600]}, {"do": "performance", "value": 0.71, "z_in": 6},
+    {"do": "compression", "force_lbf": [500, 500, 500, 500]},
+    {"do": "performance", "value": 0.72, "hoop_hz": 1700, "z_in": 6, "id": "AS334"}]})");
+  keep("b.json", {"abi", "log.json", "--json"});
+  ASSERT_EQ(run({"study", "a.json", "m.json", "b.json", "--figures", "f", "--quiet"}).code, 0);
+  const auto rows = test::lines_of(bytes_of(folder_.file("f/besr-hoop1-trail-0-AS333.csv")));
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_THAT(rows[1], testing::StartsWith("AS333,33,composite,new,1900"));
+  EXPECT_EQ(rows[2], "AS334,33,composite,abi,1700,0.72");
+}
+
 }  // namespace percuss::study_command_test

@@ -82,9 +82,9 @@ std::vector<bool> repeats_of(const std::vector<StudyBat>& bats) {
   return out;
 }
 
-std::optional<Association> history_association(const Study& study, const StudyHistory& trail, StudyQuantity y) {
+std::optional<Association> history_association(const Study& study, const StudyHistory& history, StudyQuantity y) {
   std::vector<std::size_t> known;
-  for (const std::size_t b : trail.states) {
+  for (const std::size_t b : history.states) {
     if (study.bats[b].value(y)) known.push_back(b);
   }
   return association_of({points_of(study, StudyQuantity::hoop1, y, known)});
@@ -94,13 +94,13 @@ std::vector<StudyHistory> histories_of(const std::vector<StudyBat>& bats) {
   std::map<std::string, StudyHistory> by_bat;
   for (std::size_t b = 0; b < bats.size(); ++b) {
     if (bats[b].bat.empty() || !bats[b].value(StudyQuantity::hoop1)) continue;
-    StudyHistory& trail = by_bat[bats[b].bat];
-    trail.bat = bats[b].bat;
-    trail.states.push_back(b);
+    StudyHistory& history = by_bat[bats[b].bat];
+    history.bat = bats[b].bat;
+    history.states.push_back(b);
   }
   std::vector<StudyHistory> out;
-  for (auto& [name, trail] : by_bat) {
-    if (trail.states.size() > 1) out.push_back(std::move(trail));
+  for (auto& [name, history] : by_bat) {
+    if (history.states.size() > 1) out.push_back(std::move(history));
   }
   return out;
 }
@@ -157,11 +157,11 @@ Study study_of(std::vector<StudyBat> bats, const StudyOptions& options) {
   }
   study.figures = study_figures_of(study.bats);
   for (StudyFigure& figure : study.figures) fit_figure(study, figure);
-  study.trails = histories_of(study.bats);
-  for (StudyHistory& trail : study.trails) {
-    trail.besr = history_association(study, trail, StudyQuantity::besr);
-    trail.bbs = history_association(study, trail, StudyQuantity::bbs);
-    trail.bbcor = history_association(study, trail, StudyQuantity::bbcor);
+  study.histories = histories_of(study.bats);
+  for (StudyHistory& history : study.histories) {
+    history.besr = history_association(study, history, StudyQuantity::besr);
+    history.bbs = history_association(study, history, StudyQuantity::bbs);
+    history.bbcor = history_association(study, history, StudyQuantity::bbcor);
   }
   study.statements = published_statements();
   judge_statements(study);

@@ -97,7 +97,7 @@ struct Study {
   std::vector<StudyProgram> programs;
   std::vector<StudyGroup> groups;
   std::vector<StudyFigure> figures;
-  std::vector<StudyHistory> trails;  // of bats with at least two states of known hoop frequency
+  std::vector<StudyHistory> histories;  // of bats with at least two states of known hoop frequency
   std::vector<StudyStatement> statements;
 };
 

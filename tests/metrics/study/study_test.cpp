@@ -52,7 +52,7 @@ TEST(Study, HasIntervalsThatCoverTheCorrelation) {
                                      .composite = 80,
                                      .hoop_gain = 1e-5,
                                      .noise = 0.006,
-                                     .trail = false};
+                                     .break_in = false};
     const Study study = study_of(synth::synthetic_population(spec));
     // Uniform from 1300 to 2800 Hz.
     const double hoop_std = 1500 / std::sqrt(12.0), part = spec.hoop_gain * hoop_std;
@@ -68,7 +68,7 @@ TEST(Study, HasIntervalsThatCoverTheCorrelation) {
 TEST(Study, FindsNoRelationInUnrelatedBats) {
   int false_studies = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const Study study = study_of(synth::synthetic_population({.seed = seed, .related = false, .trail = false}));
+    const Study study = study_of(synth::synthetic_population({.seed = seed, .related = false, .break_in = false}));
     false_studies += std::any_of(study.statements.begin(), study.statements.end(),
                                  [](const StudyStatement& s) { return s.verdict != StatementVerdict::not_supported; });
   }
@@ -173,9 +173,9 @@ TEST(Study, MakesEveryFigureOfTheSource) {
   }
   for (int n = 1; n <= 5; ++n) expected.push_back("B" + std::to_string(n));
   EXPECT_THAT(sources, testing::UnorderedElementsAreArray(expected));
-  ASSERT_EQ(study.trails.size(), 1U);
-  EXPECT_EQ(study.trails[0].states.size(), 9U);
-  EXPECT_TRUE(study.trails[0].besr);
+  ASSERT_EQ(study.histories.size(), 1U);
+  EXPECT_EQ(study.histories[0].states.size(), 9U);
+  EXPECT_TRUE(study.histories[0].besr);
 }
 
 TEST(Study, CountsEachBatOnce) {
@@ -187,7 +187,7 @@ TEST(Study, CountsEachBatOnce) {
 }
 
 TEST(Study, NamesOutliers) {
-  auto bats = synth::synthetic_population({.wood = 60, .aluminum = 0, .composite = 0, .trail = false});
+  auto bats = synth::synthetic_population({.wood = 60, .aluminum = 0, .composite = 0, .break_in = false});
   bats[7].values[static_cast<std::size_t>(StudyQuantity::bbcor)] = 0.60;
   const Study study = study_of(bats);
   const auto figure = std::find_if(study.figures.begin(), study.figures.end(),
