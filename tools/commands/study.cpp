@@ -87,7 +87,8 @@ void add_study(CommandLine& line) {
   Command command = line.command("study", "Correlate the properties of a population of bats with their performance",
                                  [flags] { return run_study(*flags); });
   command.about(
-      "Joins tables of bats, analyses with --bat-id and results of percuss batch merge. Tests which properties "
+      "Joins tables of bats, results of percuss batch merge, and documents of percuss analyze and metrics with "
+      "--bat-id, of certify and of abi, by the id of the bat. Tests which properties "
       "correlate with performance: reports each hypothesis with verdict, p-value, and correlations with 95 % "
       "intervals. --example prints a table with all known columns.");
   command.example("percuss study --example > bats.csv; percuss study bats.csv --figures figures",
@@ -97,7 +98,8 @@ void add_study(CommandLine& line) {
       "--hoop-curve model.json -o study.html",
       "Write a page, with a model drawn over the measured points");
   command.arguments("TABLE", flags->inputs,
-                    "Tables of bats, analyses with --bat-id, and results of percuss batch merge; joined by id");
+                    "Tables of bats, results of percuss batch merge, and documents of percuss analyze and metrics with "
+                    "--bat-id, of certify and of abi; joined by id");
   command.value("--figures", flags->figures, "Write every figure as picture and table into this folder").type("FOLDER");
   command
       .list("--program", flags->programs,

@@ -156,7 +156,8 @@ void StudyRows::merge(const BatProperties& properties, const std::string& where)
   for (const auto& [column, value] : properties) {
     const auto [at, added] = known->second.emplace(column, value);
     if (added || at->second == value) continue;
-    if (const std::string* finer = finer_of(at->second, value)) {
+    const std::string* const finer = is_text_column(column) ? nullptr : finer_of(at->second, value);
+    if (finer != nullptr) {
       at->second = *finer;
     } else {
       throw InputError(fmt::format("two values of {} for bat {}: {} and {}", column, one_line(id, 60),

@@ -168,6 +168,7 @@ std::string file_word(const std::string& text) {
 // The chart of a figure, or of the history of one bat, with the bats that it shows.
 struct StudyPlot {
   std::string name;
+  std::string source;  // number of the source's figure; empty: it has none
   metrics::StudyQuantity x, y;
   LineChart chart;
   std::vector<std::size_t> bats;
@@ -194,13 +195,16 @@ void add_history(const metrics::Study& study, const metrics::StudyHistory& histo
   const std::string column = metrics::column_of(y);
   std::string name =
       fmt::format("{}-hoop1-trail-{}-{}", column.substr(0, column.find('_')), number, file_word(history.bat));
-  drawn.push_back({std::move(name), metrics::StudyQuantity::hoop1, y, std::move(chart), std::move(shown)});
+  const int source = y == metrics::StudyQuantity::besr ? 67 : y == metrics::StudyQuantity::bbs ? 68 : 69;
+  drawn.push_back(
+      {std::move(name), std::to_string(source), metrics::StudyQuantity::hoop1, y, std::move(chart), std::move(shown)});
 }
 
 std::vector<StudyPlot> plotted_curves(const metrics::Study& study, const std::optional<metrics::StudyCurve>& model) {
   std::vector<StudyPlot> drawn;
   for (const metrics::StudyFigure& figure : study.figures)
-    drawn.push_back({figure.name, figure.x, figure.y, chart_of(study, figure, model), pooled_class(figure).bats});
+    drawn.push_back(
+        {figure.name, figure.source, figure.x, figure.y, chart_of(study, figure, model), pooled_class(figure).bats});
   for (std::size_t t = 0; t < study.histories.size(); ++t) {
     for (const metrics::StudyQuantity y :
          {metrics::StudyQuantity::besr, metrics::StudyQuantity::bbs, metrics::StudyQuantity::bbcor})
@@ -214,10 +218,13 @@ std::vector<StudyPlot> plotted_curves(const metrics::Study& study, const std::op
 std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve,
                                    CsvFormulas formulas) {
   std::vector<StudyFile> files;
+  std::string list = "figure,source,bats,title\n";
   for (const StudyPlot& one : plotted_curves(study, curve)) {
+    list += fmt::format("{},{},{},{}\n", one.name, one.source, one.bats.size(), csv_cell(one.chart.title, formulas));
     files.push_back({one.name + ".svg", line_chart_svg(one.chart)});
     files.push_back({one.name + ".csv", points_csv(study, one.x, one.y, one.bats, formulas)});
   }
+  files.push_back({"figures.csv", std::move(list)});
   return files;
 }
 
