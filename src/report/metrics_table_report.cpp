@@ -72,26 +72,41 @@ void add_warnings(const std::vector<SharedWarning>& all, std::size_t bats, Repor
   }
 }
 
+// A row per bat, a column per metric that at least one bat has.
+TextTable table_of_bats(const std::vector<NamedMetrics>& bats, const std::vector<std::vector<MetricLine>>& lines) {
+  std::vector<TextTable::Column> columns{{"bat"}};
+  std::vector<std::size_t> shown;
+  for (std::size_t m = 0; m < lines.front().size(); ++m) {
+    const bool any = std::any_of(lines.begin(), lines.end(), [&](const auto& row) { return row[m].value.has_value(); });
+    if (!any) continue;
+    const std::string unit = lines.front()[m].unit;
+    columns.push_back({std::string(lines.front()[m].title) + (unit.empty() ? "" : ", " + unit), TextTable::Align::right});
+    shown.push_back(m);
+  }
+  TextTable table(columns);
+  for (std::size_t b = 0; b < bats.size(); ++b) {
+    std::vector<std::string> cells{bats[b].label.id};
+    for (const std::size_t m : shown) {
+      const auto& value = lines[b][m].value;
+      cells.push_back(value ? value_with_std(value->value(), value->std()) : "");
+    }
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
 }  // namespace
 
 CommandReport metrics_table_report(const std::vector<NamedMetrics>& bats, CsvFormulas formulas) {
-  const std::vector<MetricLine> shown = metric_lines({}, {});
-  std::vector<TextTable::Column> columns{{"bat"}};
-  for (const MetricLine& line : shown)
-    columns.push_back(
-        {std::string(line.title) + (*line.unit == '\0' ? "" : std::string(", ") + line.unit), TextTable::Align::right});
-  TextTable table(columns);
   Json json{{"schema", "percuss/metrics/1"}, {"version", version()}, {"bats", Json::array()}};
   CommandReport report;
   report.table = table_header();
   std::vector<SharedWarning> warnings;
+  std::vector<std::vector<MetricLine>> all_lines;
   for (const NamedMetrics& bat : bats) {
     const metrics::BatMetrics computed = metrics::bat_metrics(bat.readings);
     const std::vector<MetricLine> lines = metric_lines(bat.readings, computed);
-    std::vector<std::string> cells{bat.label.id};
-    for (const MetricLine& line : lines)
-      cells.push_back(line.value ? value_with_std(line.value->value(), line.value->std()) : "");
-    table.add(std::move(cells));
+    all_lines.push_back(lines);
     report.table += table_row(bat, lines, formulas);
     Json one{{"bat", bat_json(bat.label)}};
     one.update(metrics_json(bat.readings, computed, bat.profile));
@@ -99,7 +114,7 @@ CommandReport metrics_table_report(const std::vector<NamedMetrics>& bats, CsvFor
     collect(warnings, metrics::metrics_warnings(bat.readings, computed), bat.label.id);
   }
   report.json = json.dump(2) + "\n";
-  report.text += table;
+  report.text += table_of_bats(bats, all_lines);
   add_warnings(warnings, bats.size(), report.text);
   return report;
 }

@@ -158,7 +158,7 @@ void add_groups(const metrics::Study& study, ReportText& out) {
                    {"range", TextTable::Align::right}});
   for (const metrics::StudyGroup& g : study.groups) {
     std::string name = name_of(g.material);
-    if (g.kind != "all") name += ", " + g.kind + ", " + g.program;
+    if (g.kind != "all") name += ", " + g.kind + (study.programs.size() > 1 ? ", " + g.program : "");
     for (const metrics::QuantitySummary& q : g.quantities) {
       const auto text = [&](double value) { return quantity_text(q.quantity, value); };
       table.add({name, metrics::axis_of(q.quantity), fmt::format("{}", q.states), text(q.mean),

@@ -119,9 +119,9 @@ std::vector<ReadingsRow> parse_readings_table(std::string_view text, const std::
 
 std::string readings_table_example() {
   return "id,material,length_in,weight_oz,cg_in,period_s,ball_g,z_in,v_in_mph,v_out_mph\n"
-         "W1,wood,33,30.5,11.4,1.388 1.389,145.4,6,136,28.9\n"
-         "W2,wood,34,31.6,11.9,1.402 1.402,145.4,6,136,29.8\n"
-         "A1,aluminum,33,30.1,12.6,1.371 1.372,145.4,6,136,31.2\n";
+         "W1,wood,33,30.5,11.4,1.388 1.389,145.4,6,136,24.5\n"
+         "W2,wood,34,31.6,11.9,1.402 1.402,145.4,6,136,26.4\n"
+         "A1,aluminum,33,30.1,12.6,1.371 1.372,145.4,6,136,28.6\n";
 }
 
 }  // namespace percuss::metrics
