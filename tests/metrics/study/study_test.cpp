@@ -108,7 +108,9 @@ TEST(Study, FindsNoRelationInAFewUnrelatedBats) {
   EXPECT_EQ(false_studies(4, BarrelMaterial::composite, 1), 0);
   for (const std::size_t bats : {5U, 6U, 8U, 10U, 12U, 13U, 16U, 24U}) {
     EXPECT_LE(false_studies(bats, BarrelMaterial::composite, 1), 19) << bats;
-    if (bats % 4 == 0) EXPECT_LE(false_studies(bats, BarrelMaterial::wood, 3), 19) << bats;
+    if (bats % 4 == 0) {
+      EXPECT_LE(false_studies(bats, BarrelMaterial::wood, 3), 19) << bats;
+    }
   }
 }
 
