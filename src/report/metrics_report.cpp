@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/text/number_format.hpp"
@@ -28,10 +29,11 @@ Json uncertainty_of(const metrics::UncertainValue& value) {
   Json from = Json::object(), without = Json::array();
   for (std::size_t i = 0; i < metrics::kReadings; ++i) {
     const double part = value.part(static_cast<metrics::Reading>(i));
-    if (part != 0) from[kReadingNames.at(i)] = std::abs(part);
+    if (std::abs(part) > kRoundingOfParts * std::abs(value.value())) from[kReadingNames.at(i)] = std::abs(part);
     if (value.unknown(static_cast<metrics::Reading>(i))) without.push_back(kReadingNames.at(i));
   }
-  return {{"std", value.std()}, {"from", std::move(from)}, {"without", std::move(without)}};
+  const double std = value.std() > kRoundingOfParts * std::abs(value.value()) ? value.std() : 0;
+  return {{"std", std}, {"from", std::move(from)}, {"without", std::move(without)}};
 }
 
 Json recorded_or_null(const std::optional<double>& value, double step) {

@@ -42,6 +42,9 @@ struct MetricLine {
   std::string equation;
 };
 
+/// Parts of a standard deviation below this, relative to the value, are rounding errors of terms that cancel.
+inline constexpr double kRoundingOfParts = 1e-14;
+
 /// All metrics in the order of the reports.
 std::vector<MetricLine> metric_lines(const metrics::BatReadings& readings, const metrics::BatMetrics& metrics);
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "metrics/protocol/readings_table.hpp"
@@ -14,7 +15,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string cell_of(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; }
+// Twelve digits are free of the rounding of the conversion to SI units and back.
+std::string cell_of(const std::optional<double>& value) { return value ? fmt::format("{:.12g}", *value) : ""; }
+
+std::string value_cell(const MetricLine& line) { return line.value ? cell_of(line.value->value()) : ""; }
+
+std::string std_cell(const MetricLine& line) {
+  return line.value && line.value->std() > kRoundingOfParts * std::abs(line.value->value()) ? cell_of(line.value->std())
+                                                                                            : "";
+}
 
 std::string table_header() {
   std::string out = "id";
@@ -33,9 +42,8 @@ std::string table_row(const NamedMetrics& bat, const std::vector<MetricLine>& li
   }
   const auto z_in = bat.readings.z_m ? std::optional(bat.readings.z_m->value() / kInch_m) : std::nullopt;
   out += fmt::format(",{},{},{}", cell_of(bat.profile.length_in), cell_of(bat.profile.weight_oz), cell_of(z_in));
-  for (const MetricLine& line : lines) out += line.value ? fmt::format(",{}", line.value->value()) : ",";
-  for (const MetricLine& line : lines)
-    out += line.value && line.value->std() > 0 ? fmt::format(",{}", line.value->std()) : ",";
+  for (const MetricLine& line : lines) out += "," + value_cell(line);
+  for (const MetricLine& line : lines) out += "," + std_cell(line);
   return out + "\n";
 }
 
@@ -80,7 +88,8 @@ TextTable table_of_bats(const std::vector<NamedMetrics>& bats, const std::vector
     const bool any = std::any_of(lines.begin(), lines.end(), [&](const auto& row) { return row[m].value.has_value(); });
     if (!any) continue;
     const std::string unit = lines.front()[m].unit;
-    columns.push_back({std::string(lines.front()[m].title) + (unit.empty() ? "" : ", " + unit), TextTable::Align::right});
+    columns.push_back(
+        {std::string(lines.front()[m].title) + (unit.empty() ? "" : ", " + unit), TextTable::Align::right});
     shown.push_back(m);
   }
   TextTable table(columns);

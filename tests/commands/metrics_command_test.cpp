@@ -143,4 +143,17 @@ TEST(MetricsCommand, NamesTheRowOfAContradiction) {
   EXPECT_EQ(run_percuss({"metrics", "b.csv", "--bat-id", "a"}, {.folder = folder.path()}).code, 2);
 }
 
+// 6 in from the tip, the contact speed of every bat is 136 mph: its derivative with respect to the length is zero.
+TEST(MetricsCommand, ShowsNoUncertaintyOfTermsThatCancel) {
+  for (const char* length : {"31", "32", "32.5", "33", "33.7"}) {
+    const std::vector<std::string> options{"--length-in", length, "--z-in", "6"};
+    const auto contact = metrics_of(options)["uncertainty"]["v_contact_mph"];
+    EXPECT_EQ(contact["std"], 0) << length;
+    EXPECT_TRUE(contact["from"].empty()) << length;
+    auto words = options;
+    words.insert(words.begin(), "metrics");
+    EXPECT_THAT(run_percuss(words).out, HasSubstr("contact speed  136  mph"));
+  }
+}
+
 }  // namespace percuss::metrics_command_test
