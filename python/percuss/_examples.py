@@ -12,7 +12,7 @@ def example(name: str) -> str:
     """Return an example of an input file as text.
 
     name  "synth": a spec; "survey": a geometry; "info": a channel set-up; "certify": a session; "abi": a log;
-          "study": a table.
+          "metrics": a table of readings; "study": a table.
 
     Returns the text that the command prints with --example. Raises UsageError for other names.
 
@@ -20,7 +20,7 @@ def example(name: str) -> str:
     >>> percuss.example("survey").splitlines()[0].startswith("#")
     True
     """
-    known = ["synth", "survey", "info", "certify", "abi", "study"]
+    known = ["synth", "survey", "info", "certify", "abi", "metrics", "study"]
     if name not in known:
         near = _percuss.nearest(name, known)
         raise UsageError(f"there is no example '{name}'", f"did you mean {near}?" if near else "give one of " + ", ".join(known))

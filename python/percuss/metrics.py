@@ -27,9 +27,10 @@ performance = _make(
     "metrics.performance",
     "metrics",
     _Result,
-    "Returns a Result: drop, moi_oz_in2, besr, bbs_mph, bbcor ... A metric that the readings do not allow is None.",
+    "Returns a Result: drop, moi_oz_in2, besr, bbs_mph, bbcor ... A metric that the readings do not allow is None.\n"
+    "With the path of a table of readings, Result.bats has such a result per row.",
     "",
-    [],
+    [_positional("table", True)],
 )
 certify = _make(
     "metrics.certify",
@@ -52,7 +53,7 @@ study = _make(
     "metrics.study",
     "study",
     _Result,
-    "tables are paths of tables, or analyses that were computed with bat_id=. Returns a Result: every hypothesis with its statistics.",
+    "tables are paths of tables, or of documents that name their bat (analyses and metrics with bat_id=, certify, abi). Returns a Result: every hypothesis with its statistics.",
     "",
     [_positional("tables", True)],
 )

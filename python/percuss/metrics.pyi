@@ -12,7 +12,9 @@ _Text = str | float | tuple[float | str, ...] | Sequence[Any] | dict[str, Any]
 _Numbers = float | Sequence[float] | np.ndarray
 
 def performance(
-    *,
+    *table: Any,
+    bat_id: _Text | None = ...,
+    bat: _Text | None = ...,
     length_in: float | None = ...,
     weight_oz: float | None = ...,
     cg_in: float | None = ...,
@@ -47,6 +49,7 @@ def performance(
     swing_exponent: float | None = ...,
     lot_correction: float | None = ...,
     gravity_in_s2: float | None = ...,
+    keep_formulas: bool = ...,
 ) -> Result: ...
 
 def certify(
@@ -68,6 +71,7 @@ def abi(
 def study(
     *tables: Any,
     figures: _File | None = ...,
+    program: _Text | None = ...,
     hoop_curve: _File | None = ...,
     blind: _File | None = ...,
     table: _File | None = ...,

@@ -91,6 +91,7 @@ def trampoline(
     loaded_hoop: float | None = ...,
     fit_ccor: _Text | None = ...,
     hold: _Text | None = ...,
+    bats: _File | list[_File] | None = ...,
     m1: float | None = ...,
     k1: float | None = ...,
     c1: float | None = ...,

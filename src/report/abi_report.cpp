@@ -41,6 +41,10 @@ std::string abi_json(const metrics::AbiLog& log, const metrics::AbiRun& run) {
   Json json{{"schema", "percuss/abi/1"},
             {"version", version()},
             {"bat", log.bat},
+            {"material", log.material.empty() ? Json() : Json(log.material)},
+            {"length_in", number_or_null(log.length_in)},
+            {"moi_oz_in2", number_or_null(log.moi_ozin2)},
+            {"displacement_in", run.displacement_in},
             {"metric", metric_of(log)},
             {"limit", number_or_null(log.limit)},
             {"verdict", name_of(run.verdict)},
@@ -63,8 +67,12 @@ std::string abi_json(const metrics::AbiLog& log, const metrics::AbiRun& run) {
                                     {"reduction", number_or_null(c.reduction)}});
   }
   for (const metrics::AbiCycle& c : run.cycles) {
-    json["cycles"].push_back(
-        {{"cycle", c.cycle}, {"value", c.value}, {"best", c.best}, {"hoop_hz", number_or_null(c.hoop_Hz)}});
+    json["cycles"].push_back({{"cycle", c.cycle},
+                              {"value", c.value},
+                              {"best", c.best},
+                              {"hoop_hz", number_or_null(c.hoop_Hz)},
+                              {"z_in", number_or_null(c.z_in)},
+                              {"id", c.id}});
   }
   for (const metrics::ProtocolFinding& r : run.remarks)
     json["remarks"].push_back({{"code", r.code}, {"message", r.message}});
@@ -85,6 +93,7 @@ ReportText abi_text(const metrics::AbiLog& log, const metrics::AbiRun& run) {
     }
     out += "\n";
     out += table;
+    out += fmt::format("compressed by {:g} in\n", run.displacement_in);
   }
   if (!run.cycles.empty()) {
     TextTable table({{"test"},
@@ -126,6 +135,21 @@ LineChart abi_chart(const metrics::AbiLog& log, const metrics::AbiRun& run) {
   return chart;
 }
 
+// The hoop frequency over the tests; none without a measured one.
+std::optional<LineChart> hoop_chart(const metrics::AbiLog& log, const metrics::AbiRun& run) {
+  ChartCurve hoop{.name = "first hoop mode", .marks = true};
+  for (const metrics::AbiCycle& c : run.cycles) {
+    if (!c.hoop_Hz) continue;
+    hoop.x.push_back(c.cycle);
+    hoop.y.push_back(*c.hoop_Hz);
+  }
+  if (hoop.x.empty()) return std::nullopt;
+  return LineChart{.title = fmt::format("{}: hoop frequency over the break-in", log.bat),
+                   .x = {.label = "performance test"},
+                   .y = {.label = "hoop frequency before the test, Hz"},
+                   .curves = {hoop}};
+}
+
 }  // namespace
 
 CommandReport abi_report(const metrics::AbiLog& log, const metrics::AbiRun& run) {
@@ -134,6 +158,7 @@ CommandReport abi_report(const metrics::AbiLog& log, const metrics::AbiRun& run)
   report.text = abi_text(log, run);
   report.table = abi_csv(run);
   report.charts = {abi_chart(log, run)};
+  if (auto hoop = hoop_chart(log, run)) report.charts.push_back(std::move(*hoop));
   return report;
 }
 

@@ -66,6 +66,35 @@ Json balls_json(const metrics::Certification& c) {
   return out;
 }
 
+void add_metrics(Json& json, const metrics::LocationMetrics& m) {
+  json["besr"] = m.besr;
+  json["ncaa_besr"] = m.ncaa_besr;
+  json["bbcor"] = or_null(m.bbcor);
+  json["bbs_mph"] = or_null(m.bbs_mph);
+  json["v_swing_mph"] = or_null(m.swing_mph);
+}
+
+// All metrics at the best location.
+Json performance_json(const metrics::Certification& c) {
+  if (!c.best_location) return {};
+  Json out{{"z_in", c.locations[*c.best_location].z_in}};
+  add_metrics(out, c.locations[*c.best_location].metrics);
+  return out;
+}
+
+// The bat, with the properties that a study takes.
+Json bat_json(const metrics::SessionBat& bat) {
+  Json out{{"id", bat.id},
+           {"length_in", bat.length_in},
+           {"moi_oz_in2", or_null(bat.moi_ozin2)},
+           {"weight_oz", or_null(bat.weight_oz)}};
+  for (const auto& [key, text] :
+       {std::pair{"material", &bat.material}, {"condition", &bat.condition}, {"program", &bat.program}}) {
+    if (!text->empty()) out[key] = *text;
+  }
+  return out;
+}
+
 Json locations_json(const metrics::Certification& c) {
   Json out = Json::array();
   for (const metrics::TestedLocation& l : c.locations) {
@@ -74,6 +103,7 @@ Json locations_json(const metrics::Certification& c) {
                    {"complete", l.complete},
                    {"mean", l.mean},
                    {"std_error", l.std_error}});
+    add_metrics(out.back(), l.metrics);
   }
   return out;
 }
@@ -102,13 +132,14 @@ std::string joined_messages(const std::vector<metrics::ProtocolFinding>& finding
 std::string certify_json(const metrics::Session& s, const metrics::Certification& c) {
   const Json json{{"schema", "percuss/certify/1"},
                   {"version", version()},
-                  {"bat", {{"id", s.bat.id}, {"length_in", s.bat.length_in}, {"moi_oz_in2", or_null(s.bat.moi_ozin2)}}},
+                  {"bat", bat_json(s.bat)},
                   {"metric", name_of(s.metric)},
                   {"limit", or_null(s.limit)},
                   {"verdict", name_of(c.verdict)},
                   {"sweet_spot_in", or_null(c.sweet_spot_in)},
                   {"best", or_null(c.best)},
                   {"best_std", or_null(c.best_std)},
+                  {"performance", performance_json(c)},
                   {"next", next_json(c.next)},
                   {"conditions", findings_json(c.conditions)},
                   {"remarks", findings_json(c.remarks)},
@@ -124,6 +155,29 @@ std::string certify_json(const metrics::Session& s, const metrics::Certification
   return indented_text(json) + "\n";
 }
 
+TextTable locations_table(const metrics::Session& s, const metrics::Certification& c) {
+  const bool besr = s.metric != metrics::PerformanceMetric::besr, moi = s.bat.moi_ozin2.has_value();
+  const bool bbcor = moi && s.metric != metrics::PerformanceMetric::bbcor;
+  std::vector<TextTable::Column> columns{{"location", TextTable::Align::right},
+                                         {"shots", TextTable::Align::right},
+                                         {name_of(s.metric), TextTable::Align::right}};
+  if (besr) columns.push_back({"BESR", TextTable::Align::right});
+  if (bbcor) columns.push_back({"BBCOR", TextTable::Align::right});
+  if (moi) columns.push_back({"batted-ball speed", TextTable::Align::right});
+  columns.push_back({""});
+  TextTable table(columns);
+  for (const metrics::TestedLocation& l : c.locations) {
+    std::vector<std::string> cells{fmt::format("{:.1f} in", l.z_in), fmt::format("{}", l.valid),
+                                   value_with_std(l.mean, l.std_error)};
+    if (besr) cells.push_back(fmt::format("{:.4f}", l.metrics.besr));
+    if (bbcor) cells.push_back(fmt::format("{:.4f}", *l.metrics.bbcor));
+    if (moi) cells.push_back(fmt::format("{:.2f} mph", *l.metrics.bbs_mph));
+    cells.emplace_back(c.sweet_spot_in == l.z_in ? "sweet spot" : l.complete ? "" : "not complete");
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
 ReportText certify_text(const metrics::Session& s, const metrics::Certification& c) {
   ReportText out;
   out.say(fmt::format("{}: {}", s.bat.id, c.next.message));
@@ -132,18 +186,8 @@ ReportText certify_text(const metrics::Session& s, const metrics::Certification&
   for (const metrics::ProtocolFinding& f : c.remarks) out.say("note: " + f.message);
   if (c.correction) out += fmt::format("ball lot: correction {:+.4f}\n", *c.correction);
   if (!c.locations.empty()) {
-    TextTable table({{"location", TextTable::Align::right},
-                     {"shots", TextTable::Align::right},
-                     {name_of(s.metric), TextTable::Align::right},
-                     {""}});
-    for (const metrics::TestedLocation& l : c.locations) {
-      table.add({fmt::format("{:.1f} in", l.z_in), fmt::format("{}", l.valid), value_with_std(l.mean, l.std_error),
-                 c.sweet_spot_in == l.z_in ? "sweet spot"
-                 : l.complete              ? ""
-                                           : "not complete"});
-    }
     out += "\n";
-    out += table;
+    out += locations_table(s, c);
   }
   for (std::size_t i = 0; i < c.shots.size(); ++i) {
     if (!c.shots[i].valid()) {

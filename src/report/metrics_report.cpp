@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/text/number_format.hpp"
@@ -20,42 +21,19 @@ constexpr std::array<const char*, metrics::kReadings> kReadingNames{"length_in",
                                                                     "moi_oz_in2", "ball_g",      "z_in",  "v_in_mph",
                                                                     "v_out_mph",  "v_swing_mph", "besr",  "bbcor"};
 
-struct Line {
-  const char* key;
-  const char* unit;
-  const char* title;
-  std::optional<metrics::UncertainValue> value;  // in the unit
-  std::string equation;
-};
-
 std::optional<metrics::UncertainValue> in_unit(const std::optional<metrics::UncertainValue>& value, double unit) {
   return value ? std::optional(*value / unit) : std::nullopt;
-}
-
-std::vector<Line> lines_of_metrics(const metrics::BatReadings& r, const metrics::BatMetrics& m) {
-  const bool speeds = r.in_mps && r.out_mps;
-  const auto by = [](bool given, const char* equation) { return std::string(given ? "as given" : equation); };
-  const double mph = kMilePerHour_mps;
-  return {{"drop", "", "drop", m.drop, "(P1)"},
-          {"moi_oz_in2", "oz in²", "moment of inertia", in_unit(m.moi_kgm2, metrics::kOunceInch2_kgm2),
-           by(r.moi_kgm2.has_value(), "(P3)")},
-          {"besr", "", "BESR", m.besr, speeds ? "(P6)" : by(r.besr.has_value(), "(P9)")},
-          {"ncaa_besr", "", "NCAA BESR", m.ncaa_besr, "(P7)"},
-          {"bbs_mph", "mph", "batted-ball speed", in_unit(m.bbs_mps, mph), "(P8)"},
-          {"bbcor", "", "BBCOR", m.bbcor, by(!m.besr, "(P9)")},
-          {"v_contact_mph", "mph", "contact speed", in_unit(m.contact_mps, mph), "(P5)"},
-          {"v_swing_mph", "mph", "swing speed", in_unit(m.swing_mps, mph), by(r.swing_mps.has_value(), "(P4)")},
-          {"k", "", "k", m.k, "(P10)"}};
 }
 
 Json uncertainty_of(const metrics::UncertainValue& value) {
   Json from = Json::object(), without = Json::array();
   for (std::size_t i = 0; i < metrics::kReadings; ++i) {
     const double part = value.part(static_cast<metrics::Reading>(i));
-    if (part != 0) from[kReadingNames.at(i)] = std::abs(part);
+    if (std::abs(part) > kRoundingOfParts * std::abs(value.value())) from[kReadingNames.at(i)] = std::abs(part);
     if (value.unknown(static_cast<metrics::Reading>(i))) without.push_back(kReadingNames.at(i));
   }
-  return {{"std", value.std()}, {"from", std::move(from)}, {"without", std::move(without)}};
+  const double std = value.std() > kRoundingOfParts * std::abs(value.value()) ? value.std() : 0;
+  return {{"std", std}, {"from", std::move(from)}, {"without", std::move(without)}};
 }
 
 Json recorded_or_null(const std::optional<double>& value, double step) {
@@ -91,11 +69,11 @@ Json metrics_warning_json(const metrics::MetricsWarning& warning) {
   return json;
 }
 
-ReportText text_of_metrics(const std::vector<Line>& lines, const metrics::BatMetrics& m,
+ReportText text_of_metrics(const std::vector<MetricLine>& lines, const metrics::BatMetrics& m,
                            const std::vector<metrics::MetricsWarning>& warnings) {
   TextTable table({{"number"}, {"value", TextTable::Align::right}, {"unit"}, {"from"}});
   std::size_t absent = 0;
-  for (const Line& line : lines) {
+  for (const MetricLine& line : lines) {
     if (!line.value) {
       ++absent;
       continue;
@@ -124,28 +102,55 @@ ReportText text_of_metrics(const std::vector<Line>& lines, const metrics::BatMet
 
 }  // namespace
 
-CommandReport metrics_report(const metrics::BatReadings& readings, const BatProfileReadings& profile) {
-  const metrics::BatMetrics metrics = metrics::bat_metrics(readings);
-  const auto lines = lines_of_metrics(readings, metrics);
-  const auto warnings = metrics::metrics_warnings(readings, metrics);
-  Json json{{"schema", "percuss/metrics/1"}, {"version", version()}};
-  Json uncertainty = Json::object(), equation = Json::object();
-  CommandReport report;
-  report.table = "number,value,std,equation\n";
-  for (const Line& line : lines) {
+std::vector<MetricLine> metric_lines(const metrics::BatReadings& r, const metrics::BatMetrics& m) {
+  const bool speeds = r.in_mps && r.out_mps;
+  const auto by = [](bool given, const char* equation) { return std::string(given ? "as given" : equation); };
+  const double mph = kMilePerHour_mps;
+  return {{"drop", "", "drop", m.drop, "(P1)"},
+          {"moi_oz_in2", "oz in²", "moment of inertia", in_unit(m.moi_kgm2, metrics::kOunceInch2_kgm2),
+           by(r.moi_kgm2.has_value(), "(P3)")},
+          {"besr", "", "BESR", m.besr, speeds ? "(P6)" : by(r.besr.has_value(), "(P9)")},
+          {"ncaa_besr", "", "NCAA BESR", m.ncaa_besr, "(P7)"},
+          {"bbs_mph", "mph", "batted-ball speed", in_unit(m.bbs_mps, mph), "(P8)"},
+          {"bbcor", "", "BBCOR", m.bbcor, by(!m.besr, "(P9)")},
+          {"v_contact_mph", "mph", "contact speed", in_unit(m.contact_mps, mph), "(P5)"},
+          {"v_swing_mph", "mph", "swing speed", in_unit(m.swing_mps, mph), by(r.swing_mps.has_value(), "(P4)")},
+          {"k", "", "k", m.k, "(P10)"}};
+}
+
+Json metrics_json(const metrics::BatReadings& readings, const metrics::BatMetrics& metrics,
+                  const BatProfileReadings& profile) {
+  Json json = Json::object(), uncertainty = Json::object(), equation = Json::object();
+  for (const MetricLine& line : metric_lines(readings, metrics)) {
     json[line.key] = line.value ? Json(line.value->value()) : Json();
     if (!line.value) continue;
     uncertainty[line.key] = uncertainty_of(*line.value);
     equation[line.key] = line.equation;
-    report.table += fmt::format("{},{},{},{}\n", line.key, line.value->value(), line.value->std(), line.equation);
   }
   json["uncertainty"] = std::move(uncertainty);
   json["equation"] = std::move(equation);
   json["profile"] = profile_json(profile, metrics);
   json["warnings"] = Json::array();
-  for (const metrics::MetricsWarning& warning : warnings) json["warnings"].push_back(metrics_warning_json(warning));
+  for (const metrics::MetricsWarning& warning : metrics_warnings(readings, metrics))
+    json["warnings"].push_back(metrics_warning_json(warning));
+  return json;
+}
+
+CommandReport metrics_report(const metrics::BatReadings& readings, const BatProfileReadings& profile,
+                             const std::optional<BatLabel>& bat) {
+  const metrics::BatMetrics metrics = metrics::bat_metrics(readings);
+  const auto lines = metric_lines(readings, metrics);
+  Json json{{"schema", "percuss/metrics/1"}, {"version", version()}};
+  if (bat) json["bat"] = bat_json(*bat);
+  json.update(metrics_json(readings, metrics, profile));
+  CommandReport report;
+  report.table = "number,value,std,equation\n";
+  for (const MetricLine& line : lines) {
+    if (line.value)
+      report.table += fmt::format("{},{},{},{}\n", line.key, line.value->value(), line.value->std(), line.equation);
+  }
   report.json = json.dump(2) + "\n";
-  report.text = text_of_metrics(lines, metrics, warnings);
+  report.text = text_of_metrics(lines, metrics, metrics::metrics_warnings(readings, metrics));
   return report;
 }
 

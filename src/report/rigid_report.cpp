@@ -35,7 +35,11 @@ CommandReport rigid_report(const model::RigidCollision& collision, const std::ve
   report.charts = {{.title = "Rigid bat",
                     .x = {.label = "impact from the centre of mass, m"},
                     .y = {.label = "speed, m/s"},
-                    .curves = {{"ball after impact", z_m, exit.values}, {"bat before impact", z_m, swing.values}}}};
+                    .curves = {{"ball after impact", z_m, exit.values}, {"bat before impact", z_m, swing.values}}},
+                   {.title = "Effective mass of the bat",
+                    .x = {.label = "impact from the centre of mass, m"},
+                    .y = {.label = "effective mass, kg"},
+                    .curves = {{"effective mass", z_m, mass.values}}}};
   report.columns = {{"z_m", z_m}, exit, swing, mass};
   return report;
 }

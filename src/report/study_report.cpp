@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/json/json_document.hpp"
@@ -32,7 +33,9 @@ Json association_json(const std::optional<metrics::Association>& a) {
 
 Json trend_json(const std::optional<metrics::TrendLine>& t) {
   if (!t) return {};
-  return {{"slope", t->slope}, {"at_zero", t->at}, {"slope_low", t->slope_low}, {"slope_high", t->slope_high}};
+  const auto end = [](double slope) { return std::isfinite(slope) ? Json(slope) : Json(); };
+  return {
+      {"slope", t->slope}, {"at_zero", t->at}, {"slope_low", end(t->slope_low)}, {"slope_high", end(t->slope_high)}};
 }
 
 Json ids_json(const metrics::Study& study, const std::vector<std::size_t>& bats) {
@@ -73,6 +76,28 @@ Json statement_json(const metrics::StudyStatement& s) {
           {"association", association_json(s.association)}};
 }
 
+Json groups_json(const metrics::Study& study) {
+  Json out = Json::array();
+  for (const metrics::StudyGroup& g : study.groups) {
+    Json group{{"material", name_of(g.material)},
+               {"kind", g.kind},
+               {"program", g.program},
+               {"states", g.states},
+               {"bats", g.bats},
+               {"quantities", Json::array()}};
+    for (const metrics::QuantitySummary& q : g.quantities) {
+      group["quantities"].push_back({{"quantity", metrics::column_of(q.quantity)},
+                                     {"states", q.states},
+                                     {"mean", q.mean},
+                                     {"std", q.states > 1 ? Json(q.std) : Json()},
+                                     {"low", q.low},
+                                     {"high", q.high}});
+    }
+    out.push_back(std::move(group));
+  }
+  return out;
+}
+
 std::string interval(const metrics::Correlation& c) {
   return fmt::format("{:+.2f} [{:+.2f}, {:+.2f}]", c.value, c.low, c.high);
 }
@@ -101,9 +126,13 @@ void add_outliers(const metrics::Study& study, ReportText& out) {
 std::string study_json(const metrics::Study& study) {
   Json json{{"schema", "percuss/study/1"}, {"version", version()},     {"bats", study.bats.size()},
             {"statements", Json::array()}, {"figures", Json::array()}, {"trails", Json::array()}};
+  json["programs"] = Json::array();
+  for (const metrics::StudyProgram& p : study.programs)
+    json["programs"].push_back({{"program", p.name}, {"bats", p.bats}, {"counted", p.counted}});
+  json["groups"] = groups_json(study);
   for (const metrics::StudyStatement& s : study.statements) json["statements"].push_back(statement_json(s));
   for (const metrics::StudyFigure& f : study.figures) json["figures"].push_back(figure_json(study, f));
-  for (const metrics::StudyHistory& t : study.trails) {
+  for (const metrics::StudyHistory& t : study.histories) {
     json["trails"].push_back({{"bat", t.bat},
                               {"states", ids_json(study, t.states)},
                               {"besr", association_json(t.besr)},
@@ -111,6 +140,42 @@ std::string study_json(const metrics::Study& study) {
                               {"bbcor", association_json(t.bbcor)}});
   }
   return indented_text(json) + "\n";
+}
+
+// Quantities with frequencies and speeds as whole numbers and tenths.
+std::string quantity_text(metrics::StudyQuantity quantity, double value) {
+  using enum metrics::StudyQuantity;
+  if (quantity == besr || quantity == bbcor) return fmt::format("{:.3f}", value);
+  return quantity == drop || quantity == bbs ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
+}
+
+void add_groups(const metrics::Study& study, ReportText& out) {
+  TextTable table({{"group"},
+                   {"quantity"},
+                   {"states", TextTable::Align::right},
+                   {"mean", TextTable::Align::right},
+                   {"std", TextTable::Align::right},
+                   {"range", TextTable::Align::right}});
+  for (const metrics::StudyGroup& g : study.groups) {
+    std::string name = name_of(g.material);
+    if (g.kind != "all") name += ", " + g.kind + (study.programs.size() > 1 ? ", " + g.program : "");
+    for (const metrics::QuantitySummary& q : g.quantities) {
+      const auto text = [&](double value) { return quantity_text(q.quantity, value); };
+      table.add({name, metrics::axis_of(q.quantity), fmt::format("{}", q.states), text(q.mean),
+                 q.states > 1 ? text(q.std) : "", text(q.low) + " to " + text(q.high)});
+    }
+  }
+  out += "\n";
+  out += table;
+}
+
+void add_programs(const metrics::Study& study, ReportText& out) {
+  for (const metrics::StudyProgram& p : study.programs) {
+    if (p.counted) continue;
+    out.say({fmt::format("{} bats of the program {} are drawn, but not part of statements, trends and correlations",
+                         p.bats, p.name),
+             {"program"}});
+  }
 }
 
 ReportText study_text(const metrics::Study& study) {
@@ -127,14 +192,16 @@ ReportText study_text(const metrics::Study& study) {
                a ? interval(a->pearson) : ""});
   }
   out += table;
-  for (const metrics::StudyHistory& t : study.trails) {
+  for (const metrics::StudyHistory& t : study.histories) {
     if (t.besr) {
       out += fmt::format("\n{}, {} states: BESR over the hoop frequency ρ = {}", t.bat, t.states.size(),
                          interval(t.besr->spearman));
     }
   }
-  if (!study.trails.empty()) out += "\n";
+  if (!study.histories.empty()) out += "\n";
+  add_programs(study, out);
   add_outliers(study, out);
+  add_groups(study, out);
   return out;
 }
 
@@ -153,8 +220,10 @@ std::string study_csv(const metrics::Study& study, CsvFormulas formulas) {
       } else {
         out += ",,,,,,,,";
       }
-      out +=
-          one.trend ? fmt::format(",{},{},{},", one.trend->slope, one.trend->slope_low, one.trend->slope_high) : ",,,,";
+      const auto end = [](double slope) { return std::isfinite(slope) ? fmt::format("{}", slope) : ""; };
+      out += one.trend
+                 ? fmt::format(",{},{},{},", one.trend->slope, end(one.trend->slope_low), end(one.trend->slope_high))
+                 : ",,,,";
       std::string names;
       for (const std::size_t b : one.outliers) names += (names.empty() ? "" : " ") + study.bats[b].id;
       out += csv_cell(names, formulas) + "\n";
@@ -164,6 +233,18 @@ std::string study_csv(const metrics::Study& study, CsvFormulas formulas) {
 }
 
 }  // namespace
+
+std::string study_groups_csv(const metrics::Study& study, CsvFormulas formulas) {
+  std::string out = "material,kind,program,bats,quantity,states,mean,std,low,high\n";
+  for (const metrics::StudyGroup& g : study.groups) {
+    for (const metrics::QuantitySummary& q : g.quantities) {
+      out += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", name_of(g.material), g.kind, csv_cell(g.program, formulas),
+                         g.bats, metrics::column_of(q.quantity), q.states, q.mean,
+                         q.states > 1 ? fmt::format("{}", q.std) : "", q.low, q.high);
+    }
+  }
+  return out;
+}
 
 CommandReport study_report(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve,
                            CsvFormulas formulas) {

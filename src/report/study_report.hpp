@@ -8,9 +8,12 @@
 namespace percuss::report {
 
 /// JSON: percuss/study/1 (docs/schema/study.schema.json). Text: the statements with their statistics, then the
-/// outliers. Table: the statistics of each class of each figure. Charts: each figure and each bat's history. `curve` is
-/// drawn in the charts over the hoop frequency.
+/// outliers and the descriptive numbers of each group. Table: the statistics of each class of each figure. Charts: each
+/// figure and the history of each bat with several states. `curve` is drawn in the charts over the hoop frequency.
 CommandReport study_report(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {},
                            CsvFormulas formulas = CsvFormulas::neutralise);
+
+/// The descriptive numbers of the groups, a row for each quantity.
+std::string study_groups_csv(const metrics::Study& study, CsvFormulas formulas = CsvFormulas::neutralise);
 
 }  // namespace percuss::report

@@ -14,17 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kUnlikelyChi2 = 0.01;
 constexpr int kCcorPoints = 41;
 
-std::pair<double, double> measured_speeds_mps(const FittedExponents& fitted) {
-  const auto [slowest, fastest] =
-      std::minmax_element(fitted.measured.begin(), fitted.measured.end(),
-                          [](const auto& a, const auto& b) { return a.speed_mps < b.speed_mps; });
-  return {slowest->speed_mps, fastest->speed_mps};
-}
-
-Json family_json(const FittedExponents& fitted) {
+Json family_json(const model::FittedExponents& fitted) {
   const char* const varied = fitted.fit.held.damping && !fitted.fit.held.stiffness ? "a" : "b";
   Json out = Json::array();
   for (const model::FamilyPair& pair : fitted.family) {
@@ -48,67 +40,9 @@ std::string exponent_text(double value, double std, bool held) {
 
 }  // namespace
 
-std::vector<TrampolineWarning> trampoline_warnings(const model::Trampoline& model, const model::HoopPeak& peak,
-                                                   const std::optional<FittedExponents>& fitted) {
-  std::vector<TrampolineWarning> out;
-  if (peak.at_edge) {
-    out.push_back(
-        {"optimum_at_edge",
-         fmt::format("the largest COR lies at an end of the hoop frequencies, {:g} Hz: it is no optimum", peak.hoop_Hz),
-         "sweep further",
-         {"hoop"}});
-  }
-  if (!fitted) return out;
-  const model::ExponentFit& fit = fitted->fit;
-  if (!fit.determined || fit.at_limit) {
-    out.push_back(
-        {"exponents_not_determined",
-         fmt::format("the measured CCOR do not determine {}: a from {:.3g} to {:.3g}, b from {:.3g} to {:.3g} fit them "
-                     "about as well (chi2 within 1 of the best){}",
-                     fit.free() == 2 ? "a and b" : "the exponent", fit.a_interval.low, fit.a_interval.high,
-                     fit.b_interval.low, fit.b_interval.high,
-                     fit.at_limit ? ", up to a limit of the search (a from 0 to 3, b from 0 to 1 + a)" : ""),
-         fit.free() == 2 ? "hold the exponent that is known" : "measure at more speeds",
-         {"hold"}});
-  }
-  if (fitted->range.at_edge && !peak.at_edge) {
-    out.push_back({"optimum_range_at_edge",
-                   "for some of these exponents, the largest COR lies at an end of the hoop frequencies",
-                   "sweep further",
-                   {"hoop"}});
-  }
-  const bool none_within = std::none_of(fitted->family.begin(), fitted->family.end(),
-                                        [](const model::FamilyPair& pair) { return pair.within_std.has_value(); });
-  if (none_within && fit.free() > 0) {
-    out.push_back({"no_pair_within_std",
-                   "no exponents keep every CCOR within its standard deviation",
-                   "take the pair of the least chi2, or check the points",
-                   {}});
-  }
-  if (fit.chi2_p < kUnlikelyChi2) {
-    out.push_back(
-        {"poor_fit",
-         fmt::format("the model misses the measured CCOR by more than their standard deviations: chi2 {:.1f}, "
-                     "probability {:.1g}",
-                     fit.chi2, fit.chi2_p),
-         "check the points and their standard deviations",
-         {"fit_ccor"}});
-  }
-  const auto [slowest_mps, fastest_mps] = measured_speeds_mps(*fitted);
-  if (model.ball_speed_mps > fastest_mps || model.ball_speed_mps < slowest_mps) {
-    out.push_back({"speed_extrapolated",
-                   fmt::format("the ball's speed of {:g} m/s lies outside the measured speeds, {:g} to {:g} m/s",
-                               model.ball_speed_mps, slowest_mps, fastest_mps),
-                   "measure the CCOR at this speed, too",
-                   {"speed"}});
-  }
-  return out;
-}
-
-CcorCurve ccor_curve(const model::Trampoline& model, const FittedExponents& fitted) {
-  const auto [slowest_mps, fastest_mps] = measured_speeds_mps(fitted);
+CcorCurve ccor_curve(const model::Trampoline& model, const model::FittedExponents& fitted) {
   const model::CcorMisfit misfit(model, fitted.measured);
-  const double low = 0.9 * slowest_mps, high = 1.1 * fastest_mps;
+  const double low = 0.9 * fitted.slowest_mps(), high = 1.1 * fitted.fastest_mps();
   CcorCurve out;
   for (int i = 0; i < kCcorPoints; ++i) {
     const double speed = low + (high - low) * i / (kCcorPoints - 1);
@@ -126,7 +60,7 @@ CcorCurve ccor_curve(const model::Trampoline& model, const FittedExponents& fitt
   return out;
 }
 
-Json trampoline_fit_json(const FittedExponents& fitted, const CcorCurve& curve) {
+Json trampoline_fit_json(const model::FittedExponents& fitted, const CcorCurve& curve) {
   const model::ExponentFit& fit = fitted.fit;
   const auto std_or_null = [](double std, bool held) { return held ? Json() : Json(std); };
   Json held = Json::array();
@@ -165,7 +99,7 @@ Json trampoline_fit_json(const FittedExponents& fitted, const CcorCurve& curve) 
   return json;
 }
 
-ReportText trampoline_fit_text(const FittedExponents& fitted) {
+ReportText trampoline_fit_text(const model::FittedExponents& fitted) {
   const model::ExponentFit& fit = fitted.fit;
   std::string line = fmt::format("fit to measured CCOR: a = {}, b = {}",
                                  exponent_text(fit.stiffness_exponent, fit.stiffness_exponent_std, fit.held.stiffness),
@@ -197,7 +131,7 @@ ReportText trampoline_fit_text(const FittedExponents& fitted) {
   return out;
 }
 
-LineChart ccor_chart(const FittedExponents& fitted, CcorCurve curve) {
+LineChart ccor_chart(const model::FittedExponents& fitted, CcorCurve curve) {
   LineChart chart{.title = "CCOR over the speed",
                   .x = {.label = "speed of the ball, m/s"},
                   .y = {.label = "coefficient of restitution"}};

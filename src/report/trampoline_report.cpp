@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "model/trampoline/trampoline_warnings.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/version.hpp"
+#include "report/trampoline_bats_report.hpp"
 #include "report/trampoline_fit_report.hpp"
 
 namespace percuss::report {
@@ -41,7 +43,7 @@ std::string extras_text(const model::Trampoline& model, const model::HoopPeak& p
 }
 
 // The maximum, with its 68 % range where exponents were fitted.
-Json peak_json(const model::HoopPeak& peak, const std::optional<FittedExponents>& fitted) {
+Json peak_json(const model::HoopPeak& peak, const std::optional<model::FittedExponents>& fitted) {
   Json json{{"hoop_hz", peak.hoop_Hz}, {"cor", peak.cor}, {"at_edge", peak.at_edge}};
   if (!fitted || fitted->fit.rim.empty()) return json;
   const model::SweepRange& range = fitted->range;
@@ -56,7 +58,7 @@ Json peak_json(const model::HoopPeak& peak, const std::optional<FittedExponents>
 }
 
 std::string peak_text(const std::vector<double>& hoop_Hz, const model::HoopPeak& peak, double wall, double reference,
-                      const std::optional<FittedExponents>& fitted) {
+                      const std::optional<model::FittedExponents>& fitted) {
   const bool has_range = fitted && !fitted->fit.rim.empty();
   const bool has_std = has_range && fitted->fit.determined && !fitted->fit.at_limit && !fitted->range.at_edge;
   const double low_Hz = has_range ? fitted->range.low.hoop_Hz : 0, high_Hz = has_range ? fitted->range.high.hoop_Hz : 0;
@@ -74,11 +76,13 @@ std::string peak_text(const std::vector<double>& hoop_Hz, const model::HoopPeak&
                             peak.cor / wall, wall, peak.cor / reference, reference);
 }
 
-void add_warnings(const std::vector<TrampolineWarning>& warnings, Json& json, ReportText& text) {
+void add_warnings(const std::vector<model::TrampolineWarning>& warnings, Json& json, ReportText& text) {
   json["warnings"] = Json::array();
-  for (const TrampolineWarning& w : warnings) {
-    json["warnings"].push_back(
-        {{"code", w.code}, {"severity", "warn"}, {"message", w.message + "; " + w.remedy}, {"remedy", w.remedy}});
+  for (const model::TrampolineWarning& w : warnings) {
+    json["warnings"].push_back({{"code", w.code},
+                                {"severity", name_of(w.severity)},
+                                {"message", w.message + "; " + w.remedy},
+                                {"remedy", w.remedy}});
     text.warn({w.message + "; " + w.remedy, w.options});
   }
 }
@@ -90,13 +94,13 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
   const std::vector<model::Rebound> sweep = model::hoop_sweep(model, hoop_Hz);
   const model::HoopPeak peak = model::optimal_hoop_frequency(model, hoop_Hz, sweep);
   const double wall = model::rigid_wall_rebound(model).cor, reference = model::rebound(model, kReference_Hz).cor;
-  std::optional<FittedExponents> fitted = extras.fitted;
+  std::optional<model::FittedExponents> fitted = extras.fitted;
   if (fitted) {
     fitted->range = model::sweep_range(model, fitted->fit, hoop_Hz, sweep);
     fitted->family = model::exponent_family(model, fitted->measured, fitted->fit, hoop_Hz);
   }
-  NumericColumn cor{.name = "cor"}, loaded{.name = "loaded_hoop_hz"}, contact{.name = "contact_s"},
-      contacts{.name = "contacts"};
+  NumericColumn cor{.name = "cor"}, over_wall{.name = "cor_over_wall"}, over_10kHz{.name = "cor_over_10khz"},
+      loaded{.name = "loaded_hoop_hz"}, contact{.name = "contact_s"}, contacts{.name = "contacts"};
   Json json{{"schema", "percuss/model-trampoline/1"},
             {"version", version()},
             {"constants", constants_json(model)},
@@ -106,6 +110,8 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
             {"curve", Json::array()}};
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     cor.values.push_back(sweep[i].cor);
+    over_wall.values.push_back(sweep[i].cor / wall);
+    over_10kHz.values.push_back(sweep[i].cor / reference);
     loaded.values.push_back(model::loaded_hoop_Hz(model, hoop_Hz[i]));
     contact.values.push_back(sweep[i].contact_s);
     contacts.values.push_back(static_cast<double>(sweep[i].contacts));
@@ -125,15 +131,23 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
     json["fit"] = trampoline_fit_json(*fitted, ccor);
   }
   CommandReport report;
+  std::optional<ChartCurve> bats;
   report.text = peak_text(hoop_Hz, peak, wall, reference, fitted) + extras_text(model, peak, extras);
   if (fitted) report.text += trampoline_fit_text(*fitted);
-  add_warnings(trampoline_warnings(model, peak, fitted), json, report.text);
+  if (!extras.bats.empty()) {
+    const BatsBesideModel beside = bats_beside_model(model, extras.bats);
+    json["bats"] = trampoline_bats_json(beside);
+    report.text += trampoline_bats_text(beside);
+    bats = trampoline_bats_curve(beside);
+  }
+  add_warnings(model::trampoline_warnings(model, peak, fitted), json, report.text);
   report.json = json.dump(2) + "\n";
   report.charts = {
       {.title = "Ball and hollow barrel",
        .x = {.label = "hoop frequency, Hz"},
        .y = {.label = "coefficient of restitution"},
        .curves = {{"barrel", hoop_Hz, cor.values}, {"rigid wall", {hoop_Hz.front(), hoop_Hz.back()}, {wall, wall}}}}};
+  if (bats) report.charts[0].curves.push_back(std::move(*bats));
   report.columns = {{"hoop_hz", hoop_Hz}, cor, loaded, contact, contacts};
   if (fitted) {
     report.charts[0].bands = {{.x = hoop_Hz, .low = fitted->range.cor_low, .high = fitted->range.cor_high}};
@@ -141,6 +155,8 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
     report.columns.push_back({"cor_low", fitted->range.cor_low});
     report.columns.push_back({"cor_high", fitted->range.cor_high});
   }
+  report.columns.push_back(over_wall);
+  report.columns.push_back(over_10kHz);
   return report;
 }
 

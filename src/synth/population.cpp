@@ -26,7 +26,7 @@ class PopulationMaker {
       bats_.push_back(hollow(metrics::BarrelMaterial::aluminum, 1800, 2400));
     for (std::size_t i = 0; i < spec_.composite; ++i)
       bats_.push_back(hollow(metrics::BarrelMaterial::composite, 1300, 2800));
-    if (spec_.trail) add_trail();
+    if (spec_.break_in) add_break_in();
     for (std::size_t b = 0; b < bats_.size(); ++b) bats_[b].id = fmt::format("S{:03}", b + 1);
     return std::move(bats_);
   }
@@ -97,12 +97,12 @@ class PopulationMaker {
     return bat;
   }
 
-  void add_trail() {
+  void add_break_in() {
     constexpr std::array<double, 9> hoops_Hz{1970, 1880, 1800, 1720, 1630, 1550, 1450, 1354, 1340};
     const metrics::StudyBat fresh = hollow(metrics::BarrelMaterial::composite, 1960, 1980);
     for (std::size_t i = 0; i < hoops_Hz.size(); ++i) {
       metrics::StudyBat state = fresh;
-      state.bat = "trail";
+      state.bat = "break-in";
       state.broken_in = i > 0;
       at(state, metrics::StudyQuantity::hoop1) = hoops_Hz[i];
       at(state, metrics::StudyQuantity::hoop2) = metrics::recorded(1.25 * hoops_Hz[i], 1);

@@ -15,7 +15,7 @@ struct PopulationSpec {
   bool related = true;      // false: among bats of one length, performance depends on no property
   double hoop_gain = 4e-5;  // increase of BBCOR per Hz below 2800 Hz
   double noise = 0.004;     // standard deviation of BBCOR
-  bool trail = true;        // add one composite bat during its break-in: 1970 → 1354 Hz, then failure
+  bool break_in = true;     // add one composite bat during its break-in: 1970 → 1354 Hz, then failure
 };
 
 /// Draws a population with known relations: BBCOR = 0.480 (+ gain (2800 Hz − hoop) for hollow bats) + noise, without

@@ -109,4 +109,51 @@ TEST(MetricsCommand, NamesTheInvalidOption) {
   }
 }
 
+TEST(MetricsCommand, ComputesATableThatAStudyReads) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("b.csv"),
+                    "id,material,length_in,weight_oz,moi_oz_in2,besr,hoop1_hz\nx,composite,33,30,9600,0.71,1800\n"
+                    "y,composite,34,31,10450,0.728,\n");
+  const auto outcome =
+      run_percuss({"metrics", "b.csv", "--ball-g", "145.4", "--z-in", "6", "-o", "m.csv", "-o", "m.json"},
+                  {.folder = folder.path()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("note: all bats: the swing model"));
+  const auto document = test::parse_json(test::bytes_of(folder.file("m.json")));
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("metrics")), testing::IsEmpty());
+  const auto one = metrics_of({"--length-in", "34", "--weight-oz", "31", "--moi-oz-in2", "10450", "--ball-g", "145.4",
+                               "--z-in", "6", "--besr", "0.728", "--bat-id", "y", "--bat", "material=composite"});
+  for (const char* key : {"bbcor", "bbs_mph", "drop", "k"}) EXPECT_EQ(document["bats"][1][key], one[key]) << key;
+  EXPECT_EQ(document["bats"][0]["bat"]["properties"]["hoop1_hz"], 1800);
+  for (const char* file : {"m.csv", "m.json"}) {
+    const auto study = run_percuss({"study", file, "--json"}, {.folder = folder.path()});
+    ASSERT_EQ(study.code, 0) << study.err;
+    EXPECT_EQ(test::parse_json(study.out)["groups"][0]["states"], 2) << file;
+  }
+  test::write_bytes(folder.file("one.json"), one.dump());
+  EXPECT_EQ(run_percuss({"study", "one.json"}, {.folder = folder.path()}).code, 0);
+}
+
+TEST(MetricsCommand, NamesTheRowOfAContradiction) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("b.csv"), "id,length_in,z_in\na,33,6\nb,33,28\n");
+  const auto outcome = run_percuss({"metrics", "b.csv"}, {.folder = folder.path()});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("z_in lies behind the pivot (b.csv, line 3"));
+  EXPECT_EQ(run_percuss({"metrics", "b.csv", "--bat-id", "a"}, {.folder = folder.path()}).code, 2);
+}
+
+// 6 in from the tip, the contact speed of every bat is 136 mph: its derivative with respect to the length is zero.
+TEST(MetricsCommand, ShowsNoUncertaintyOfTermsThatCancel) {
+  for (const char* length : {"31", "32", "32.5", "33", "33.7"}) {
+    const std::vector<std::string> options{"--length-in", length, "--z-in", "6"};
+    const auto contact = metrics_of(options)["uncertainty"]["v_contact_mph"];
+    EXPECT_EQ(contact["std"], 0) << length;
+    EXPECT_TRUE(contact["from"].empty()) << length;
+    auto words = options;
+    words.insert(words.begin(), "metrics");
+    EXPECT_THAT(run_percuss(words).out, HasSubstr("contact speed  136  mph"));
+  }
+}
+
 }  // namespace percuss::metrics_command_test

@@ -86,4 +86,18 @@ TEST(AbiCommand, RejectsALogOutOfOrder) {
   EXPECT_THAT(line, HasSubstr("step 1 comes next"));
 }
 
+TEST(AbiCommand, DrawsTheHoopFrequencyOverTheTests) {
+  const test::ScratchFolder folder;
+  const std::string log = run_percuss({"abi", "--example"}).out;
+  test::write_bytes(folder.file("l.json"), log);
+  run_percuss({"abi", "l.json", "-o", "l.svg"}, {.folder = folder.path()});
+  EXPECT_THAT(test::bytes_of(folder.file("l.svg")), HasSubstr("hoop frequency over the break-in"));
+  std::string without = log;
+  for (const std::string hoop : {", \"hoop_hz\": 1970", ", \"hoop_hz\": 1880"})
+    without.erase(without.find(hoop), hoop.size());
+  test::write_bytes(folder.file("w.json"), without);
+  run_percuss({"abi", "w.json", "-o", "w.svg"}, {.folder = folder.path()});
+  EXPECT_THAT(test::bytes_of(folder.file("w.svg")), testing::Not(HasSubstr("hoop frequency")));
+}
+
 }  // namespace percuss::protocol_command_test

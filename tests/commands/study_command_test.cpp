@@ -76,6 +76,30 @@ TEST_F(StudyCommand, ReplacesIdsAndWritesTheKey) {
   EXPECT_EQ(study({"t.csv", "--blind", "key.csv"}).code, 3);  // an existing key is not overwritten
 }
 
+TEST_F(StudyCommand, DescribesGroupsAndCountsPrograms) {
+  const auto bats = [](const std::string& program, int first) {
+    std::string rows;
+    for (int i = 0; i < 6; ++i)
+      rows += "b" + std::to_string(first + i) + ",33,aluminum," + program + "," + std::to_string(0.70 + 0.001 * i * i) +
+              "," + std::to_string(10000 + 100 * i) + "\n";
+    return rows;
+  };
+  test::write_bytes(folder_.file("p.csv"),
+                    "id,length_in,material,program,besr,moi_oz_in2\n" + bats("", 0) + bats("bbcor", 10));
+  const auto document = test::parse_json(study({"p.csv", "--json"}).out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("study")), testing::IsEmpty());
+  EXPECT_EQ(document["figures"][0]["classes"][0]["association"]["bats"], 6);
+  EXPECT_EQ(document["groups"][0]["states"], 12);
+  const auto all = test::parse_json(study({"p.csv", "--json", "--program", "all"}).out);
+  EXPECT_EQ(all["figures"][0]["classes"][0]["association"]["bats"], 12);
+  EXPECT_EQ(study({"p.csv", "--program", "usssa"}).code, 3);
+  const std::string text = study({"p.csv"}).out;
+  EXPECT_THAT(text, HasSubstr("6 bats of the program bbcor are drawn"));
+  EXPECT_THAT(text, HasSubstr("aluminum, new, bbcor"));
+  ASSERT_EQ(study({"p.csv", "--figures", "f", "--quiet"}).code, 0);
+  EXPECT_THAT(bytes_of(folder_.file("f/groups.csv")), HasSubstr("aluminum,all,all,12,besr,12,"));
+}
+
 TEST_F(StudyCommand, RejectsUnusableInput) {
   test::write_bytes(folder_.file("bad.csv"), "id,length_in,material\na,33,paper\n");
   test::rejection_of({"study", folder_.file("bad.csv")}, {".json", ".csv"}, "bat a");
@@ -103,6 +127,31 @@ TEST_F(StudyCommand, JoinsAnalysesThatNameTheirBat) {
     words.insert(words.end(), bad.begin(), bad.end());
     EXPECT_EQ(run_percuss(words, {.folder = folder_.path()}).code, 2);
   }
+}
+
+// From the bench to the figure of a break-in: the documents of four commands, as they are.
+TEST_F(StudyCommand, JoinsTheDocumentsOfAllCommands) {
+  const auto run = [&](std::vector<std::string> words) { return run_percuss(words, {.folder = folder_.path()}); };
+  const auto keep = [&](const char* name, const std::vector<std::string>& words) {
+    const auto outcome = run(words);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    test::write_bytes(folder_.file(name), outcome.out);
+  };
+  run({"synth", "composite-bat", "-o", "bat.h5"});
+  keep("a.json", {"analyze", "bat.h5", "--band", "60:3200", "--json", "--quiet", "--bat-id", "AS333", "--bat",
+                  "material=composite"});
+  keep("m.json",
+       {"metrics", "--bat-id", "AS333", "--length-in", "33", "--weight-oz", "30", "--moi-oz-in2", "9600", "--json"});
+  test::write_bytes(folder_.file("log.json"), R"({"bat": {"id": "AS333"}, "entries": [
+    {"do": "compression", "force_lbf": [600, 600, 600, 600]}, {"do": "performance", "value": 0.71, "z_in": 6},
+    {"do": "compression", "force_lbf": [500, 500, 500, 500]},
+    {"do": "performance", "value": 0.72, "hoop_hz": 1700, "z_in": 6, "id": "AS334"}]})");
+  keep("b.json", {"abi", "log.json", "--json"});
+  ASSERT_EQ(run({"study", "a.json", "m.json", "b.json", "--figures", "f", "--quiet"}).code, 0);
+  const auto rows = test::lines_of(bytes_of(folder_.file("f/besr-hoop1-trail-0-AS333.csv")));
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_THAT(rows[1], testing::StartsWith("AS333,33,composite,new,1900"));
+  EXPECT_EQ(rows[2], "AS334,33,composite,abi,1700,0.72");
 }
 
 }  // namespace percuss::study_command_test

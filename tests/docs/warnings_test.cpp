@@ -8,6 +8,7 @@
 #include <string>
 
 #include "metrics/protocol/bat_metrics.hpp"
+#include "model/trampoline/trampoline_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -50,12 +51,14 @@ Codes codes_of_sources() {
   return codes;
 }
 
-/// The ranked codes with their severities, those of the metrics included.
+/// The ranked codes with their severities, those of metrics and models included.
 std::map<std::string, std::string> ranked_severities() {
   std::map<std::string, std::string> out;
   for (const pipeline::RankedCode& ranked : pipeline::ranked_codes())
     out[std::string(ranked.code)] = name_of(ranked.severity);
   for (const metrics::RankedMetricsCode& ranked : metrics::ranked_metrics_codes())
+    out[std::string(ranked.code)] = name_of(ranked.severity);
+  for (const model::RankedTrampolineCode& ranked : model::ranked_trampoline_codes())
     out[std::string(ranked.code)] = name_of(ranked.severity);
   return out;
 }

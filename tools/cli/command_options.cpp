@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/option_units.hpp"
 #include "cli/usage_errors.hpp"
 
 namespace percuss::tools {
@@ -54,6 +55,10 @@ Option Option::add_check(std::string requirement, const std::function<bool(const
 Option Option::type(const char* shown) {
   declared_->value = shown;
   const std::string_view name = shown;
+  if (has_option_units(name)) {
+    // Before all checks, which see the number in the option's unit.
+    option_->transform([unit = std::string(shown)](const std::string& text) { return in_option_unit(text, unit); });
+  }
   declared_->kind = name == "FILE" ? ArgumentKind::file : name == "FOLDER" ? ArgumentKind::folder : ArgumentKind::text;
   return *this;
 }

@@ -9,6 +9,7 @@
 #include "cli/progress.hpp"
 #include "cli/report_output.hpp"
 #include "commands/analyze_outputs.hpp"
+#include "commands/bat_label.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
@@ -38,21 +39,6 @@ report::CommandReport comparison_of(const AnalyzeFlags& flags, const std::string
   return report::compare_report(documents);
 }
 
-std::optional<report::BatLabel> bat_label(const AnalyzeFlags& flags) {
-  if (flags.bat_id.empty() && !flags.bat.empty())
-    throw OptionError({"bat"}, "is given without an id of the bat", "name the bat", {"bat_id"});
-  if (flags.bat_id.empty()) return std::nullopt;
-  report::BatLabel label{.id = flags.bat_id};
-  for (const std::string& text : flags.bat) {
-    const std::size_t equals = text.find('=');
-    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
-      throw OptionError::wrong_value("bat", text, "give KEY=VALUE, such as length_in=33");
-    if (!label.properties.emplace(text.substr(0, equals), text.substr(equals + 1)).second)
-      throw OptionError::wrong_value("bat", text, "keep one", "its key is given twice");
-  }
-  return label;
-}
-
 pipeline::ImpactTest deflection_of(const pipeline::Analysis& analysis) {
   if (analysis.given_frfs() != nullptr)
     throw OptionError({}, "FRFs hold no deflection over time", "give the record of force and acceleration");
@@ -69,7 +55,7 @@ int analyze(const AnalyzeFlags& flags) {
     throw OptionError({"stabilisation"}, "needs a JSON document to be written in", "print one, or write a .json file",
                       {"json", "output"});
   }
-  const std::optional<report::BatLabel> bat = bat_label(flags);
+  const std::optional<report::BatLabel> bat = bat_label(flags.bat_id, flags.bat);
   const Progress progress("analysing", flags.output.quiet);
   auto tests = tests_of(flags);
   require_one_test(flags, sections, tests.size());

@@ -1,11 +1,18 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
+#include <iostream>
 #include <memory>
 
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/report_output.hpp"
+#include "commands/bat_label.hpp"
 #include "commands/commands.hpp"
+#include "commands/metrics_flags.hpp"
 #include "core/error.hpp"
+#include "core/io/input_file.hpp"
 #include "metrics/protocol/pendulum.hpp"
 #include "report/metrics_report.hpp"
 
@@ -13,20 +20,7 @@ namespace percuss::tools {
 namespace {
 
 constexpr std::size_t kRings = 7;
-
-struct MetricsFlags {
-  std::optional<double> length_in, weight_oz, cg_in, moi_ozin2, ball_g, z_in, in_mph, out_mph, besr, bbcor, swing_mph;
-  std::optional<double> handle_in;
-  std::vector<double> rings_in, periods_s, crossings_s;
-  std::size_t crossings_per_period = 2;
-  metrics::ProtocolSteps steps;
-  double period_step_s = 0, moi_step_ozin2 = 0, z_step_in = 0, speed_step_mph = 0;
-  double v0_mph = 60, pitch_mph = 70, nominal_mph = 136, swing_length_in = 28, swing_moi_ozin2 = 15000;
-  double gravity_inps2 = 386.4;
-  metrics::BatReadings readings;
-  bool rounded = false;
-  OutputFlags output;
-};
+constexpr std::uint64_t kMaxReadings_bytes = std::uint64_t{16} << 20U;
 
 std::optional<metrics::UncertainValue> reading(const std::optional<double>& value, double step, double unit,
                                                metrics::Reading which, bool rounded = false) {
@@ -98,143 +92,54 @@ void require_positions_before_pivot(const MetricsFlags& f) {
     throw OptionError({"cg_in"}, "lies behind the pivot", "give inches from the tip of the barrel");
 }
 
+report::NamedMetrics named_metrics(const MetricsFlags& f, report::BatLabel label = {}) {
+  require_one_source(f);
+  require_positions_before_pivot(f);
+  return {.label = std::move(label),
+          .readings = readings_of(f),
+          .profile = {.length_in = f.length_in,
+                      .weight_oz = f.weight_oz,
+                      .cg_in = f.cg_in,
+                      .handle_in = f.handle_in,
+                      .ball_g = f.ball_g,
+                      .rings_in = f.rings_in,
+                      .steps = f.steps}};
+}
+
+// The bat of a row. An error names the columns in place of options.
+report::NamedMetrics metrics_of_row(const MetricsFlags& flags, const metrics::ReadingsRow& row) {
+  MetricsFlags f = flags;
+  static_cast<metrics::LabReadings&>(f) = row.readings;
+  try {
+    return named_metrics(f, {.id = row.id, .properties = row.properties});
+  } catch (const OptionError& error) {
+    throw InputError(fmt::format("{} {}", fmt::join(error.options(), " and "), error.problem()), row.place,
+                     error.remedy());
+  }
+}
+
+int metrics_of_table(const MetricsFlags& flags) {
+  if (!flags.bat_id.empty())
+    throw OptionError({"bat_id"}, "names one bat, but a table is given", "write the ids into the table");
+  std::vector<report::NamedMetrics> bats;
+  const auto rows =
+      metrics::parse_readings_table(read_input(flags.table, kMaxReadings_bytes).view(), input_name(flags.table), flags);
+  bats.reserve(rows.size());
+  for (const metrics::ReadingsRow& row : rows) bats.push_back(metrics_of_row(flags, row));
+  return show_report(report::metrics_table_report(bats, csv_formulas(flags.keep_formulas)), flags.output,
+                     {flags.table});
+}
+
 int metrics(const MetricsFlags& flags) {
+  if (flags.example) {
+    print(flags.output, metrics::readings_table_example());
+    return kOk;
+  }
   check_outputs(flags.output, {".json", ".csv", ".html"});
-  require_one_source(flags);
-  require_positions_before_pivot(flags);
-  const report::BatProfileReadings profile{.length_in = flags.length_in,
-                                           .weight_oz = flags.weight_oz,
-                                           .cg_in = flags.cg_in,
-                                           .handle_in = flags.handle_in,
-                                           .ball_g = flags.ball_g,
-                                           .rings_in = flags.rings_in,
-                                           .steps = flags.steps};
-  return show_report(report::metrics_report(readings_of(flags), profile), flags.output);
-}
-
-void add_readings(Command& command, MetricsFlags& f) {
-  const std::string previous = command.heading("Readings");
-  command.value("--length-in", f.length_in, "Set the length of the bat").above_zero().type("IN");
-  command.value("--weight-oz", f.weight_oz, "Set the weight of the bat").above_zero().type("OZ");
-  command.value("--cg-in", f.cg_in, "Set the balance point, from the tip of the barrel").not_negative().type("IN");
-  command.list("--period-s", f.periods_s, "Set the period of the bat swinging about the pivot; one reading or several")
-      .above_zero()
-      .type("S,...");
-  command.list("--gate-times-s", f.crossings_s, "Set the times at which the swinging bat crosses the light gate")
-      .type("S,...");
-  command
-      .value("--crossings-per-period", f.crossings_per_period,
-             "Set the crossings of the gate per period: 2 if the gate counts both directions, 1 if it counts one")
-      .within(1, 2)
-      .type("1|2")
-      .show_default();
-  command.value("--moi-oz-in2", f.moi_ozin2, "Set the moment of inertia about the pivot, if known")
-      .above_zero()
-      .type("OZIN2");
-  command.value("--ball-g", f.ball_g, "Set the mass of the ball").above_zero().type("G");
-  command.value("--z-in", f.z_in, "Set the impact position, from the tip of the barrel").not_negative().type("IN");
-  command.value("--v-in-mph", f.in_mph, "Set the speed of the ball before the impact").above_zero().type("MPH");
-  command.value("--v-out-mph", f.out_mph, "Set the rebound speed of the ball, positive away from the bat")
-      .finite()
-      .type("MPH");
-  command.value("--besr", f.besr, "Set BESR in place of the speeds").finite();
-  command.value("--bbcor", f.bbcor, "Set BBCOR in place of the speeds").finite();
-  command
-      .value("--v-swing-mph", f.swing_mph, "Set the swing speed at the impact position, in place of the swing model's")
-      .above_zero()
-      .type("MPH");
-  command.list("--diameter-in", f.rings_in, "Set the barrel diameters 3, 4, ... 9 in from the tip")
-      .above_zero()
-      .type("IN,...");
-  command.value("--handle-diameter-in", f.handle_in, "Set the diameter of the handle 6 in from the knob")
-      .above_zero()
-      .type("IN");
-  command.heading(previous);
-}
-
-void add_resolutions(Command& command, MetricsFlags& f) {
-  const std::string previous =
-      command.heading("Resolution of the readings (standard deviation: the resolution divided by √12)");
-  command.value("--length-resolution-in", f.steps.length_in, "Set the resolution of the length")
-      .not_negative()
-      .type("IN")
-      .show_default();
-  command.value("--weight-resolution-oz", f.steps.weight_oz, "Set the resolution of the weight")
-      .not_negative()
-      .type("OZ")
-      .show_default();
-  command.value("--cg-resolution-in", f.steps.cg_in, "Set the resolution of the balance point")
-      .not_negative()
-      .type("IN")
-      .show_default();
-  command.value("--ball-resolution-g", f.steps.ball_g, "Set the resolution of the ball's mass")
-      .not_negative()
-      .type("G")
-      .show_default();
-  command.value("--diameter-resolution-in", f.steps.diameter_in, "Set the resolution of diameters")
-      .not_negative()
-      .type("IN")
-      .show_default();
-  command.value("--period-resolution-s", f.period_step_s, "Set the resolution of periods or gate times; 0: unknown")
-      .not_negative()
-      .type("S")
-      .show_default();
-  command.value("--moi-resolution-oz-in2", f.moi_step_ozin2, "Set the resolution of the moment of inertia; 0: unknown")
-      .not_negative()
-      .type("OZIN2")
-      .show_default();
-  command.value("--z-resolution-in", f.z_step_in, "Set the resolution of the impact position; 0: unknown")
-      .not_negative()
-      .type("IN")
-      .show_default();
-  command.value("--speed-resolution-mph", f.speed_step_mph, "Set the resolution of speeds; 0: unknown")
-      .not_negative()
-      .type("MPH")
-      .show_default();
-  command.flag("--round", f.rounded, "Round the readings to these resolutions, as the protocol records them");
-  command.heading(previous);
-}
-
-void add_constants(Command& command, MetricsFlags& f) {
-  const std::string previous = command.heading("Constants");
-  command.value("--v-pitch-mph", f.pitch_mph, "Set the speed of the pitch at the plate")
-      .not_negative()
-      .type("MPH")
-      .show_default();
-  command.value("--nominal-mph", f.nominal_mph, "Set the reference speed of NCAA BESR")
-      .above_zero()
-      .type("MPH")
-      .show_default();
-  command.value("--v0-mph", f.v0_mph, "Set the speed of the standard bat in the swing model")
-      .above_zero()
-      .type("MPH")
-      .show_default();
-  command
-      .value("--swing-length-in", f.swing_length_in,
-             "Set the distance from the knob at which the standard bat has the speed --v0-mph")
-      .above_zero()
-      .type("IN")
-      .show_default();
-  command
-      .value("--swing-moi-oz-in2", f.swing_moi_ozin2,
-             "Set the moment of inertia of the standard bat in the swing model")
-      .above_zero()
-      .type("OZIN2")
-      .show_default();
-  command.value("--swing-exponent", f.readings.swing.exponent, "Set the exponent of inertia in the swing model")
-      .finite()
-      .show_default();
-  command
-      .value("--lot-correction", f.readings.lot_correction, "Set the correction of the ball lot, added to v_out/v_in")
-      .finite()
-      .show_default();
-  command
-      .value("--gravity-in-s2", f.gravity_inps2,
-             "Set the acceleration of gravity, as printed in the protocol; standard gravity is 386.089")
-      .above_zero()
-      .type("IN/S2")
-      .show_default();
-  command.heading(previous);
+  const auto label = bat_label(flags.bat_id, flags.bat);
+  if (!flags.table.empty()) return metrics_of_table(flags);
+  const report::NamedMetrics one = named_metrics(flags);
+  return show_report(report::metrics_report(one.readings, one.profile, label), flags.output);
 }
 
 }  // namespace
@@ -246,16 +151,30 @@ void add_metrics(CommandLine& line) {
   command.about(
       "Computes every metric that the given readings allow: drop, moment of inertia, swing and contact speed, BESR, "
       "BBS and BBCOR. Each has the uncertainty that follows from the resolution of the readings. The names of the "
-      "options state their units. cg and z are measured from the tip of the barrel; the pivot is 6 in from the knob.");
+      "options state their units. cg and z are measured from the tip of the barrel; the pivot is 6 in from the knob. A "
+      "table has a row per bat, with an id and readings in columns named like the options (length_in, v_in_mph). "
+      "Options give the readings that a row does not state. percuss study reads the result.");
   command.example(
       "percuss metrics --length-in 34 --moi-oz-in2 10450 --ball-g 145.4 --z-in 6 --v-in-mph 136 --v-out-mph 31",
       "Compute all metrics from a known moment of inertia and one shot");
   command.example("percuss metrics --length-in 33 --weight-oz 30 --cg-in 12.5 --period-s 1.48,1.49",
                   "Compute drop and moment of inertia from scale, balance and pendulum");
-  add_readings(command, *flags);
-  add_resolutions(command, *flags);
-  add_constants(command, *flags);
+  command.example("percuss metrics --example > bats.csv; percuss metrics bats.csv -o metrics.csv",
+                  "Compute the metrics of every bat of a table");
+  command.argument("TABLE", flags->table, "Table of readings, a row per bat; - is standard input");
+  command.flag("--example", flags->example, "Print an example table of readings");
+  command
+      .value("--bat-id", flags->bat_id, "Store this id of the bat in the document; percuss study joins documents by it")
+      .type("ID");
+  command
+      .repeatable("--bat", flags->bat,
+                  "Store a property of the bat in the document, such as material=wood (repeatable)")
+      .type("KEY=VALUE");
+  add_metrics_readings(command, *flags);
+  add_metrics_resolutions(command, *flags);
+  add_metrics_constants(command, *flags);
   add_output_flags(command, flags->output, ".json, .csv, .html");
+  add_formula_flag(command, flags->keep_formulas);
 }
 
 }  // namespace percuss::tools

@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t kMaxTable_bytes = std::uint64_t{16} << 20U;
 
 struct StudyFlags {
-  std::vector<std::string> inputs;
+  std::vector<std::string> inputs, programs;
   std::string figures, key, table, curve;
   bool example = false, keep_formulas = false;
   OutputFlags output;
@@ -44,6 +44,8 @@ void write_figures(const StudyFlags& flags, const metrics::Study& study, const r
   for (const report::StudyFile& file : report::study_files(study, curve, csv_formulas(flags.keep_formulas)))
     write_file((std::filesystem::path(flags.figures) / file.name).string(), file.text, flags.output.force);
   write_file((std::filesystem::path(flags.figures) / "statistics.csv").string(), report.csv(), flags.output.force);
+  write_file((std::filesystem::path(flags.figures) / "groups.csv").string(),
+             report::study_groups_csv(study, csv_formulas(flags.keep_formulas)), flags.output.force);
 }
 
 int run_study(const StudyFlags& flags) {
@@ -68,7 +70,7 @@ int run_study(const StudyFlags& flags) {
   const CsvFormulas formulas = csv_formulas(flags.keep_formulas);
   if (!flags.key.empty()) write_file(flags.key, metrics::anonymise_bats(bats, formulas), flags.output.force);
   if (!flags.table.empty()) write_file(flags.table, metrics::study_table_csv(bats, formulas), flags.output.force);
-  const metrics::Study study = metrics::study_of(std::move(bats));
+  const metrics::Study study = metrics::study_of(std::move(bats), {.programs = flags.programs});
   std::optional<metrics::StudyCurve> curve;
   if (!flags.curve.empty()) curve = metrics::parse_study_curve(text_at(flags.curve), input_name(flags.curve));
   const report::CommandReport report = report::study_report(study, curve, formulas);
@@ -85,7 +87,8 @@ void add_study(CommandLine& line) {
   Command command = line.command("study", "Correlate the properties of a population of bats with their performance",
                                  [flags] { return run_study(*flags); });
   command.about(
-      "Joins tables of bats, analyses with --bat-id and results of percuss batch merge. Tests which properties "
+      "Joins tables of bats, results of percuss batch merge, and documents of percuss analyze and metrics with "
+      "--bat-id, of certify and of abi, by the id of the bat. Tests which properties "
       "correlate with performance: reports each hypothesis with verdict, p-value, and correlations with 95 % "
       "intervals. --example prints a table with all known columns.");
   command.example("percuss study --example > bats.csv; percuss study bats.csv --figures figures",
@@ -95,8 +98,14 @@ void add_study(CommandLine& line) {
       "--hoop-curve model.json -o study.html",
       "Write a page, with a model drawn over the measured points");
   command.arguments("TABLE", flags->inputs,
-                    "Tables of bats, analyses with --bat-id, and results of percuss batch merge; joined by id");
+                    "Tables of bats, results of percuss batch merge, and documents of percuss analyze and metrics with "
+                    "--bat-id, of certify and of abi; joined by id");
   command.value("--figures", flags->figures, "Write every figure as picture and table into this folder").type("FOLDER");
+  command
+      .list("--program", flags->programs,
+            "Count the bats of these certification programs in statements, trends and correlations; default: besr and "
+            "bats without a program, or else the program with the most bats; all: every bat")
+      .type("NAME,...");
   command
       .value("--hoop-curve", flags->curve,
              "Draw this model over the hoop figures; a document of percuss model trampoline --json")

@@ -10,8 +10,9 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kPairSpacing = 0.04;          // relative: one bending mode's frequencies in its two planes are closer
-constexpr double kSplitSpacing = 0.15;         // of the lower frequency: largest separation, besides double_peak_Hz
+constexpr double kPairSpacing = 0.04;   // relative: one bending mode's frequencies in its two planes are closer
+constexpr double kSplitDeviations = 2;  // of the separation: peaks 25 Hz apart are a split mode, whatever the noise
+constexpr double kSplitSpacing = 0.15;  // of the lower frequency: largest separation, besides double_peak_Hz
 constexpr double kMinLoneProbability = 0.9;    // below it the second type is stated …
 constexpr double kMinRivalProbability = 0.03;  // … and where the second type has more than this
 constexpr double kMinTubeEvidence = -2.3;      // logarithm: another object is less than ten times as likely
@@ -120,7 +121,9 @@ void mark_split_modes(const std::vector<Mode>& modes, std::vector<ModeClassifica
   for (std::size_t m = 0; m + 1 < modes.size(); ++m) {
     const double apart = modes[m + 1].pole.freq_Hz - modes[m].pole.freq_Hz;
     const double most_Hz = std::min(options.double_peak_Hz, kSplitSpacing * modes[m].pole.freq_Hz);
-    if (apart > most_Hz || classifications[m].family != classifications[m + 1].family || classifications[m].split_mode)
+    const double error_Hz = kSplitDeviations * std::hypot(modes[m].freq_std_Hz, modes[m + 1].freq_std_Hz);
+    if (apart > most_Hz + error_Hz || classifications[m].family != classifications[m + 1].family ||
+        classifications[m].split_mode)
       continue;
     classifications[m].split_mode = SplitMode{.partner = m + 1, .separation_Hz = apart, .first = true};
     classifications[m + 1].split_mode = SplitMode{.partner = m, .separation_Hz = apart, .first = false};

@@ -34,6 +34,8 @@ class AbiEvaluation {
   AbiEvaluation(const AbiLog& log, const AbiRules& rules) : log_(log), rules_(rules) {}
 
   AbiRun run() {
+    run_.displacement_in = log_.displacement_in.value_or(rules_.displacement_in);
+    stated_ = log_.displacement_in.has_value();
     for (const AbiEntry& entry : log_.entries) take(entry);
     return std::move(run_);
   }
@@ -52,6 +54,7 @@ class AbiEvaluation {
       case AbiStep::performance:
         return tested(expected<AbiPerformance>());
       default:
+        check_displacement(expected<AbiCompression>());
         return compressed(expected<AbiCompression>().mean_lbf());  // (P13)
     }
   }
@@ -62,6 +65,17 @@ class AbiEvaluation {
     throw InputError(fmt::format("step {} comes next ({}), not {}", static_cast<int>(run_.next), action_of(run_.next),
                                  kind_of(*entry_)),
                      entry_->place, "enter the steps in the order of the procedure");
+  }
+
+  // Forces at different displacements are not comparable: the displacement of the first compression holds for all.
+  void check_displacement(const AbiCompression& compression) {
+    const double now_in = compression.displacement_in.value_or(run_.displacement_in);
+    if (!stated_ && run_.compressions.empty()) run_.displacement_in = now_in;
+    if (std::abs(now_in - run_.displacement_in) > kReadingTolerance) {
+      throw InputError(
+          fmt::format("compressed by {:g} in, but the other compressions by {:g} in", now_in, run_.displacement_in),
+          entry_->place, "use one displacement in the whole break-in");
+    }
   }
 
   void compressed(double mean_lbf) {
@@ -125,7 +139,15 @@ class AbiEvaluation {
   void tested(const AbiPerformance& test) {
     ++run_.cycle;
     const double best = run_.cycles.empty() ? test.value : std::max(run_.cycles.back().best, test.value);
-    run_.cycles.push_back({.cycle = run_.cycle, .value = test.value, .best = best, .hoop_Hz = test.hoop_Hz});
+    std::string id = !test.id.empty()  ? test.id
+                     : run_.cycle == 1 ? log_.bat
+                                       : fmt::format("{}-{}", log_.bat, run_.cycle);
+    run_.cycles.push_back({.cycle = run_.cycle,
+                           .value = test.value,
+                           .best = best,
+                           .hoop_Hz = test.hoop_Hz,
+                           .z_in = test.z_in,
+                           .id = std::move(id)});
     const bool first = run_.cycle == 1;
     run_.next = first ? AbiStep::compression_after_first : AbiStep::compression_after_performance;
     run_.roll = 0;
@@ -161,6 +183,7 @@ class AbiEvaluation {
   const AbiRules& rules_;
   const AbiEntry* entry_ = nullptr;
   double unrolled_lbf_ = 0;  // BC_i,0
+  bool stated_ = false;      // the displacement, by the log
   AbiRun run_;
 };
 
@@ -189,6 +212,16 @@ AbiRun evaluate_abi(const AbiLog& log, const AbiRules& rules) {
   if (!log.material.empty() && log.material != "composite") {
     run.remarks.push_back(
         {"material", "the procedure applies to composite barrels, not to " + one_line(log.material, 40)});
+  }
+  if (run.displacement_in < rules.displacement_in - kReadingTolerance) {
+    run.remarks.push_back(
+        {"reduced_displacement", fmt::format("the barrel was compressed by {:g} in, not {:g} in: the protocol requires "
+                                             "that every report of the tests states this",
+                                             run.displacement_in, rules.displacement_in)});
+  } else if (run.displacement_in > rules.displacement_in + kReadingTolerance) {
+    run.remarks.push_back({"displacement", fmt::format("the barrel was compressed by {:g} in, the protocol asks for "
+                                                       "{:g} in, or less for a barrel too stiff for the load cell",
+                                                       run.displacement_in, rules.displacement_in)});
   }
   if (!log.limit)
     run.remarks.push_back({"no_limit", "no limit is given: the bat can neither pass nor fail by its performance"});

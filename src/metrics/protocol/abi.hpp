@@ -16,6 +16,7 @@ struct AbiRules {
   double first_depth_in = 0.10, depth_step_in = 0.0125, depth_tolerance_in = 0.00625;
   double max_depth_in = 0.5;  // deeper rolling would deform any barrel for good
   int max_cycles = 50;
+  double displacement_in = 0.03;  // of a compression
 };
 
 /// The steps of the procedure by their printed numbers; 6 and 8 are decisions, not actions.
@@ -42,7 +43,8 @@ struct AbiReduction {
 struct AbiCycle {
   int cycle = 0;
   double value = 0, best = 0;  // best: the highest so far
-  std::optional<double> hoop_Hz;
+  std::optional<double> hoop_Hz, z_in;
+  std::string id;  // of the bat's state; the bat's id for the first test
 };
 
 enum class AbiVerdict { in_progress, pass, fail, undecided };
@@ -53,6 +55,7 @@ struct AbiRun {
   AbiStep next = AbiStep::initial_compression;
   int cycle = 0, roll = 0;
   std::optional<double> depth_in;  // depth of the last rolling
+  double displacement_in = 0;      // of every compression
   AbiVerdict verdict = AbiVerdict::in_progress;
   std::string why;  // the reason of the verdict
   std::vector<AbiReduction> compressions;
@@ -63,7 +66,7 @@ struct AbiRun {
 /// Evaluates a log from its start. Every entry must be the next step of the procedure. Step 9 uses (P14) like steps 3
 /// and 5: its sign and denominator are reversed in print.
 /// errors  InputError with entry and step: an entry out of order, an entry after the end, rollers less deep than
-/// before.
+/// before, a compression by another displacement than before.
 AbiRun evaluate_abi(const AbiLog& log, const AbiRules& rules = {});
 
 /// The next depth of the rollers.

@@ -12,6 +12,8 @@ constexpr std::uint64_t kLargestLog_bytes = std::uint64_t{1} << 20U;
 constexpr std::size_t kMaxEntries = 10'000;
 constexpr double kLoadFrame_lbf = 1000;
 
+constexpr double kMinDisplacement_in = 0.001, kMaxDisplacement_in = 0.1;
+
 AbiEntry read_abi_entry(StrictObject& o) {
   AbiEntry entry{.place = o.place(), .what = AbiCompression{}};
   std::string kind;
@@ -27,6 +29,7 @@ AbiEntry read_abi_entry(StrictObject& o) {
       if (!(force > 0 && force <= kLoadFrame_lbf))
         o.fail("a force outside the range of the load frame", "force_lbf", "give 0 to 1000 lbf");
     }
+    o.read_within("displacement_in", kMinDisplacement_in, kMaxDisplacement_in, compression.displacement_in);
     entry.what = compression;
   } else if (kind == "roll") {
     AbiRoll roll;
@@ -40,6 +43,9 @@ AbiEntry read_abi_entry(StrictObject& o) {
     o.read("damage", test.damage);
     o.read("broken", test.broken);
     o.read_within("hoop_hz", 1, 1e6, test.hoop_Hz);
+    o.read_within("z_in", 0, 20, test.z_in);
+    o.read("id", test.id);
+    if (test.id.size() > 80) o.fail("an id of more than 80 characters", "id", "give a shorter one");
     entry.what = test;
   } else {
     o.fail("\"" + one_line(kind, 40) + "\" is not a step", "do", "give compression, roll or performance");
@@ -56,11 +62,14 @@ void read_abi_document(StrictObject& o, AbiLog& log) {
     bat.need("id");
     bat.read("id", log.bat);
     bat.read("material", log.material);
+    bat.read_within("length_in", 20, 50, log.length_in);
+    bat.read_within("moi_oz_in2", 1, 1e6, log.moi_ozin2);
   });
   o.read("metric", metric);
   if (metric != "besr" && metric != "bbcor") o.fail("no such metric", "metric", "give besr or bbcor");
   log.bbcor = metric == "bbcor";
   o.read_within("limit", 0, 2, log.limit);
+  o.read_within("displacement_in", kMinDisplacement_in, kMaxDisplacement_in, log.displacement_in);
   o.read("continued_after_failure", log.continued);
   o.read_list("entries", [&](StrictObject& entry) {
     if (log.entries.size() == kMaxEntries) o.fail("more than 10000 entries", "entries", "keep one bat per log");
@@ -90,9 +99,12 @@ std::string abi_log_example() {
   // The metric, besr or bbcor, and its limit, which the bat must not exceed.
   "metric": "besr",
   "limit": 0.728,
+  // The displacement of every compression. A force beyond the load cell permits a smaller one, such as 0.025 in.
+  "displacement_in": 0.03,
   // The steps in the order of testing. A compression holds the forces in lbf at 0, 90, 45 and -45 degrees, a roll the
   // depth of the rollers in inches. A performance test holds the value at its best location. Optional: "damage" and
-  // "broken" (true or false), and "hoop_hz".
+  // "broken" (true or false), "hoop_hz" (first hoop frequency before the test), "z_in" (the location), and "id" (of
+  // this state of the bat in a study).
   "entries": [
     {"do": "compression", "force_lbf": [612, 604, 598, 606]},
     {"do": "performance", "value": 0.7138, "damage": false, "hoop_hz": 1970},

@@ -10,7 +10,8 @@ namespace percuss::metrics {
 /// The barrel's compression: the mean force at the set displacement over the orientations 0°, 90°, 45° and −45°.
 ///   BC = (F_0 + F_90 + F_45 + F_−45)/4                                                         (P13)
 struct AbiCompression {
-  std::vector<double> force_lbf;  // four
+  std::vector<double> force_lbf;          // four
+  std::optional<double> displacement_in;  // of this compression, where stated
   double mean_lbf() const;
 };
 
@@ -22,8 +23,10 @@ struct AbiRoll {
 /// One performance test: BESR or BBCOR at the highest performing location.
 struct AbiPerformance {
   double value = 0;
-  bool damage = false;  // visible damage, or failed the ring test
-  bool broken = false;  // the bat cannot be tested further
+  std::string id;              // of this state of the bat, in a population; empty: from the bat's id and the test
+  std::optional<double> z_in;  // the location, from the barrel's tip
+  bool damage = false;         // visible damage, or failed the ring test
+  bool broken = false;         // the bat cannot be tested further
   std::optional<double> hoop_Hz;
 };
 
@@ -35,7 +38,9 @@ struct AbiEntry {
 /// The steps carried out on a bat, in their order.
 struct AbiLog {
   std::string bat, material;
-  bool bbcor = false;  // judged by BBCOR, else by BESR
+  std::optional<double> length_in, moi_ozin2;
+  std::optional<double> displacement_in;  // of every compression; otherwise 0.03 in
+  bool bbcor = false;                     // judged by BBCOR, else by BESR
   std::optional<double> limit;
   bool continued = false;  // at the sponsor's request, after failing by the limit
   std::vector<AbiEntry> entries;

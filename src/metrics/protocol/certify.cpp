@@ -55,6 +55,7 @@ void check_location(const Session& s, const SessionShot& shot, JudgedShot& judge
 
 void judge_shots(const Session& s, const ProtocolLimits& limits, Certification& out) {
   std::map<HalfInches, std::vector<double>> values;
+  std::map<HalfInches, std::vector<const SessionShot*>> counted_shots;
   std::map<HalfInches, std::size_t> valid;
   for (const SessionShot& shot : s.shots) {
     JudgedShot judged = judge_shot(s, shot, contact_mph(s, shot.z_in), out.balls[shot.ball], limits);
@@ -66,7 +67,10 @@ void judge_shots(const Session& s, const ProtocolLimits& limits, Certification& 
       judged.counted = values[at].size() < limits.shots;
       double value = judged.value + correction;
       if (s.metric == PerformanceMetric::bbcor) value = bbcor_of(value, inertia_ratio(s, shot.z_in, shot.ball_g));
-      if (judged.counted) values[at].push_back(value);
+      if (judged.counted) {
+        values[at].push_back(value);
+        counted_shots[at].push_back(&shot);
+      }
     }
     if (!shot.damage.empty())
       out.remarks.push_back({"damage", fmt::format("damage seen ({}): {}", shot.place, one_line(shot.damage, 80))});
@@ -77,7 +81,8 @@ void judge_shots(const Session& s, const ProtocolLimits& limits, Certification& 
                              .valid = valid[at],
                              .complete = counted.size() == limits.shots,
                              .mean = mean_of(counted),
-                             .std_error = standard_error_of(counted)});
+                             .std_error = standard_error_of(counted),
+                             .metrics = location_metrics(s, 0.5 * at, counted_shots[at], out.correction.value_or(0))});
   }
 }
 
@@ -89,6 +94,7 @@ void search(const Session& s, const ProtocolLimits& limits, Certification& out) 
     if (out.best && *out.best >= location.mean) continue;
     out.best = location.mean;
     out.best_std = location.std_error;
+    out.best_location = static_cast<std::size_t>(&location - out.locations.data());
   }
   SearchRules rules{.margin = limits.margin_besr,
                     .low = static_cast<HalfInches>(std::ceil(2 * s.low_in)),
@@ -143,6 +149,17 @@ NextAction action_for_conditions(const Certification& c) {
           .message = (bat || balls ? "wait: " : "restore the laboratory's climate: ") + first.message};
 }
 
+std::string no_sweet_spot_message(const SearchStep& search) {
+  const double first_in = 0.5 * search.plateau.front(), last_in = 0.5 * search.plateau.back();
+  if (search.plateau.size() == 1) {
+    return fmt::format(
+        "stop: the best location, {:g} in, is at an end of the permitted range: no sweet spot is isolated", first_in);
+  }
+  return fmt::format("stop: {} adjacent locations, {:g} to {:g} in, are within the margin{}: no sweet spot is isolated",
+                     search.plateau.size(), first_in, last_in,
+                     search.state == SearchState::edge ? ", up to an end of the permitted range" : "");
+}
+
 std::string end_message(const Session& s, const Certification& c) {
   switch (c.verdict) {
     case CertifyVerdict::pass:
@@ -156,15 +173,7 @@ std::string end_message(const Session& s, const Certification& c) {
       return fmt::format("done: the sweet spot is {:g} in from the tip, {} {:.4f} there; no limit was given",
                          *c.sweet_spot_in, name_of(s.metric), *c.best);
     default:
-      return c.search.state == SearchState::edge
-                 ? fmt::format(
-                       "stop: the best location, {:g} in, or a location within its margin is at an end of the "
-                       "permitted range: no sweet spot is isolated",
-                       0.5 * c.search.at)
-                 : fmt::format(
-                       "stop: {} adjacent locations, {:g} to {:g} in, are within the margin: no "
-                       "sweet spot is isolated",
-                       c.search.plateau.size(), 0.5 * c.search.plateau.front(), 0.5 * c.search.plateau.back());
+      return no_sweet_spot_message(c.search);
   }
 }
 

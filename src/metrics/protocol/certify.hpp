@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "metrics/protocol/location_metrics.hpp"
 #include "metrics/protocol/session.hpp"
 #include "metrics/protocol/sweet_spot.hpp"
 
@@ -48,6 +49,7 @@ struct TestedLocation {
   std::size_t valid = 0;
   bool complete = false;
   double mean = 0, std_error = 0;  // of the shots counted so far, with the correction
+  LocationMetrics metrics;         // of the same shots
 };
 
 enum class CertifyVerdict { in_progress, pass, fail, undecided, no_limit };
@@ -70,6 +72,7 @@ struct Certification {
   std::vector<TestedLocation> locations;  // by z
   SearchStep search;
   std::optional<double> sweet_spot_in, best, best_std;  // best: the highest mean of the complete locations
+  std::optional<std::size_t> best_location;             // its index
   CertifyVerdict verdict = CertifyVerdict::in_progress;
   std::vector<ProtocolFinding> remarks;
   NextAction next;

@@ -93,6 +93,11 @@ void read_session_bat(StrictObject& o, SessionBat& bat) {
   o.read_within("moi_oz_in2", 1, 1e6, bat.moi_ozin2);
   o.read_within("weight_oz", 1, 200, bat.weight_oz);
   o.read_within("days_in_lab", 0, 1e6, bat.days_in_lab);
+  for (const auto& [key, text] :
+       {std::pair{"material", &bat.material}, {"condition", &bat.condition}, {"program", &bat.program}}) {
+    o.read(key, *text);
+    if (text->size() > 80) o.fail("more than 80 characters", key, "give a word, as in the table of a study");
+  }
 }
 
 void read_lot(StrictObject& o, double spacing_in, BallLot& lot) {

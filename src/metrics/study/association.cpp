@@ -4,29 +4,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <numeric>
 
+#include "core/math/roots.hpp"
 #include "core/math/statistics.hpp"
 #include "metrics/protocol/averages.hpp"
+#include "metrics/study/rank_permutations.hpp"
 
 namespace percuss::metrics {
 namespace {
 
 constexpr double kNormal95 = 1.959963984540054;
+constexpr double kTail = 0.025;
 constexpr double kFarOut = 3.5;
 constexpr std::size_t kMinForOutliers = 6;
 
-// Ranks divided by size plus one: classes of different sizes have equal weight. Ties share the mean of their ranks.
-std::vector<double> relative_ranks(const std::vector<double>& values) {
+// 2 · rank − (size + 1); ties share the mean of their ranks.
+std::vector<int> centred_ranks(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  std::vector<double> ranks(values.size());
-  const double size = static_cast<double>(values.size()) + 1;
+  std::vector<int> ranks(values.size());
   for (std::size_t begin = 0; begin < order.size();) {
     std::size_t end = begin;
     while (end < order.size() && values[order[end]] == values[order[begin]]) ++end;
-    for (std::size_t i = begin; i < end; ++i) ranks[order[i]] = 0.5 * static_cast<double>(begin + end + 1) / size;
+    for (std::size_t i = begin; i < end; ++i)
+      ranks[order[i]] = static_cast<int>(begin + end) - static_cast<int>(values.size());
     begin = end;
   }
   return ranks;
@@ -45,34 +50,114 @@ struct Products {
   double coefficient() const { return std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0); }
 };
 
-// (P15)
-Correlation with_interval(double value, double spread) {
-  constexpr double kAlmostOne = 1 - 1e-15;  // largest argument with a finite artanh
-  const double middle = std::atanh(std::clamp(value, -kAlmostOne, kAlmostOne));
+constexpr double kAlmostOne = 1 - 1e-15;  // largest argument with a finite artanh
+
+// (P15) of r
+Correlation pearson_interval(double value, double freedom) {
+  const double middle = std::atanh(std::clamp(value, -kAlmostOne, kAlmostOne)),
+               half = kNormal95 / std::sqrt(freedom - 1);
   return {.value = value,
-          .low = std::min(value, std::tanh(middle - kNormal95 * spread)),
-          .high = std::max(value, std::tanh(middle + kNormal95 * spread))};
+          .low = std::min(value, std::tanh(middle - half)),
+          .high = std::max(value, std::tanh(middle + half))};
+}
+
+// The mean of the pooled rank correlation of bats whose x and y are normal with correlation sin(angle).
+class MeanRankCorrelation {
+ public:
+  explicit MeanRankCorrelation(const std::vector<RankedClass>& classes) {
+    double all = 0;
+    for (const RankedClass& one : classes) {
+      const double weight = std::sqrt(one.x_squares() * one.y_squares()), size = static_cast<double>(one.x.size()) + 1;
+      by_rho_ += weight * (size - 3) / size;
+      by_tau_ += weight * 3 / size;
+      all += weight;
+    }
+    by_rho_ /= all;
+    by_tau_ /= all;
+  }
+
+  /// ρ of the population whose mean is `value`.
+  double population(double value) const {
+    if (std::abs(value) >= kAlmostOne) return value;
+    const auto excess = [&](double angle) { return by_rho_ * rho_of(angle) + by_tau_ * tau_of(angle) - value; };
+    return rho_of(bracketed_root(excess, -std::numbers::pi / 2, std::numbers::pi / 2));
+  }
+
+ private:
+  static double rho_of(double angle) { return 6 / std::numbers::pi * std::asin(std::sin(angle) / 2); }
+  static double tau_of(double angle) { return 2 / std::numbers::pi * angle; }
+  double by_rho_ = 0, by_tau_ = 0;
+};
+
+// (P15) of ρ
+Correlation spearman_interval(const std::vector<RankedClass>& classes, double value, double squares, double freedom) {
+  // A swap of neighbours in the largest class changes the product least.
+  std::size_t largest = 2;
+  for (const RankedClass& one : classes) largest = std::max(largest, one.x.size());
+  const double size = static_cast<double>(largest) + 1, limit = 1 - 0.5 / (size * size * squares);
+  const double rho = std::clamp(value, -limit, limit), middle = std::atanh(rho);
+  const double half = gsl_cdf_tdist_Pinv(0.975, freedom) * std::sqrt((1 + rho * rho / 2) / (freedom - 1));
+  const double low = std::tanh(middle - half), high = std::tanh(middle + half);
+  const MeanRankCorrelation mean(classes);
+  Correlation out{
+      .value = value, .low = std::min(low, mean.population(low)), .high = std::max(high, mean.population(high))};
+  if (value > limit) out.high = 1;
+  if (value < -limit) out.low = -1;
+  return out;
+}
+
+// The most inversions c of n ranks with P(inversions ≤ c) ≤ 2.5 %; none if already 0 is more probable.
+std::optional<std::size_t> rare_inversions(std::size_t n) {
+  std::vector<double> probability{1};
+  for (std::size_t k = 2; k <= n; ++k) {
+    std::vector<double> next(probability.size() + k - 1, 0);
+    for (std::size_t i = 0; i < probability.size(); ++i) {
+      for (std::size_t added = 0; added < k; ++added) next[i + added] += probability[i] / static_cast<double>(k);
+    }
+    probability = std::move(next);
+  }
+  double sum = 0;
+  std::optional<std::size_t> out;
+  for (std::size_t c = 0; c < probability.size(); ++c) {
+    sum += probability[c];
+    if (sum > kTail) break;
+    out = c;
+  }
+  return out;
 }
 
 }  // namespace
 
 std::optional<Association> association_of(const std::vector<ClassPoints>& classes) {
   Association out;
-  Products values, ranks;
+  Products values;
+  std::vector<RankedClass> ranked;
+  double xx = 0, xy = 0, yy = 0;
   for (const ClassPoints& one : classes) {
     if (one.x.size() < 2) continue;
     out.points += one.x.size();
     ++out.classes;
     values.add(one.x, one.y);
-    ranks.add(relative_ranks(one.x), relative_ranks(one.y));
+    ranked.push_back({.x = centred_ranks(one.x), .y = centred_ranks(one.y)});
+    xx += ranked.back().x_squares();
+    xy += ranked.back().product();
+    yy += ranked.back().y_squares();
   }
   const double d = static_cast<double>(out.points) - static_cast<double>(out.classes) - 1;
-  if (!(d >= 2) || !(values.xx * values.yy > 0) || !(ranks.xx * ranks.yy > 0)) return std::nullopt;
-  const double rho = ranks.coefficient();
-  out.pearson = with_interval(values.coefficient(), 1 / std::sqrt(d - 1));
-  out.spearman = with_interval(rho, std::sqrt((1 + rho * rho / 2) / (d - 1)));
-  const double t = std::abs(rho) * std::sqrt(d / std::max(1 - rho * rho, 1e-300));
-  out.p = std::min(1.0, 2 * gsl_cdf_tdist_Q(t, d));  // (P16)
+  if (!(d >= 2) || !(values.xx * values.yy > 0) || !(xx * yy > 0)) return std::nullopt;
+  // Classes without variation in x or y have one product only.
+  std::erase_if(ranked, [](const RankedClass& one) { return !(one.x_squares() * one.y_squares() > 0); });
+  if (ranked.empty()) return std::nullopt;
+  const double rho = std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
+  out.spearman = spearman_interval(ranked, rho, std::sqrt(xx * yy), d);
+  out.pearson = pearson_interval(values.coefficient(), d);
+  constexpr double kOnALine = 1 - 1e-12;
+  if (std::abs(out.pearson.value) > kOnALine) {
+    // Such points are rounded or computed: no normal scatter, from which the interval would follow.
+    out.pearson.low = std::min(out.pearson.low, out.spearman.low);
+    out.pearson.high = std::max(out.pearson.high, out.spearman.high);
+  }
+  out.p = permutation_p(ranked);  // (P16)
   return out;
 }
 
@@ -87,16 +172,25 @@ std::optional<TrendLine> trend_line_of(const ClassPoints& points) {
   }
   std::vector<double> distinct = points.x;
   std::sort(distinct.begin(), distinct.end());
-  if (std::unique(distinct.begin(), distinct.end()) - distinct.begin() < 3) return std::nullopt;
+  const auto different = static_cast<std::size_t>(std::unique(distinct.begin(), distinct.end()) - distinct.begin());
+  if (different < 3) return std::nullopt;
   std::sort(slopes.begin(), slopes.end());
-  const auto count = static_cast<double>(slopes.size()), size = static_cast<double>(n);
-  const double half = kNormal95 * std::sqrt(size * (size - 1) * (2 * size + 5) / 18);  // (P17)
-  const auto slope_at = [&](double place) {
-    return slopes[static_cast<std::size_t>(std::clamp(std::round(place), 0.0, count - 1))];
-  };
-  TrendLine line{.slope = median(slopes),
-                 .slope_low = slope_at((count - half) / 2 - 1),
-                 .slope_high = slope_at((count + half) / 2)};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  TrendLine line{.slope = median(slopes), .slope_low = -kInfinity, .slope_high = kInfinity};
+  if (n <= kMaxPermutedBats) {  // (P17)
+    if (const auto c = rare_inversions(different)) {
+      line.slope_low = slopes[*c];
+      line.slope_high = slopes[slopes.size() - 1 - *c];
+    }
+  } else {
+    const auto count = static_cast<double>(slopes.size()), size = static_cast<double>(n);
+    const double half = kNormal95 * std::sqrt(size * (size - 1) * (2 * size + 5) / 18);  // (P17)
+    const auto slope_at = [&](double place) {
+      return slopes[static_cast<std::size_t>(std::clamp(std::round(place), 0.0, count - 1))];
+    };
+    line.slope_low = slope_at((count - half) / 2 - 1);
+    line.slope_high = slope_at((count + half) / 2);
+  }
   std::vector<double> heights;
   heights.reserve(n);
   for (std::size_t i = 0; i < n; ++i) heights.push_back(points.y[i] - line.slope * points.x[i]);

@@ -25,20 +25,26 @@ struct Association {
 /// Correlation within classes, without the differences between classes. r correlates values minus their class's mean. ρ
 /// correlates ranks within the class, divided by its size plus one, minus their mean (midranks for ties). For one class
 /// they are the usual r and ρ. With d = points − classes − 1 degrees of freedom
-///   interval:  tanh(artanh r ± 1.96/√(d − 1)),  tanh(artanh ρ ± 1.96 √((1 + ρ²/2)/(d − 1)))           (P15)
-///   p: Student's t of d degrees, t = ρ √(d/(1 − ρ²))                                                (P16)
+///   r:  tanh(artanh r ± 1.96/√(d − 1)); for points on a line to rounding, the interval of ρ
+///   ρ:  E⁻¹(tanh(artanh ρ ± t √((1 + ρ²/2)/(d − 1)))), t Student's 97.5 % quantile of d degrees of freedom,
+///       E(ρ) = Σ w_c [(n_c − 2) ρ + 3τ]/(n_c + 1): the mean of the coefficient of n_c bats, and τ Kendall's
+///       coefficient, both of a normal pair. E⁻¹ only widens the interval.                                       (P15)
+///   p: permutation_p of the ranks                                                                  (P16)
+/// A coefficient of ±1 counts in its interval as one that lies half a swap of neighbours below.
 /// None below d = 2, or when x or y does not vary within classes.
-/// source  [3] and [16] in docs/theory/sources.md
+/// source  [3], [16] and [22] in docs/theory/sources.md
 std::optional<Association> association_of(const std::vector<ClassPoints>& classes);
 
 /// A robust straight line y = at + slope x, and the 95 % interval of its slope.
 struct TrendLine {
-  double slope = 0, at = 0, slope_low = 0, slope_high = 0;
+  double slope = 0, at = 0, slope_low = 0, slope_high = 0;  // infinite ends: unbounded
 };
 
 /// The Theil–Sen line: the median of the slopes of all pairs of points, and the median of y − slope x. The interval
 /// ends at these ranks of the N sorted slopes:
-///   (N ∓ 1.96 √(n(n−1)(2n+5)/18))/2                                                               (P17)
+///   up to 12 points: c + 1 and N − c, with c the most inversions of the ranks of y that have a probability of at most
+///   2.5 % (of as many points as there are different x); unbounded where no c has it
+///   else (N ∓ 1.96 √(n(n−1)(2n+5)/18))/2                                                            (P17)
 /// The line withstands outliers up to 29 % of the points. None for fewer than 3 different values of x.
 /// source  [17]
 std::optional<TrendLine> trend_line_of(const ClassPoints& points);

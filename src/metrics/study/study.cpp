@@ -4,12 +4,14 @@
 #include <map>
 #include <set>
 
+#include "core/error.hpp"
 #include "metrics/study/study_figures.hpp"
 
 namespace percuss::metrics {
 namespace {
 
 constexpr double kFalsePositives = 0.05;
+constexpr const char* kMainProgram = "besr";  // of bats without a program, too
 
 ClassPoints points_of(const Study& study, StudyQuantity x, StudyQuantity y, const std::vector<std::size_t>& members) {
   ClassPoints points;
@@ -20,11 +22,11 @@ ClassPoints points_of(const Study& study, StudyQuantity x, StudyQuantity y, cons
   return points;
 }
 
-// States of one bat are not independent: only the first state counts.
+// States of one bat are not independent: only the first state counts. Bats of other programs are shown only.
 std::vector<std::size_t> counted_of(const Study& study, const std::vector<std::size_t>& members) {
   std::vector<std::size_t> out;
   for (const std::size_t b : members) {
-    if (!study.repeated[b]) out.push_back(b);
+    if (study.counted[b]) out.push_back(b);
   }
   return out;
 }
@@ -45,6 +47,33 @@ void fit_figure(const Study& study, StudyFigure& figure) {
   }
 }
 
+// Whether a program counts: as asked for, else the main one.
+std::vector<StudyProgram> programs_of(const std::vector<StudyBat>& bats, const StudyOptions& options) {
+  std::map<std::string, std::size_t> bats_of;
+  for (const StudyBat& bat : bats) ++bats_of[program_of(bat)];
+  std::vector<StudyProgram> out;
+  for (const auto& [name, count] : bats_of) out.push_back({.name = name, .bats = count, .counted = false});
+  if (options.programs.empty()) {
+    const auto main = std::max_element(out.begin(), out.end(), [](const StudyProgram& a, const StudyProgram& b) {
+      return std::pair(a.name == kMainProgram, a.bats) < std::pair(b.name == kMainProgram, b.bats);
+    });
+    if (main != out.end()) main->counted = true;
+  }
+  for (const std::string& asked : options.programs) {
+    bool found = false;
+    for (StudyProgram& program : out) {
+      const bool hit = asked == "all" || asked == program.name;
+      program.counted = program.counted || hit;
+      found = found || hit;
+    }
+    if (!found) {
+      throw InputError("no bats of the program " + one_line(asked, 40), "the tables",
+                       "give a program of the tables, or all", {"program"});
+    }
+  }
+  return out;
+}
+
 std::vector<bool> repeats_of(const std::vector<StudyBat>& bats) {
   std::set<std::string> seen;
   std::vector<bool> out;
@@ -53,9 +82,9 @@ std::vector<bool> repeats_of(const std::vector<StudyBat>& bats) {
   return out;
 }
 
-std::optional<Association> history_association(const Study& study, const StudyHistory& trail, StudyQuantity y) {
+std::optional<Association> history_association(const Study& study, const StudyHistory& history, StudyQuantity y) {
   std::vector<std::size_t> known;
-  for (const std::size_t b : trail.states) {
+  for (const std::size_t b : history.states) {
     if (study.bats[b].value(y)) known.push_back(b);
   }
   return association_of({points_of(study, StudyQuantity::hoop1, y, known)});
@@ -65,13 +94,13 @@ std::vector<StudyHistory> histories_of(const std::vector<StudyBat>& bats) {
   std::map<std::string, StudyHistory> by_bat;
   for (std::size_t b = 0; b < bats.size(); ++b) {
     if (bats[b].bat.empty() || !bats[b].value(StudyQuantity::hoop1)) continue;
-    StudyHistory& trail = by_bat[bats[b].bat];
-    trail.bat = bats[b].bat;
-    trail.states.push_back(b);
+    StudyHistory& history = by_bat[bats[b].bat];
+    history.bat = bats[b].bat;
+    history.states.push_back(b);
   }
   std::vector<StudyHistory> out;
-  for (auto& [name, trail] : by_bat) {
-    if (trail.states.size() > 1) out.push_back(std::move(trail));
+  for (auto& [name, history] : by_bat) {
+    if (history.states.size() > 1) out.push_back(std::move(history));
   }
   return out;
 }
@@ -114,16 +143,25 @@ const char* name_of(StatementVerdict verdict) {
   return "not supported";
 }
 
-Study study_of(std::vector<StudyBat> bats) {
+std::string program_of(const StudyBat& bat) { return bat.program.empty() ? kMainProgram : bat.program; }
+
+Study study_of(std::vector<StudyBat> bats, const StudyOptions& options) {
   Study study{.bats = std::move(bats)};
   study.repeated = repeats_of(study.bats);
+  study.programs = programs_of(study.bats, options);
+  study.groups = study_groups_of(study.bats);
+  for (std::size_t b = 0; b < study.bats.size(); ++b) {
+    const auto program = std::find_if(study.programs.begin(), study.programs.end(),
+                                      [&](const StudyProgram& p) { return p.name == program_of(study.bats[b]); });
+    study.counted.push_back(program->counted && !study.repeated[b]);
+  }
   study.figures = study_figures_of(study.bats);
   for (StudyFigure& figure : study.figures) fit_figure(study, figure);
-  study.trails = histories_of(study.bats);
-  for (StudyHistory& trail : study.trails) {
-    trail.besr = history_association(study, trail, StudyQuantity::besr);
-    trail.bbs = history_association(study, trail, StudyQuantity::bbs);
-    trail.bbcor = history_association(study, trail, StudyQuantity::bbcor);
+  study.histories = histories_of(study.bats);
+  for (StudyHistory& history : study.histories) {
+    history.besr = history_association(study, history, StudyQuantity::besr);
+    history.bbs = history_association(study, history, StudyQuantity::bbs);
+    history.bbcor = history_association(study, history, StudyQuantity::bbcor);
   }
   study.statements = published_statements();
   judge_statements(study);

@@ -56,15 +56,54 @@ struct StudyStatement {
   StatementVerdict verdict = StatementVerdict::not_supported;
 };
 
+/// The certification programs whose bats count in statements, trends and statistics.
+struct StudyOptions {
+  std::vector<std::string> programs;  // empty: the main program; "all": every bat
+};
+
+/// The bats of one program in the study. Bats without a program and those of "besr" are one program, "besr".
+struct StudyProgram {
+  std::string name;
+  std::size_t bats = 0;
+  bool counted = true;
+};
+
+/// Descriptive numbers of a quantity. std: of the sample, 0 for one value.
+struct QuantitySummary {
+  StudyQuantity quantity = StudyQuantity::moi;
+  std::size_t states = 0;
+  double mean = 0, std = 0, low = 0, high = 0;
+};
+
+/// The bats of one material and kind. All their states are included, also those that statistics do not count again.
+struct StudyGroup {
+  BarrelMaterial material = BarrelMaterial::wood;
+  std::string kind;     // "all", "new", "broken in"
+  std::string program;  // as in StudyProgram; "all"
+  std::size_t states = 0, bats = 0;
+  std::vector<QuantitySummary> quantities;  // with at least one value
+};
+
+/// The groups with bats: each material, then its kinds and programs where it has several.
+std::vector<StudyGroup> study_groups_of(const std::vector<StudyBat>& bats);
+
+/// The program of a bat as in StudyProgram.
+std::string program_of(const StudyBat& bat);
+
 struct Study {
   std::vector<StudyBat> bats;
   std::vector<bool> repeated;  // [bats]: a later state of a bat already listed; shown, but not counted again
+  std::vector<bool> counted;   // [bats]: of a counted program, and not repeated
+  std::vector<StudyProgram> programs;
+  std::vector<StudyGroup> groups;
   std::vector<StudyFigure> figures;
-  std::vector<StudyHistory> trails;  // of bats with at least two states of known hoop frequency
+  std::vector<StudyHistory> histories;  // of bats with at least two states of known hoop frequency
   std::vector<StudyStatement> statements;
 };
 
-/// Computes every figure with at least one bat, its statistics, and every statement.
-Study study_of(std::vector<StudyBat> bats);
+/// Computes every figure with at least one bat, its statistics, and every statement. The main program is "besr" where
+/// it has bats, else that with the most bats: [8] states its relations for bats of one program, and shows the others
+/// apart. errors  InputError: a program without bats.
+Study study_of(std::vector<StudyBat> bats, const StudyOptions& options = {});
 
 }  // namespace percuss::metrics

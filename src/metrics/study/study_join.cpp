@@ -15,11 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-const char* material_word(BarrelMaterial material) {
-  if (material == BarrelMaterial::wood) return "wood";
-  return material == BarrelMaterial::aluminum ? "aluminum" : "composite";
-}
-
 }  // namespace
 
 StudyCurve parse_study_curve(std::string_view text, const std::string& where) {
@@ -73,7 +68,7 @@ std::string study_table_csv(const std::vector<StudyBat>& bats, CsvFormulas formu
   out += '\n';
   for (const StudyBat& bat : bats) {
     out += fmt::format("{},{},{},{},{},{},{},{}", cell(bat.id), cell(bat.bat), cell(bat.maker), cell(bat.model),
-                       bat.length_in, material_word(bat.material), bat.broken_in ? "abi" : "new", cell(bat.program));
+                       bat.length_in, name_of(bat.material), bat.broken_in ? "abi" : "new", cell(bat.program));
     for (const auto& value : bat.values) out += value ? fmt::format(",{}", *value) : ",";
     out += '\n';
   }

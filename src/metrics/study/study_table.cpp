@@ -4,19 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "core/io/json_text.hpp"
 #include "core/io/parse_number.hpp"
 #include "core/io/strict_json.hpp"
 #include "metrics/protocol/performance.hpp"
 #include "metrics/study/study_batch.hpp"
+#include "metrics/study/study_documents.hpp"
 
 namespace percuss::metrics {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::size_t kMaxBats = 2000;
 constexpr double kBall_kg = 0.1454;
@@ -77,13 +74,36 @@ bool broken_in(const BatProperties& p, const std::string& id) {
 void derive_quantities(StudyBat& bat, const std::optional<double>& weight_oz, const std::optional<double>& z_in) {
   const auto at = [&](StudyQuantity q) -> std::optional<double>& { return bat.values.at(static_cast<std::size_t>(q)); };
   if (!at(StudyQuantity::drop) && weight_oz) at(StudyQuantity::drop) = *weight_oz - bat.length_in;  // (P1)
-  const auto besr = at(StudyQuantity::besr), moi = at(StudyQuantity::moi);
-  if (!besr || !moi || !z_in) return;
+  const auto moi = at(StudyQuantity::moi);
+  if (!moi || !z_in) return;
   const double length_m = bat.length_in * kInch_m, z_m = *z_in * kInch_m, moi_kgm2 = *moi * kOunceInch2_kgm2;
+  const double k = ball_to_bat_inertia(kBall_kg, length_m, z_m, moi_kgm2);  // (P10)
+  auto& besr = at(StudyQuantity::besr);
   auto& bbs = at(StudyQuantity::bbs);
   auto& bbcor = at(StudyQuantity::bbcor);
+  if (!besr && bbcor) besr = besr_from_bbcor(*bbcor, k);  // (P9)
+  if (!besr) return;
   if (!bbs) bbs = batted_ball_speed_mps(*besr, swing_speed_mps(length_m, z_m, moi_kgm2)) / kMilePerHour_mps;  // (P8)
-  if (!bbcor) bbcor = bbcor_of(*besr, ball_to_bat_inertia(kBall_kg, length_m, z_m, moi_kgm2));                // (P9)
+  if (!bbcor) bbcor = bbcor_of(*besr, k);                                                                     // (P9)
+}
+
+// Decimals of a number's text; none for an exponent.
+std::optional<int> decimals_of(const std::string& text) {
+  if (text.find_first_of("eE") != std::string::npos) return std::nullopt;
+  const std::size_t point = text.find('.');
+  return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
+}
+
+// Of two numbers, the one with more decimals, if the other is the same number rounded; else none.
+const std::string* finer_of(const std::string& a, const std::string& b) {
+  const ParsedNumber x = parse_number(a, false), y = parse_number(b, false);
+  const auto x_decimals = decimals_of(a), y_decimals = decimals_of(b);
+  if (x.problem != NumberProblem::none || y.problem != NumberProblem::none || !x_decimals || !y_decimals)
+    return nullptr;
+  const double half = 0.5 * std::pow(10.0, -std::min(*x_decimals, *y_decimals));
+  constexpr double kSlack = 1 + 1e-9;
+  if (std::abs(x.value - y.value) > half * kSlack) return nullptr;
+  return *x_decimals >= *y_decimals ? &a : &b;
 }
 
 StudyBat bat_of(const BatProperties& p) {
@@ -105,50 +125,12 @@ StudyBat bat_of(const BatProperties& p) {
   return bat;
 }
 
-std::string text_of_value(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
-}
-
-// The first and second frequency of each family, without the second modes of close pairs.
-void take_frequencies(const Json& analysis, BatProperties& p) {
-  const auto modes = analysis.find("modes");
-  if (modes == analysis.end() || !modes->is_array()) return;
-  for (const Json& mode : *modes) {
-    if (!mode.is_object()) continue;
-    const auto family = mode.find("family"), order = mode.find("order"), freq = mode.find("frequency_hz");
-    if (family == mode.end() || order == mode.end() || freq == mode.end()) continue;
-    if (!family->is_string() || !order->is_number_integer() || !freq->is_number()) continue;
-    add_frequency(p, family->get<std::string>(), order->get<std::int64_t>(), freq->get<double>());
-  }
-}
-
-BatProperties properties_in(const Json& analysis, const std::string& where) {
-  const auto bat = analysis.find("bat");
-  if (bat == analysis.end() || !bat->is_object() || !bat->contains("id") || !(*bat)["id"].is_string()) {
-    throw InputError("the analysis does not name its bat", where, "analyse the record with the id of its bat",
-                     {"analyze.bat_id"});
-  }
-  BatProperties p{{"id", (*bat)["id"].get<std::string>()}};
-  const auto properties = bat->find("properties");
-  if (properties != bat->end() && properties->is_object()) {
-    for (const auto& [key, value] : properties->items()) {
-      const auto& known = study_columns();
-      const bool simple = value.is_string() || value.is_number();
-      if (simple && std::find(known.begin(), known.end(), key) != known.end()) p.emplace(key, text_of_value(value));
-    }
-  }
-  take_frequencies(analysis, p);
-  return p;
-}
-
-// The keys of an analysis that a study reads.
-std::vector<std::string_view> wanted_keys() {
-  std::vector<std::string_view> keys{"schema", "runs", "properties", "modes", "family", "order", "frequency_hz"};
-  keys.insert(keys.end(), study_columns().begin(), study_columns().end());  // with "bat" and "id"
-  return keys;
-}
-
 }  // namespace
+
+const char* name_of(BarrelMaterial material) {
+  if (material == BarrelMaterial::wood) return "wood";
+  return material == BarrelMaterial::aluminum ? "aluminum" : "composite";
+}
 
 const char* column_of(StudyQuantity q) { return kQuantityNames.at(static_cast<std::size_t>(q)).column; }
 const char* axis_of(StudyQuantity q) { return kQuantityNames.at(static_cast<std::size_t>(q)).axis; }
@@ -173,7 +155,11 @@ void StudyRows::merge(const BatProperties& properties, const std::string& where)
   if (order_.size() > kMaxBats) throw InputError("more than 2000 bats", where, "split the study");
   for (const auto& [column, value] : properties) {
     const auto [at, added] = known->second.emplace(column, value);
-    if (!added && at->second != value) {
+    if (added || at->second == value) continue;
+    const std::string* const finer = is_text_column(column) ? nullptr : finer_of(at->second, value);
+    if (finer != nullptr) {
+      at->second = *finer;
+    } else {
       throw InputError(fmt::format("two values of {} for bat {}: {} and {}", column, one_line(id, 60),
                                    one_line(at->second, 40), one_line(value, 40)),
                        where, "keep one");
@@ -181,23 +167,44 @@ void StudyRows::merge(const BatProperties& properties, const std::string& where)
   }
 }
 
+// The states of a break-in are listed in their order, also where documents of later states came first.
+void StudyRows::order_states(const std::vector<BatProperties>& states) {
+  if (states.size() < 2) return;
+  std::vector<std::string> ids;
+  for (const BatProperties& state : states) {
+    const std::string id = text_of(state, "id");
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  }
+  std::size_t next = 0;
+  for (std::string& id : order_) {
+    if (std::find(ids.begin(), ids.end(), id) != ids.end()) id = ids.at(next++);
+  }
+}
+
+// A later state of a bat has the bat's own properties, unless it states them.
+BatProperties StudyRows::with_inherited(const BatProperties& state) const {
+  BatProperties out = state;
+  const auto bat = by_id_.find(text_of(state, "bat"));
+  if (bat == by_id_.end()) return out;
+  for (const char* column : {"maker", "model", "length_in", "material", "program", "moi_oz_in2", "weight_oz", "drop"}) {
+    const auto found = bat->second.find(column);
+    if (found != bat->second.end()) out.emplace(column, found->second);
+  }
+  return out;
+}
+
 void StudyRows::add(std::string_view text, const std::string& where) {
   if (holds_batch(text)) {
     for (const BatProperties& bat : batch_bats(text, where)) merge(bat, where);
     return;
   }
-  if (looks_like_json(text)) {
-    const Json document = json_if_valid<nlohmann::json>(text, wanted_keys());
-    const auto schema = document.is_object() ? document.find("schema") : document.end();
-    if (document.is_object() && schema != document.end() && *schema == "percuss/analysis/1") {
-      const auto runs = document.find("runs");
-      if (runs != document.end())
-        throw InputError("several tests in one document", where, "analyse one file or run at a time");
-      return merge(properties_in(document, where), where);
-    }
+  if (const auto states = states_in_document(text, where)) {
+    for (const BatProperties& bat : *states) merge(bat, where);
+    return order_states(*states);
   }
   const auto read_row = [&](StrictObject& row) {
     BatProperties p;
+    for (const char* column : kMetricsColumns) row.has(column);  // marks the column as known
     for (const std::string& column : study_columns()) {
       if (!row.has(column)) continue;
       double number = 0;
@@ -221,7 +228,7 @@ std::vector<StudyBat> StudyRows::bats() const {
   if (order_.empty()) throw InputError("no bats", "the tables", "add a row per bat", {"study.example"});
   std::vector<StudyBat> out;
   out.reserve(order_.size());
-  for (const std::string& id : order_) out.push_back(bat_of(by_id_.at(id)));
+  for (const std::string& id : order_) out.push_back(bat_of(with_inherited(by_id_.at(id))));
   return out;
 }
 

@@ -9,6 +9,7 @@
 namespace percuss::metrics {
 
 enum class BarrelMaterial { wood, aluminum, composite };
+const char* name_of(BarrelMaterial material);
 
 /// The quantities of a study, in the units of the source's figures.
 enum class StudyQuantity { moi, drop, bending1, bending2, hoop1, hoop2, besr, bbs, bbcor };
@@ -37,20 +38,24 @@ struct StudyBat {
 /// Properties of a bat by column name, as in tables and analyses.
 using BatProperties = std::map<std::string, std::string>;
 
-/// Rows of tables and analyses, joined by id. Two rows of one bat must agree.
+/// Rows of tables and documents, joined by id. Two rows of one bat must agree: of two numbers, the one with fewer
+/// decimals must be the other rounded. A row whose `bat` is the id of another row takes that row's properties that it
+/// does not state: maker, model, length, material, program, MOI, weight and drop.
 class StudyRows {
  public:
-  /// Adds a table (docs/schema/study-table.schema.json, or the same as CSV), a document percuss/analysis/1 with "bat",
-  /// or the ids and frequencies of a batch.
+  /// Adds a table (docs/schema/study-table.schema.json, or the same as CSV; also a table of percuss metrics), a
+  /// document with its bat (states_in_document), or the ids and frequencies of a batch.
   /// errors  InputError: another document, an unknown column, an impossible value, two values for one id, more than
   /// 2000 bats.
   void add(std::string_view text, const std::string& where);
-  /// All bats, with drop, BBS and BBCOR computed where possible ((P1), (P8), (P9), a ball of 145.4 g).
+  /// All bats, with drop, BESR, BBS and BBCOR computed where possible ((P1), (P8), (P9), a ball of 145.4 g).
   /// errors  InputError: no bats, a bat without length or material.
   std::vector<StudyBat> bats() const;
 
  private:
   void merge(const BatProperties& properties, const std::string& where);
+  void order_states(const std::vector<BatProperties>& states);
+  BatProperties with_inherited(const BatProperties& state) const;
 
   std::vector<std::string> order_;
   std::map<std::string, BatProperties> by_id_;

@@ -77,4 +77,16 @@ SweepRange sweep_range(const Trampoline& model, const ExponentFit& fit, const st
   return out;
 }
 
+double FittedExponents::slowest_mps() const {
+  return std::min_element(measured.begin(), measured.end(),
+                          [](const MeasuredCor& a, const MeasuredCor& b) { return a.speed_mps < b.speed_mps; })
+      ->speed_mps;
+}
+
+double FittedExponents::fastest_mps() const {
+  return std::max_element(measured.begin(), measured.end(),
+                          [](const MeasuredCor& a, const MeasuredCor& b) { return a.speed_mps < b.speed_mps; })
+      ->speed_mps;
+}
+
 }  // namespace percuss::model

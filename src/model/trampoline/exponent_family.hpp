@@ -34,4 +34,15 @@ struct SweepRange {
 SweepRange sweep_range(const Trampoline& model, const ExponentFit& fit, const std::vector<double>& hoop_Hz,
                        const std::vector<Rebound>& best);
 
+/// The fit of the exponents that a sweep uses, and the measurements that it used.
+struct FittedExponents {
+  std::vector<MeasuredCor> measured;
+  ExponentFit fit;
+  std::vector<FamilyPair> family{};  // exponent_family
+  SweepRange range{};                // sweep_range
+
+  double slowest_mps() const;  // of the measurements
+  double fastest_mps() const;
+};
+
 }  // namespace percuss::model

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/io/parse_number.hpp"
 #include "core/parallel/parallel.hpp"
 #include "pipeline/skipped_work.hpp"
 #include "report/json/deflection_json.hpp"
@@ -35,15 +34,6 @@ Json options_json(const pipeline::Analysis& analysis) {
   if (o.classes.overlay_dB != identify::ClassifyOptions{}.overlay_dB) json["overlay_db"] = o.classes.overlay_dB;
   if (o.classes.object != identify::ObjectKind::automatic)
     json["object"] = o.classes.object == identify::ObjectKind::tube ? "tube" : "other";
-  return json;
-}
-
-Json bat_json(const BatLabel& bat) {
-  Json json{{"id", bat.id}, {"properties", Json::object()}};
-  for (const auto& [key, text] : bat.properties) {
-    const ParsedNumber number = parse_number(text, false);
-    json["properties"][key] = number.problem == NumberProblem::none ? Json(number.value) : Json(text);
-  }
   return json;
 }
 

@@ -8,16 +8,11 @@
 
 #include "pipeline/analysis.hpp"
 #include "pipeline/impact_test.hpp"
+#include "report/json/bat_label.hpp"
 #include "report/json/json_document.hpp"
 #include "report/text/report_sections.hpp"
 
 namespace percuss::report {
-
-/// The bat under test: its id and its properties by key. Numeric values are written as numbers.
-struct BatLabel {
-  std::string id;
-  std::map<std::string, std::string> properties;
-};
 
 struct JsonOptions {
   std::set<ReportSection> sections = default_sections();

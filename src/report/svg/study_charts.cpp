@@ -165,20 +165,21 @@ std::string file_word(const std::string& text) {
   return out;
 }
 
-// The chart of a figure, or of the history (trail) of one bat, with the bats that it shows.
+// The chart of a figure, or of the history of one bat, with the bats that it shows.
 struct StudyPlot {
   std::string name;
+  std::string source;  // number of the source's figure; empty: it has none
   metrics::StudyQuantity x, y;
   LineChart chart;
   std::vector<std::size_t> bats;
 };
 
-void add_history(const metrics::Study& study, const metrics::StudyHistory& trail, std::size_t number,
+void add_history(const metrics::Study& study, const metrics::StudyHistory& history, std::size_t number,
                  metrics::StudyQuantity y, const std::optional<metrics::StudyCurve>& model,
                  std::vector<StudyPlot>& drawn) {
   ChartCurve states{.marks = true, .mark = ChartMark::diamond, .style = 2};
   std::vector<std::size_t> shown;
-  for (const std::size_t b : trail.states) {
+  for (const std::size_t b : history.states) {
     if (!study.bats[b].value(y)) continue;
     shown.push_back(b);
     states.x.push_back(*study.bats[b].value(metrics::StudyQuantity::hoop1));
@@ -186,25 +187,28 @@ void add_history(const metrics::Study& study, const metrics::StudyHistory& trail
     states.labels.push_back(study.bats[b].id);
   }
   if (shown.size() < 2) return;
-  LineChart chart{.title = fmt::format("{}: {} over the break-in", trail.bat, metrics::phrase_of(y)),
+  LineChart chart{.title = fmt::format("{}: {} over the break-in", history.bat, metrics::phrase_of(y)),
                   .x = {.label = metrics::axis_of(metrics::StudyQuantity::hoop1)},
                   .y = {.label = metrics::axis_of(y)},
                   .curves = {states}};
   if (model) add_model(*model, chart.curves);
   const std::string column = metrics::column_of(y);
   std::string name =
-      fmt::format("{}-hoop1-trail-{}-{}", column.substr(0, column.find('_')), number, file_word(trail.bat));
-  drawn.push_back({std::move(name), metrics::StudyQuantity::hoop1, y, std::move(chart), std::move(shown)});
+      fmt::format("{}-hoop1-trail-{}-{}", column.substr(0, column.find('_')), number, file_word(history.bat));
+  const int source = y == metrics::StudyQuantity::besr ? 67 : y == metrics::StudyQuantity::bbs ? 68 : 69;
+  drawn.push_back(
+      {std::move(name), std::to_string(source), metrics::StudyQuantity::hoop1, y, std::move(chart), std::move(shown)});
 }
 
 std::vector<StudyPlot> plotted_curves(const metrics::Study& study, const std::optional<metrics::StudyCurve>& model) {
   std::vector<StudyPlot> drawn;
   for (const metrics::StudyFigure& figure : study.figures)
-    drawn.push_back({figure.name, figure.x, figure.y, chart_of(study, figure, model), pooled_class(figure).bats});
-  for (std::size_t t = 0; t < study.trails.size(); ++t) {
+    drawn.push_back(
+        {figure.name, figure.source, figure.x, figure.y, chart_of(study, figure, model), pooled_class(figure).bats});
+  for (std::size_t t = 0; t < study.histories.size(); ++t) {
     for (const metrics::StudyQuantity y :
          {metrics::StudyQuantity::besr, metrics::StudyQuantity::bbs, metrics::StudyQuantity::bbcor})
-      add_history(study, study.trails[t], t, y, model, drawn);
+      add_history(study, study.histories[t], t, y, model, drawn);
   }
   return drawn;
 }
@@ -214,10 +218,13 @@ std::vector<StudyPlot> plotted_curves(const metrics::Study& study, const std::op
 std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve,
                                    CsvFormulas formulas) {
   std::vector<StudyFile> files;
+  std::string list = "figure,source,bats,title\n";
   for (const StudyPlot& one : plotted_curves(study, curve)) {
+    list += fmt::format("{},{},{},{}\n", one.name, one.source, one.bats.size(), csv_cell(one.chart.title, formulas));
     files.push_back({one.name + ".svg", line_chart_svg(one.chart)});
     files.push_back({one.name + ".csv", points_csv(study, one.x, one.y, one.bats, formulas)});
   }
+  files.push_back({"figures.csv", std::move(list)});
   return files;
 }
 

@@ -14,7 +14,8 @@ struct StudyFile {
   std::string name, text;
 };
 
-/// Each figure and each bat's history, as a chart and as a table of its points.
+/// Each figure and the history of each bat with several states, as a chart and as a table of its points; then
+/// "figures.csv", the list of them with the numbers of the source.
 std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {},
                                    CsvFormulas formulas = CsvFormulas::neutralise);
 

@@ -97,10 +97,23 @@ std::string source_of_std(const identify::Mode& mode) {
          (misfit ? "the misfit" : "");
 }
 
+// The note of a mode that shares its order with another mode, without being a split mode; empty for others.
+std::string shared_order_note(const pipeline::Analysis& analysis, std::size_t m) {
+  const auto& all = analysis.classifications();
+  if (all[m].split_mode || all[m].order == 0) return "";
+  for (std::size_t other = 0; other < all.size(); ++other) {
+    if (other == m || all[other].family != all[m].family || all[other].order != all[m].order) continue;
+    const double apart_Hz = std::abs(analysis.modes()[m].pole.freq_Hz - analysis.modes()[other].pole.freq_Hz);
+    return fmt::format("same order as mode {}, {} Hz apart: more than a split mode", other, significant(apart_Hz, 3));
+  }
+  return "";
+}
+
 std::string note_of(const pipeline::Analysis& analysis, std::size_t m) {
   const identify::ModeClassification& classification = analysis.classifications()[m];
   std::string note;
   const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+  if (const std::string shared = shared_order_note(analysis, m); !shared.empty()) add(shared);
   if (const auto& split = classification.split_mode) {
     add(split->first ? fmt::format("split mode, {} Hz apart", significant(split->separation_Hz, 3))
                      : "second peak of the split mode");

@@ -49,6 +49,13 @@ TEST(ModelTrampolineCommand, FitsTheExponentsFromOptionOrFile) {
       document_of({"--fit-ccor", "26.8224:0.51922:0.004,51.4096:0.49093:0.004", "--hoop", "1000:100:1500"});
   const auto from_file = document_of({"--fit-ccor", folder.file("ccor.csv"), "--hoop", "1000:100:1500"});
   EXPECT_EQ(from_option, from_file);
+  // A file may hold the points as the option does, and its name may have a colon.
+  test::write_bytes(folder.file("a:b.txt"), "# CCOR\nspeed:cor:std\n26.8224:0.51922:0.004,51.4096:0.49093:0.004\r\n");
+  EXPECT_EQ(document_of({"--fit-ccor", folder.file("a:b.txt"), "--hoop", "1000:100:1500"}), from_option);
+  test::write_bytes(folder.file("bad.txt"), "26.8:0.519:0.004\n35.8:0.5\n");
+  const auto bad = run_percuss({"model", "trampoline", "--fit-ccor", folder.file("bad.txt")});
+  EXPECT_EQ(bad.code, 3);
+  EXPECT_THAT(bad.err, HasSubstr("line 2"));
   EXPECT_EQ(from_option["constants"]["a"], from_option["fit"]["a"]);
   EXPECT_NEAR(from_option["fit"]["a"].get<double>(), 0.6495, 0.01);  // the COR has five digits
 }
@@ -159,6 +166,29 @@ TEST(ModelTrampolineCommand, NamesTheInvalidLine) {
   const auto outcome = run_percuss({"model", "trampoline", "--fit-ccor", folder.file("ccor.csv")});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("ccor.csv: line 2"));
+}
+
+// Bats on the curve itself have no difference from it; another has the difference it was given.
+TEST(ModelTrampolineCommand, ComparesMeasuredBats) {
+  const test::ScratchFolder folder;
+  const auto curve = document_of({"--hoop", "1000:500:2500"})["curve"];
+  const std::string on_curve = curve[2]["cor"].dump();
+  test::write_bytes(folder.file("bats.csv"),
+                    "id,length_in,material,hoop1_hz,bbcor\na,33,composite,2000," + on_curve + "\nb,33,composite,1000," +
+                        std::to_string(curve[0]["cor"].get<double>() - 0.05) + "\nc,33,wood,,0.48\n");
+  const auto bats = document_of({"--hoop", "1000:500:2500", "--bats", folder.file("bats.csv")})["bats"];
+  ASSERT_EQ(bats.size(), 2U);  // the third has no hoop mode
+  EXPECT_NEAR(bats[0]["difference"].get<double>(), 0, 1e-12);
+  EXPECT_NEAR(bats[1]["difference"].get<double>(), -0.05, 1e-6);
+  const auto outcome = run_percuss(
+      {"model", "trampoline", "--hoop", "1000:500:2500", "--bats", "bats.csv", "-o", "t.csv", "-o", "t.svg"},
+      {.folder = folder.path()});
+  EXPECT_THAT(outcome.out, HasSubstr("BBCOR minus the model's COR: mean -0.0250, standard deviation 0.0354"));
+  EXPECT_THAT(test::bytes_of(folder.file("t.svg")), HasSubstr("BBCOR of bats"));
+  EXPECT_THAT(test::bytes_of(folder.file("t.csv")), testing::StartsWith("hoop_hz,cor,loaded_hoop_hz,contact_s,contacts,"
+                                                                        "cor_over_wall,cor_over_10khz"));
+  test::write_bytes(folder.file("none.csv"), "id,length_in,material,bbcor\nc,33,wood,0.48\n");
+  EXPECT_EQ(run_percuss({"model", "trampoline", "--bats", folder.file("none.csv")}).code, 3);
 }
 
 }  // namespace percuss::model_trampoline_command_test

@@ -51,6 +51,16 @@ TEST(Overlay, DoesNotDecideTheType) {
   EXPECT_EQ(classification.family, ModeType::bending);
 }
 
+// 25 Hz are a split mode also where noise adds to them.
+TEST(SplitMode, AllowsForTheErrorOfTheSeparation) {
+  std::vector<Mode> modes{hoop(1900), hoop(1925.01)};
+  EXPECT_FALSE(classifications(modes)[0].split_mode);
+  for (Mode& mode : modes) mode.freq_std_Hz = 0.01;
+  EXPECT_TRUE(classifications(modes)[0].split_mode);
+  modes[1].pole.freq_Hz = 1925.03;
+  EXPECT_FALSE(classifications(modes)[0].split_mode);
+}
+
 TEST(SplitMode, IsTwoModesOfOneTypeWithin25Hertz) {
   const auto found = classifications({hoop(1900), hoop(1925)});
   ASSERT_TRUE(found[0].split_mode && found[1].split_mode);

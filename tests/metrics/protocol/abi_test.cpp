@@ -240,4 +240,50 @@ TEST(Abi, EndsOnEveryBatAndNeverPassesOneThatFails) {
   EXPECT_GT(verdicts.at(static_cast<std::size_t>(AbiVerdict::undecided)), 5);
 }
 
+AbiEntry compression_by(double displacement_in, double mean_lbf) {
+  AbiEntry entry = compression(mean_lbf);
+  std::get<AbiCompression>(entry.what).displacement_in = displacement_in;
+  return entry;
+}
+
+std::vector<std::string> remarks_of(const AbiRun& run) {
+  std::vector<std::string> codes;
+  for (const ProtocolFinding& remark : run.remarks) codes.push_back(remark.code);
+  return codes;
+}
+
+TEST(Abi, KeepsOneDisplacementAndReportsAReducedOne) {
+  EXPECT_EQ(run_of(start(590)).displacement_in, 0.03);
+  EXPECT_THAT(remarks_of(run_of(start(590))), testing::IsEmpty());
+  AbiLog log = log_of(start(590));
+  log.displacement_in = 0.025;
+  EXPECT_EQ(evaluate_abi(log).displacement_in, 0.025);
+  EXPECT_THAT(remarks_of(evaluate_abi(log)), testing::ElementsAre("reduced_displacement"));
+  EXPECT_THAT(evaluate_abi(log).remarks[0].message, HasSubstr("0.025 in, not 0.03 in"));
+  log.displacement_in = 0.04;
+  EXPECT_THAT(remarks_of(evaluate_abi(log)), testing::ElementsAre("displacement"));
+  // Stated by the first compression alone, it holds for all.
+  const AbiRun run = run_of({compression_by(0.02, 600), performance(0.7), compression(590)});
+  EXPECT_EQ(run.displacement_in, 0.02);
+  EXPECT_THAT(input_error_of([] {
+                run_of({compression_by(0.02, 600), performance(0.7), compression_by(0.03, 590)});
+              }),
+              HasSubstr("compressed by 0.03 in, but the other compressions by 0.02 in"));
+  log.displacement_in = 0.03;
+  log.entries[0] = compression_by(0.025, 600);
+  EXPECT_THAT(input_error_of([&] { evaluate_abi(log); }), HasSubstr("use one displacement"));
+}
+
+TEST(Abi, NamesTheStatesOfTheBat) {
+  std::vector<AbiEntry> entries = with(start(500), {performance(0.72), compression(400), performance(0.71)});
+  std::get<AbiPerformance>(entries.back().what).id = "B336";
+  std::get<AbiPerformance>(entries.back().what).z_in = 5.5;
+  const AbiRun run = run_of(entries);
+  ASSERT_EQ(run.cycles.size(), 3U);
+  EXPECT_EQ(run.cycles[0].id, "b");
+  EXPECT_EQ(run.cycles[1].id, "b-2");
+  EXPECT_EQ(run.cycles[2].id, "B336");
+  EXPECT_EQ(run.cycles[2].z_in, 5.5);
+}
+
 }  // namespace percuss::metrics::abi_test

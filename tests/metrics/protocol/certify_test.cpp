@@ -105,7 +105,7 @@ TEST(Certify, GivesNoVerdictOnAPlateauOrAtTheEnd) {
             CertifyVerdict::undecided);
   EXPECT_THAT(certify(flat).next.message, HasSubstr("5.5 to 6 in, are within the margin"));
   EXPECT_EQ(run_session(rising, [](double z) { return 0.7 - 0.01 * z; }).verdict, CertifyVerdict::undecided);
-  EXPECT_THAT(certify(rising).next.message, HasSubstr("3 in, or a location within its margin is at an end"));
+  EXPECT_THAT(certify(rising).next.message, HasSubstr("the best location, 3 in, is at an end"));
 }
 
 TEST(Certify, AcceptsAPlateauWhereAsked) {
@@ -313,6 +313,50 @@ TEST(Certify, NeverPassesABatThatFails) {
   EXPECT_GT(verdicts.at(static_cast<std::size_t>(CertifyVerdict::pass)), 20);
   EXPECT_GT(verdicts.at(static_cast<std::size_t>(CertifyVerdict::fail)), 20);
   EXPECT_GT(verdicts.at(static_cast<std::size_t>(CertifyVerdict::undecided)), 20);
+}
+
+// Six shots of 136.0 mph and one rebound each, 6 in from the tip of a 33 in bat: by hand, BESR = v/136 + 1/2 + ε.
+TEST(Certify, GivesAllMetricsOfALocation) {
+  Session s = fresh_session();
+  s.lot.correction = 0.002;
+  double sum = 0, bbcor = 0;
+  for (int i = 0; i < 6; ++i) {
+    SessionShot shot = shot_with(s, 6, 0.7, i);
+    shot.in_mph = 136;
+    shot.out_mph = 29 + 0.1 * i;
+    shot.ball_g = 145.0 + 0.1 * i;
+    s.shots.push_back(shot);
+    const double besr = shot.out_mph / 136 + 0.5 + 0.002;
+    const double k = shot.ball_g / 28.349523125 * 21 * 21 / 9600;  // ball in oz, lever 33 − 6 − 6 in, MOI in oz·in²
+    sum += besr;
+    bbcor += (besr - 0.5) * (1 + k) + k;
+  }
+  const double besr = sum / 6, swing_mph = 60 * 27.0 / 28 * std::pow(15000.0 / 9600, 0.3);
+  for (const PerformanceMetric metric :
+       {PerformanceMetric::besr, PerformanceMetric::ncaa_besr, PerformanceMetric::bbcor}) {
+    s.metric = metric;
+    const Certification c = certify(s);
+    ASSERT_EQ(c.best_location, 0U);
+    const LocationMetrics& m = c.locations[0].metrics;
+    EXPECT_NEAR(m.besr, besr, 1e-12);
+    EXPECT_NEAR(m.ncaa_besr, besr, 1e-12);  // at 136 mph both are the same
+    EXPECT_NEAR(*m.bbcor, bbcor / 6, 1e-12);
+    EXPECT_NEAR(*m.swing_mph, swing_mph, 1e-9);
+    EXPECT_NEAR(*m.bbs_mph, 70 * (besr - 0.5) + swing_mph * (besr + 0.5), 1e-9);
+    EXPECT_NEAR(c.locations[0].mean, metric == PerformanceMetric::bbcor ? *m.bbcor : m.besr, 1e-12);
+  }
+  s.metric = PerformanceMetric::besr;
+  s.bat.moi_ozin2.reset();
+  EXPECT_FALSE(certify(s).locations[0].metrics.bbcor || certify(s).locations[0].metrics.bbs_mph);
+}
+
+TEST(Certify, NamesNoBestLocationOfAFlatBat) {
+  Session s = fresh_session();
+  run_session(s, [](double z) { return 0.7 - 0.0001 * z; });
+  EXPECT_EQ(certify(s).verdict, CertifyVerdict::undecided);
+  EXPECT_THAT(certify(s).next.message,
+              HasSubstr("13 adjacent locations, 3 to 9 in, are within the margin, up to an end"));
+  EXPECT_THAT(certify(s).next.message, testing::Not(HasSubstr("best")));
 }
 
 }  // namespace percuss::metrics::certify_test

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,7 +31,7 @@ TEST(Association, IsOneForPointsOnALine) {
   ASSERT_TRUE(a);
   EXPECT_NEAR(a->pearson.value, 1, kRounding);
   EXPECT_NEAR(a->spearman.value, 1, kRounding);
-  EXPECT_LT(a->p, 1e-10);
+  EXPECT_NEAR(a->p, 2.0 / 120, kRounding);  // two of 5! orders
 }
 
 TEST(Association, DependsOnlyOnRanksForSpearman) {
@@ -44,9 +45,8 @@ TEST(Association, MatchesAHandComputation) {
   const auto a = association_of({{{1, 2, 3, 4, 5}, {2, 1, 4, 3, 5}}});
   EXPECT_NEAR(a->spearman.value, 0.8, kRounding);
   EXPECT_NEAR(a->pearson.value, 0.8, kRounding);
-  // t = 0.8 √(3/0.36) with 3 degrees of freedom: P(|T| > t) = 1 − (2/π)(θ + sin θ cos θ), tan θ = t/√3.
-  const double t = 0.8 * std::sqrt(3 / 0.36), angle = std::atan(t / std::sqrt(3.0));
-  EXPECT_NEAR(a->p, 1 - 2 / std::numbers::pi * (angle + std::sin(angle) * std::cos(angle)), 1e-10);
+  // Σd² ≤ 4 in 8 of 120 orders: itself, 4 swaps of neighbours, 3 pairs of such swaps. As many have Σd² ≥ 36.
+  EXPECT_NEAR(a->p, 16.0 / 120, kRounding);
   EXPECT_NEAR(a->pearson.high, std::tanh(std::atanh(0.8) + 1.959963984540054 / std::sqrt(2.0)), kRounding);
 }
 
@@ -106,6 +106,38 @@ TEST(Association, HasIntervalsOfTheStatedCoverage) {
   EXPECT_NEAR(classes.pearson, 0.95, kAllowed);
 }
 
+// "At most 5 %" for every size: exact below 13 bats, where the steps of the distribution keep the rate below it.
+TEST(Association, HasAtMostTheStatedFalsePositivesInSmallClasses) {
+  constexpr double kAllowed = 0.05 + 0.015;  // three standard deviations in 2000 runs
+  for (const auto& [bats, classes] : std::vector<std::pair<std::size_t, std::size_t>>{
+           {4, 1}, {5, 1}, {6, 1}, {7, 1}, {8, 1}, {10, 1}, {13, 1}, {20, 1}, {2, 5}, {3, 3}, {4, 2}, {3, 8}})
+    EXPECT_LE(coverage_of(0, bats, classes, 2000).false_positives, kAllowed) << bats << " × " << classes;
+}
+
+TEST(Association, HasHonestIntervalsOfSmallClasses) {
+  constexpr double kAllowed = 0.05 + 0.022;  // three standard deviations of 0.05 in 1000 runs
+  for (const auto& [bats, classes] : std::vector<std::pair<std::size_t, std::size_t>>{
+           {4, 1}, {5, 1}, {6, 1}, {8, 1}, {12, 1}, {4, 2}, {3, 3}, {4, 3}}) {
+    for (const double rho : {0.0, 0.6, 0.9, 0.99})
+      EXPECT_GE(coverage_of(rho, bats, classes, 1000).spearman, 1 - kAllowed)
+          << bats << " × " << classes << ", " << rho;
+  }
+}
+
+TEST(Association, IsNotCertainOfAFewBatsInOrder) {
+  const auto a = association_of({{{1, 2, 3, 4}, {1, 8, 27, 64}}});
+  EXPECT_NEAR(a->p, 1.0 / 12, kRounding);
+  EXPECT_EQ(a->spearman.value, 1);
+  EXPECT_EQ(a->spearman.high, 1);
+  EXPECT_LT(a->spearman.low, 0);  // of 24 orders one is this by chance: more than 2.5 %
+  const auto line = association_of({{{1, 2, 3, 4}, {10, 20, 30, 40}}});
+  EXPECT_LT(line->pearson.low, 0);
+  const auto many =
+      association_of({{{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}, {2, 3, 5, 6, 8, 9, 11, 12, 14, 15, 17, 18}}});
+  EXPECT_GT(many->spearman.low, 0.9);
+  EXPECT_LT(many->spearman.low, 0.999);
+}
+
 TEST(Association, HasTheStatedFalsePositiveRate) {
   constexpr double kAllowed = 0.02;  // four standard deviations of 0.05 in 2000 runs
   EXPECT_NEAR(coverage_of(0, 12, 1, 2000).false_positives, 0.05, kAllowed);
@@ -142,6 +174,24 @@ TEST(TrendLine, HasAnIntervalOfTheStatedCoverage) {
   }
   constexpr double kAllowed = 0.03;  // four standard deviations of 0.95 in 1000 runs
   EXPECT_NEAR(covered / static_cast<double>(runs), 0.95, kAllowed);
+}
+
+TEST(TrendLine, HasAnHonestIntervalOfAFewPoints) {
+  const auto four = trend_line_of({{1, 2, 3, 4}, {1, 3, 4, 8}});
+  EXPECT_TRUE(std::isinf(four->slope_low) && four->slope_low < 0);
+  EXPECT_TRUE(std::isinf(four->slope_high) && four->slope_high > 0);
+  const auto five = trend_line_of({{1, 2, 3, 4, 5}, {1, 3, 4, 8, 9}});  // 1 of 120 orders on each side
+  EXPECT_NEAR(five->slope_low, 1, kRounding);
+  EXPECT_NEAR(five->slope_high, 4, kRounding);
+  for (const std::size_t points : {5U, 6U, 8U, 12U}) {
+    int covered = 0;
+    const int runs = 1000;
+    for (int run = 0; run < runs; ++run) {
+      const auto line = trend_line_of(normal_pairs(static_cast<std::uint64_t>(run) + 70000, points, 0.6));
+      covered += line->slope_low <= 0.6 && 0.6 <= line->slope_high ? 1 : 0;
+    }
+    EXPECT_GE(covered, 950 - 21) << points;  // three standard deviations
+  }
 }
 
 TEST(Outliers, LieFarFromTheLine) {

@@ -5,17 +5,19 @@
 #include "cli/option_error.hpp"
 #include "cli/ranges.hpp"
 #include "cli/report_output.hpp"
+#include "commands/model/measured_ccor.hpp"
 #include "commands/model/model_budget.hpp"
 #include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
-#include "core/io/number_table.hpp"
+#include "core/io/input_file.hpp"
 #include "core/io/parse_number.hpp"
+#include "metrics/study/study_table.hpp"
 #include "report/trampoline_report.hpp"
 
 namespace percuss::tools {
 namespace {
 
-constexpr const char* kCcorForm = "give SPEED:COR:STD in m/s, such as 26.8:0.519:0.004,35.8:0.507:0.004, or a file";
+constexpr std::uint64_t kMaxTable_bytes = std::uint64_t{16} << 20U;
 
 struct TrampolineFlags {
   std::string ball = "baseball", hoop = "100:25:10000";
@@ -23,7 +25,7 @@ struct TrampolineFlags {
       barrel_damping;
   double speed_mps = 60.80, extra_mass_kg = 0;
   std::optional<double> free_hoop_Hz, loaded_hoop_Hz;
-  std::vector<std::string> ccor, hold;
+  std::vector<std::string> ccor, hold, bats;
   std::vector<double> budget;
   OutputFlags output;
 };
@@ -46,44 +48,21 @@ model::Trampoline model_of(const TrampolineFlags& flags) {
   return m;
 }
 
-model::MeasuredCor measured_cor(const std::vector<double>& values, const std::string& place) {
-  const model::MeasuredCor m{.speed_mps = values[0], .cor = values[1], .cor_std = values[2]};
-  if (!(m.speed_mps > 0 && m.cor > 0 && m.cor <= 1 && m.cor_std > 0))
-    throw InputError("not a speed, a COR up to 1 and a standard deviation above 0", place, kCcorForm);
-  return m;
-}
-
-model::MeasuredCor measured_cor(const std::string& text) {
-  const auto refuse = [&] { return OptionError::wrong_value("fit_ccor", text, kCcorForm); };
-  std::vector<double> values;
-  std::size_t from = 0;
-  while (from <= text.size()) {
-    const std::size_t to = std::min(text.find(':', from), text.size());
-    const ParsedNumber number = parse_number(text.substr(from, to - from), false);
-    if (number.problem != NumberProblem::none) throw refuse();
-    values.push_back(number.value);
-    from = to + 1;
+// Bats with a hoop frequency and a BBCOR.
+std::vector<report::MeasuredBat> measured_bats(const std::vector<std::string>& paths) {
+  if (paths.empty()) return {};
+  metrics::StudyRows rows;
+  for (const std::string& path : paths) rows.add(read_input(path, kMaxTable_bytes).view(), input_name(path));
+  std::vector<report::MeasuredBat> out;
+  for (const metrics::StudyBat& bat : rows.bats()) {
+    const auto hoop_Hz = bat.value(metrics::StudyQuantity::hoop1), bbcor = bat.value(metrics::StudyQuantity::bbcor);
+    if (hoop_Hz && bbcor) out.push_back({.id = bat.id, .hoop_Hz = *hoop_Hz, .bbcor = *bbcor});
   }
-  if (values.size() != 3) throw refuse();
-  try {
-    return measured_cor(values, text);
-  } catch (const InputError&) {
-    throw refuse();
+  if (out.empty()) {
+    throw InputError("no bat with a first hoop frequency and a BBCOR", input_name(paths.front()),
+                     "add hoop1_hz and bbcor, or besr, moi_oz_in2 and z_in", {"bats"});
   }
-}
-
-std::vector<model::MeasuredCor> measured_of(const std::vector<std::string>& words) {
-  std::vector<model::MeasuredCor> all;
-  if (words.size() == 1 && words[0].find(':') == std::string::npos) {
-    const auto rows = read_number_table(
-        words[0], {.columns = 3, .remedy = "write speed in m/s, COR and standard deviation in each line"});
-    all.reserve(rows.size());
-    for (const NumberTableRow& row : rows) all.push_back(measured_cor(row.values, row.place));
-    return all;
-  }
-  all.reserve(words.size());
-  for (const std::string& word : words) all.push_back(measured_cor(word));
-  return all;
+  return out;
 }
 
 // The exponents that the fit leaves alone: those of `hold`, and those given as constants. Sets the held values.
@@ -126,14 +105,15 @@ int model_trampoline(TrampolineFlags flags) {
   model::Trampoline model = model_of(flags);
   const Range hoop = parse_range("hoop", flags.hoop);
   if (!(hoop.low >= 1)) throw OptionError({"hoop"}, "starts below 1 Hz", "give LO:STEP:HI, such as 100:25:10000");
-  report::TrampolineExtras extras{.fitted = {}, .modal_mass_kg = mass_from_shift(flags)};
+  report::TrampolineExtras extras{
+      .fitted = {}, .modal_mass_kg = mass_from_shift(flags), .bats = measured_bats(flags.bats)};
   if (!flags.ccor.empty()) {
-    report::FittedExponents fitted{.measured = measured_of(flags.ccor), .fit = {}};
+    model::FittedExponents fitted{.measured = measured_ccor(flags.ccor), .fit = {}};
     fitted.fit = model::fit_exponents(model, fitted.measured, held);
     model = model::with_exponents(model, fitted.fit.exponents());
     extras.fitted = std::move(fitted);
   }
-  return show_report(report::trampoline_report(model, hoop.values(), extras), flags.output);
+  return show_report(report::trampoline_report(model, hoop.values(), extras), flags.output, flags.bats);
 }
 
 void add_constants(Command& command, TrampolineFlags& flags) {
@@ -170,6 +150,8 @@ void add_model_trampoline(CommandLine& line) {
   command.example(
       "percuss model trampoline --fit-ccor 26.8:0.519:0.004,40.2:0.502:0.004,51.4:0.491:0.004 --hold a=0.6495",
       "Fit b to measured CCOR for a known a");
+  command.example("percuss study --example > bats.csv; percuss model trampoline --bats bats.csv -o cor.svg -o cor.csv",
+                  "Draw measured bats beside the curve, and write the curve as a table");
   command.value("--ball", flags->ball, "Use the constants of this ball")
       .one_of({"baseball", "softball"})
       .show_default();
@@ -200,6 +182,11 @@ void add_model_trampoline(CommandLine& line) {
       .list("--hold", flags->hold,
             "Hold an exponent in the fit, such as a=0.6495; --a and --b beside --fit-ccor hold theirs, too")
       .type("NAME=VALUE,...");
+  command
+      .repeatable("--bats", flags->bats,
+                  "Compare with the BBCOR of bats at their first hoop frequency: tables and documents as for percuss "
+                  "study (repeatable)")
+      .type("FILE");
   add_constants(command, *flags);
   add_model_budget(command, flags->budget);
   add_output_flags(command, flags->output, kReportKinds);

@@ -1,0 +1,82 @@
+#include "cli/option_units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/io/parse_number.hpp"
+#include "core/units.hpp"
+
+namespace percuss::tools {
+namespace {
+
+enum class Dimension { length, mass, speed, inertia };
+
+struct UnitOfValue {
+  std::string_view name;
+  Dimension dimension;
+  double si;
+};
+constexpr double kFoot_m = 12 * kInch_m;
+constexpr std::array<UnitOfValue, 15> kUnits{{{"m", Dimension::length, 1},
+                                              {"cm", Dimension::length, 0.01},
+                                              {"mm", Dimension::length, 0.001},
+                                              {"in", Dimension::length, kInch_m},
+                                              {"ft", Dimension::length, kFoot_m},
+                                              {"kg", Dimension::mass, 1},
+                                              {"g", Dimension::mass, 0.001},
+                                              {"oz", Dimension::mass, kOunce_kg},
+                                              {"lb", Dimension::mass, kPound_kg},
+                                              {"m/s", Dimension::speed, 1},
+                                              {"km/h", Dimension::speed, 1 / 3.6},
+                                              {"mph", Dimension::speed, kMilePerHour_mps},
+                                              {"ft/s", Dimension::speed, kFoot_m},
+                                              {"kgm2", Dimension::inertia, 1},
+                                              {"ozin2", Dimension::inertia, kOunce_kg* kInch_m* kInch_m}}};
+
+struct Placeholder {
+  std::string_view shown, unit;
+};
+constexpr std::array<Placeholder, 9> kPlaceholders{{{"M", "m"},
+                                                    {"IN", "in"},
+                                                    {"KG", "kg"},
+                                                    {"OZ", "oz"},
+                                                    {"G", "g"},
+                                                    {"M/S", "m/s"},
+                                                    {"MPH", "mph"},
+                                                    {"KG*M2", "kgm2"},
+                                                    {"OZIN2", "ozin2"}}};
+
+const UnitOfValue* unit_named(std::string_view name) {
+  const auto* const at =
+      std::find_if(kUnits.begin(), kUnits.end(), [&](const UnitOfValue& u) { return u.name == name; });
+  return at == kUnits.end() ? nullptr : at;
+}
+
+const UnitOfValue* unit_of_option(std::string_view placeholder) {
+  for (const Placeholder& p : kPlaceholders) {
+    if (p.shown == placeholder) return unit_named(p.unit);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+bool has_option_units(std::string_view placeholder) { return unit_of_option(placeholder) != nullptr; }
+
+std::string in_option_unit(const std::string& text, std::string_view placeholder) {
+  const UnitOfValue* const wanted = unit_of_option(placeholder);
+  const std::size_t last = text.find_last_of("0123456789.", text.ends_with('2') ? text.size() - 2 : std::string::npos);
+  if (wanted == nullptr || last == std::string::npos || last + 1 == text.size()) return text;
+  const std::size_t begin = text.find_first_not_of(' ', last + 1);
+  if (begin == std::string::npos) return text;
+  const std::string_view name = std::string_view(text).substr(begin);
+  const ParsedNumber number = parse_number(std::string_view(text).substr(0, last + 1), false);
+  const UnitOfValue* const given = unit_named(name);
+  if (given == nullptr || given->dimension != wanted->dimension || number.problem != NumberProblem::none) return text;
+  if (given == wanted) return text.substr(0, last + 1);
+  return fmt::format("{}", number.value * given->si / wanted->si);
+}
+
+}  // namespace percuss::tools
