@@ -24,8 +24,9 @@ NEAR = 0.01  # relative: a mode found at a reference frequency
 CSV = ['--fs', '48000', '--unit', 'g', '--force-unit', 'N', '--quiet']
 ABOUT_MEASURED = """\
 `bench/real_structures.py` measures this section. The reference modes come from independent fits; they are another
-estimate, not the truth. "Over σ" is the scatter of single hits over their stated standard deviations: the median, and
-the part below 3. "Halves" compares the modes of every other point with those of the rest, over their σ.
+estimate, not the truth. "Over σ" is the scatter of a mode's single hits over their stated standard deviations: the
+median over the modes, and the part below 3. "Halves" compares the modes of every other point with those of the rest,
+over their σ.
 """
 ABOUT_SCENARIOS = """\
 Each scenario is a hammer test of a tube with one imperfection of real tests, simulated at 16 times the sampling rate
@@ -34,6 +35,7 @@ and independently of percuss. The outcomes are:
 - right: every clear mode is within 3 of its stated standard deviations; fair: within 5
 - named: results are off, and a message names the cause; warned: results are off, and a message says that they may be
 - refused: no modes; UNNAMED: right, but no message names the imperfection; SILENT: results are off without a message
+- other: nothing in the record tells of the imperfection
 
 `bench/real_structures.py` writes this section.
 """
@@ -64,7 +66,7 @@ def found(modes, reference):
 
 
 def scatter(document):
-    """Deviations of the modes of single hits from their mean, over their standard deviations."""
+    """Per mode, the rms of the deviations of single hits from their mean, over their standard deviations."""
     of_mode = collections.defaultdict(list)
     for one in document.get('modes_per_hit', []):
         of_mode[one['mode']].append(one)
@@ -74,8 +76,8 @@ def scatter(document):
             x = [h[key] for h in hits]
             s = [h[key.replace('_hz', '_std_hz') if '_hz' in key else key + '_std'] for h in hits]
             if len(x) > 2 and min(s) > 0:
-                shrink = (1 - 1 / len(x)) ** 0.5
-                values += [abs(v - statistics.fmean(x)) / (d * shrink) for v, d in zip(x, s)]
+                squares = sum(((v - statistics.fmean(x)) / d) ** 2 for v, d in zip(x, s))
+                values.append((squares / (len(x) - 1)) ** 0.5)
     return out
 
 

@@ -1,4 +1,4 @@
-"""Mode shapes from a test of many points: which modes are alike (MAC), how many waves they have around a tube.
+"""Mode shapes from a test of many points, and which modes are alike (MAC).
 
     python3 survey.py [RECORD GEOMETRY.csv [SHAPES.csv]]
 

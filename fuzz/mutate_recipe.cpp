@@ -97,7 +97,7 @@ Words new_line(const Grammar& grammar, Random& random) {
   return words;
 }
 
-// Replaces a word by another of its kind, or one number of a list.
+// Replaces a word by another of its kind. In a list, it may replace or remove the last number instead.
 void change_word(Words& line, const Grammar& grammar, Random& random) {
   for (const LineForm& form : grammar.lines) {
     if (line.empty() || line.front() != form.first) continue;

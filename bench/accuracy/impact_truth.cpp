@@ -79,7 +79,8 @@ double exact_cor(const model::Impact& impact) {
     go_to(t_s, t_s + hop_s);
   } while (motion.approach_m(y.data()) > 0);
   // Near the end the approach falls linearly with time, so Newton's method converges in a few steps from the last point
-  // with contact. The speed of the ball changes like the approach to the power of 5/2, and hardly depends on the end.
+  // with contact. The ball's remaining change of speed is proportional to the approach to the power of 5/2, so a small
+  // error in the time of the end does not matter.
   y = before;
   t_s = before_s;
   gsl_odeiv2_driver_reset_hstart(driver.get(), kFirstStep_s);

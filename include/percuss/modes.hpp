@@ -46,7 +46,8 @@ struct Mode {
   std::vector<Residue> residues;
 };
 
-/// A mode, fitted to one hit alone.
+/// A mode, fitted to one hit alone. Each ± is from the noise of the hit and the scatter between the hits; the misfit of
+/// the model is common to all hits and is a part of the ± of Mode.
 struct ModeOfHit {
   std::size_t hit = 0, mode = 0;
   double freq_Hz = 0, freq_std_Hz = 0;

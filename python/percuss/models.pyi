@@ -73,6 +73,7 @@ def trampoline(
     free_hoop: float | None = ...,
     loaded_hoop: float | None = ...,
     fit_ccor: _Text | None = ...,
+    hold: _Text | None = ...,
     m1: float | None = ...,
     k1: float | None = ...,
     c1: float | None = ...,

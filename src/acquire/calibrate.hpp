@@ -34,9 +34,9 @@ struct Calibration {
 };
 
 /// The force channel's scale from hits on a free mass: force = mass · acceleration. The scale of one hit is a
-/// least-squares fit over the samples above half of the force's peak. Both signals count from their mean just before
-/// the hit. The result is the mean over the hits, weighted by the square of the peak force. Hits below a fifth of the
-/// largest are left out. The sign makes a push positive.
+/// least-squares fit over the samples above half of the force's peak. The mean just before the hit is subtracted from
+/// both signals. The result is the mean over the hits, weighted by the square of the peak force. Hits below a fifth of
+/// the largest are left out. The sign makes a push positive.
 /// errors  InputError: the record has not exactly one acceleration channel, or the acceleration goes on after the
 /// pulses (a structure that rings is no free mass). NoHitError: the record contains no hit.
 /// theory (1.6), (1.7)

@@ -227,9 +227,9 @@ std::vector<ModeOfHit> Analysis::modes_per_hit() const {
     out.push_back({.hit = mode.hit,
                    .mode = mode.mode,
                    .freq_Hz = mode.pole.freq_Hz,
-                   .freq_std_Hz = mode.freq_std_Hz,
+                   .freq_std_Hz = mode.freq_std_parts_Hz.total(),
                    .damping_ratio = mode.pole.damping_ratio,
-                   .damping_ratio_std = mode.damping_std});
+                   .damping_ratio_std = mode.damping_std_parts.total()});
   }
   return out;
 }

@@ -3,7 +3,7 @@
 
 namespace percuss::batch {
 
-/// The first bytes of each file of a shard: the beginning of its label.
+/// The first bytes of each file of a shard: the beginning of its label (ShardLabel).
 std::string part_beginning();
 
 /// An open file of a shard. A symbolic link is never followed.

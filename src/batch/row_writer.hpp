@@ -12,7 +12,7 @@ namespace percuss::batch {
 inline constexpr std::string_view kRecordRow = R"({"row":"record")";
 inline constexpr std::string_view kFrfRow = R"({"row":"frf")";
 
-/// The data of all rows.
+/// Data of the whole batch, for the head of a file of results.
 struct BatchTotals {
   std::string version;  // of percuss at the time of the analysis
   BatchHeader head;

@@ -53,13 +53,6 @@ Eigen::MatrixXd covariance_of(const std::vector<FittedMode>& modes) {
   return covariance;
 }
 
-std::vector<Pole> poles_of(const std::vector<FittedMode>& modes) {
-  std::vector<Pole> poles;
-  poles.reserve(modes.size());
-  for (const FittedMode& mode : modes) poles.push_back(mode.mode.pole);
-  return poles;
-}
-
 // Removes the truncation from the FRFs `few`, and fits `found` to them. Each pass reduces the error by the factor of
 // the remaining truncation.
 void complete(CompletedDecays& completed, const Eigen::MatrixXd& components, FrfDataset& few,
@@ -164,7 +157,7 @@ std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, co
     const std::size_t before = found.size();
     found = fit_sequentially(few, pass);
     if (found.empty() || max_remaining_amplitude(set, found) > kMaxRemainingAmplitude) return std::nullopt;
-    if (found.size() != before && completed.from_records()) complete(completed, components, few, found);
+    if (found.size() != before && CompletedDecays::from_records(set)) complete(completed, components, few, found);
   }
   const std::vector<Pole> poles = poles_of(found);
   bool scatters = false;  // any_pair_is_scatter seldom holds, so the refinement runs beside it

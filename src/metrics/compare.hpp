@@ -16,7 +16,7 @@ struct ComparedMode {
   double freq_Hz = 0;
   double freq_std_Hz = 0;  // 0: not stated
   std::string family;      // "bending", "hoop"; "" or "unknown": any
-  bool second = false;     // second peak of a close pair: it pairs only with another second peak
+  bool second = false;     // second peak of a split mode: it pairs only with another second peak
   struct Component {
     std::complex<double> value;
     double std = 0;

@@ -13,7 +13,7 @@ struct ImpactTestOptions {
   std::optional<double> effective_mass_kg;  // of a free body, at the point of impact: gives its rigid motion
   std::optional<double> beam_distance_m;    // from the light beam to the structure
   double beam_time_s = 0;                   // when the ball broke the light beam, from the row's beginning
-  std::vector<double> position_m;           // of the points, ascending by number; empty: not known
+  std::vector<double> position_m;           // [points] in ascending order of the point numbers; empty: not known
 };
 
 /// The deflection at one accelerometer after one impact.

@@ -66,7 +66,7 @@ std::string result_text(const model::Impact& impact, const model::ImpactResult& 
   std::string text = fmt::format(
       "coefficient of restitution {:.5f} at the first separation, after {:.3f} ms of contact\n"
       "ball speed {:.4g} m/s before and {:.4g} m/s after impact{}\n"
-      "largest force {:.5g} N; largest deflection of the beam there {:.4g} mm, {:.2f} ms after first touch\n"
+      "largest force {:.5g} N; largest deflection of the struck point {:.4g} mm, {:.2f} ms after first touch\n"
       "second contact: {}\nerror of the energy balance {:.1e}",
       r.cor, 1000 * r.contact_s, impact.speed_mps, std::abs(r.cor) * impact.speed_mps,
       r.cor < 0 ? " in the same direction" : "", r.peak_force_N, 1000 * r.peak_deflection_m,

@@ -4,9 +4,11 @@
 
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "report/text/number_format.hpp"
 #include "report/text/version.hpp"
+#include "report/trampoline_fit_report.hpp"
 
 namespace percuss::report {
 namespace {
@@ -27,35 +29,6 @@ Json constants_json(const model::Trampoline& m) {
           {"speed_mps", m.ball_speed_mps}};
 }
 
-Json fit_json(const FittedExponents& fitted) {
-  const model::ExponentFit& fit = fitted.fit;
-  Json json{{"a", fit.stiffness_exponent},
-            {"a_std", fit.stiffness_exponent_std},
-            {"b", fit.damping_exponent},
-            {"b_std", fit.damping_exponent_std},
-            {"b_std_given_a", fit.damping_exponent_std_given_a},
-            {"correlation", fit.correlation},
-            {"chi2", fit.chi2},
-            {"beyond_std", fit.beyond_std},
-            {"points", Json::array()}};
-  for (std::size_t i = 0; i < fitted.measured.size(); ++i) {
-    const model::MeasuredCor& m = fitted.measured[i];
-    json["points"].push_back(
-        {{"speed_mps", m.speed_mps}, {"cor", m.cor}, {"cor_std", m.cor_std}, {"model_cor", fit.model_cor[i]}});
-  }
-  return json;
-}
-
-std::string fit_text(const FittedExponents& fitted) {
-  const model::ExponentFit& fit = fitted.fit;
-  return fmt::format(
-      "fit to measured CCOR: a = {}, b = {}, correlation {:.6f}; for a known a, b has ± {:.2g}; chi2 {:.2f} of {} "
-      "points, {} with residuals above their ±\n",
-      value_with_std(fit.stiffness_exponent, fit.stiffness_exponent_std),
-      value_with_std(fit.damping_exponent, fit.damping_exponent_std), fit.correlation, fit.damping_exponent_std_given_a,
-      fit.chi2, fitted.measured.size(), fit.beyond_std);
-}
-
 std::string extras_text(const model::Trampoline& model, const model::HoopPeak& peak, const TrampolineExtras& extras) {
   std::string text;
   if (model.extra_mass_kg > 0) {
@@ -64,8 +37,50 @@ std::string extras_text(const model::Trampoline& model, const model::HoopPeak& p
   }
   if (extras.modal_mass_kg)
     text += fmt::format("the shift corresponds to a modal mass of {:.4f} kg\n", *extras.modal_mass_kg);
-  if (extras.fitted) text += fit_text(*extras.fitted);
   return text;
+}
+
+// The maximum, with its 68 % range where exponents were fitted.
+Json peak_json(const model::HoopPeak& peak, const std::optional<FittedExponents>& fitted) {
+  Json json{{"hoop_hz", peak.hoop_Hz}, {"cor", peak.cor}, {"at_edge", peak.at_edge}};
+  if (!fitted || fitted->fit.rim.empty()) return json;
+  const model::SweepRange& range = fitted->range;
+  const bool any_edge = peak.at_edge || range.at_edge;
+  json["hoop_hz_low"] = range.low.hoop_Hz;
+  json["hoop_hz_high"] = range.high.hoop_Hz;
+  json["hoop_hz_std"] = any_edge ? Json() : Json((range.high.hoop_Hz - range.low.hoop_Hz) / 2);
+  json["cor_low"] = range.peak_cor_low;
+  json["cor_high"] = range.peak_cor_high;
+  json["range_at_edge"] = range.at_edge;
+  return json;
+}
+
+std::string peak_text(const std::vector<double>& hoop_Hz, const model::HoopPeak& peak, double wall, double reference,
+                      const std::optional<FittedExponents>& fitted) {
+  const bool has_range = fitted && !fitted->fit.rim.empty();
+  const bool has_std = has_range && fitted->fit.determined && !fitted->fit.at_limit && !fitted->range.at_edge;
+  const double low_Hz = has_range ? fitted->range.low.hoop_Hz : 0, high_Hz = has_range ? fitted->range.high.hoop_Hz : 0;
+  const std::string peak_Hz =
+      has_std ? value_with_std(peak.hoop_Hz, (high_Hz - low_Hz) / 2) : fmt::format("{:.1f}", peak.hoop_Hz);
+  std::string text =
+      peak.at_edge
+          ? fmt::format(
+                "trampoline: no maximum lies within {:g} to {:g} Hz; the COR is largest, {:.4f}, at the end, {} Hz",
+                hoop_Hz.front(), hoop_Hz.back(), peak.cor, peak_Hz)
+          : fmt::format("trampoline: the COR is largest, {:.4f}, at a hoop frequency of {} Hz", peak.cor, peak_Hz);
+  if (has_range && !has_std)
+    text += fmt::format(" ({:.0f} to {:.0f} Hz with the exponents that fit about as well)", low_Hz, high_Hz);
+  return text + fmt::format(". It is {:.3f} of the rigid wall's {:.5f} and {:.3f} of the {:.4f} at 10 kHz\n",
+                            peak.cor / wall, wall, peak.cor / reference, reference);
+}
+
+void add_warnings(const std::vector<TrampolineWarning>& warnings, Json& json, ReportText& text) {
+  json["warnings"] = Json::array();
+  for (const TrampolineWarning& w : warnings) {
+    json["warnings"].push_back(
+        {{"code", w.code}, {"severity", "warn"}, {"message", w.message + "; " + w.remedy}, {"remedy", w.remedy}});
+    text.warn({w.message + "; " + w.remedy, w.options});
+  }
 }
 
 }  // namespace
@@ -75,6 +90,11 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
   const std::vector<model::Rebound> sweep = model::hoop_sweep(model, hoop_Hz);
   const model::HoopPeak peak = model::optimal_hoop_frequency(model, hoop_Hz, sweep);
   const double wall = model::rigid_wall_rebound(model).cor, reference = model::rebound(model, kReference_Hz).cor;
+  std::optional<FittedExponents> fitted = extras.fitted;
+  if (fitted) {
+    fitted->range = model::sweep_range(model, fitted->fit, hoop_Hz, sweep);
+    fitted->family = model::exponent_family(model, fitted->measured, fitted->fit, hoop_Hz);
+  }
   NumericColumn cor{.name = "cor"}, loaded{.name = "loaded_hoop_hz"}, contact{.name = "contact_s"},
       contacts{.name = "contacts"};
   Json json{{"schema", "percuss/model-trampoline/1"},
@@ -82,7 +102,7 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
             {"constants", constants_json(model)},
             {"wall_cor", wall},
             {"cor_10khz", reference},
-            {"peak", {{"hoop_hz", peak.hoop_Hz}, {"cor", peak.cor}}},
+            {"peak", peak_json(peak, fitted)},
             {"curve", Json::array()}};
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     cor.values.push_back(sweep[i].cor);
@@ -94,22 +114,33 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
                              {loaded.name, loaded.values.back()},
                              {contact.name, sweep[i].contact_s},
                              {contacts.name, sweep[i].contacts}});
+    if (!fitted) continue;
+    json["curve"].back()["cor_low"] = fitted->range.cor_low[i];
+    json["curve"].back()["cor_high"] = fitted->range.cor_high[i];
   }
   if (extras.modal_mass_kg) json["modal_mass_kg"] = *extras.modal_mass_kg;
-  if (extras.fitted) json["fit"] = fit_json(*extras.fitted);
+  CcorCurve ccor;
+  if (fitted) {
+    ccor = ccor_curve(model, *fitted);
+    json["fit"] = trampoline_fit_json(*fitted, ccor);
+  }
   CommandReport report;
+  report.text = peak_text(hoop_Hz, peak, wall, reference, fitted) + extras_text(model, peak, extras);
+  if (fitted) report.text += trampoline_fit_text(*fitted);
+  add_warnings(trampoline_warnings(model, peak, fitted), json, report.text);
   report.json = json.dump(2) + "\n";
-  report.text = fmt::format(
-                    "trampoline: the COR is largest, {:.4f}, at a hoop frequency of {:.1f} Hz. It is {:.3f} of the "
-                    "rigid wall's {:.5f} and {:.3f} of the {:.4f} at 10 kHz\n",
-                    peak.cor, peak.hoop_Hz, peak.cor / wall, wall, peak.cor / reference, reference) +
-                extras_text(model, peak, extras);
   report.charts = {
       {.title = "Ball and hollow barrel",
        .x = {.label = "hoop frequency, Hz"},
        .y = {.label = "coefficient of restitution"},
        .curves = {{"barrel", hoop_Hz, cor.values}, {"rigid wall", {hoop_Hz.front(), hoop_Hz.back()}, {wall, wall}}}}};
   report.columns = {{"hoop_hz", hoop_Hz}, cor, loaded, contact, contacts};
+  if (fitted) {
+    report.charts[0].bands = {{.x = hoop_Hz, .low = fitted->range.cor_low, .high = fitted->range.cor_high}};
+    report.charts.push_back(ccor_chart(*fitted, std::move(ccor)));
+    report.columns.push_back({"cor_low", fitted->range.cor_low});
+    report.columns.push_back({"cor_high", fitted->range.cor_high});
+  }
   return report;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "model/trampoline/exponent_family.hpp"
 #include "model/trampoline/trampoline.hpp"
 #include "model/trampoline/trampoline_fit.hpp"
 #include "report/html/command_report.hpp"
@@ -13,6 +14,8 @@ namespace percuss::report {
 struct FittedExponents {
   std::vector<model::MeasuredCor> measured;
   model::ExponentFit fit;
+  std::vector<model::FamilyPair> family{};  // computed by trampoline_report
+  model::SweepRange range{};                // computed by trampoline_report
 };
 
 /// Results shown besides the sweep.
@@ -22,7 +25,8 @@ struct TrampolineExtras {
 };
 
 /// JSON: percuss/model-trampoline/1. COR over the hoop frequency, its maximum, the COR at a rigid wall, and the COR at
-/// 10 kHz. The source calls that barrel rigid and divides by its COR. errors  as rebound.
+/// 10 kHz. The source calls that barrel rigid and divides by its COR. With fitted exponents: the range of the curve and
+/// of its maximum over the exponents that the measurements allow, and these. errors  as rebound.
 CommandReport trampoline_report(const model::Trampoline& model, const std::vector<double>& hoop_Hz,
                                 const TrampolineExtras& extras = {});
 

@@ -25,8 +25,8 @@ struct SynthPole {
 struct PulseBasis {
   std::size_t first = 0;
   std::vector<double> force_N;  // filtered force
-  /// [pole]: the force through the mode's acceleration response without the impulse at t = 0. A mode of residue 1/kg
-  /// accelerates by force_N + regular_N, in m/s².
+  /// [pole]: the filtered force convolved with the mode's impulse response in acceleration, without its Dirac impulse
+  /// at t = 0. The acceleration of a mode with a residue of 1 kg⁻¹ is force_N + regular_N, in m/s².
   std::vector<std::vector<double>> regular_N;
 };
 

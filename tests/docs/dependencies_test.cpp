@@ -20,6 +20,7 @@ struct Library {
 constexpr std::array kLibraries{
     Library{"libfftw3", "libfftw3-dev", "FFTW3"},
     Library{"libgsl", "libgsl-dev", "GSL"},
+    Library{"libgslcblas", "libgsl-dev", "GSL"},  // with linkers that keep libraries without used symbols
     Library{"libtbb", "libtbb-dev", "TBB"},
     Library{"libfmt", "libfmt-dev", "fmt"},
     Library{"libsndfile", "libsndfile1-dev", "SNDFILE"},

@@ -189,7 +189,7 @@ TEST_F(BatchFaults, OfProcessesLeaveTheRecordOpen) {
 }
 
 TEST_F(BatchFaults, OfTheDiskAreNeverRows) {
-  // The failing writes: label of the journal, a begun record, its rows, the part, synchronisation of the part.
+  // The failing writes: label of the journal, a begun record, its rows, part-0.jsonl, synchronisation of part-0.jsonl.
   for (const long n : {1, 2, 5, 8, 9}) {
     SCOPED_TRACE(n);
     const std::string out = "out" + std::to_string(n);

@@ -1,5 +1,5 @@
-// Surveys with frequency scatter between points and noise that grows with the response. The residual of common poles
-// has many peaks, none of which is a mode.
+// Surveys with frequency scatter between points and noise that grows with the response. A fit with the same poles at
+// all points leaves a residual with many peaks, none of which is a mode.
 #include <gtest/gtest.h>
 
 #include <algorithm>

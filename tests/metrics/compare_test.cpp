@@ -43,8 +43,8 @@ TEST(PairModes, SkipsDistantModesAndOtherTypes) {
               ElementsAre(testing::Pair(0, 0)));
 }
 
-// The first peak represents a close pair. The second never pairs with a single mode, even where it is nearer.
-TEST(PairModes, PairsTheFirstOfAClosePair) {
+// The first peak represents a split mode. The second never pairs with a single mode, even where it is nearer.
+TEST(PairModes, PairsTheFirstPeakOfASplitMode) {
   ComparedDocument doublet = document_with({1900, 1912}, "hoop");
   doublet.modes[1].second = true;
   EXPECT_THAT(indices(pair_modes(doublet, document_with({2100}, "hoop"))), ElementsAre(testing::Pair(0, 0)));

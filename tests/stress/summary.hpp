@@ -22,7 +22,7 @@ struct Summary {
   Check check;
   std::size_t runs = 0, failed_runs = 0;
   std::vector<std::pair<std::size_t, std::string>> failures;  // run and failure
-  std::set<std::string> said;
+  std::set<std::string> said;  // codes of findings and warnings, and exit codes, of all runs
   std::size_t wanted = 0, found = 0;
   double freq_relative = 0, damping_absolute = 0, freq_bound = 0;  // the largest of all runs, as in Result
   ModeError largest;

@@ -20,7 +20,8 @@
 namespace percuss::tools {
 namespace {
 
-constexpr double kResolution_m = 0.125 * kInch_m;  // rule of thumb: the node is at the smallest peak, to 1/8 in
+// Resolution of the position of the smallest peak, which the rule of thumb takes as the node.
+constexpr double kResolution_m = 0.125 * kInch_m;
 
 struct NodesFlags {
   ReadFlags read;
@@ -86,8 +87,9 @@ void add_nodes(CommandLine& line) {
   Command command = line.command("nodes", "Locate the nodes of bending modes from a scan of impacts",
                                  [flags] { return nodes(*flags); });
   command.about(
-      "Locates the nodes of each bending mode along the barrel, with standard deviations, from hits at a row of "
-      "positions. Each point, or each file, is one position. A node lies where the response of the mode changes sign.");
+      "Locates the nodes of each bending mode along the barrel, with standard deviations, from hits at evenly "
+      "spaced positions. Each point, or each file, is one position. A node lies where the response of the mode changes "
+      "sign.");
   command.example("percuss nodes scan.h5 --positions 3:0.25:9in --band 60:1500",
                   "Use hits every quarter of an inch, from 3 to 9 in from the end of the barrel");
   command.example("percuss nodes scan.h5 --positions 76.2:6.35:228.6mm --band 60:1500 -o nodes.svg",

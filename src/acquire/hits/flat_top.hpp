@@ -10,7 +10,8 @@ namespace percuss::acquire {
 double top_flatness(const Hit& hit);
 
 /// Adds `force_clipped` to hits whose pulse has a flat top, although no samples are equal: an amplifier clipped the
-/// force before the recorder's anti-alias filter, which rounded the corners. Leaves out hits with `overload`.
+/// force before the recorder's anti-alias filter, which rounded the corners. Leaves out hits with `overload`, and hits
+/// whose samples do not show the pulse's shape: a weak, a truncated or an aliased pulse.
 void grade_flat_tops(std::vector<Hit>& hits);
 
 }  // namespace percuss::acquire

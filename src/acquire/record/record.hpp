@@ -103,8 +103,8 @@ struct ReadOptions {
 
 enum class FileGrouping { automatic, hits, points, tests };
 
-/// Joins several files to one record: as hits of one point, or as one point per file. Automatic means hits. A single
-/// record is returned unchanged.
+/// Joins several files to one record: as hits of one point, or as one point per file. `automatic` means hits. A single
+/// record is returned unchanged. A caller that keeps files apart (`tests`) must not join them.
 /// errors  InputError: sampling rates, channel counts or forces differ; names the file.
 Record join_records(std::vector<Record> records, FileGrouping grouping);
 

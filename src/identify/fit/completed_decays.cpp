@@ -27,8 +27,8 @@ CompletedDecays::CompletedDecays(const FrfDataset& cut)
                     [&](std::size_t o) { whole_.channels[o] = cut.channels[o]; });
 }
 
-bool CompletedDecays::from_records() const {
-  return std::all_of(cut_.points.begin(), cut_.points.end(), [](const PointForce& p) { return !p.blocks.empty(); });
+bool CompletedDecays::from_records(const FrfDataset& cut) {
+  return std::all_of(cut.points.begin(), cut.points.end(), [](const PointForce& p) { return !p.blocks.empty(); });
 }
 
 void CompletedDecays::add_missing_decays(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "identify/model/frf_dataset.hpp"
@@ -13,10 +14,11 @@ class CompletedDecays {
   /// `cut` must outlive this object. Nothing is added yet.
   explicit CompletedDecays(const FrfDataset& cut);
 
-  const FrfDataset& set() const { return whole_; }
+  const FrfDataset& set() const& { return whole_; }
+  FrfDataset set() && { return std::move(whole_); }
 
   /// False without records: the truncation of the FRFs is then unknown.
-  bool from_records() const;
+  static bool from_records(const FrfDataset& cut);
 
   /// Adds the missing decays of these modes to the measured FRFs; residues [channels, modes]. The added decays have a
   /// relative error as large as the truncation of the FRFs to which the residues were fitted.

@@ -54,7 +54,8 @@ class JointProjection {
   /// remains.
   Eigen::MatrixXd residue_force_variance(const JointState& state) const;
 
-  /// The matrix from the slope columns to the poles' unknowns: residues of one FRF of the part over its noise.
+  /// Residues of one FRF of the part over its noise, [slope columns, 2 modes]. `slopes` times this matrix is the
+  /// derivative of the FRF over its noise by the poles' unknowns.
   Eigen::MatrixXd residue_matrix(const JointState& state, const JointPart& part, Eigen::Index channel) const;
 
   /// Takes each FRF's noise, and its course over frequency, from the residual of a fit (its unweighted_residual).

@@ -19,9 +19,9 @@ struct HitSeries {
 double trend_deviate(const HitSeries& series, const std::vector<double>& peak_N);
 
 /// Decides for all series together whether the forces of the hits or their order explain the scatter, and describes the
-/// modes' trends accordingly (Mode::amplitude, Mode::drift). Neither, unless a line explains 70 % of the χ² of some
-/// series and its slope passes a t test (1 %, two-sided). A trend does not average out: the standard deviation of a
-/// value that follows it is at least the spread of the trend over the hits.
+/// modes' trends accordingly (Mode::amplitude, Mode::drift). Describes no trend unless a regression line explains 70 %
+/// of the χ² of some series and its slope passes a t test (1 %, two-sided). A trend does not average out: the standard
+/// deviation of a value that follows it is at least the spread of the trend over the hits.
 /// peak_N  [hits of the test]
 void explain_scatter(const std::vector<HitSeries>& series, const std::vector<double>& peak_N, std::vector<Mode>& modes);
 

@@ -25,7 +25,7 @@ struct WindowedHitPoles {
 WindowedHitPoles windowed_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes);
 
 /// The frequencies of the modes, without modes that only imitate the scatter of another mode (modes_from_hit_scatter,
-/// modes_of_some_hits). Empty where no mode does.
+/// modes_of_some_hits). Empty if there is no such mode.
 /// linear  windowed_hit_poles of these modes
 /// peak_N  [hits] in the order of the test
 std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,

@@ -9,9 +9,9 @@ namespace percuss::identify {
 
 /// Adds the misfit of the model to the modes' standard deviations. Noise differs from line to line; misfit is smooth.
 /// Where the residual of a mode's window correlates between lines, the standard deviations follow from the Fisher
-/// information and the residual's covariance (sandwich). They are at least the shift of the pole when one more term,
-/// for a frequency and damping that change along the decay, improves the fit clearly. Modes with frequency scatter, and
-/// all modes under an exponential window, stay unchanged. Modes ascend in frequency.
+/// information and the residual's covariance (sandwich). A further term lets frequency and damping change along the
+/// decay. If it clearly improves the fit, the standard deviations are at least the shift that it causes in the pole.
+/// Modes with frequency scatter, and all modes under an exponential window, stay unchanged. Modes ascend in frequency.
 /// theory (4.20)
 void add_misfit(const FrfDataset& set, std::vector<Mode>& modes);
 

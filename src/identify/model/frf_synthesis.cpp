@@ -26,11 +26,12 @@ Eigen::MatrixXcd residual_columns(const acquire::LineRange& band, double decay_p
   return out;
 }
 
-double noise_share(const Eigen::VectorXcd& left) {
-  const Eigen::Index n = left.size() - 2;
-  const double energy = left.size() > 2 ? left.segment(1, n).squaredNorm() : 0;
+double noise_share(const Eigen::VectorXcd& residual) {
+  const Eigen::Index n = residual.size() - 2;
+  const double energy = residual.size() > 2 ? residual.segment(1, n).squaredNorm() : 0;
   if (!(energy > 0)) return 0;
-  return std::min(1.0, (left.segment(1, n) - 0.5 * (left.head(n) + left.tail(n))).squaredNorm() / (1.5 * energy));
+  return std::min(
+      1.0, (residual.segment(1, n) - 0.5 * (residual.head(n) + residual.tail(n))).squaredNorm() / (1.5 * energy));
 }
 
 // The terms common to all FRFs, and the synthesis of one FRF.

@@ -10,17 +10,18 @@ namespace {
 
 using Eigen::Index;
 
-// Spacing of the delays, in periods of the highest line. The squares of the phase factors decide how real and
-// imaginary parts share the noise. From one delay to the next they turn by at most 4 rad. Below a full turn, their sum
-// over the delays stays as small as over all samples.
+// Spacing of the delays, in periods of the highest line. Real and imaginary part share the noise equally where the
+// squares of the phase factors cancel. From one delay to the next, the square turns by at most 4 rad (2 · 2π · kDelay).
+// Below a full turn, the squares cancel over the delays as well as over all samples.
 constexpr double kDelay = 0.32;
 
 constexpr double kNarrow = 0.2;  // half of a band's width over its highest line
 constexpr double kMinGroups = 16;
 
-// Size of the ringing that the gate cuts off, in standard deviations of the noise. The gate ends where the ringing is
-// below four. The ringing roughly alternates in sign from sample to sample, so that at low frequencies its sum is half
-// its first sample. Near half the sampling rate the sum is larger, by the factor kMaxRingingGain at most.
+// Standard deviation of the sum of the ringing that the gate cuts off, in standard deviations σ of the noise. The gate
+// ends where the ringing is below 4 σ. The ringing roughly alternates in sign from sample to sample, so that at low
+// frequencies its sum is half its first sample. Near half the sampling rate the sum is larger, by the factor
+// kMaxRingingGain at most.
 constexpr double kCutRinging = 1;
 constexpr double kMaxRingingGain = 5;
 

@@ -26,7 +26,7 @@ class WindowNoise {
   double share(const Pole& pole) const;
 
   double decay_per_s_;
-  double fall_;  // decay of the window's power over the record, in nepers
+  double fall_;  // the window's power falls by the factor exp(−fall_) over the record
 };
 
 }  // namespace percuss::identify

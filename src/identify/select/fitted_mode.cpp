@@ -71,4 +71,11 @@ std::vector<FittedMode> fitted_modes(const WindowedFit& fit, std::optional<std::
   return modes;
 }
 
+std::vector<Pole> poles_of(const std::vector<FittedMode>& modes) {
+  std::vector<Pole> poles;
+  poles.reserve(modes.size());
+  for (const FittedMode& mode : modes) poles.push_back(mode.mode.pole);
+  return poles;
+}
+
 }  // namespace percuss::identify

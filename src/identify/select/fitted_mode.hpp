@@ -24,4 +24,7 @@ struct FittedMode {
 /// scattered_modes().
 std::vector<FittedMode> fitted_modes(const WindowedFit& fit, std::optional<std::size_t> max_modes = {});
 
+/// The modes' poles, in the same order.
+std::vector<Pole> poles_of(const std::vector<FittedMode>& modes);
+
 }  // namespace percuss::identify

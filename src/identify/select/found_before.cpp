@@ -13,18 +13,16 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
 constexpr double kScatterReach = 4;  // standard deviations of the scatter: a pair farther apart does not imitate it
-constexpr double kPairGain = 15;     // residual energy of separate poles over the pair's: below it, one mode scatters
+// Residual energy with one pole per point over the residual energy with a pair: below this, one mode scatters.
+constexpr double kPairGain = 15;
 
 }  // namespace
 
 std::vector<VectorXcd> residual_before(const FrfDataset& set, const std::vector<FittedMode>& modes,
                                        std::vector<VectorXcd> residual) {
   if (residual.empty()) {
-    std::vector<Pole> poles;
-    poles.reserve(modes.size());
-    for (const FittedMode& mode : modes) poles.push_back(mode.mode.pole);
     const auto unknowns = static_cast<Index>(2 * modes.size());
-    residual = fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns)).residual;
+    residual = fit_residues(set, poles_of(modes), MatrixXd::Zero(unknowns, unknowns)).residual;
   }
   for (const FittedMode& mode : modes) {
     if (!(mode.mode.freq_scatter_Hz > 0)) continue;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFixedEvaluations = 8;  // of a fit, in addition to those of its steps: residual, standard deviations
 
-// About two seconds, and a sixth of a second for each FRF.
+// About two seconds, and a fifth of a second for each FRF.
 constexpr double kProducts = 1.5e9, kProductsPerFrf = 1.5e8;
 
 }  // namespace

@@ -6,11 +6,10 @@
 
 namespace percuss::identify {
 
-/// A second search where the first one left something unexplained: a resonance in the residual, a mode that a fit of
-/// all modes together does not describe, or a frequency that scatters between points. It starts from the stable poles
-/// of all FRFs (stable_poles) and fits all modes together, so that crowded and heavily damped modes need no windows of
-/// their own. Insignificant modes are dropped one by one; the residual's correlation between lines, which is misfit,
-/// counts against a mode's significance. Replaces `modes` only where the new modes explain significantly more.
+/// A second search where the first one left something unexplained: a frequency that scatters between points, a material
+/// misfit around a mode (misfit_of, is_material), or a material resonance in a residual that is smooth somewhere. It
+/// fits all modes together (best_joint_fit), so that crowded and heavily damped modes need no windows of their own.
+/// Replaces `modes` only where the new modes explain significantly more (least_gain).
 /// `residual` belongs to a fit of all `modes` together, [channels][lines]; empty: unknown.
 /// theory (4.21)
 void search_jointly(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual,

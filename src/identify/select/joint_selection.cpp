@@ -19,9 +19,11 @@ constexpr double kJointMaxDamping = 0.98 * kMaxDampingRatio;
 constexpr double kJointCoincide = 0.05;   // bandwidths between two poles that the fit has merged
 constexpr double kJointWindowWidths = 5;  // half-power bandwidths on either side of a mode
 constexpr double kJointWindowLines = 8;
-constexpr double kMaterialResidual = 2e-3;  // of the FRF: less moves no mode by more than 2e-3 bandwidths
-constexpr double kGainNoise = 4;            // standard deviations of the gain error from the force's noise
-constexpr double kMinNoiseShare = 0.02;     // least part of the lines that counts as independent
+constexpr double kMaterialResidual = 2e-3;     // of the FRF: less moves no mode by more than 2e-3 bandwidths
+constexpr double kGainNoise = 4;               // standard deviations of the gain error from the force's noise
+constexpr double kMinNoiseShare = 0.02;        // least part of the lines that counts as independent
+constexpr double kMaxGain = 25, kMinGain = 8;  // likelihood ratio per unknown: as for a close mode; ln of the lines
+constexpr double kModeGain = 150;  // … and per mode, where an unknown needs no more and no less than these
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
 double noise_part(const VectorXcd& residual) {
@@ -114,8 +116,8 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
 double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole) {
   const JointWindow window = window_around(set, pole);
   double worst = 0;
-  for (std::size_t o = 0; o < residual.size(); ++o) {
-    const double part = noise_part(residual[o].segment(window.first, window.count));
+  for (const VectorXcd& of_frf : residual) {
+    const double part = noise_part(of_frf.segment(window.first, window.count));
     worst = std::max(worst, (1 - part) * std::sqrt(static_cast<double>(window.count)));
   }
   return worst;
@@ -141,6 +143,13 @@ double likelihood_ratio(const FrfDataset& set, const std::vector<VectorXcd>& bef
     ratio += 2 * static_cast<double>(after[o].size()) * noise_part(after[o]) * std::log(more[o] / less[o]);
   }
   return ratio;
+}
+
+std::size_t unknowns_per_mode(const FrfDataset& set) { return 2 + 2 * set.channels.size(); }
+
+double least_gain(const FrfDataset& set, std::size_t unknowns) {
+  const double each = std::clamp(kModeGain / static_cast<double>(unknowns_per_mode(set)), kMinGain, kMaxGain);
+  return each * static_cast<double>(unknowns);
 }
 
 }  // namespace percuss::identify

@@ -33,6 +33,9 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
 /// How far the residual around a mode is from noise, in standard deviations of its roughness; the worst FRF.
 double misfit_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole);
 
+/// The misfit of a mode that needs a search, in standard deviations.
+inline constexpr double kMinMisfit = 6;
+
 /// True where the residual around a mode is large enough, relative to the FRF, to disturb it; any FRF. Residuals of
 /// rounding errors, or of the gain that noise of the force explains, are not.
 bool is_material(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole);
@@ -42,5 +45,12 @@ bool is_material(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& res
 /// theory (4.21)
 double likelihood_ratio(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& before,
                         const std::vector<Eigen::VectorXcd>& after);
+
+/// Real unknowns of one mode: its pole and its complex residues.
+std::size_t unknowns_per_mode(const FrfDataset& set);
+
+/// The likelihood ratio that so many more unknowns must exceed. Each of the many residues of a mode of a survey needs
+/// to gain less than each of the few of a single record.
+double least_gain(const FrfDataset& set, std::size_t unknowns);
 
 }  // namespace percuss::identify

@@ -20,7 +20,7 @@ constexpr double kSearchRange = 0.005;  // of a given frequency, on either side
 constexpr double kResonanceSpan =
     6;  // half-widths on either side, over which a resonance is compared with the residual
 constexpr double kMinResidualModeGain =
-    30;  // noise powers above the expected sum over the FRFs: one false alarm in 10^10 lines
+    30;  // noise powers above three times the expected sum over the FRFs: one false alarm in 10^10 lines
 constexpr double kOutOfBandGain = 1000;     // … above the force's bandwidth, where weaker modes are never accepted
 constexpr double kModelFloor = 1e-6;        // of the largest line: the residual of a fit to noise-free data
 constexpr double kFlank = 20;               // half-widths of a resonance's flanks on either side …

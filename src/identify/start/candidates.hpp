@@ -21,8 +21,9 @@ std::vector<Pole> candidate_poles(const FrfDataset& set, const LineNoise& noise,
 
 /// A resonance on a straight background that stands out of the noise.
 struct Resonance {
-  double line = 0, half_width = 0;  // in lines from the first
-  double gain = 0;                  // energy that it explains over the noise power, Σ over the FRFs
+  double line = 0;        // counted from the set's first line
+  double half_width = 0;  // in lines
+  double gain = 0;        // energy that it explains over the noise power, Σ over the FRFs
 };
 
 /// The resonances in a residual, [channels][lines], at every width. One resonance appears at several widths.

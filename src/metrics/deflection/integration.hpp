@@ -13,8 +13,8 @@ struct Motion {
 /// Integrates a band-limited acceleration that is zero before its first sample. On a line s = σ + jω of the Laplace
 /// transform with σ > 0 the results do not wrap around in time, and division by s is exact:
 ///   V(s) = A(s)/s,  W(s) = A(s)/s²,  A(s) = Y(s)·(s + ω_c)/s                       (1)
-/// ω_c = 2π·highpass_corner_Hz compensates the first-order high-pass of a charge amplifier (0: none). There is no
-/// quadrature error below half the sampling rate.
+/// Y is the transform of the recorded acceleration. ω_c = 2π·highpass_corner_Hz compensates the first-order high-pass
+/// of a charge amplifier (0: none). There is no quadrature error below half the sampling rate.
 /// theory (7.1)
 Motion integrate_twice(std::span<const double> accel_mps2, double fs_Hz, double highpass_corner_Hz = 0);
 

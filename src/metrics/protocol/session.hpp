@@ -17,7 +17,7 @@ struct SessionShot {
   std::string place;  // in the file, for error messages
   std::string ball;
   double z_in = 6;  // from the barrel's tip
-  int ear = 0;      // 1 to 4; 0: not stated
+  int ear = 0;      // wide face of the ball without a seam, 1 to 4; 0: not stated
   double ball_g = 0;
   double in_mph = 0, out_mph = 0;
   std::vector<double> pairs_in_mph, pairs_out_mph;        // by pair of gates; empty: not stated
@@ -48,7 +48,7 @@ struct Session {
   double temperature_F = 0, humidity_percent = 0;
   PerformanceMetric metric = PerformanceMetric::ncaa_besr;
   std::optional<double> limit;
-  double low_in = 3, high_in = 9;  // range of permitted locations; default: first to last diameter ring of the profile
+  double low_in = 3, high_in = 9;  // permitted locations; default: the range with measured barrel diameters
   std::vector<SessionShot> shots;  // in the order fired
 };
 

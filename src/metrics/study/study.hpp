@@ -13,7 +13,7 @@ enum class StudyFamily { wood, nonwood };
 
 /// Bats of one length in a figure.
 struct StudyClass {
-  int length_class = 0;           // in; 0: all lengths, without the differences between lengths
+  int length_class = 0;           // inches; 0: all lengths, without the differences between lengths
   std::vector<std::size_t> bats;  // of Study::bats
   std::optional<Association> association;
   std::optional<TrendLine> trend;     // of one length only
@@ -31,7 +31,7 @@ struct StudyFigure {
   std::vector<StudyClass> classes;  // by length; in a figure of all lengths the last holds all bats
 };
 
-/// The trail of a bat: its states during the break-in, in their order.
+/// The history of a bat: its states during the break-in, in their order.
 struct StudyHistory {
   std::string bat;
   std::vector<std::size_t> states;              // of Study::bats

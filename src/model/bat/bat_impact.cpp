@@ -87,7 +87,8 @@ Eigen::VectorXd BatImpact::amplitudes_at(double time_s) {
 BatRebound BatImpact::run() {
   BatRebound result;
   for (result.contacts = 0;; ++result.contacts) {
-    const double touch_by_s = time_s_ + 2 * free_.step_s;  // without compression until then, the touch was rounding
+    // If the ball is not compressed by this time, the touch was a rounding error.
+    const double touch_by_s = time_s_ + 2 * free_.step_s;
     do {
       step();
     } while (u_m_ > 0 || (largest_m_ == 0 && time_s_ < touch_by_s));

@@ -21,7 +21,7 @@ struct BatMaterial {
 struct BatInertia {
   double mass_kg = 0;
   double cm_m = 0;          // centre of mass, from the end of the knob
-  double inertia_kgm2 = 0;  // about a transverse axis through the centre of mass, with the slices' thickness
+  double inertia_kgm2 = 0;  // about a transverse axis through the centre of mass; slices as solid cylinders
 };
 
 BatInertia inertia_of(const BatProfile& profile, const BatMaterial& material);

@@ -94,7 +94,8 @@ void BallOnBeam::drift(BallOnBeamState& state, const ModalRotation& turn) {
   state.ball_m += state.ball_mps * turn.dt_s;
 }
 
-// The approach is constant and α̇ falls: (1 + χα̇)′ = −μ χ k₂ α^(3/2) (1 + χα̇), μ the mobility, is solved exactly.
+// During a kick the approach α is constant and α̇ falls: (1 + χα̇)′ = −μ χ k₂ α^(3/2) (1 + χα̇), with the mobility μ. The
+// solution of this equation is exact.
 void BallOnBeam::kick(BallOnBeamState& state, double dt_s) const {
   const double elastic = hertz_ * pow_3_2(state.ball_m - weighted_sum(y_, state.eta));
   double impulse = elastic * dt_s;

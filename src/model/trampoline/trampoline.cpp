@@ -30,7 +30,7 @@ HoopPeak optimal_hoop_frequency(const Trampoline& model, const std::vector<doubl
   cor.reserve(sweep.size());
   for (const Rebound& r : sweep) cor.push_back(r.cor);
   const MaximumPoint peak = bracketed_maximum([&](double at_Hz) { return rebound(model, at_Hz).cor; }, hoop_Hz, cor);
-  return {.hoop_Hz = peak.x, .cor = peak.y};
+  return {.hoop_Hz = peak.x, .cor = peak.y, .at_edge = peak.x == hoop_Hz.front() || peak.x == hoop_Hz.back()};
 }
 
 double loaded_hoop_Hz(const Trampoline& model, double hoop_Hz) {

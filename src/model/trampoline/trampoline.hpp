@@ -45,6 +45,7 @@ Rebound rigid_wall_rebound(const Trampoline& model);
 
 struct HoopPeak {
   double hoop_Hz = 0, cor = 0;
+  bool at_edge = false;  // at the first or last frequency of the sweep: a larger COR may lie outside
 };
 
 /// Computes the rebound at each of `hoop_Hz`, `threads` as in parallel_for.

@@ -1,104 +1,158 @@
 #include "model/trampoline/trampoline_fit.hpp"
 
-#include <Eigen/Core>
+#include <gsl/gsl_cdf.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "core/error.hpp"
-#include "core/math/levenberg_marquardt.hpp"
 #include "core/math/linear_algebra.hpp"
+#include "core/math/roots.hpp"
 
 namespace percuss::model {
 namespace {
 
-constexpr double kExponentDifference = 1e-4;  // of an exponent, for central differences: the model's error is 1e-11
-constexpr double kMaxExponentStd = 100;       // a larger one comes from rounding: the exponent is not determined
-constexpr LevenbergMarquardtOptions kExponentFitOptions{.max_damping = 1e12, .step_tolerance = 1e-9};
+constexpr double kMaxExponentStd = 100;  // a larger one comes from rounding: the exponent is not determined
+constexpr double kRimRise = 1;           // of chi2 above its minimum, for 68 %
+constexpr int kRimSteps = 8;             // over half the rim: its extremes are met to 2 % of their distance
 constexpr const char* kMeasuredCcor = "the measured CCOR";
 
-// Exponents are [a, b].
-bool is_usable(const Eigen::VectorXd& e) { return e[0] > -1 && e[1] >= 0 && e[1] < 1 + e[0]; }
-
-class CcorFit {
+// The minimum of chi2, and the pairs around it.
+class PairSearch {
  public:
-  CcorFit(const Trampoline& model, const std::vector<MeasuredCor>& measured) : model_(model), measured_(measured) {}
-
-  double cor(const Eigen::VectorXd& e, double speed_mps) const {
-    Trampoline model = model_;
-    model.stiffness_exponent = e[0];
-    model.damping_exponent = e[1];
-    model.ball_speed_mps = speed_mps;
-    return rigid_wall_rebound(model).cor;
+  PairSearch(const CcorMisfit& misfit, const Exponents& start, HeldExponents held)
+      : misfit_(misfit), free_{!held.stiffness, !held.damping}, best_(misfit.minimum(start, free_)) {
+    if (both_free()) use_better_limit();
+    chi2_min_ = misfit_.chi2(best_);
   }
 
-  // (cor − model)/σ
-  Eigen::VectorXd residual(const Eigen::VectorXd& e) const {
-    Eigen::VectorXd out(std::ssize(measured_));
-    for (Eigen::Index i = 0; i < out.size(); ++i) {
-      const MeasuredCor& m = measured_[static_cast<std::size_t>(i)];
-      out[i] = (m.cor - cor(e, m.speed_mps)) / m.cor_std;
+  const Exponents& best() const { return best_; }
+
+  /// The pairs at which chi2 is kRimRise above its minimum, or the limits of the search where it rises less.
+  std::vector<Exponents> rim() {
+    if (!free_[0] && !free_[1]) return {};
+    const int along = free_[0] ? 0 : 1;
+    const double top = along == 0 ? kMaxStiffnessExponent : 1 + best_[0] - kStartMargin;
+    const double bottom = along == 0 ? std::max(0.0, both_free() ? 0.0 : best_[1] - 1 + kStartMargin) : 0;
+    const double low = end_of_rim(along, bottom), high = end_of_rim(along, top);
+    std::vector<Exponents> out;
+    // Ends that meet the search's limits have a width, too.
+    for (int i = 0; i <= kRimSteps; ++i) {
+      const double part = 0.5 - 0.5 * std::cos(std::numbers::pi * i / kRimSteps);
+      if (!both_free() && i != 0 && i != kRimSteps) continue;
+      const Exponents middle = valley_at(along, low + part * (high - low));
+      if (!both_free()) {
+        out.push_back(middle);
+        continue;
+      }
+      const double rise = misfit_.chi2(middle) - chi2_min_;
+      const double width = std::sqrt(std::max(kRimRise - rise, 0.0)) / misfit_.jacobian(middle).col(1).norm();
+      for (const double side : {-width, width}) {
+        const Exponents pair{middle[0], middle[1] + side};
+        if (CcorMisfit::is_usable(pair)) out.push_back(pair);
+      }
     }
     return out;
   }
 
-  Eigen::MatrixXd jacobian(const Eigen::VectorXd& e) const {
-    Eigen::MatrixXd out(std::ssize(measured_), 2);
-    for (Eigen::Index k = 0; k < 2; ++k) {
-      Eigen::VectorXd up = e, down = e;
-      up[k] += kExponentDifference;
-      down[k] -= kExponentDifference;
-      out.col(k) = (residual(up) - residual(down)) / (2 * kExponentDifference);
-    }
-    return out;
-  }
-
-  Eigen::VectorXd solve() const {
-    Eigen::VectorXd exponents{{model_.stiffness_exponent, model_.damping_exponent}};
-    const auto if_usable = [&](const Eigen::VectorXd& at) {
-      return is_usable(at) ? std::optional(residual(at)) : std::nullopt;
-    };
-    const auto jacobian_at = [&](const Eigen::VectorXd& at) { return jacobian(at); };
-    const auto summary = levenberg_marquardt(exponents, if_usable, jacobian_at, kExponentFitOptions);
-    if (summary.stop == LevenbergMarquardtStop::max_steps) {
-      throw InputError("no exponents a and b fit the speeds", kMeasuredCcor,
-                       "check the speeds, or start from other exponents", {"fit_ccor", "a", "b"});
-    }
-    return exponents;
-  }
+  bool meets_limit() const { return meets_limit_; }
 
  private:
-  Trampoline model_;
-  const std::vector<MeasuredCor>& measured_;
+  bool both_free() const { return free_[0] && free_[1]; }
+
+  // chi2 falls along a valley: where the search ran into a limit, the best pair has its a at a limit.
+  void use_better_limit() {
+    for (const double limit : {0.0, kMaxStiffnessExponent}) {
+      const Exponents at_limit = valley_at(0, limit);
+      if (misfit_.chi2(at_limit) < misfit_.chi2(best_)) best_ = at_limit;
+    }
+  }
+
+  // The best pair with this value of exponent k, which is a where both are free.
+  Exponents valley_at(int k, double value) const {
+    if (both_free()) return misfit_.best_with_a(value, best_);
+    Exponents at = best_;
+    at[k] = value;
+    return at;
+  }
+
+  double end_of_rim(int k, double limit) {
+    const auto rise = [&](double value) { return misfit_.chi2(valley_at(k, value)) - chi2_min_ - kRimRise; };
+    if (rise(limit) > 0) return bracketed_root(rise, std::min(best_[k], limit), std::max(best_[k], limit));
+    meets_limit_ = true;
+    return limit;
+  }
+
+  const CcorMisfit& misfit_;
+  std::array<bool, 2> free_;
+  Exponents best_;
+  double chi2_min_ = 0;
+  bool meets_limit_ = false;
 };
+
+ExponentInterval interval_of(const std::vector<Exponents>& rim, const Exponents& best, int k) {
+  ExponentInterval out{.low = best[k], .high = best[k]};
+  for (const Exponents& e : rim) {
+    out.low = std::min(out.low, e[k]);
+    out.high = std::max(out.high, e[k]);
+  }
+  return out;
+}
+
+void require_speeds(const std::vector<MeasuredCor>& measured, HeldExponents held) {
+  std::set<double> speeds;
+  for (const MeasuredCor& m : measured) speeds.insert(m.speed_mps);
+  if (speeds.size() < 2 && !held.stiffness && !held.damping) {
+    throw InputError("a and b need two different speeds", kMeasuredCcor, "measure at more speeds, or hold an exponent",
+                     {"fit_ccor", "hold"});
+  }
+}
+
+// Standard deviations and correlation from the Jacobian.
+void add_deviations(const Eigen::MatrixXd& j, ExponentFit& fit) {
+  if (!fit.held.damping) fit.damping_exponent_std_given_a = 1 / j.col(1).norm();
+  if (fit.held.damping && fit.held.stiffness) return;
+  if (fit.held.stiffness) {
+    fit.damping_exponent_std = fit.damping_exponent_std_given_a;
+  } else if (fit.held.damping) {
+    fit.stiffness_exponent_std = 1 / j.col(0).norm();
+  } else {
+    const Eigen::MatrixXd covariance = inverse_gram(Eigen::MatrixXd(j.transpose() * j));
+    fit.stiffness_exponent_std = std::sqrt(covariance(0, 0));
+    fit.damping_exponent_std = std::sqrt(covariance(1, 1));
+    fit.correlation = covariance(0, 1) / (fit.stiffness_exponent_std * fit.damping_exponent_std);
+  }
+  if (!(std::max(fit.stiffness_exponent_std, fit.damping_exponent_std) < kMaxExponentStd)) {
+    throw InputError("the speeds are too similar to separate a from b", kMeasuredCcor,
+                     "measure at more speeds, or hold an exponent", {"fit_ccor", "hold"});
+  }
+}
 
 }  // namespace
 
-ExponentFit fit_exponents(const Trampoline& model, const std::vector<MeasuredCor>& measured) {
-  std::set<double> speeds;
-  for (const MeasuredCor& m : measured) speeds.insert(m.speed_mps);
-  if (speeds.size() < 2)
-    throw InputError("a and b need two different speeds", kMeasuredCcor, "measure at more speeds", {"fit_ccor"});
-  const CcorFit fit(model, measured);
-  const Eigen::VectorXd best = fit.solve();
-  const Eigen::MatrixXd j = fit.jacobian(best);
-  const Eigen::MatrixXd covariance = inverse_gram(Eigen::MatrixXd(j.transpose() * j));
-  ExponentFit result{.stiffness_exponent = best[0],
-                     .stiffness_exponent_std = std::sqrt(covariance(0, 0)),
-                     .damping_exponent = best[1],
-                     .damping_exponent_std = std::sqrt(covariance(1, 1))};
-  if (!(std::max(result.stiffness_exponent_std, result.damping_exponent_std) < kMaxExponentStd)) {
-    throw InputError("the speeds are too similar to separate a from b", kMeasuredCcor, "measure at more speeds",
-                     {"fit_ccor"});
-  }
-  result.correlation = covariance(0, 1) / (result.stiffness_exponent_std * result.damping_exponent_std);
-  result.damping_exponent_std_given_a = 1 / j.col(1).norm();
-  const Eigen::VectorXd residual = fit.residual(best);
-  result.chi2 = residual.squaredNorm();
-  result.beyond_std = static_cast<std::size_t>((residual.array().abs() > 1).count());
-  result.model_cor.reserve(measured.size());
-  for (const MeasuredCor& m : measured) result.model_cor.push_back(fit.cor(best, m.speed_mps));
-  return result;
+ExponentFit fit_exponents(const Trampoline& model, const std::vector<MeasuredCor>& measured, HeldExponents held) {
+  require_speeds(measured, held);
+  const CcorMisfit misfit(model, measured);
+  PairSearch search(misfit, {model.stiffness_exponent, model.damping_exponent}, held);
+  const Exponents best = search.best();
+  ExponentFit fit{.stiffness_exponent = best[0], .damping_exponent = best[1], .held = held};
+  add_deviations(misfit.jacobian(best), fit);
+  const Eigen::VectorXd residual = misfit.residual(best);
+  fit.chi2 = residual.squaredNorm();
+  const auto freedom = static_cast<double>(measured.size()) - static_cast<double>(fit.free());
+  if (freedom > 0) fit.chi2_p = gsl_cdf_chisq_Q(fit.chi2, freedom);
+  fit.beyond_std = static_cast<std::size_t>((residual.array().abs() > 1).count());
+  fit.model_cor.reserve(measured.size());
+  for (const MeasuredCor& m : measured) fit.model_cor.push_back(misfit.cor(best, m.speed_mps));
+  fit.rim = search.rim();
+  fit.a_interval = interval_of(fit.rim, best, 0);
+  fit.b_interval = interval_of(fit.rim, best, 1);
+  fit.at_limit = search.meets_limit();
+  for (const ExponentInterval& i : {fit.a_interval, fit.b_interval})
+    fit.determined = fit.determined && i.high - i.low < 2 * kMaxDeterminedStd;
+  return fit;
 }
 
 }  // namespace percuss::model

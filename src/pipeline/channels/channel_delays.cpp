@@ -29,7 +29,8 @@ std::vector<double> phases_after(std::span<const ModePhase> phases, double delay
   return left;
 }
 
-// The delay near a start, with the chance of so good an agreement among all delays up to it.
+// The delay near a start. log_chance counts the delays between zero and this one: each is another trial in which the
+// phases could agree as well by chance.
 ChannelDelay refined(std::span<const ModePhase> phases, double start_s) {
   std::vector<double> omega, std;
   double highest_Hz = 0;

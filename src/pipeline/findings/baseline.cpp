@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kMinQuiet = 16;  // samples
 constexpr std::size_t kRowShare = 16;  // length of a row over the length of a window
 constexpr std::size_t kStepWindows = 4;
-constexpr double kMaxOff = 0.15;  // of the step or slope: largest distance of a window's mean from it
+constexpr double kMaxOff = 0.15;  // largest distance of a window's mean from the fitted step or slope, over its size
 
 double mean_level(std::span<const double> x) {
   return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());

@@ -22,8 +22,9 @@ struct RecordedWindow {
   double start_level = 0;  // exponential: the fitted noise at the hit over the noise before it
 };
 
-/// The window that the noise of the responses shows, if any. An exponential window needs noise before the hit: a
-/// decaying response starts above it, windowed noise starts at it. `hit_sample` is the sample of the hit. theory (1.9)
+/// The window that the noise of the responses shows, if any. An exponential window is found only where the noise before
+/// the hit is known: windowed noise starts at this level, a decaying response above it. `hit_sample` is the sample of
+/// the hit. theory (1.9)
 std::optional<RecordedWindow> find_recorded_window(const std::vector<NoiseHistory>& responses, double hit_sample,
                                                    double fs_Hz);
 

@@ -19,8 +19,8 @@ struct SampleFault {
   bool constant = false;       // all wrong samples are equal, in all channels
   std::vector<bool> channels;  // that hold wrong samples; all for missing samples
   double size = 0;             // largest difference between wrong and expected samples
-  double error_before = 0;     // rms of the prediction errors here over the errors around, as recorded
-  double error_after = 0;      // the same with the repair
+  double error_before = 0;     // rms of the prediction errors at the recorded fault, over the rms around it
+  double error_after = 0;      // the same after the repair
   Eigen::MatrixXd repair;      // expected samples [count, channels]
 };
 

@@ -13,7 +13,8 @@ struct SamplePrediction {
   std::vector<double> forward_std, backward_std;  // [channels] robust, of the errors
 };
 inline constexpr std::size_t kPredictionOrder = 40;
-/// Samples on either side of a suspect sample that a diagnosis needs.
+/// Samples on either side of a suspect sample that a diagnosis needs: 44 that it searches, 40 of the longest fault, and
+/// the samples of the predictions.
 inline constexpr std::size_t kDiagnosisRoom = 84 + 2 * kPredictionOrder;
 
 /// x[n] − its prediction. n needs kPredictionOrder samples before it, or after it.
@@ -25,14 +26,15 @@ double backward_error(const SamplePrediction& prediction, std::span<const double
 std::optional<SamplePrediction> fit_prediction(std::span<const std::span<const double>> channels, std::size_t first,
                                                std::size_t end, std::size_t at, std::size_t gap);
 
-/// Values for the `count` samples after the first `before` samples of x, which make the errors of the prediction around
-/// them least. The values of `x` there do not matter. `error` is the rms of the errors over their standard deviation.
+/// Interpolated samples, and the errors of the prediction around them.
 struct Interpolation {
   Eigen::VectorXd samples;
-  double error = 0;
+  double error = 0;         // rms of the scaled errors: errors over their standard deviation
   double square = 0;        // sum of squares of the scaled errors
   std::size_t freedom = 0;  // number of errors minus number of unknowns
 };
+/// Values for `count` samples of x from sample `before` on, which make the errors of the prediction around them least.
+/// The recorded values of these samples have no effect.
 Interpolation interpolate_samples(const SamplePrediction& prediction, std::size_t channel, std::span<const double> x,
                                   std::size_t before, std::size_t count);
 

@@ -5,13 +5,15 @@
 #include <cmath>
 
 #include "core/math/assignment.hpp"
+#include "identify/hits/hit_scatter.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
 // Cost of a mode that a hit does not show: equal to √2 bandwidths off, or to 1 bandwidth off with unlike residues.
 constexpr double kGap = 2;
-constexpr double kDoubling = 0.7;  // of a damping ratio, in nepers: costs as much as one bandwidth
+constexpr double kSignificantScatter = 2.3;  // normal deviate of χ²: one clean value in 100
+constexpr double kDoubling = 0.7;            // of a damping ratio, in nepers: costs as much as one bandwidth
 
 // The squared difference of the residues at a point over their squared size: 0 for equal residues, at most 1. Unlike a
 // MAC, it compares amplitudes too, because the shape at one channel says nothing.
@@ -34,12 +36,42 @@ double cost_of(const identify::Mode& test, const identify::Mode& hit, int point)
   return moved * moved + damped * damped + residue_distance(test, hit, point);
 }
 
+// The scatter of one quantity of a mode between its hits, beyond the noise; 0 where it is not significant.
+double scatter_between(const std::vector<HitMode*>& hits, double identify::Pole::*value, HitStdParts HitMode::*parts) {
+  std::vector<double> values, stds;
+  for (const HitMode* hit : hits) {
+    values.push_back(hit->pole.*value);
+    stds.push_back((hit->*parts).noise);
+  }
+  if (values.size() < 2 || *std::min_element(stds.begin(), stds.end()) <= 0) return 0;
+  const identify::ScatterOfHits scatter = identify::scatter_of_hits(values, stds);
+  return scatter.deviate > kSignificantScatter ? scatter.spread : 0;
+}
+
+void add_scatter(std::size_t modes, std::vector<HitMode>& found) {
+  for (std::size_t m = 0; m < modes; ++m) {
+    std::vector<HitMode*> hits;
+    for (HitMode& one : found) {
+      if (one.mode == m) hits.push_back(&one);
+    }
+    const double freq_Hz = scatter_between(hits, &identify::Pole::freq_Hz, &HitMode::freq_std_parts_Hz);
+    const double damping = scatter_between(hits, &identify::Pole::damping_ratio, &HitMode::damping_std_parts);
+    for (HitMode* hit : hits) {
+      hit->freq_std_parts_Hz.hits = freq_Hz;
+      hit->damping_std_parts.hits = damping;
+    }
+  }
+}
+
 }  // namespace
+
+double HitStdParts::total() const { return std::hypot(noise, hits); }
 
 std::vector<HitMode> modes_of_hits(const std::vector<identify::Mode>& modes, const std::vector<HitOfPoint>& hits,
                                    const std::function<identify::FrfDataset(std::size_t hit)>& dataset_of,
                                    identify::Effort effort) {
   std::vector<identify::Pole> poles;
+  poles.reserve(modes.size());
   for (const identify::Mode& mode : modes) poles.push_back(mode.pole);
   std::vector<HitMode> out;
   if (modes.empty()) return out;
@@ -57,10 +89,11 @@ std::vector<HitMode> modes_of_hits(const std::vector<identify::Mode>& modes, con
       out.push_back({.hit = at.hit,
                      .mode = m,
                      .pole = mode.pole,
-                     .freq_std_Hz = mode.freq_std_Hz,
-                     .damping_std = mode.damping_std});
+                     .freq_std_parts_Hz = {.noise = mode.freq_std_Hz},
+                     .damping_std_parts = {.noise = mode.damping_std}});
     }
   }
+  add_scatter(modes.size(), out);
   return out;
 }
 

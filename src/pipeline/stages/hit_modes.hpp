@@ -7,13 +7,20 @@
 
 namespace percuss::pipeline {
 
-/// A mode fitted to the FRFs of one hit.
+/// The parts of a standard deviation of one hit's mode. The misfit of the model is common to all hits and is a part of
+/// the mode's standard deviation.
+struct HitStdParts {
+  double noise = 0;  // of the hit's own fit
+  double hits = 0;   // scatter between the hits beyond the noise; 0: not significant
+  double total() const;
+};
+
+/// A mode fitted to the FRFs of one hit. Its standard deviations say how far the modes of single hits are apart.
 struct HitMode {
   std::size_t hit = 0;
   std::size_t mode = 0;
   identify::Pole pole;
-  double freq_std_Hz = 0;
-  double damping_std = 0;
+  HitStdParts freq_std_parts_Hz, damping_std_parts;
 };
 
 /// A hit and the number of its point.

@@ -37,7 +37,7 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
     out.push_back(
         with_remedy({"drift",
                      "the structure does not return to its rest position, or the record is too short to show that it "
-                     "does: late deflections drift as their ± states",
+                     "does: late deflections drift, and their ± includes the drift",
                      {"method", "free_body"}},
                     "choose the method modal, which does not drift, or state that the body is free"));
   }

@@ -173,7 +173,7 @@ void warn_of_pairs(const SurveyResults& survey, std::vector<Warning>& out) {
       text += fmt::format(", planes {:.2f} ± {:.2g}° apart", pair->planes->between_rad * kRadian_deg,
                           pair->planes->between_std_rad * kRadian_deg);
     }
-    add_name(pairs, text + (pair->quoted ? ")" : "; here the second peak is quoted, which hides the first)"));
+    add_name(pairs, text + (pair->quoted ? ")" : "; here the second peak is quoted, because it hides the first)"));
   }
   if (!pairs.empty()) {
     out.push_back({"double_peak", "split modes, listed by their first peak: " + pairs +

@@ -188,6 +188,8 @@ std::string delays_json(const pipeline::Analysis& analysis) {
   return indented_text(out);
 }
 
+Json hit_parts_json(const pipeline::HitStdParts& parts) { return {{"noise", parts.noise}, {"hits", parts.hits}}; }
+
 std::string modes_per_hit_json(const pipeline::Analysis& analysis) {
   Json out = Json::array();
   for (const pipeline::HitMode& m : analysis.modes_per_hit()) {
@@ -195,9 +197,11 @@ std::string modes_per_hit_json(const pipeline::Analysis& analysis) {
                    {"mode", m.mode},
                    {"peak_force_n", analysis.hits()[m.hit].hit.peak_N},
                    {"frequency_hz", m.pole.freq_Hz},
-                   {"frequency_std_hz", m.freq_std_Hz},
+                   {"frequency_std_hz", m.freq_std_parts_Hz.total()},
                    {"damping_ratio", m.pole.damping_ratio},
-                   {"damping_ratio_std", m.damping_std}});
+                   {"damping_ratio_std", m.damping_std_parts.total()},
+                   {"frequency_std_parts_hz", hit_parts_json(m.freq_std_parts_Hz)},
+                   {"damping_ratio_std_parts", hit_parts_json(m.damping_std_parts)}});
   }
   return indented_text(out);
 }

@@ -14,7 +14,7 @@ struct StudyFile {
   std::string name, text;
 };
 
-/// Each figure and each bat's trail, as a chart and as a table of its points.
+/// Each figure and each bat's history, as a chart and as a table of its points.
 std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {},
                                    CsvFormulas formulas = CsvFormulas::neutralise);
 

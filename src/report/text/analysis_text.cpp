@@ -70,8 +70,8 @@ std::string per_hit_text(const pipeline::Analysis& analysis, std::size_t width) 
     for (const pipeline::HitMode& found : analysis.modes_per_hit()) {
       if (found.mode != m) continue;
       table.add({fmt::format("{}", m), fmt::format("{}", found.hit), force_text(analysis.hits()[found.hit].hit.peak_N),
-                 value_with_std(found.pole.freq_Hz, found.freq_std_Hz) + " Hz",
-                 value_with_std(found.pole.damping_ratio * 100, found.damping_std * 100) + " %", ""});
+                 value_with_std(found.pole.freq_Hz, found.freq_std_parts_Hz.total()) + " Hz",
+                 value_with_std(found.pole.damping_ratio * 100, found.damping_std_parts.total() * 100) + " %", ""});
     }
   }
   return table.text(width);

@@ -10,8 +10,8 @@
 namespace percuss::acquire::ac_coupling_test {
 
 constexpr double kFs_Hz = 25600, kPeak_N = 300, kNoise_N = 0.06;
-// Relative: the rest, a mean over 108 samples before the pulse, has an error of 0.006 N, 4 % of the undershoot of a
-// corner of 0.5 Hz. Three of these standard deviations.
+// Relative: three standard deviations of the corner. The rest level is a mean over 108 samples before the pulse. Its
+// standard deviation is 0.006 N, 4 % of the undershoot at a corner of 0.5 Hz.
 constexpr double kTolerance = 0.12;
 
 std::vector<double> row(double noise_N = kNoise_N) {

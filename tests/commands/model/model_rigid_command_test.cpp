@@ -53,7 +53,7 @@ TEST(ModelRigidCommand, NamesTheInvalidOption) {
   }
 }
 
-TEST(ModelCommand, ListsTheModels) {
+TEST(ModelCommand, RefusesAMissingOrUnknownModel) {
   EXPECT_EQ(run_percuss({"model"}).code, 2);
   const auto outcome = run_percuss({"model", "fly"});
   EXPECT_EQ(outcome.code, 2);

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -49,6 +51,75 @@ TEST(ModelTrampolineCommand, FitsTheExponentsFromOptionOrFile) {
   EXPECT_EQ(from_option, from_file);
   EXPECT_EQ(from_option["constants"]["a"], from_option["fit"]["a"]);
   EXPECT_NEAR(from_option["fit"]["a"].get<double>(), 0.6495, 0.01);  // the COR has five digits
+}
+
+// Five speeds with errors of 0.004, in which the free pair runs to its limit.
+const std::string kNoisyCcor =  // NOLINT(cert-err58-cpp): a literal
+    "26.8224:0.5242:0.004,35.7632:0.5028:0.004,40.2336:0.5036:0.004,44.704:0.4930:0.004,51.4096:0.4879:0.004";
+
+bool warns(const nlohmann::json& document, const std::string& code) {
+  const auto& all = document["warnings"];
+  return std::any_of(all.begin(), all.end(), [&](const auto& w) { return w["code"] == code; });
+}
+
+TEST(ModelTrampolineCommand, SaysThatThePairIsNotDetermined) {
+  const auto document = document_of({"--fit-ccor", kNoisyCcor, "--hoop", "100:100:10000"});
+  EXPECT_TRUE(warns(document, "exponents_not_determined"));
+  EXPECT_FALSE(document["fit"]["determined"].get<bool>());
+  EXPECT_GT(document["peak"]["hoop_hz_high"].get<double>() - document["peak"]["hoop_hz_low"].get<double>(), 2000);
+  EXPECT_GE(document["fit"]["family"].size(), 5U);
+  const auto text = run_percuss({"model", "trampoline", "--fit-ccor", kNoisyCcor});
+  EXPECT_THAT(text.out, HasSubstr("do not determine a and b"));
+  EXPECT_THAT(text.out, HasSubstr("--hold"));
+}
+
+TEST(ModelTrampolineCommand, HoldsAnExponent) {
+  const auto held = document_of({"--fit-ccor", kNoisyCcor, "--hold", "a=0.6495", "--hoop", "500:100:3000"});
+  EXPECT_EQ(held["fit"]["a"], 0.6495);
+  EXPECT_EQ(held["fit"]["held"], nlohmann::json({"a"}));
+  EXPECT_TRUE(held["fit"]["a_std"].is_null());
+  EXPECT_NEAR(held["peak"]["hoop_hz"].get<double>(), 1255, 5);
+  EXPECT_GT(held["peak"]["hoop_hz_std"].get<double>(), 1);
+  EXPECT_LT(held["peak"]["hoop_hz_std"].get<double>(), 5);
+  EXPECT_FALSE(warns(held, "exponents_not_determined"));
+  EXPECT_EQ(document_of({"--fit-ccor", kNoisyCcor, "--a", "0.6495", "--hoop", "500:100:3000"}), held);
+  const auto both = document_of({"--fit-ccor", kNoisyCcor, "--a", "0.6495", "--b", "0.5202", "--hoop", "900:100:1500"});
+  EXPECT_EQ(both["constants"]["b"], 0.5202);
+  EXPECT_TRUE(both["fit"]["b_std"].is_null());
+  for (const std::vector<std::string>& wrong :
+       std::vector<std::vector<std::string>>{{"--fit-ccor", kNoisyCcor, "--hold", "c=1"},
+                                             {"--fit-ccor", kNoisyCcor, "--hold", "a"},
+                                             {"--fit-ccor", kNoisyCcor, "--hold", "a=-1"},
+                                             {"--hold", "a=0.6"},
+                                             {"--fit-ccor", kNoisyCcor, "--hold", "a=0.6", "--a", "0.7"}}) {
+    std::vector<std::string> words{"model", "trampoline"};
+    words.insert(words.end(), wrong.begin(), wrong.end());
+    const auto outcome = run_percuss(words);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("--hold"));
+  }
+}
+
+TEST(ModelTrampolineCommand, SaysThatTheOptimumIsAnEnd) {
+  const auto inside = document_of({"--hoop", "1000:100:1500"});
+  EXPECT_FALSE(inside["peak"]["at_edge"].get<bool>());
+  EXPECT_TRUE(inside["warnings"].empty());
+  const auto outside = document_of({"--hoop", "1500:100:3000"});
+  EXPECT_TRUE(outside["peak"]["at_edge"].get<bool>());
+  EXPECT_TRUE(warns(outside, "optimum_at_edge"));
+  EXPECT_THAT(run_percuss({"model", "trampoline", "--hoop", "1500:100:3000"}).out, HasSubstr("no maximum lies within"));
+}
+
+TEST(ModelTrampolineCommand, DrawsTheMeasuredPointsOverTheSpeed) {
+  const test::ScratchFolder folder;
+  const auto outcome = run_percuss({"model", "trampoline", "--fit-ccor", kNoisyCcor, "--hold", "a=0.6495", "--hoop",
+                                    "900:100:1500", "-o", "a.csv", "-o", "a.svg"},
+                                   {.folder = folder.path()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string picture = test::bytes_of(folder.file("a.svg"));
+  EXPECT_THAT(picture, HasSubstr("CCOR over the speed"));
+  EXPECT_THAT(picture, HasSubstr(">measured, ± std<"));
+  EXPECT_THAT(test::bytes_of(folder.file("a.csv")), HasSubstr(",cor_low,cor_high"));
 }
 
 TEST(ModelTrampolineCommand, WritesTableAndPicture) {

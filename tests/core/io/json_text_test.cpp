@@ -61,7 +61,8 @@ TEST(JsonText, KeepsOnlyTheWantedKeys) {
   EXPECT_TRUE(json_if_valid<nlohmann::json>("[1,]", kWanted).is_null());
 }
 
-// Each of these texts took 20 to 50 times its size as a JSON value.
+// As a JSON value, each of these texts would take 20 to 50 times its size. Such a value is refused; under a key
+// that is not wanted it is skipped.
 TEST(JsonText, TakesMemoryAsItsLength) {
   constexpr std::size_t kItems = 4'000'000;
   for (const std::string& item : {std::string("{}"), std::string("0"), std::string("[]")}) {

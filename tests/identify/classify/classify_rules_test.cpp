@@ -58,7 +58,7 @@ TEST(SplitMode, IsTwoModesOfOneTypeWithin25Hertz) {
   EXPECT_EQ(found[1].split_mode->partner, 0U);
   EXPECT_DOUBLE_EQ(found[0].split_mode->separation_Hz, 25);
   EXPECT_DOUBLE_EQ(found[1].split_mode->separation_Hz, 25);
-  EXPECT_TRUE(found[0].split_mode->first);  // the lower one is quoted
+  EXPECT_TRUE(found[0].split_mode->first);  // the lower one
   EXPECT_FALSE(found[1].split_mode->first);
 }
 

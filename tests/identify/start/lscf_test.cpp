@@ -51,11 +51,11 @@ TEST(LscfPoles, SeparateTwoModesTwoHertzApartWhateverTheSamplingRate) {
   }
 }
 
-TEST(LscfPoles, SeparateModesThatAreHalfABandwidthApart) {
+TEST(LscfPoles, SeparateModesCloserThanABandwidth) {
   const std::vector<Pole> truth{{180, 0.01}, {1900, 0.003}, {1900 + 0.6 * 11.4, 0.003}, {2650, 0.004}};
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     FrfDataset set = set_of(truth, 60, 3200);
-    test::add_frf_noise(set, 0.01, seed);  // the close pair has peaks of 60
+    test::add_frf_noise(set, 0.01, seed);  // the close pair has a peak of 155 in one FRF, of 54 in the other
     for (const Pole& mode : truth) EXPECT_LE(error_of(lscf_poles(set).back(), mode), 0.1) << mode.freq_Hz;
   }
 }
@@ -112,7 +112,7 @@ TEST(LscfPoles, AreUnaffectedByADeadChannel) {
 }
 
 TEST(LscfPoles, HaveAtMostOneOrderPerFourLines) {
-  EXPECT_TRUE(lscf_poles(set_of(kThree, 166, 171)).empty());          // 7 lines
+  EXPECT_TRUE(lscf_poles(set_of(kThree, 166, 171)).empty());          // 6 lines
   EXPECT_EQ(lscf_poles(set_of(kThree, 150, 190)).back().order, 13U);  // 52 lines
   EXPECT_TRUE(lscf_poles(set_of(kThree, 60, 1500), {.first = 1u << 20U}).empty());
   const auto high = lscf_poles(set_of(kThree, 60, 1500), {.max_order = 1000});

@@ -80,4 +80,70 @@ TEST(TrampolineFit, RefusesSpeedsThatDoNotSeparateTheExponents) {
               testing::HasSubstr("measured CCOR"));
 }
 
+constexpr double kA = 0.6495, kB = 0.5202;  // of the exact measurements
+
+std::vector<MeasuredCor> with_std(std::vector<MeasuredCor> measured, double std) {
+  for (auto& m : measured) m.cor_std = std;
+  return measured;
+}
+
+TEST(TrampolineFit, HoldsAnExponent) {
+  const ExponentFit fit_b = fit_exponents(baseball_on_barrel(), exact(), {.stiffness = true});
+  EXPECT_EQ(fit_b.stiffness_exponent, kA);
+  EXPECT_EQ(fit_b.stiffness_exponent_std, 0);
+  EXPECT_NEAR(fit_b.damping_exponent, kB, 1e-9);
+  EXPECT_EQ(fit_b.damping_exponent_std, fit_b.damping_exponent_std_given_a);
+  EXPECT_TRUE(fit_b.determined);
+  const ExponentFit fit_a = fit_exponents(baseball_on_barrel(), exact(), {.damping = true});
+  EXPECT_EQ(fit_a.damping_exponent, kB);
+  EXPECT_NEAR(fit_a.stiffness_exponent, kA, 1e-9);
+  const ExponentFit none = fit_exponents(distant_start(), exact(), {.stiffness = true, .damping = true});
+  EXPECT_EQ(none.stiffness_exponent, 0.60);
+  EXPECT_EQ(none.free(), 0U);
+  EXPECT_TRUE(none.rim.empty());
+  EXPECT_GT(none.chi2, 1);  // this pair does not fit
+  auto one = exact();
+  one.resize(1);
+  EXPECT_NEAR(fit_exponents(baseball_on_barrel(), one, {.stiffness = true}).damping_exponent, kB, 1e-9);
+}
+
+TEST(TrampolineFit, SaysThatThePairIsNotDetermined) {
+  const ExponentFit fit = fit_exponents(baseball_on_barrel(), exact());
+  EXPECT_FALSE(fit.determined);
+  EXPECT_LT(fit.a_interval.low, kA - 0.5);
+  EXPECT_GT(fit.a_interval.high, kA + 0.5);
+  EXPECT_TRUE(fit_exponents(baseball_on_barrel(), with_std(exact(), 1e-4)).determined);
+}
+
+// Where the model is linear within the deviations, the pairs with chi2 + 1 span ± one standard deviation.
+TEST(TrampolineFit, HasARimThatSpansTheStandardDeviations) {
+  const ExponentFit fit = fit_exponents(baseball_on_barrel(), with_std(exact(), 2e-5));
+  constexpr double kSteps = 0.03;  // eight steps over half the rim miss its extremes by up to 2 %
+  EXPECT_NEAR((fit.a_interval.high - fit.a_interval.low) / (2 * fit.stiffness_exponent_std), 1, kSteps);
+  EXPECT_NEAR((fit.b_interval.high - fit.b_interval.low) / (2 * fit.damping_exponent_std), 1, kSteps);
+  const auto measured = with_std(exact(), 2e-5);
+  const CcorMisfit misfit(baseball_on_barrel(), measured);
+  for (const Exponents& e : fit.rim) EXPECT_NEAR(misfit.chi2(e) - fit.chi2, 1, 0.05) << e.transpose();
+}
+
+// The five points of a test in which the free pair runs to b = 0 with a negative a: a ball that softens.
+TEST(TrampolineFit, KeepsToExponentsThatABallCanHave) {
+  const std::vector<double> cor{0.5242, 0.5028, 0.5036, 0.4930, 0.4879};
+  auto measured = exact();
+  for (std::size_t i = 0; i < measured.size(); ++i) measured[i].cor = cor[i];
+  const ExponentFit fit = fit_exponents(baseball_on_barrel(), measured);
+  EXPECT_EQ(fit.stiffness_exponent, 0);
+  EXPECT_TRUE(fit.at_limit);
+  EXPECT_FALSE(fit.determined);
+  const CcorMisfit misfit(baseball_on_barrel(), measured);
+  for (double b = 0.10; b < 0.25; b += 0.01) EXPECT_GE(misfit.chi2({0, b}), fit.chi2);
+}
+
+TEST(TrampolineFit, DoubtsPointsThatNoExponentsFit) {
+  auto measured = exact();
+  measured[2].cor += 10 * kDeviation;
+  EXPECT_LT(fit_exponents(baseball_on_barrel(), measured).chi2_p, 1e-6);
+  EXPECT_GT(fit_exponents(baseball_on_barrel(), exact()).chi2_p, 0.999);
+}
+
 }  // namespace percuss::model::trampoline_fit_test

@@ -38,7 +38,7 @@ synth::SynthSpec oblique_bat() {
   return spec;
 }
 
-// The record whose acceleration n is change(channel, n, the channel's samples in the row).
+// The record with sample n of each channel replaced by change(channel, n, all samples of the channel in this row).
 template <class Change>
 acquire::Record changed(const acquire::Record& record, Change change) {
   acquire::Record out = record;

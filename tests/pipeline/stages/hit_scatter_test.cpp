@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -51,6 +52,27 @@ std::vector<std::string> warnings_of(const Analysis& analysis) {
   std::vector<std::string> out;
   for (const Warning& warning : analysis.warnings()) out.push_back(warning.code + ": " + warning.message);
   return out;
+}
+
+// The frequency differs between the hits and follows neither the force nor the order; the ± of each hit's mode contains
+// this scatter.
+TEST(HitScatter, IsPartOfTheDeviationsOfSingleHits) {
+  constexpr std::array kOff{0.0, 1e-3, -1e-3, 2e-3, -2e-3};  // relative to the frequency; standard deviation 1.58e-3
+  const auto modes = [&](std::size_t hit) { return Modes{.first_Hz = kFirst_Hz * (1 + kOff.at(hit))}; };
+  const Analysis analysis(record_of(modes, kOff.size(), 1), band());
+  ASSERT_THAT(analysis.modes_per_hit(), SizeIs(2 * kOff.size()));
+  for (const HitMode& one : analysis.modes_per_hit()) {
+    const HitStdParts& parts = one.freq_std_parts_Hz;
+    EXPECT_EQ(parts.total(), std::hypot(parts.noise, parts.hits));
+    if (one.mode == 0) {
+      // Each fit follows its hit to a few standard deviations of the noise, here below 1e-5 of the frequency.
+      EXPECT_NEAR(one.pole.freq_Hz, kFirst_Hz * (1 + kOff.at(one.hit)), 5 * parts.noise);
+      // The estimate weights the hits by their noise, so it differs from the plain standard deviation.
+      EXPECT_NEAR(parts.hits, 1.58e-3 * kFirst_Hz, 0.25 * 1.58e-3 * kFirst_Hz);
+    } else {
+      EXPECT_EQ(parts.hits, 0);
+    }
+  }
 }
 
 TEST(HitScatter, AddsNothingToEqualHits) {

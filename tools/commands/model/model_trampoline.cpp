@@ -23,7 +23,7 @@ struct TrampolineFlags {
       barrel_damping;
   double speed_mps = 60.80, extra_mass_kg = 0;
   std::optional<double> free_hoop_Hz, loaded_hoop_Hz;
-  std::vector<std::string> ccor;
+  std::vector<std::string> ccor, hold;
   std::vector<double> budget;
   OutputFlags output;
 };
@@ -86,29 +86,51 @@ std::vector<model::MeasuredCor> measured_of(const std::vector<std::string>& word
   return all;
 }
 
+// The exponents that the fit leaves alone: those of `hold`, and those given as constants. Sets the held values.
+model::HeldExponents held_exponents(TrampolineFlags& flags) {
+  for (const std::string& text : flags.hold) {
+    const std::size_t sign = text.find('=');
+    const ParsedNumber number = parse_number(sign == std::string::npos ? "" : text.substr(sign + 1), false);
+    const std::string name = text.substr(0, sign);
+    if ((name != "a" && name != "b") || number.problem != NumberProblem::none || number.value < 0) {
+      throw OptionError::wrong_value("hold", text, "give a=VALUE or b=VALUE with a value of 0 or more");
+    }
+    std::optional<double>& exponent = name == "a" ? flags.stiffness_exponent : flags.damping_exponent;
+    if (exponent && *exponent != number.value)
+      throw OptionError({"hold"}, "gives a second value of " + name, "give one of them", {name});
+    exponent = number.value;
+  }
+  if (!flags.hold.empty() && flags.ccor.empty()) {
+    throw OptionError({"hold"}, "holds an exponent of a fit, but nothing is fitted", "give measured CCOR",
+                      {"fit_ccor"});
+  }
+  return {.stiffness = flags.stiffness_exponent.has_value(), .damping = flags.damping_exponent.has_value()};
+}
+
 std::optional<double> mass_from_shift(const TrampolineFlags& flags) {
   if (!flags.free_hoop_Hz && !flags.loaded_hoop_Hz) return {};
   const char* remedy = "give both frequencies, the loaded one lower, and the extra mass";
   if (!flags.free_hoop_Hz || !flags.loaded_hoop_Hz)
     throw OptionError({"free_hoop", "loaded_hoop"}, "must be given together", remedy, {"extra_mass"});
-  if (!(*flags.free_hoop_Hz > *flags.loaded_hoop_Hz && flags.extra_mass_kg > 0))
+  if (!(*flags.free_hoop_Hz > *flags.loaded_hoop_Hz && flags.extra_mass_kg > 0)) {
     throw OptionError({"loaded_hoop"}, "must be below the free frequency, with an extra mass above 0", remedy,
                       {"extra_mass"});
+  }
   return model::modal_mass_kg(flags.extra_mass_kg, *flags.free_hoop_Hz, *flags.loaded_hoop_Hz);
 }
 
-int model_trampoline(const TrampolineFlags& flags) {
+int model_trampoline(TrampolineFlags flags) {
   check_report_outputs(flags.output);
   const ModelBudget budget(flags.budget, "model trampoline");
+  const model::HeldExponents held = held_exponents(flags);
   model::Trampoline model = model_of(flags);
   const Range hoop = parse_range("hoop", flags.hoop);
   if (!(hoop.low >= 1)) throw OptionError({"hoop"}, "starts below 1 Hz", "give LO:STEP:HI, such as 100:25:10000");
   report::TrampolineExtras extras{.fitted = {}, .modal_mass_kg = mass_from_shift(flags)};
   if (!flags.ccor.empty()) {
     report::FittedExponents fitted{.measured = measured_of(flags.ccor), .fit = {}};
-    fitted.fit = model::fit_exponents(model, fitted.measured);
-    model.stiffness_exponent = fitted.fit.stiffness_exponent;
-    model.damping_exponent = fitted.fit.damping_exponent;
+    fitted.fit = model::fit_exponents(model, fitted.measured, held);
+    model = model::with_exponents(model, fitted.fit.exponents());
     extras.fitted = std::move(fitted);
   }
   return show_report(report::trampoline_report(model, hoop.values(), extras), flags.output);
@@ -145,6 +167,9 @@ void add_model_trampoline(CommandLine& line) {
   command.example("percuss model trampoline --c2 100 -o cor.svg", "Draw the COR against the hoop frequency");
   command.example("percuss model trampoline --ball softball --speed 49 --hoop 500:50:3000",
                   "Model a softball at 49 m/s");
+  command.example(
+      "percuss model trampoline --fit-ccor 26.8:0.519:0.004,40.2:0.502:0.004,51.4:0.491:0.004 --hold a=0.6495",
+      "Fit b to measured CCOR for a known a");
   command.value("--ball", flags->ball, "Use the constants of this ball")
       .one_of({"baseball", "softball"})
       .show_default();
@@ -171,6 +196,10 @@ void add_model_trampoline(CommandLine& line) {
       .list("--fit-ccor", flags->ccor,
             "Fit a and b to measured CCOR first: speed in m/s, COR and its standard deviation; or a file of such lines")
       .type("SPEED:COR:STD,...");
+  command
+      .list("--hold", flags->hold,
+            "Hold an exponent in the fit, such as a=0.6495; --a and --b beside --fit-ccor hold theirs, too")
+      .type("NAME=VALUE,...");
   add_constants(command, *flags);
   add_model_budget(command, flags->budget);
   add_output_flags(command, flags->output, kReportKinds);

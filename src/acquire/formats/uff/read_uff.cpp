@@ -68,7 +68,8 @@ TableSignal signal_of(const UffFunction& function, const std::string& name, cons
   return out;
 }
 
-// The struck point: the reference node, else the force's node, else the node of a roving sensor.
+// The point of a row: the node of a roving sensor. Otherwise the struck point: the reference node, else the node of the
+// force.
 int point_of_row(const UffRow& row, bool sensor_roves) {
   const int offset = uff_annotation(*row.front()).node_offset;
   const UffFunction& last = *row.back();

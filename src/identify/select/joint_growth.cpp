@@ -1,0 +1,159 @@
+#include "identify/select/joint_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "identify/select/joint_fit_budget.hpp"
+#include "identify/select/joint_selection.hpp"
+#include "identify/select/settled_fit.hpp"
+#include "identify/start/candidates.hpp"
+#include "identify/start/stable_poles.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+
+constexpr int kMisfitRounds = 12;  // of dropping modes that follow a misfit
+constexpr std::size_t kMaxJointModes = 150;
+constexpr double kPairStart = 0.4;          // half-power bandwidths from a mode to either pole of a trial pair
+constexpr int kPairSteps = 40;              // of the fit of a trial pair
+constexpr std::size_t kMaxPairTrials = 6;   // modes tried as a pair in one round
+constexpr std::size_t kMaxSplitModes = 40;  // with more modes, no mode is tried as a close pair
+constexpr int kLinearRounds = 4;
+constexpr int kResidualRounds = 4;
+constexpr std::size_t kMaxTrials = 27;  // of one more mode
+
+// The starts with significant residues, by linear fits at the starts: a small part of the work.
+std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> poles) {
+  for (int round = 0; round < kLinearRounds && !poles.empty(); ++round) {
+    const auto unknowns = static_cast<Index>(2 * poles.size());
+    std::vector<Pole> kept =
+        without_weakest(set, fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns)), Misfit::counted);
+    if (kept.size() == poles.size()) break;
+    poles = std::move(kept);
+  }
+  return poles;
+}
+
+// The starts: the modes found before, and every stable pole that is not one of these modes and around which the
+// residual matters. Without noise, rounding errors make a hundred stable poles.
+std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>& residual,
+                            const std::vector<FittedMode>& modes) {
+  std::vector<Pole> starts = stable_poles(set);
+  std::erase_if(starts, [&](const Pole& pole) { return !is_material(set, residual, pole); });
+  for (const Pole& known : poles_of(modes)) {
+    const auto near = [&](const Pole& pole) {
+      return std::abs(pole.freq_Hz - known.freq_Hz) < 0.5 * least_width_Hz(set, known) && same_place(pole, known);
+    };
+    std::erase_if(starts, near);
+    starts.push_back(known);
+  }
+  return starts;
+}
+
+// Replaces the fit where another gains enough for its additional modes; true where it did.
+bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit> other) {
+  if (!other) return false;
+  const std::size_t more = other->poles.size() > fit.poles.size() ? other->poles.size() - fit.poles.size() : 1;
+  if (likelihood_ratio(set, fit.residual, other->residual) <= least_gain(set, more * unknowns_per_mode(set)))
+    return false;
+  fit = *std::move(other);
+  return true;
+}
+
+// Adds the resonances and the stable poles of the residual, all at once.
+JointFit with_residual_modes(const FrfDataset& set, JointFit fit, JointFitBudget& budget) {
+  FrfDataset rest = set;
+  for (int round = 0; round < kResidualRounds; ++round) {
+    for (std::size_t o = 0; o < rest.channels.size(); ++o)
+      rest.channels[o].frf.assign(fit.residual[o].begin(), fit.residual[o].end());
+    std::vector<Pole> more = stable_poles(rest);
+    for (const Pole& pole : residual_mode_poles(set, fit.residual)) {
+      const auto near = [&](const Pole& other) { return same_place(other, pole); };
+      if (std::none_of(more.begin(), more.end(), near)) more.push_back(pole);
+    }
+    if (more.empty() || fit.poles.size() + more.size() > kMaxJointModes) break;
+    more.insert(more.end(), fit.poles.begin(), fit.poles.end());
+    if (!take_if_better(set, fit, settled_fit(set, std::move(more), budget))) break;
+  }
+  return fit;
+}
+
+// The poles with one more: each misfitting mode as a close pair.
+std::vector<std::vector<Pole>> with_one_more(const FrfDataset& set, const JointFit& fit) {
+  std::vector<std::pair<double, std::size_t>> misfits;
+  for (std::size_t m = 0; m < fit.poles.size(); ++m) {
+    const double misfit = misfit_of(set, fit.residual, fit.poles[m]);
+    if (misfit > kMinMisfit) misfits.emplace_back(misfit, m);
+  }
+  std::sort(misfits.rbegin(), misfits.rend());
+  misfits.resize(std::min(misfits.size(), kMaxPairTrials));
+  std::vector<std::vector<Pole>> trials;
+  for (const auto& [misfit, m] : misfits) {
+    Pole beside = fit.poles[m];
+    beside.freq_Hz += kPairStart * beside.half_power_Hz();
+    trials.push_back(fit.poles);
+    trials.back()[m].freq_Hz -= kPairStart * beside.half_power_Hz();
+    trials.back().push_back(beside);
+  }
+  return trials;
+}
+
+// Splits misfitting modes one by one, as long as the likelihood gains.
+JointFit with_close_modes(const FrfDataset& set, JointFit fit, JointFitBudget& budget) {
+  std::size_t tried = 0;
+  for (bool gained = true; gained && tried < kMaxTrials;) {
+    std::optional<JointFit> best;
+    for (std::vector<Pole>& poles : with_one_more(set, fit)) {
+      ++tried;
+      if (!budget.allows(poles)) return fit;
+      JointFit trial = budget.fit(std::move(poles), {.max_steps = kPairSteps, .test_real = false});
+      if (!trial.converged || without_weakest(set, trial, Misfit::counted).size() != trial.poles.size()) continue;
+      if (!best || likelihood_ratio(set, best->residual, trial.residual) > 0) best = std::move(trial);
+    }
+    gained = take_if_better(set, fit, std::move(best));
+  }
+  return fit;
+}
+
+// Drops modes that only follow the misfit of others.
+JointFit without_misfit_modes(const FrfDataset& set, JointFit fit, JointFitBudget& budget) {
+  for (int round = 0; round < kMisfitRounds; ++round) {
+    std::vector<Pole> kept = without_weakest(set, fit, Misfit::counted);
+    if (kept.size() == fit.poles.size()) break;
+    std::optional<JointFit> fewer = settled_fit(set, std::move(kept), budget);
+    if (!fewer || fewer->poles.size() >= fit.poles.size()) break;
+    const double lost = likelihood_ratio(set, fewer->residual, fit.residual);
+    if (lost > least_gain(set, (fit.poles.size() - fewer->poles.size()) * unknowns_per_mode(set))) break;
+    fit = *std::move(fewer);
+  }
+  return fit;
+}
+
+}  // namespace
+
+std::optional<JointFit> best_joint_fit(const FrfDataset& set, const std::vector<VectorXcd>& residual,
+                                       const std::vector<FittedMode>& modes) {
+  std::vector<Pole> starts = starts_of(set, residual, modes);
+  if (starts.empty() || starts.size() > kMaxJointModes) return std::nullopt;
+  JointFitBudget budget(set);
+  std::optional<JointFit> fit = settled_fit(set, poles_of(modes), budget);
+  if (starts.size() > modes.size()) {
+    std::optional<JointFit> after = settled_fit(set, significant_starts(set, std::move(starts)), budget);
+    if (fit) {
+      take_if_better(set, *fit, std::move(after));
+    } else {
+      fit = std::move(after);
+    }
+  }
+  if (!fit) return std::nullopt;
+  JointFit grown = with_residual_modes(set, *std::move(fit), budget);
+  if (grown.poles.size() <= kMaxSplitModes) grown = with_close_modes(set, std::move(grown), budget);
+  return with_tested_residues(set, without_misfit_modes(set, std::move(grown), budget));
+}
+
+}  // namespace percuss::identify

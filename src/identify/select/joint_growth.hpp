@@ -1,0 +1,17 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "identify/fit/joint_fit.hpp"
+#include "identify/select/fitted_mode.hpp"
+
+namespace percuss::identify {
+
+/// The better of two joint fits, from the poles of `modes` and from all starts. The modes of its residual and close
+/// modes are added, and modes that only follow the misfit of others removed. Nothing where no fit settles.
+/// `residual` belongs to `modes`, [channels][lines].
+std::optional<JointFit> best_joint_fit(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual,
+                                       const std::vector<FittedMode>& modes);
+
+}  // namespace percuss::identify

@@ -1,0 +1,48 @@
+#include "identify/select/settled_fit.hpp"
+
+#include <utility>
+
+#include "identify/select/joint_selection.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr int kDroppingRounds = 12;
+constexpr int kJointSteps = 40;      // of a joint fit
+constexpr double kTrialStep = 1e-3;  // tolerance of the poles while their number changes
+constexpr double kTrialCost = 1e-4;  // … and relative decrease of the squares
+constexpr double kFinalCost = 1e-9;  // relative decrease of the squares that ends a fit of the final modes
+
+}  // namespace
+
+JointFitOptions final_fit_options(bool test_real) {
+  return {.max_steps = kJointSteps, .cost_tolerance = kFinalCost, .test_real = test_real};
+}
+
+std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget) {
+  JointFitOptions options{
+      .max_steps = kJointSteps, .tolerance = kTrialStep, .cost_tolerance = kTrialCost, .test_real = false};
+  for (int round = 0; round < kDroppingRounds && !poles.empty() && budget.allows(poles); ++round) {
+    JointFit fit = budget.fit(poles, options);
+    const bool converged = fit.converged;
+    const auto unknowns = static_cast<Index>(2 * fit.poles.size());
+    if (fit.residual.empty()) fit = fit_residues(set, fit.poles, MatrixXd::Zero(unknowns, unknowns));
+    poles = without_weakest(set, fit, Misfit::ignored);
+    if (poles.size() < fit.poles.size()) continue;
+    if (!converged) break;
+    if (options.tolerance < kTrialStep) return fit;
+    options.tolerance = JointFitOptions{}.tolerance;
+    options.cost_tolerance = kFinalCost;
+  }
+  return std::nullopt;
+}
+
+JointFit with_tested_residues(const FrfDataset& set, const JointFit& fit) {
+  JointFit tested = fit_jointly(set, fit.poles, final_fit_options(true));
+  return tested.converged ? tested : fit;
+}
+
+}  // namespace percuss::identify

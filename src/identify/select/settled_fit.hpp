@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "identify/fit/joint_fit.hpp"
+#include "identify/select/joint_fit_budget.hpp"
+
+namespace percuss::identify {
+
+/// The joint fit from these poles without insignificant modes; nothing where it does not settle. A coarse tolerance
+/// serves until no more modes are dropped. A fit that neither converges nor drops a mode is not repeated.
+std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget);
+
+/// Options of a fit of modes whose number is final.
+JointFitOptions final_fit_options(bool test_real);
+
+/// The same modes with real residues where the data allow it; `fit` itself where that fit does not converge.
+JointFit with_tested_residues(const FrfDataset& set, const JointFit& fit);
+
+}  // namespace percuss::identify

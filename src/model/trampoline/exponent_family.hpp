@@ -1,0 +1,37 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/trampoline/trampoline_fit.hpp"
+
+namespace percuss::model {
+
+/// The best pair of exponents for one value of a, and the result for it.
+struct FamilyPair {
+  Exponents exponents{0, 0};
+  double chi2 = 0;
+  /// The values of the varied exponent (b; a where b is held) that keep every CCOR within its standard deviation: the
+  /// criterion of [8]. None: no such pair.
+  std::optional<std::array<double, 2>> within_std;
+  HoopPeak optimum;
+};
+
+/// The pairs of exponents that the measurements allow, by rising a: those within every standard deviation, and those
+/// with a chi2 of at most 1 above its minimum. Where one exponent is held, the family is the best pair.
+std::vector<FamilyPair> exponent_family(const Trampoline& model, const std::vector<MeasuredCor>& measured,
+                                        const ExponentFit& fit, const std::vector<double>& hoop_Hz);
+
+/// The range of the sweep and of its optimum over the pairs of ExponentFit::rim: 68 % intervals.
+struct SweepRange {
+  std::vector<double> cor_low, cor_high;  // at each of hoop_Hz
+  HoopPeak low, high;                     // the optima at the lowest and at the highest frequency
+  double peak_cor_low = 0, peak_cor_high = 0;
+  bool at_edge = false;  // for one of the pairs, the COR is largest at an end of hoop_Hz
+};
+
+/// shapes  best: the sweep at the fit's exponents
+SweepRange sweep_range(const Trampoline& model, const ExponentFit& fit, const std::vector<double>& hoop_Hz,
+                       const std::vector<Rebound>& best);
+
+}  // namespace percuss::model
