@@ -32,8 +32,11 @@ void add_result(Json& json, const model::ImpactResult& r) {
   json["cor"] = r.cor;
   json["contact_s"] = r.contact_s;
   json["peak_force_n"] = r.peak_force_N;
-  json["peak_deflection_m"] = r.peak_deflection_m;
+  json["peak_deflection_m"] = std::abs(r.peak_deflection_m);
   json["peak_deflection_time_s"] = r.peak_deflection_time_s;
+  json["peak_deflection_direction"] = r.peak_deflection_m < 0 ? -1 : 1;
+  json["forward_deflection_m"] = r.forward_deflection_m;
+  json["forward_deflection_time_s"] = r.forward_deflection_time_s;
   json["recontact"] = r.recontact_s.has_value();
   json["recontact_time_s"] = optional_json(r.recontact_s);
   json["energy_error"] = r.energy_error;
@@ -66,11 +69,12 @@ std::string result_text(const model::Impact& impact, const model::ImpactResult& 
   std::string text = fmt::format(
       "coefficient of restitution {:.5f} at the first separation, after {:.3f} ms of contact\n"
       "ball speed {:.4g} m/s before and {:.4g} m/s after impact{}\n"
-      "largest force {:.5g} N; largest deflection of the struck point {:.4g} mm, {:.2f} ms after first touch\n"
+      "largest force {:.5g} N; largest deflection of the struck point {:.4g} mm {} the ball's motion, {:.2f} ms after "
+      "first touch\n"
       "second contact: {}\nerror of the energy balance {:.1e}",
       r.cor, 1000 * r.contact_s, impact.speed_mps, std::abs(r.cor) * impact.speed_mps,
-      r.cor < 0 ? " in the same direction" : "", r.peak_force_N, 1000 * r.peak_deflection_m,
-      1000 * r.peak_deflection_time_s, recontact_text(r), r.energy_error);
+      r.cor < 0 ? " in the same direction" : "", r.peak_force_N, 1000 * std::abs(r.peak_deflection_m),
+      r.peak_deflection_m < 0 ? "against" : "along", 1000 * r.peak_deflection_time_s, recontact_text(r), r.energy_error);
   if (r.lost_J > 0) text += fmt::format("; {:.4g} J lost in the contact", r.lost_J);
   return text + "\n";
 }
@@ -86,7 +90,7 @@ TextTable sweep_table(const ImpactSweep& sweep) {
     const model::ImpactResult& r = sweep.results[i];
     table.add({fmt::format("{:.6g}", sweep.values[i]), fmt::format("{:.4f}", r.cor),
                fmt::format("{:.3f} ms", 1000 * r.contact_s), fmt::format("{:.4g} N", r.peak_force_N),
-               fmt::format("{:.3f} mm", 1000 * r.peak_deflection_m), recontact_text(r)});
+               fmt::format("{:.3f} mm", 1000 * std::abs(r.peak_deflection_m)), recontact_text(r)});
   }
   return table;
 }
@@ -136,7 +140,7 @@ std::vector<NumericColumn> sweep_columns(const model::Impact& impact, const std:
       std::size_t c = 0;
       for (const SweptName& name : kSwept) columns[c++].values.push_back(*swept_value(varied, name.key));
       const model::ImpactResult& r = sweep.results[i];
-      for (const double value : {r.cor, r.contact_s, r.peak_force_N, r.peak_deflection_m, r.peak_deflection_time_s,
+      for (const double value : {r.cor, r.contact_s, r.peak_force_N, std::abs(r.peak_deflection_m), r.peak_deflection_time_s,
                                  r.recontact_s.value_or(std::numeric_limits<double>::quiet_NaN())})
         columns[c++].values.push_back(value);
     }

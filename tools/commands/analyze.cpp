@@ -9,6 +9,7 @@
 #include "cli/progress.hpp"
 #include "cli/report_output.hpp"
 #include "commands/analyze_outputs.hpp"
+#include "commands/analyze_responses.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
@@ -70,8 +71,13 @@ int analyze(const AnalyzeFlags& flags) {
                       {"json", "output"});
   }
   const std::optional<report::BatLabel> bat = bat_label(flags);
+  ReadFlags read = flags.read;
+  read.options.force_optional = true;
+  Measurements opened = open_measurements(read);
+  if (!opened.records.empty() && !opened.records.front().has_force)
+    return analyze_responses(flags, std::move(opened.records), bat);
   const Progress progress("analysing", flags.output.quiet);
-  auto tests = tests_of(flags);
+  auto tests = tests_of(flags, std::move(opened));
   require_one_test(flags, sections, tests.size());
   compute(tests, sections);
   if (sections.contains(report::ReportSection::deflection))

@@ -167,14 +167,17 @@ double residual_correlation(const Eigen::MatrixXd& residual) {
 
 }  // namespace
 
-DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data) {
+DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data,
+                              DecayAccuracy accuracy) {
   DecayProblem problem(group, of, data);
-  constexpr LevenbergMarquardtOptions kOptions{.max_steps = 40, .step_tolerance = 1e-14, .cost_tolerance = 1e-12};
+  constexpr LevenbergMarquardtOptions kFull{.max_steps = 40, .step_tolerance = 1e-14, .cost_tolerance = 1e-12};
+  constexpr LevenbergMarquardtOptions kRough{.max_steps = 12, .step_tolerance = 1e-8, .cost_tolerance = 1e-4};
+  const bool rough = accuracy == DecayAccuracy::rough;
   DecayGroupFit out;
-  constexpr int kRounds = 3;  // the weights need the residual, and the fit the weights
-  for (int round = 0; round < kRounds; ++round) {
+  const int rounds = rough ? 1 : 3;  // the weights need the residual, and the fit the weights
+  for (int round = 0; round < rounds; ++round) {
     out.noise = problem.set_weights_from_residual();
-    const LevenbergMarquardtSummary summary = levenberg_marquardt(problem, kOptions);
+    const LevenbergMarquardtSummary summary = levenberg_marquardt(problem, rough ? kRough : kFull);
     out.converged = summary.stop != LevenbergMarquardtStop::max_steps;
     if (of.channels == 1) break;
   }

@@ -29,11 +29,15 @@ struct DecayGroupFit {
   bool converged = false;
 };
 
+/// The accuracy of a group fit. rough: for a search that goes on.
+enum class DecayAccuracy { rough, full };
+
 /// Maximum likelihood of the group's rates in white noise, one variance per channel: amplitudes are eliminated by QR
 /// (variable projection), the rates found by Levenberg–Marquardt steps. `data` are spectra without all other modes,
 /// over the group's windows one after the other, [lines, hits × channels].
 /// The amplitudes of each hit and channel are free complex numbers. That a mode's amplitudes are a product of one
 /// number per hit and one per channel would not lower the bound of the rates.
-DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data);
+DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data,
+                              DecayAccuracy accuracy = DecayAccuracy::full);
 
 }  // namespace percuss::identify

@@ -36,20 +36,21 @@ DecayColumns decay_columns(const DecayRate& rate, const DecaySpectra& of, std::s
   const double dt_s = 1 / of.fs_Hz, n = static_cast<double>(of.samples);
   const auto rows = static_cast<Eigen::Index>(count);
   DecayColumns out{.value = Eigen::MatrixX2cd(rows, 2), .slope = Eigen::MatrixX2cd(rows, 2)};
-  const Complex j(0, 1);
-  const Complex s = rate.rate_radps * dt_s, end = std::exp(n * s), left = 1.0 - end;
+  const Complex s = rate.rate_radps * dt_s, at_end = std::exp(n * s), step = std::exp(s);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const double w = kTwoPi * static_cast<double>(first + static_cast<std::size_t>(i)) / n;
-    const auto kernel = [&](Complex exponent, Complex z_n, Complex one_minus) {
-      const Complex q = std::exp(exponent - Complex(0, w)), r = 1.0 / (1.0 - q);
-      return std::pair(one_minus * r, dt_s * r * (one_minus * q * r - n * z_n));
+    const Complex phasor = std::polar(1.0, -w);  // a recurrence would lose digits of 1 − q near the resonance
+    const auto kernel = [&](Complex one_step, Complex z_n) {
+      const Complex q = one_step * phasor, rest = 1.0 - q, r = std::conj(rest) / std::norm(rest);
+      const Complex value = (1.0 - z_n) * r;
+      return std::pair(value, dt_s * r * (value * q - n * z_n));
     };
-    const auto [d, d1] = kernel(s, end, left);
-    const auto [m, m1] = kernel(std::conj(s), std::conj(end), std::conj(left));
+    const auto [d, d1] = kernel(step, at_end);
+    const auto [m, m1] = kernel(std::conj(step), std::conj(at_end));
     out.value(i, 0) = 0.5 * (d + m);
-    out.value(i, 1) = 0.5 * j * (d - m);
+    out.value(i, 1) = Complex(0, 0.5) * (d - m);
     out.slope(i, 0) = 0.5 * (d1 + m1);
-    out.slope(i, 1) = 0.5 * j * (d1 - m1);
+    out.slope(i, 1) = Complex(0, 0.5) * (d1 - m1);
   }
   return out;
 }

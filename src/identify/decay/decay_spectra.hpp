@@ -40,6 +40,7 @@ DecayRate decay_rate_of(const Pole& pole);
 /// z = exp(sΔ), N samples and D(k) = (1 − z^N)/(1 − z exp(−jω_kΔ)), the exact transform of the truncated decay:
 ///   c₁ = (D + D̃)/2,  c₂ = j(D − D̃)/2,  D̃ the same with conj(s)                        (1)
 /// shapes [count, 2].
+/// theory (4.22), (4.23)
 struct DecayColumns {
   Eigen::MatrixX2cd value, slope;  // slope: the columns (1) of t·exp(st)
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/budget.hpp"
@@ -83,6 +84,9 @@ class ContactPass {
     result_.contact_s = time_s_;
     result_.cor = -state_.ball_mps / speed_mps;
     result_.lost_J = state_.lost_J;
+    const bool back = back_m_ > result_.forward_deflection_m;
+    result_.peak_deflection_m = back ? -back_m_ : result_.forward_deflection_m;
+    result_.peak_deflection_time_s = back ? back_time_s_ : result_.forward_deflection_time_s;
     return std::move(result_);
   }
 
@@ -112,9 +116,14 @@ class ContactPass {
         maximum_of_cubic(before.force_N, before.force_rate_Nps, now_.force_N, now_.force_rate_Nps, dt_s);
     result_.peak_force_N = std::max(result_.peak_force_N, force.value);
     const CubicMaximum bent = maximum_of_cubic(before.beam_m, before.beam_mps, now_.beam_m, now_.beam_mps, dt_s);
-    if (bent.value > result_.peak_deflection_m) {
-      result_.peak_deflection_m = bent.value;
-      result_.peak_deflection_time_s = time_s_ + bent.at * dt_s;
+    if (bent.value > result_.forward_deflection_m) {
+      result_.forward_deflection_m = bent.value;
+      result_.forward_deflection_time_s = time_s_ + bent.at * dt_s;
+    }
+    const CubicMaximum back = maximum_of_cubic(-before.beam_m, -before.beam_mps, -now_.beam_m, -now_.beam_mps, dt_s);
+    if (back.value > back_m_) {
+      back_m_ = back.value;
+      back_time_s_ = time_s_ + back.at * dt_s;
     }
     time_s_ += dt_s;
   }
@@ -132,6 +141,7 @@ class ContactPass {
   double step_s_, scale_m_, first_m_ = 0, time_s_ = 0;
   BallOnBeamState state_, saved_;
   BallOnBeamReading now_;
+  double back_m_ = 0, back_time_s_ = 0;  // largest deflection against the ball's motion
   ImpactResult result_;
 };
 
@@ -157,9 +167,13 @@ void thin_series(std::vector<ImpactMoment>& series) {
 
 void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool series) {
   if (const auto touch = free.next_contact_s(kFollowUp_s)) result.recontact_s = result.contact_s + *touch;
-  if (const auto peak = free.peak(kFollowUp_s, result.peak_deflection_m)) {
-    result.peak_deflection_m = peak->value_m;
-    result.peak_deflection_time_s = result.contact_s + peak->time_s;
+  for (const double direction : {1.0, -1.0}) {
+    const auto peak = free.peak(kFollowUp_s, direction > 0 ? result.forward_deflection_m : 0, direction);
+    if (!peak) continue;
+    const double time_s = result.contact_s + peak->time_s;
+    if (direction > 0) std::tie(result.forward_deflection_m, result.forward_deflection_time_s) = {peak->value_m, time_s};
+    if (peak->value_m > std::abs(result.peak_deflection_m))
+      std::tie(result.peak_deflection_m, result.peak_deflection_time_s) = {direction * peak->value_m, time_s};
   }
   if (!series) return;
   thin_series(result.series);
