@@ -74,7 +74,8 @@ std::string result_text(const model::Impact& impact, const model::ImpactResult& 
       "second contact: {}\nerror of the energy balance {:.1e}",
       r.cor, 1000 * r.contact_s, impact.speed_mps, std::abs(r.cor) * impact.speed_mps,
       r.cor < 0 ? " in the same direction" : "", r.peak_force_N, 1000 * std::abs(r.peak_deflection_m),
-      r.peak_deflection_m < 0 ? "against" : "along", 1000 * r.peak_deflection_time_s, recontact_text(r), r.energy_error);
+      r.peak_deflection_m < 0 ? "against" : "along", 1000 * r.peak_deflection_time_s, recontact_text(r),
+      r.energy_error);
   if (r.lost_J > 0) text += fmt::format("; {:.4g} J lost in the contact", r.lost_J);
   return text + "\n";
 }
@@ -140,8 +141,9 @@ std::vector<NumericColumn> sweep_columns(const model::Impact& impact, const std:
       std::size_t c = 0;
       for (const SweptName& name : kSwept) columns[c++].values.push_back(*swept_value(varied, name.key));
       const model::ImpactResult& r = sweep.results[i];
-      for (const double value : {r.cor, r.contact_s, r.peak_force_N, std::abs(r.peak_deflection_m), r.peak_deflection_time_s,
-                                 r.recontact_s.value_or(std::numeric_limits<double>::quiet_NaN())})
+      for (const double value :
+           {r.cor, r.contact_s, r.peak_force_N, std::abs(r.peak_deflection_m), r.peak_deflection_time_s,
+            r.recontact_s.value_or(std::numeric_limits<double>::quiet_NaN())})
         columns[c++].values.push_back(value);
     }
   }

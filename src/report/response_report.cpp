@@ -29,10 +29,9 @@ std::string heading(const pipeline::ResponseTest& test) {
   const acquire::Record& record = test.record;
   std::string name = one_line(input_name(record.source()), 400);
   if (record.files.size() > 1) name = fmt::format("{} and {} more", name, record.files.size() - 1);
-  std::string text = fmt::format("{}\n  {} · responses only · {} impact{} × {} channel{}", name,
-                                 rounded_frequency_text(record.fs_Hz), test.hits.size(),
-                                 test.hits.size() == 1 ? "" : "s", record.accel.size(),
-                                 record.accel.size() == 1 ? "" : "s");
+  std::string text = fmt::format(
+      "{}\n  {} · responses only · {} impact{} × {} channel{}", name, rounded_frequency_text(record.fs_Hz),
+      test.hits.size(), test.hits.size() == 1 ? "" : "s", record.accel.size(), record.accel.size() == 1 ? "" : "s");
   if (test.possible()) {
     text += fmt::format(" · band {}–{} Hz\n  free decay from {:.3g} ms after the impact on, {:.4g} s long",
                         hertz_text(test.band_Hz.first), hertz_text(test.band_Hz.second), 1e3 * test.start_s,
@@ -110,7 +109,8 @@ ReportText text_of(const pipeline::ResponseTest& test) {
 }
 
 std::vector<NumericColumn> columns_of(const pipeline::ResponseTest& test) {
-  std::vector<NumericColumn> out{{"mode"}, {"frequency_hz"}, {"frequency_std_hz"}, {"damping_ratio"}, {"damping_ratio_std"}};
+  std::vector<NumericColumn> out{
+      {"mode"}, {"frequency_hz"}, {"frequency_std_hz"}, {"damping_ratio"}, {"damping_ratio_std"}};
   for (std::size_t c = 0; c < test.record.accel.size(); ++c) {
     for (const char* part : {"re", "im", "std"}) out.push_back({fmt::format("channel_{}_{}", c, part), {}});
   }

@@ -11,6 +11,7 @@ namespace percuss::report {
 
 /// The results of tests without a force: the document percuss/analysis/1 with "input": "response", the tables, and a
 /// table of the modes for .csv. Several tests form an array "runs".
-CommandReport response_report(const std::vector<pipeline::ResponseTest>& tests, const std::optional<BatLabel>& bat = {});
+CommandReport response_report(const std::vector<pipeline::ResponseTest>& tests,
+                              const std::optional<BatLabel>& bat = {});
 
 }  // namespace percuss::report

@@ -36,7 +36,8 @@ std::vector<double> ping(double noise) {
     const double t = static_cast<double>(n) / kRate_Hz - kBlow_s;
     for (const Tone& one : kPing) {
       const double omega = kTwoPi * one.freq_Hz;
-      if (t > 0) x[n] += one.amplitude * std::min(1.0, t / 1e-3) * std::exp(-one.damping * omega * t) * std::sin(omega * t);
+      if (t > 0)
+        x[n] += one.amplitude * std::min(1.0, t / 1e-3) * std::exp(-one.damping * omega * t) * std::sin(omega * t);
     }
     x[n] += noise * gauss(random);
   }
@@ -95,8 +96,8 @@ TEST_F(AnalyzeResponses, FindsTheModesOfAPing) {
 }
 
 TEST_F(AnalyzeResponses, SaysWhatNeedsAForceAndWritesFiles) {
-  const auto outcome = run_percuss({"analyze", "ping.wav", "-o", "m.csv", "-o", "m.html", "-o", "m.json"},
-                                   {.folder = folder_.path()});
+  const auto outcome =
+      run_percuss({"analyze", "ping.wav", "-o", "m.csv", "-o", "m.html", "-o", "m.json"}, {.folder = folder_.path()});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("no force was recorded"));
   EXPECT_THAT(outcome.out, HasSubstr("±"));

@@ -81,13 +81,10 @@ metrics::ComparedDocument document_of(ModelBeam beam, const pipeline::ImpactTest
 
 metrics::ComparedDocument document_of(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test,
                                       const ImpactModes& found) {
-  metrics::ComparedDocument out{.name = analysis.record().source(),
-                                .schema = "percuss/deflection/1",
-                                .modes = {},
-                                .deflections = {}};
+  metrics::ComparedDocument out{
+      .name = analysis.record().source(), .schema = "percuss/deflection/1", .modes = {}, .deflections = {}};
   for (const identify::Mode& mode : found.modes)
-    out.modes.push_back(
-        {.freq_Hz = mode.pole.freq_Hz, .freq_std_Hz = mode.freq_std_Hz, .family = "", .shape = {}});
+    out.modes.push_back({.freq_Hz = mode.pole.freq_Hz, .freq_std_Hz = mode.freq_std_Hz, .family = "", .shape = {}});
   for (const pipeline::PointDeflection& point : test.points) {
     if (point.channel != 0 || std::isnan(point.peak_m)) continue;
     out.deflections.push_back({.point = point.point,

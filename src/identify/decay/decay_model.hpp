@@ -17,10 +17,10 @@ struct DecayWindows {
 /// A mode of a DecayModel, with the result of its last group fit.
 struct FittedDecay {
   DecayRate rate;
-  Eigen::RowVectorXcd amplitude;         // [hits × channels] at the first sample
-  Eigen::Matrix2d covariance;            // of (Re s, Im s)
-  Eigen::Matrix2d inverse_gram;          // times `noise` the covariance of an amplitude's (Re, Im)
-  Eigen::VectorXd noise;                 // [channels] variance of a line's real and imaginary part
+  Eigen::RowVectorXcd amplitude;          // [hits × channels] at the first sample
+  Eigen::Matrix2d covariance;             // of (Re s, Im s)
+  Eigen::Matrix2d inverse_gram;           // times `noise` the covariance of an amplitude's (Re, Im)
+  Eigen::VectorXd noise;                  // [channels] variance of a line's real and imaginary part
   std::vector<Eigen::Vector2d> hit_step;  // [hits] of (Re s, Im s), by each hit alone
   std::vector<Eigen::Matrix2d> hit_covariance;
   double misfit = 1;

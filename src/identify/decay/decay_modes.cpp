@@ -117,8 +117,7 @@ void add_shape(const RankOne& shape, std::size_t reference, DecayMode& out) {
     out.mode.residues.push_back(
         {.point = 0, .channel = static_cast<std::size_t>(c), .value = ratio, .std = std, .own_pole = {}});
   }
-  for (Index h = 0; h < shape.hit.size(); ++h)
-    out.hits.push_back({.value = shape.hit(h) * unit, .std = shape.std(at)});
+  for (Index h = 0; h < shape.hit.size(); ++h) out.hits.push_back({.value = shape.hit(h) * unit, .std = shape.std(at)});
 }
 
 Mode mode_of(const FittedDecay& decay) {

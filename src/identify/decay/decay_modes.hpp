@@ -24,9 +24,9 @@ struct DecayMode {
 
 /// Decays that are no modes.
 struct DecayResults {
-  std::vector<DecayMode> modes;        // ascending in frequency
-  std::vector<DecayMode> tones;        // do not decay: their damping ratio is within three standard deviations of 0
-  std::size_t reference = 0;           // channel: no mode has a node there, as far as the channels allow
+  std::vector<DecayMode> modes;  // ascending in frequency
+  std::vector<DecayMode> tones;  // do not decay: their damping ratio is within three standard deviations of 0
+  std::size_t reference = 0;     // channel: no mode has a node there, as far as the channels allow
 };
 
 /// The modes within a band from fitted decays. Amplitudes of several hits and channels are a product of one number per

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 
 constexpr Index kBlock = 256, kMinBlocks = 8;  // lines: wider than the resonances of close modes
-constexpr double kColumnAccuracy = 1e-10;  // of a column of the model, relative
+constexpr double kColumnAccuracy = 1e-10;      // of a column of the model, relative
 
 // The median of a mean of `hits` exponential variables, over its expectation (Wilson and Hilferty).
 double median_of_mean(double hits) { return hits == 1 ? std::log(2.0) : std::pow(1 - 1 / (9 * hits), 3); }

@@ -28,7 +28,7 @@ std::vector<double> rates_per_s(const DecaySpectra& of) {
 }
 
 struct FilterBank {
-  Eigen::ArrayXd energy;    // [padded lines] largest over the rates
+  Eigen::ArrayXd energy;  // [padded lines] largest over the rates
   Eigen::ArrayXd rate_per_s;
   double line_Hz = 0;
 };

@@ -8,8 +8,8 @@
 namespace percuss::identify {
 namespace {
 
-constexpr std::size_t kBlock = 8;     // samples
-constexpr double kAlarm = 6;          // standard deviations of a block's mean square
+constexpr std::size_t kBlock = 8;  // samples
+constexpr double kAlarm = 6;       // standard deviations of a block's mean square
 constexpr int kMaxMoves = 4;
 constexpr double kWorthwhile = 0.05;  // of the start: a smaller move changes nothing
 
@@ -54,8 +54,8 @@ std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std
       const DecaySpectra shape{.fs_Hz = whole.fs_Hz, .samples = whole.samples() - start, .lines = {}};
       const DecayColumns dc = decay_columns(decay.rate, shape, 0, 1);
       const Complex a = decay.amplitude(static_cast<Eigen::Index>(i));
-      bias[i] -= (dc.value(0, 0).real() * a.real() + dc.value(0, 1).real() * a.imag()) /
-                 static_cast<double>(shape.samples);
+      bias[i] -=
+          (dc.value(0, 0).real() * a.real() + dc.value(0, 1).real() * a.imag()) / static_cast<double>(shape.samples);
     }
   }
   std::size_t first = start;

@@ -15,16 +15,15 @@ constexpr std::size_t kMaxDecays = 200;
 constexpr DecayWindows kSearchWindows{.half_power_bandwidths = 8, .lines = 30, .accuracy = DecayAccuracy::rough};
 constexpr int kSearchSweeps = 1, kFinalSweeps = 30;
 constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
-constexpr double kMimics = 1e-3;  // energy relative to a decay within its bandwidth, of which it is the misfit
+constexpr double kMimics = 1e-3;        // energy relative to a decay within its bandwidth, of which it is the misfit
 
 // The energy of a decay over the record, Σ over hits and channels of |a|² Σ exp(2 Re s t)/2 over the noise's variance
 // per sample, in the unit of the matched filter.
 double energy_of(const FittedDecay& mode, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
   const double decay = 2 * mode.rate.rate_radps.real() / of.fs_Hz, n = static_cast<double>(of.samples);
   const double sum = std::abs(decay * n) < 1e-9 ? n : std::expm1(decay * n) / std::expm1(decay);
-  const auto line = static_cast<Eigen::Index>(
-      std::clamp(std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz()), 1.0,
-                 static_cast<double>(noise.rows() - 1)));
+  const auto line = static_cast<Eigen::Index>(std::clamp(
+      std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz()), 1.0, static_cast<double>(noise.rows() - 1)));
   double energy = 0;
   // A line's variance is N times a sample's; the matched filter passes a quarter of |a|² of a real decay.
   for (Eigen::Index i = 0; i < mode.amplitude.size(); ++i)

@@ -24,8 +24,8 @@ std::optional<DecayDeflection> decay_deflection(std::span<const double> accel_mp
       .fs_Hz = fs_Hz, .hits = 1, .channels = 1, .response = {{moving.begin(), moving.end()}}};
   const auto safe = static_cast<std::size_t>(std::min(kSafe_s * fs_Hz, kSafeShare * static_cast<double>(samples)));
   const double line_Hz = fs_Hz / static_cast<double>(samples - safe);
-  const identify::StartedFit started =
-      identify::fit_from_earliest_start(whole, safe, {.band_Hz = {kLowestLines * line_Hz, kAntiAlias * fs_Hz}, .start_Hz = {}});
+  const identify::StartedFit started = identify::fit_from_earliest_start(
+      whole, safe, {.band_Hz = {kLowestLines * line_Hz, kAntiAlias * fs_Hz}, .start_Hz = {}});
   if (started.fit.decays.empty()) return std::nullopt;
   DecayDeflection out{.first = onset + started.start, .deflection_m = {}, .std_m = {}};
   const std::size_t count = accel_mps2.size() - out.first;

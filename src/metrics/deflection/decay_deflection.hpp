@@ -8,7 +8,7 @@ namespace percuss::metrics {
 
 /// The deflection of a held structure that moves freely after an impact, about its position of rest.
 struct DecayDeflection {
-  std::size_t first = 0;  // sample from which no force acts
+  std::size_t first = 0;                    // sample from which no force acts
   std::vector<double> deflection_m, std_m;  // [samples − first]
 };
 

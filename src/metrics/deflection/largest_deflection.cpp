@@ -11,10 +11,10 @@ namespace percuss::metrics {
 namespace {
 
 constexpr double kSignificantStds = 4;
-constexpr double kClearlyMoved = 0.1;    // of the largest deflection
-constexpr double kWeak = 0.005;          // standard deviation over the largest deflection
-constexpr double kContradiction = 5;     // standard deviations between the two curves
-constexpr std::size_t kCompared = 64;    // places at which they are compared
+constexpr double kClearlyMoved = 0.1;  // of the largest deflection
+constexpr double kWeak = 0.005;        // standard deviation over the largest deflection
+constexpr double kContradiction = 5;   // standard deviations between the two curves
+constexpr std::size_t kCompared = 64;  // places at which they are compared
 
 // A deflection over time with its standard deviations.
 struct Curve {
@@ -56,8 +56,8 @@ std::optional<std::size_t> largest(const Curve& curve, double direction) {
 
 double first_direction(const Curve& curve, std::size_t peak) {
   const double clear = kClearlyMoved * std::abs((*curve.value_m)[peak]);
-  const auto first = std::find_if(curve.value_m->begin(), curve.value_m->end(),
-                                  [&](double w) { return std::abs(w) >= clear; });
+  const auto first =
+      std::find_if(curve.value_m->begin(), curve.value_m->end(), [&](double w) { return std::abs(w) >= clear; });
   return std::copysign(1.0, *first);
 }
 

@@ -171,7 +171,8 @@ void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool serie
     const auto peak = free.peak(kFollowUp_s, direction > 0 ? result.forward_deflection_m : 0, direction);
     if (!peak) continue;
     const double time_s = result.contact_s + peak->time_s;
-    if (direction > 0) std::tie(result.forward_deflection_m, result.forward_deflection_time_s) = {peak->value_m, time_s};
+    if (direction > 0)
+      std::tie(result.forward_deflection_m, result.forward_deflection_time_s) = {peak->value_m, time_s};
     if (peak->value_m > std::abs(result.peak_deflection_m))
       std::tie(result.peak_deflection_m, result.peak_deflection_time_s) = {direction * peak->value_m, time_s};
   }

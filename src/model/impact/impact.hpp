@@ -38,11 +38,11 @@ struct ImpactResult {
   double cor = 0;        // −v_out/v_in at the first separation; negative when the ball follows the beam
   double contact_s = 0;  // from the first touch to the first separation
   double peak_force_N = 0;
-  // The beam's largest deflection at at_m, until 80 ms after separation: by magnitude, positive along the ball's motion;
-  // and the largest along the ball's motion.
+  // The beam's largest deflection at at_m, until 80 ms after separation: by magnitude, positive along the ball's
+  // motion; and the largest along the ball's motion.
   double peak_deflection_m = 0, peak_deflection_time_s = 0;
   double forward_deflection_m = 0, forward_deflection_time_s = 0;
-  std::optional<double> recontact_s;                         // time of the next touch within those 80 ms
+  std::optional<double> recontact_s;      // time of the next touch within those 80 ms
   double energy_error = 0;                // largest |E/E₀ − 1|, E = ball + modes + contact + lost energy
   double lost_J = 0;                      // to the hysteresis of the contact
   std::optional<double> cor_uncertainty;  // from the change in the last refinement; none for a given step

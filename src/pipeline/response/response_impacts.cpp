@@ -10,11 +10,11 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kBlock_s = 0.5e-3, kHistory_s = 20e-3;
-constexpr std::size_t kMinBlock = 8;   // samples
-constexpr double kRise = 10;           // of the power, in one block
-constexpr double kWeakest = 3e-3;      // of the strongest block's power
-constexpr double kAboveQuiet = 30;     // of the power in the quietest fifth of the row
-constexpr double kOnsetLevel = 0.03;   // of the largest difference in the rise
+constexpr std::size_t kMinBlock = 8;  // samples
+constexpr double kRise = 10;          // of the power, in one block
+constexpr double kWeakest = 3e-3;     // of the strongest block's power
+constexpr double kAboveQuiet = 30;    // of the power in the quietest fifth of the row
+constexpr double kOnsetLevel = 0.03;  // of the largest difference in the rise
 
 // The power of the first differences in blocks, as the sum over channels of each channel's share of its largest block.
 std::vector<double> block_power(const std::vector<std::vector<double>>& x, std::size_t block) {
@@ -81,7 +81,8 @@ std::vector<ResponseImpact> response_impacts(const acquire::Record& record, cons
     for (std::size_t c = 0; c < x.size(); ++c) record.read_accel_mps2(row, c, range.first, x[c]);
     const std::vector<double> power = block_power(x, block);
     std::vector<ResponseImpact> found;
-    for (const std::size_t b : rising_blocks(power, history)) found.push_back({.row = row, .first = onset_in(x, b, block)});
+    for (const std::size_t b : rising_blocks(power, history))
+      found.push_back({.row = row, .first = onset_in(x, b, block)});
     if (found.empty() && extremes_of(power).high > 0) found.push_back({.row = row, .first = 0, .whole_pulse = false});
     for (std::size_t i = 0; i < found.size(); ++i) {
       found[i].last = i + 1 < found.size() ? found[i + 1].first - std::min(found[i + 1].first, block) : samples;

@@ -17,12 +17,12 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kSafe_s = 20e-3;          // by then no hammer or ball touches the structure any longer
-constexpr double kSafeShare = 1.0 / 8;     // of the record
-constexpr double kAntiAlias = 0.44;        // of fs: above it a recorder's filter shapes the response
-constexpr double kLowestLines = 1.5;        // of the default band
+constexpr double kSafe_s = 20e-3;       // by then no hammer or ball touches the structure any longer
+constexpr double kSafeShare = 1.0 / 8;  // of the record
+constexpr double kAntiAlias = 0.44;     // of fs: above it a recorder's filter shapes the response
+constexpr double kLowestLines = 1.5;    // of the default band
 constexpr std::size_t kMinSamples = 64;
-constexpr double kShortest = 0.5;          // of the median length
+constexpr double kShortest = 0.5;  // of the median length
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;
 
 bool contains(const std::vector<std::size_t>& list, std::size_t i) {
@@ -62,7 +62,8 @@ std::size_t common_samples(const ResponseTest& test) {
     any = true;
     samples = std::min(samples, hit.impact.last - hit.impact.first);
   }
-  if (const auto length = acquire::selected_length(test.record, test.options.hits)) samples = std::min(samples, *length);
+  if (const auto length = acquire::selected_length(test.record, test.options.hits))
+    samples = std::min(samples, *length);
   return any && samples >= kMinSamples ? fast_length_at_most(samples) : 0;
 }
 
@@ -117,7 +118,8 @@ void keep_most_energetic(std::vector<identify::DecayMode>& modes, std::size_t co
 }  // namespace
 
 ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& options) {
-  ResponseTest test{.record = std::move(record), .options = options, .hits = {}, .found = {}, .classifications = {}, .warnings = {}};
+  ResponseTest test{
+      .record = std::move(record), .options = options, .hits = {}, .found = {}, .classifications = {}, .warnings = {}};
   const ThreadLimit limit(options.threads);
   assume_angles(test.record, test.options.classes);
   test.hits = graded(test.record, test.options);
@@ -127,11 +129,11 @@ ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& op
     const std::size_t safe = std::min(static_cast<std::size_t>(kSafe_s * whole.fs_Hz),
                                       static_cast<std::size_t>(kSafeShare * static_cast<double>(test.samples)));
     test.band_Hz = band_of(test, test.samples - safe);
-    const identify::StartedFit started = identify::fit_from_earliest_start(
-        whole, safe,
-        {.band_Hz = test.band_Hz,
-         .start_Hz = test.options.modes.start_Hz,
-         .search = test.options.modes.start_Hz.empty()});
+    const identify::StartedFit started =
+        identify::fit_from_earliest_start(whole, safe,
+                                          {.band_Hz = test.band_Hz,
+                                           .start_Hz = test.options.modes.start_Hz,
+                                           .search = test.options.modes.start_Hz.empty()});
     test.start_s = static_cast<double>(started.start) / whole.fs_Hz;
     test.found = identify::modes_of_decays(started.fit, whole.channels, test.band_Hz);
     if (test.options.modes.modes) keep_most_energetic(test.found.modes, *test.options.modes.modes);

@@ -25,8 +25,8 @@ struct ResponseTest {
   AnalysisOptions options;
   std::pair<double, double> band_Hz;
   std::vector<ResponseHit> hits;
-  std::size_t samples = 0;   // of each decay, from the impact on
-  double start_s = 0;        // of the decays, from the impact on: no force acts from there
+  std::size_t samples = 0;  // of each decay, from the impact on
+  double start_s = 0;       // of the decays, from the impact on: no force acts from there
   identify::DecayResults found;
   std::vector<identify::ModeClassification> classifications;  // [found.modes]
   std::vector<Warning> warnings;

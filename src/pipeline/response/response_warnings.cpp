@@ -12,13 +12,14 @@ namespace percuss::pipeline {
 namespace {
 
 Warning no_force() {
-  return with_remedy({"no_force",
-                      "no force was recorded: modes come from the free decays. FRFs, coherence, residues in 1/kg, modal "
-                      "masses and the grading of the hits by their force are not known",
-                      {"force_channel"},
-                      {},
-                      acquire::Severity::info},
-                     "name the force's channel, if there is one");
+  return with_remedy(
+      {"no_force",
+       "no force was recorded: modes come from the free decays. FRFs, coherence, residues in 1/kg, modal "
+       "masses and the grading of the hits by their force are not known",
+       {"force_channel"},
+       {},
+       acquire::Severity::info},
+      "name the force's channel, if there is one");
 }
 
 std::vector<Warning> tones(const ResponseTest& test) {

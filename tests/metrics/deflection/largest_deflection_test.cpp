@@ -29,7 +29,8 @@ Record record(const std::vector<Swing>& swings) {
     for (const Swing& one : swings) {
       if (t <= 0) continue;
       const double omega = kTwoPi * one.freq_Hz;
-      const std::complex<double> s = omega * std::complex<double>(-one.damping, std::sqrt(1 - one.damping * one.damping));
+      const std::complex<double> s =
+          omega * std::complex<double>(-one.damping, std::sqrt(1 - one.damping * one.damping));
       x += one.velocity_mps / s.imag() * std::exp(s * t).imag();
       a += one.velocity_mps / s.imag() * (s * s * std::exp(s * t)).imag();
     }
