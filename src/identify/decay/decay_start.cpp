@@ -8,8 +8,8 @@
 namespace percuss::identify {
 namespace {
 
-constexpr std::size_t kBlock = 8;  // samples
-constexpr double kAlarm = 6;       // standard deviations of a block's mean square
+constexpr std::size_t kBackBlock = 8;  // samples
+constexpr double kAlarm = 4;       // standard deviations of a block's mean square
 constexpr int kMaxMoves = 4;
 constexpr double kWorthwhile = 0.05;  // of the start: a smaller move changes nothing
 
@@ -59,9 +59,9 @@ std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std
     }
   }
   std::size_t first = start;
-  while (first >= kBlock) {
+  while (first >= kBackBlock) {
     double square = 0;
-    for (std::size_t n = first - kBlock; n < first; ++n) {
+    for (std::size_t n = first - kBackBlock; n < first; ++n) {
       const double t_s = (static_cast<double>(n) - static_cast<double>(start)) / whole.fs_Hz;
       for (std::size_t i = 0; i < whole.response.size(); ++i) {
         double rest = whole.response[i][n] - bias[i];
@@ -70,9 +70,10 @@ std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std
         square += rest * rest / expected.variance(static_cast<Eigen::Index>(i % whole.channels), -t_s);
       }
     }
-    const auto count = static_cast<double>(kBlock * whole.response.size());
-    if (!(square / count < 1 + kAlarm * std::sqrt(2 / count))) break;
-    first -= kBlock;
+    const auto count = static_cast<double>(kBackBlock * whole.response.size());
+    // A force too weak for the alarm may still act in the block after it.
+    if (!(square / count < 1 + kAlarm * std::sqrt(2 / count))) return std::min(start, first + kBackBlock);
+    first -= kBackBlock;
   }
   return first;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/units.hpp"
 #include "identify/decay/decay_noise.hpp"
@@ -14,6 +15,10 @@ constexpr int kMaxSearches = 40;
 constexpr std::size_t kMaxDecays = 200;
 constexpr DecayWindows kSearchWindows{.half_power_bandwidths = 8, .lines = 30, .accuracy = DecayAccuracy::rough};
 constexpr int kSearchSweeps = 1, kFinalSweeps = 30;
+constexpr double kPairApart = 0.5, kPairReach = 3;  // of a mode's decay rate
+constexpr double kPairLevel = 0.01;                 // energy of one of a pair over the other's: a weaker one is misfit
+constexpr int kPairSweeps = 3;
+constexpr std::size_t kPairPlaces = 10;
 constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
 constexpr double kMimics = 1e-3;        // energy relative to a decay within its bandwidth, of which it is the misfit
 
@@ -52,6 +57,36 @@ std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& ener
     }
   }
   return modes.size();
+}
+
+// Σ |R|² over the noise, whose mean over noise alone is the number of lines and spectra.
+double chi2(const DecaySpectra& residual, const Eigen::MatrixXd& noise) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < residual.lines.cols(); ++i)
+    sum += (residual.lines.col(i).cwiseAbs2().array() / noise.col(i % noise.cols()).array()).sum();
+  return sum;
+}
+
+// The model with mode m in two, half a half-power bandwidth apart, where that explains more than noise would: two close
+// modes look like one in the residual of one, but their shapes differ.
+std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, const DecaySpectra& of,
+                                    const Eigen::MatrixXd& noise) {
+  const Complex s = model.modes()[m].rate.rate_radps, apart(0, kPairApart * s.real());
+  DecayModel trial = model;
+  trial.remove(m);
+  trial.add({s - apart});
+  trial.add({s + apart});
+  trial.fit(kPairSweeps, kSearchWindows);
+  const double gain = chi2(model.residual(), noise) - chi2(trial.residual(), noise);
+  const auto spectra = static_cast<std::size_t>(of.lines.cols());
+  if (!(gain > decay_threshold(spectra + 1, kPairPlaces * model.modes().size()))) return std::nullopt;
+  const std::vector<double> energy = energies(trial, of, noise);
+  for (std::size_t i = 0; i + 1 < energy.size(); ++i) {
+    const bool pair = std::abs(trial.modes()[i].rate.rate_radps - s) < kPairReach * -s.real() &&
+                      std::abs(trial.modes()[i + 1].rate.rate_radps - s) < kPairReach * -s.real();
+    if (pair && std::min(energy[i], energy[i + 1]) > kPairLevel * std::max(energy[i], energy[i + 1])) return trial;
+  }
+  return std::nullopt;
 }
 
 // Whether the fit of a candidate stayed near it.
@@ -102,6 +137,12 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
   }
   model.fit(kFinalSweeps, {});
   drop_unconfirmed();
+  for (std::size_t m = 0; options.search && m < model.modes().size(); ++m) {
+    if (auto pair = with_pair(model, m, measured, out.noise)) {
+      model = std::move(*pair);
+      ++m;
+    }
+  }
   model.fit(kFinalSweeps, {});
   out.noise = decay_line_noise(model.residual(), rounding);
   out.energy = energies(model, measured, out.noise);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSignificantStds = 4;
 constexpr double kClearlyMoved = 0.1;  // of the largest deflection
 constexpr double kWeak = 0.005;        // standard deviation over the largest deflection
-constexpr double kContradiction = 5;   // standard deviations between the two curves
+constexpr double kCurvesDisagree = 5;  // standard deviations between the two curves
 constexpr std::size_t kCompared = 64;  // places at which they are compared
 
 // A deflection over time with its standard deviations.
@@ -87,7 +87,7 @@ std::optional<LowNoiseCurve> low_noise_curve(const ImpactSignal& signal, const D
     const std::size_t at = decay->first + i;
     const double apart = std::abs(decay->deflection_m[i] - d.deflection_m[at]);
     // A structure that does not swing about its position of rest contradicts the decays.
-    if (i % step == 0 && apart > kContradiction * std::hypot(d.std_m[at], decay->std_m[i])) return std::nullopt;
+    if (i % step == 0 && apart > kCurvesDisagree * std::hypot(d.std_m[at], decay->std_m[i])) return std::nullopt;
     out.value_m[at] = decay->deflection_m[i];
     out.std_m[at] = decay->std_m[i];
   }

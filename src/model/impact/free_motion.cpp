@@ -73,7 +73,7 @@ std::optional<double> FreeMotion::next_contact_s(double until_s) const {
 std::optional<FreeMotion::Peak> FreeMotion::peak(double until_s, double floor_m, double direction) const {
   std::optional<Peak> best;
   const auto beam = [&](double time_s) {
-    const Point point = beam(time_s);
+    const Point point = beam_at(time_s);
     return Point{.value = direction * point.value, .rate = direction * point.rate};
   };
   const auto offer = [&](double time_s, double value_m) {

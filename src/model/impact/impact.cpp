@@ -172,9 +172,9 @@ void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool serie
     if (!peak) continue;
     const double time_s = result.contact_s + peak->time_s;
     if (direction > 0)
-      std::tie(result.forward_deflection_m, result.forward_deflection_time_s) = {peak->value_m, time_s};
+      std::tie(result.forward_deflection_m, result.forward_deflection_time_s) = std::pair(peak->value_m, time_s);
     if (peak->value_m > std::abs(result.peak_deflection_m))
-      std::tie(result.peak_deflection_m, result.peak_deflection_time_s) = {direction * peak->value_m, time_s};
+      std::tie(result.peak_deflection_m, result.peak_deflection_time_s) = std::pair(direction * peak->value_m, time_s);
   }
   if (!series) return;
   thin_series(result.series);

@@ -120,7 +120,7 @@ TEST(FreeDecays, ReachTheCramerRaoBoundWithHonestDeviations) {
         of_bound[2 * m + u] += std::pow(error.at(u) / least.at(u), 2);
         mean[2 * m + u] += error.at(u) / least.at(u);
         stated[2 * m + u] += std::pow(std.at(u) / least.at(u), 2);
-        within += std::abs(error.at(u)) < 1.96 * std.at(u) ? 1 : 0;
+        within += std::abs(error.at(u)) < 1.96 * std.at(u) ? 1U : 0U;
         ++values;
       }
     }

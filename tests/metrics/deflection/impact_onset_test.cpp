@@ -46,7 +46,9 @@ TEST(ImpactOnset, LiesBetweenTheSamples) {
     EXPECT_LE(std::abs(sum / kTrials), 1.1) << power;  // the powers 1 and 3/2 lie one standard deviation off
     EXPECT_LE(std::sqrt(squares / kTrials), 1.3) << power;
     EXPECT_LE(stated, 0.75) << power;  // samples
-    if (power == 1.25) EXPECT_LE(std::abs(sum / kTrials), 0.35);
+    if (power == 1.25) {
+      EXPECT_LE(std::abs(sum / kTrials), 0.35);
+    }
   }
 }
 
