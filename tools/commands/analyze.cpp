@@ -129,8 +129,9 @@ void add_analyze(CommandLine& line) {
   command.about(
       "Reads records of force and acceleration, cuts them into hits and grades the hits. Averages the accepted hits to "
       "frequency response functions (FRFs) and fits the modes: frequency in Hz and damping ratio with their standard "
-      "deviations, and bending or hoop. Files of FRFs are fitted directly. Two accelerometers are assumed at 0° and "
-      "90° around the barrel; --angle sets other angles.");
+      "deviations, and bending or hoop. Files of FRFs are fitted directly. Records without a force, such as a "
+      "microphone's, are fitted as free decays. Two accelerometers are assumed at 0° and 90° around the barrel; "
+      "--angle sets other angles.");
   command.example("percuss analyze bat.h5 --band 60:3200", "Print hits and modes from 60 to 3200 Hz as tables");
   command.example("percuss analyze bat.h5 --band 60:3200 -o report.html -o modes.json",
                   "Write the same as an HTML page and as a JSON document");
@@ -138,6 +139,7 @@ void add_analyze(CommandLine& line) {
   command.example("percuss analyze bat.h5 --reject-hit 2 --effort quick --json",
                   "Reject the third hit, fit quickly, and print a JSON document");
   command.example("percuss analyze frfs.h5", "Fit FRFs that another program measured or computed");
+  command.example("percuss analyze ping.wav", "Fit the free decay after a blow that a microphone recorded");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .mat, .uff, .unv");
