@@ -55,8 +55,9 @@ TextTable hits_table(const pipeline::ResponseTest& test) {
 }
 
 std::string shape_text(const identify::Residue& residue) {
-  return fmt::format("{} ∠ {:.0f}°", value_with_std(std::abs(residue.value), residue.std),
-                     std::arg(residue.value) * kRadian_deg);
+  const double degrees = std::round(std::arg(residue.value) * kRadian_deg);
+  const double shown = degrees <= -180 ? degrees + 360 : degrees == 0 ? 0 : degrees;  // neither −180 nor −0
+  return fmt::format("{} ∠ {:.0f}°", value_with_std(std::abs(residue.value), residue.std), shown);
 }
 
 TextTable modes_table(const pipeline::ResponseTest& test) {

@@ -9,7 +9,7 @@ namespace percuss::identify {
 namespace {
 
 constexpr std::size_t kBackBlock = 8;  // samples
-constexpr double kAlarm = 4;       // standard deviations of a block's mean square
+constexpr double kAlarm = 4;           // standard deviations of a block's mean square
 constexpr int kMaxMoves = 4;
 constexpr double kWorthwhile = 0.05;  // of the start: a smaller move changes nothing
 

@@ -18,6 +18,7 @@ constexpr int kSearchSweeps = 1, kFinalSweeps = 30;
 constexpr double kPairApart = 0.5, kPairReach = 3;  // of a mode's decay rate
 constexpr double kPairLevel = 0.01;                 // energy of one of a pair over the other's: a weaker one is misfit
 constexpr int kPairSweeps = 3;
+constexpr double kScatterShare = 0.7;  // of what a second pole explains
 constexpr std::size_t kPairPlaces = 10;
 constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
 constexpr double kMimics = 1e-3;        // energy relative to a decay within its bandwidth, of which it is the misfit
@@ -67,6 +68,36 @@ double chi2(const DecaySpectra& residual, const Eigen::MatrixXd& noise) {
   return sum;
 }
 
+// How much χ² (as of chi2) falls where each hit has a pole of its own, to first order.
+double gain_of_hits(const FittedDecay& mode) {
+  double sum = 0;
+  for (std::size_t h = 0; h < mode.hit_step.size(); ++h) {
+    const Eigen::Vector2d& step = mode.hit_step[h];
+    const double gain = step.dot(mode.hit_covariance[h].inverse() * step);
+    if (std::isfinite(gain)) sum += gain;
+  }
+  return sum / 2;  // a line of χ² 1 has a variance of 1/2 in each part
+}
+
+// Whether frequencies that differ between the hits explain most of what a second pole would.
+bool scatter_explains(const FittedDecay& alone, double gain) {
+  return alone.hit_step.size() > 1 && gain_of_hits(alone) > kScatterShare * gain;
+}
+
+// The model without the weaker of two modes within one bandwidth, where the hits' scatter explains it.
+std::optional<DecayModel> without_imitation(const DecayModel& model, std::size_t m, const Eigen::MatrixXd& noise,
+                                            const std::vector<double>& energy) {
+  const auto& modes = model.modes();
+  if (m + 1 >= modes.size() || !within_bandwidth(modes[m], modes[m + 1])) return std::nullopt;
+  const bool first_weaker = energy[m] < energy[m + 1];
+  DecayModel trial = model;
+  trial.remove(first_weaker ? m : m + 1);
+  trial.fit(kPairSweeps, {});
+  const double gain = chi2(trial.residual(), noise) - chi2(model.residual(), noise);
+  if (!scatter_explains(trial.modes()[m], gain)) return std::nullopt;
+  return trial;
+}
+
 // The model with mode m in two, half a half-power bandwidth apart, where that explains more than noise would: two close
 // modes look like one in the residual of one, but their shapes differ.
 std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, const DecaySpectra& of,
@@ -80,6 +111,7 @@ std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, cons
   const double gain = chi2(model.residual(), noise) - chi2(trial.residual(), noise);
   const auto spectra = static_cast<std::size_t>(of.lines.cols());
   if (!(gain > decay_threshold(spectra + 1, kPairPlaces * model.modes().size()))) return std::nullopt;
+  if (scatter_explains(model.modes()[m], gain)) return std::nullopt;
   const std::vector<double> energy = energies(trial, of, noise);
   for (std::size_t i = 0; i + 1 < energy.size(); ++i) {
     const bool pair = std::abs(trial.modes()[i].rate.rate_radps - s) < kPairReach * -s.real() &&
@@ -137,6 +169,10 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
   }
   model.fit(kFinalSweeps, {});
   drop_unconfirmed();
+  for (std::size_t m = 0; options.search && measured.hits > 1 && m < model.modes().size(); ++m) {
+    if (auto alone = without_imitation(model, m, out.noise, energies(model, measured, out.noise)))
+      model = std::move(*alone);
+  }
   for (std::size_t m = 0; options.search && m < model.modes().size(); ++m) {
     if (auto pair = with_pair(model, m, measured, out.noise)) {
       model = std::move(*pair);

@@ -55,12 +55,14 @@ std::optional<Intercept> intercept(std::span<const double> x, std::size_t from, 
 }  // namespace
 
 ImpactOnset impact_onset(std::span<const double> x, double fs_Hz, std::size_t first, double noise) {
-  const double between = 1 / std::sqrt(12.0);
-  const ImpactOnset unknown{.time_s = (static_cast<double>(first) - 0.5) / fs_Hz, .std_s = between / fs_Hz};
-  if (first >= x.size()) return unknown;
-  const double extreme = first_extreme(x, first), sign = std::copysign(1.0, x[first]);
+  const double between = 1 / std::sqrt(12.0), extreme = first_extreme(x, std::min(first, x.size()));
+  // The rise leads to the extreme without a sample within the noise.
   std::size_t from = first;
-  while (from < x.size() && std::abs(x[from]) < kLowest * noise) ++from;
+  while (from < x.size() && std::abs(x[from]) < extreme) ++from;
+  if (from >= x.size()) return {.time_s = (static_cast<double>(first) - 0.5) / fs_Hz, .std_s = between / fs_Hz};
+  const double sign = std::copysign(1.0, x[from]);
+  while (from > 0 && sign * x[from - 1] > kLowest * noise) --from;
+  const ImpactOnset unknown{.time_s = (static_cast<double>(from) - 0.5) / fs_Hz, .std_s = between / fs_Hz};
   std::size_t to = from;
   while (to < x.size() && sign * x[to] > 0 && std::abs(x[to]) <= kHighest * extreme) ++to;
   if (to < from + 2) to = from + 2;

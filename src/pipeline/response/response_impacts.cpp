@@ -14,6 +14,8 @@ constexpr std::size_t kMinBlock = 8;  // samples
 constexpr double kRise = 10;          // of the power, in one block
 constexpr double kWeakest = 3e-3;     // of the strongest block's power
 constexpr double kAboveQuiet = 30;    // of the power in the quietest fifth of the row
+constexpr std::size_t kNoiseBlocks = 20;
+constexpr double kAboveNoise = 1.5;   // times the largest difference in these blocks before the rise
 constexpr double kOnsetLevel = 0.03;  // of the largest difference in the rise
 
 // The power of the first differences in blocks, as the sum over channels of each channel's share of its largest block.
@@ -55,12 +57,17 @@ std::vector<std::size_t> rising_blocks(const std::vector<double>& power, std::si
 std::size_t onset_in(const std::vector<std::vector<double>>& x, std::size_t block_index, std::size_t block) {
   const std::size_t first = std::max<std::size_t>((block_index - 1) * block, 1);
   const std::size_t last = std::min((block_index + 2) * block, x.front().size());
+  const std::size_t before = first - std::min(first - 1, kNoiseBlocks * block);
   std::size_t onset = last;
   for (const std::vector<double>& channel : x) {
-    double largest = 0;
-    for (std::size_t n = first; n < last; ++n) largest = std::max(largest, std::abs(channel[n] - channel[n - 1]));
-    for (std::size_t n = first; n < onset && largest > 0; ++n) {
-      if (std::abs(channel[n] - channel[n - 1]) > kOnsetLevel * largest) onset = n;
+    const auto largest_in = [&](std::size_t from, std::size_t to) {
+      double largest = 0;
+      for (std::size_t n = from; n < to; ++n) largest = std::max(largest, std::abs(channel[n] - channel[n - 1]));
+      return largest;
+    };
+    const double level = std::max(kOnsetLevel * largest_in(first, last), kAboveNoise * largest_in(before, first));
+    for (std::size_t n = first; n < onset && level > 0; ++n) {
+      if (std::abs(channel[n] - channel[n - 1]) > level) onset = n;
     }
   }
   return std::min(onset, block_index * block);

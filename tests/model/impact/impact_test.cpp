@@ -210,7 +210,7 @@ TEST(BeamImpact, WritesASeriesThatMatchesItsResult) {
   EXPECT_NEAR(r.series.back().time_s, r.contact_s + kFollowUp_s, 1e-12);
   double peak_m = 0, force_N = 0, impulse_Ns = 0;
   for (std::size_t i = 0; i < r.series.size(); ++i) {
-    peak_m = std::max(peak_m, r.series[i].beam_m);
+    if (std::abs(r.series[i].beam_m) > std::abs(peak_m)) peak_m = r.series[i].beam_m;
     force_N = std::max(force_N, r.series[i].force_N);
     if (i == 0) continue;
     EXPECT_GT(r.series[i].time_s, r.series[i - 1].time_s);
