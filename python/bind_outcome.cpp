@@ -133,6 +133,9 @@ void require_same_arrays(const ResultHandle& held, const std::string& path) {
 
 const std::shared_ptr<const pipeline::Analysis>& analysis_of(const SharedResult& held, std::size_t test) {
   const auto& all = held->outcome.analyses;
+  if (all.empty())
+    throw InputError("the result holds no FRFs", "analysis without a force", "analyse a record with a force",
+                     {"force_channel"});
   if (test >= all.size()) throw py::index_error("test " + std::to_string(test) + " of " + std::to_string(all.size()));
   return all[test];
 }

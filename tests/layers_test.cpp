@@ -39,7 +39,7 @@ const std::vector<Level>& levels() {
       {"acquire"},
       {"frf"},
       {"identify/model"},
-      {"identify/noise"},
+      {"identify/noise", "identify/decay"},
       {"identify/fit"},
       {"identify/start"},
       {"identify/select"},

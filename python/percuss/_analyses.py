@@ -24,6 +24,8 @@ class Analysis(Frf):
     hits                                 a dictionary per hit, with its findings
     runs                                 an Analysis per test: of files="tests", or of a file with several runs
 
+    Of a test without a force, document["input"] is "response": residues are relative to one channel, and there are no FRFs.
+
     Reading modes or FRFs raises NoHitError if no hit can be used, and UsageError if the result holds several tests.
     """
 
@@ -55,7 +57,17 @@ class Analysis(Frf):
         """A dictionary per warning about the test and its results: code and message."""
         return self._own().get("warnings", [])
 
+    def _of_free_decays(self, name: str) -> np.ndarray:
+        if name not in ("residues", "residues_std"):
+            return frozen(np.array([mode[name] for mode in self.modes], dtype=float))
+        rows = [mode["residues"] for mode in self.modes]
+        if name == "residues_std":
+            return frozen(np.array([[r["std"] for r in row] for row in rows], dtype=float))
+        return frozen(np.array([[complex(r["re"], r["im"]) for r in row] for row in rows], dtype=complex))
+
     def _column(self, name: str) -> np.ndarray:
+        if self._own().get("input") == "response":
+            return self._of_free_decays(name)
         self._require_hits()
         return self._computed("modes")[name]
 
@@ -96,6 +108,8 @@ class Analysis(Frf):
 
     def _by_place(self, name: str) -> np.ndarray:
         values = self._column(name)
+        if self._own().get("input") == "response":
+            return values.reshape(len(values), 1, -1) if values.size else values.reshape(0, 0, 0)
         channels = len({channel for _, channel in self._computed("modes")["places"]}) or 1
         return values.reshape(len(values), -1, channels) if values.size else values.reshape(0, 0, 0)
 

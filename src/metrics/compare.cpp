@@ -170,8 +170,7 @@ std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const Co
   const bool swapped = a.model && !b.model;
   const ComparedDocument &lead = swapped ? b : a, &other = swapped ? a : b;
   std::vector<DeflectionPair> pairs;
-  for (ComparedDeflection d : lead.deflections) {
-    if (other.model && d.forward_m > 0) std::tie(d.peak_m, d.std_m) = std::pair(d.forward_m, d.forward_std_m);
+  for (const ComparedDeflection& d : lead.deflections) {
     const auto match = d.position_m ? at_position(other, *d.position_m)
                        : d.point    ? at_point(other, *d.point)
                                     : std::nullopt;

@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
+#include "pipeline/impact_speed.hpp"
 #include "pipeline/warnings/deflection_warnings.hpp"
 
 namespace percuss::pipeline {
@@ -28,11 +29,6 @@ bool usable(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t 
   if (has(options.accept_hits, index)) return true;
   return std::none_of(hit.hit.findings.begin(), hit.hit.findings.end(),
                       [](const acquire::Finding& finding) { return finding.code == acquire::FindingCode::no_pulse; });
-}
-
-// The beginning of the contact, from the hit's first sample.
-double onset_from_first_sample_s(const acquire::Hit& hit, double fs_Hz) {
-  return std::max(0.0, hit.onset_s - static_cast<double>(hit.first) / fs_Hz);
 }
 
 // Without a force each row is one impact. It begins when the first accelerometer begins to move.
@@ -146,24 +142,6 @@ std::vector<PointDeflection> averaged(const std::vector<DeflectedHit>& hits, con
   return points;
 }
 
-std::vector<ImpactSpeed> speeds(const Analysis& analysis, const std::vector<AnalysedHit>& impacts,
-                                const std::vector<std::size_t>& hits, const ImpactTestOptions& options) {
-  std::vector<ImpactSpeed> out;
-  if (!options.beam_distance_m) return out;
-  const double sample_s = 1 / analysis.record().fs_Hz;
-  for (const std::size_t h : hits) {
-    const double time_s = impacts[h].hit.onset_s - options.beam_time_s;
-    if (!(time_s > sample_s)) {
-      throw InputError(fmt::format("the time from the light beam to hit {} is {:.6g} s", h, time_s),
-                       analysis.record().source(), "correct the time of the light beam, or leave out its distance",
-                       {"beam_time", "beam_distance"});
-    }
-    const double speed = *options.beam_distance_m / time_s;
-    out.push_back({.hit = h, .speed_mps = speed, .std_mps = speed * sample_s / std::sqrt(12.0) / time_s});
-  }
-  return out;
-}
-
 bool rest_recorded(double fs_Hz, const std::vector<AnalysedHit>& impacts, const std::vector<std::size_t>& hits) {
   return std::all_of(hits.begin(), hits.end(), [&](std::size_t h) {
     return onset_from_first_sample_s(impacts[h].hit, fs_Hz) * fs_Hz >= static_cast<double>(kMinRestSamples);
@@ -213,7 +191,7 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
       }
     }
   }
-  ImpactTest test{.speeds = speeds(analysis, impacts, hits, options)};
+  ImpactTest test{.speeds = impact_speeds(analysis, impacts, hits, options)};
   test.hits.resize(hits.size() * channels);
   analysis.trace().run("deflection", [&] {
     parallel_for(test.hits.size(), analysis.options().threads, [&](std::size_t i) {

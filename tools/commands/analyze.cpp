@@ -9,6 +9,7 @@
 #include "cli/progress.hpp"
 #include "cli/report_output.hpp"
 #include "commands/analyze_outputs.hpp"
+#include "commands/analyze_responses.hpp"
 #include "commands/bat_label.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
@@ -56,8 +57,13 @@ int analyze(const AnalyzeFlags& flags) {
                       {"json", "output"});
   }
   const std::optional<report::BatLabel> bat = bat_label(flags.bat_id, flags.bat);
+  ReadFlags read = flags.read;
+  read.options.force_optional = true;
+  Measurements opened = open_measurements(read);
+  if (!opened.records.empty() && !opened.records.front().has_force)
+    return analyze_responses(flags, std::move(opened.records), bat);
   const Progress progress("analysing", flags.output.quiet);
-  auto tests = tests_of(flags);
+  auto tests = tests_of(flags, std::move(opened));
   require_one_test(flags, sections, tests.size());
   compute(tests, sections);
   if (sections.contains(report::ReportSection::deflection))
@@ -109,8 +115,9 @@ void add_analyze(CommandLine& line) {
   command.about(
       "Reads records of force and acceleration, cuts them into hits and grades the hits. Averages the accepted hits to "
       "frequency response functions (FRFs) and fits the modes: frequency in Hz and damping ratio with their standard "
-      "deviations, and bending or hoop. Files of FRFs are fitted directly. Two accelerometers are assumed at 0° and "
-      "90° around the barrel; --angle sets other angles.");
+      "deviations, and bending or hoop. Files of FRFs are fitted directly. Records without a force, such as a "
+      "microphone's, are fitted as free decays. Two accelerometers are assumed at 0° and 90° around the barrel; "
+      "--angle sets other angles.");
   command.example("percuss analyze bat.h5 --band 60:3200", "Print hits and modes from 60 to 3200 Hz as tables");
   command.example("percuss analyze bat.h5 --band 60:3200 -o report.html -o modes.json",
                   "Write the same as an HTML page and as a JSON document");
@@ -118,6 +125,7 @@ void add_analyze(CommandLine& line) {
   command.example("percuss analyze bat.h5 --reject-hit 2 --effort quick --json",
                   "Reject the third hit, fit quickly, and print a JSON document");
   command.example("percuss analyze frfs.h5", "Fit FRFs that another program measured or computed");
+  command.example("percuss analyze ping.wav", "Fit the free decay after a blow that a microphone recorded");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .hdf5, .mat, .uff, .unv");

@@ -61,8 +61,7 @@ std::vector<Test> tests_of_joined(const AnalyzeFlags& flags, const std::vector<a
 
 }  // namespace
 
-std::vector<Test> tests_of(const AnalyzeFlags& flags) {
-  Measurements opened = open_measurements(flags.read);
+std::vector<Test> tests_of(const AnalyzeFlags& flags, Measurements opened) {
   if (!opened.frfs.empty()) return tests_of_frfs(flags, std::move(opened.frfs));
   if (flags.read.files != acquire::FileGrouping::tests && opened.records.size() > 1)
     return tests_of_joined(flags, opened.records);

@@ -35,8 +35,8 @@ struct Test {
   std::optional<pipeline::ImpactTest> deflection{};
 };
 
-/// The tests in the files, grouped by the flags. Throws as open_measurements.
-std::vector<Test> tests_of(const AnalyzeFlags& flags);
+/// The tests in the opened files, grouped by the flags.
+std::vector<Test> tests_of(const AnalyzeFlags& flags, Measurements opened);
 
 /// Computes the sections of several tests in parallel. It ignores errors, which occur again when the report reads the
 /// results.

@@ -8,6 +8,7 @@
 #include "cli/ranges.hpp"
 #include "cli/report_output.hpp"
 #include "commands/commands.hpp"
+#include "commands/deflect_comparison.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "pipeline/impact_test.hpp"
@@ -22,6 +23,7 @@ struct DeflectFlags {
   OutputFlags output;
   pipeline::ImpactTestOptions options;
   std::string method = "auto", positions;
+  ComparisonFlags comparison;
 };
 
 metrics::DeflectionMethod method_named(const std::string& name) {
@@ -80,6 +82,13 @@ int deflect_files(const DeflectFlags& flags) {
   report::CommandReport report;
   report.json = report::deflection_json(analysis, test);
   report.text = report::deflection_text(analysis, test);
+  if (flags.comparison.wanted()) {
+    const ImpactModes modes = modes_of_impacts(analysis);
+    const report::CommandReport compared = impact_comparison(flags.comparison, analysis, test, modes);
+    report.json = report::with_comparison(report.json, modes.modes, compared.json);
+    report.text += std::string("\n");
+    report.text += compared.text;
+  }
   write_deflection(flags.output, report, analysis, test);
   print_report(report, flags.output);
   if (flags.output.host != nullptr) {
@@ -109,6 +118,8 @@ void add_deflect(CommandLine& line) {
   command.example("percuss deflect bat.h5 --highpass-corner 1", "Undo the 1 Hz high-pass of the charge amplifier");
   command.example("percuss deflect bat.h5 --method drift-free -o deflection.csv",
                   "Write the curves over time as a table");
+  command.example("percuss deflect ball.h5 --positions 0.025:0.065:0.545 --beam ei=4000,speed=5 --compare hammer.json",
+                  "Compare frequencies and deflections of a ball test, a model beam and a hammer test");
   metrics::DeflectionOptions& deflection = flags->options.deflection;
   command
       .value("--method", flags->method,
@@ -143,6 +154,16 @@ void add_deflect(CommandLine& line) {
              "Set the time at which the ball crosses the light beam, from the start of the record")
       .finite()
       .type("S");
+  command
+      .repeatable("--compare", flags->comparison.compared,
+                  "Compare modes and deflections with this document, which analyze or model wrote with --json "
+                  "(repeatable)")
+      .type("FILE");
+  command
+      .list("--beam", flags->comparison.beam,
+            "Compare modes and deflections with this beam of percuss model: ei, rho_a, torsion, length, support, "
+            "ball_mass, speed, hertz")
+      .type("KEY=VALUE,...");
   add_read_flags(command, flags->read, Reads::records);
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output, ".json, .csv, .h5, .hdf5, .svg, .html");

@@ -196,10 +196,26 @@ class Finder {
     for (const auto& column : candidates(Quantity::acceleration, kAccelWords, "acceleration")) {
       if (column.index != columns_.force.index) columns_.accel.push_back(column);
     }
+    if (columns_.accel.empty() && !columns_.has_force) find_only_response();
+    if (columns_.accel.empty() && !columns_.has_force) {
+      throw AmbiguousColumns("neither a force nor an acceleration column found among " + list_of(header_.columns),
+                             where_, "name the force and the accelerations, or the accelerations alone", header_,
+                             {"force_channel", "accel_channel"});
+    }
     if (columns_.accel.empty()) {
       throw AmbiguousColumns("no acceleration column found among " + list_of(header_.columns), where_,
                              "name the accelerations", header_, {"accel_channel"});
     }
+  }
+
+  // A file with one signal and no force holds a response, such as a microphone's.
+  void find_only_response() {
+    std::vector<CsvColumn> signals;
+    for (const CsvColumn& column : header_.columns) {
+      if (column.has_numbers && !is_helper(column) && role_of(column) != "ignore") signals.push_back(column);
+    }
+    if (signals.size() == 1 && (!quantity_of(signals.front()) || *quantity_of(signals.front()) == Quantity::voltage))
+      columns_.accel = std::move(signals);
   }
 
   const CsvHeader& header_;

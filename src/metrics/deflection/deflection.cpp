@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "core/math/fft.hpp"
 #include "core/math/statistics.hpp"
 #include "metrics/deflection/baseline_drift.hpp"
+#include "metrics/deflection/largest_deflection.hpp"
 
 namespace percuss::metrics {
 namespace {
@@ -17,8 +17,6 @@ constexpr std::size_t kRinging = 32;   // longest ringing of an anti-alias filte
 constexpr double kMethodError = 1e-6;  // of the largest deflection: error by rounding and by the filter's first ringing
 constexpr double kOnsetNoise = 8;      // standard deviations of the noise that a motion must exceed …
 constexpr double kOnsetLevel = 1e-3;   // … and the part of the largest acceleration
-constexpr double kSignificantStds = 4;
-constexpr double kClearlyMoved = 0.1;  // of the largest deflection
 constexpr double kLowestShare = 0.5;   // default lowest frequency over the frequency of the strongest line
 
 double largest_magnitude(std::span<const double> x) { return extremes_of(x).max_distance_from(0); }
@@ -130,38 +128,6 @@ Deflection by_modes(const ImpactSignal& signal) {
           .std_m = std::move(modal.std_m)};
 }
 
-// The sample with the largest excess of direction × deflection over four standard deviations. Late in a record that
-// drifts, large values mean nothing: one random walk in six ends more than one standard deviation above zero.
-// Direction 0: either sign. None: no deflection is significant.
-std::optional<std::size_t> most_significant_peak(const Deflection& d, double direction) {
-  std::optional<std::size_t> best;
-  double largest_excess_m = 0;
-  for (std::size_t i = 0; i < d.deflection_m.size(); ++i) {
-    const double signed_m = direction == 0 ? std::abs(d.deflection_m[i]) : direction * d.deflection_m[i];
-    const double excess_m = signed_m - (d.std_m.empty() ? 0 : kSignificantStds * d.std_m[i]);
-    if (excess_m > largest_excess_m) best = i;
-    largest_excess_m = std::max(largest_excess_m, excess_m);
-  }
-  return best;
-}
-
-void find_peaks_of(Deflection& d) {
-  const auto deviation = [&](std::size_t i) { return d.std_m.empty() ? 0 : d.std_m[i]; };
-  d.peak_m = d.peak_std_m = d.forward_m = d.forward_std_m = std::numeric_limits<double>::quiet_NaN();
-  const auto peak = most_significant_peak(d, 0);
-  if (!peak) return;
-  d.peak = *peak;
-  d.peak_m = d.deflection_m[d.peak];
-  d.peak_std_m = deviation(d.peak);
-  const double clear = kClearlyMoved * std::abs(d.peak_m);
-  const auto first =
-      std::find_if(d.deflection_m.begin(), d.deflection_m.end(), [&](double w) { return std::abs(w) >= clear; });
-  const auto forward = most_significant_peak(d, std::copysign(1.0, first == d.deflection_m.end() ? d.peak_m : *first));
-  if (!forward) return;
-  d.forward_m = d.deflection_m[*forward];
-  d.forward_std_m = deviation(*forward);
-}
-
 }  // namespace
 
 const char* name_of(DeflectionMethod method) {
@@ -191,7 +157,7 @@ Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& op
                    : method == DeflectionMethod::frequency    ? deflection_by_frequency(signal, options)
                    : method == DeflectionMethod::modal        ? by_modes(signal)
                                                               : drift_free(signal, options);
-  find_peaks_of(out);
+  find_largest(signal, options, out);
   return out;
 }
 

@@ -49,6 +49,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"double_hit", Severity::warn},
     {"double_hits_used", Severity::warn},
     {"no_pulse", Severity::warn},
+    {"no_free_decay", Severity::warn},
     {"late_trigger", Severity::warn},
     {"short_hit", Severity::warn},
     {"coarse_steps", Severity::warn},
@@ -80,6 +81,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"rejected_hits", Severity::info},
     {"truncated_decay", Severity::info},
     {"no_geometry", Severity::info},
+    {"no_force", Severity::info},
 });
 
 const RankedCode* find_code(std::string_view code) {

@@ -4,6 +4,7 @@
 
 #include "core/parallel/parallel.hpp"
 #include "pipeline/skipped_work.hpp"
+#include "report/json/analysis_options_json.hpp"
 #include "report/json/deflection_json.hpp"
 #include "report/json/result_json.hpp"
 #include "report/json/warning_json.hpp"
@@ -13,29 +14,6 @@ namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json options_json(const pipeline::Analysis& analysis) {
-  const pipeline::AnalysisOptions& o = analysis.options();
-  Json json = Json::object();
-  if (!o.accept_hits.empty()) json["accept_hits"] = o.accept_hits;
-  if (!o.reject_hits.empty()) json["reject_hits"] = o.reject_hits;
-  if (o.estimator != frf::Estimator::h1) json["estimator"] = name_of(o.estimator);
-  if (o.modes.modes) json["modes"] = *o.modes.modes;
-  if (!o.modes.start_Hz.empty()) json["start_hz"] = o.modes.start_Hz;
-  if (o.hits.trigger_N) json["trigger_n"] = *o.hits.trigger_N;
-  if (o.hits.pretrigger_s) json["pretrigger_s"] = *o.hits.pretrigger_s;
-  if (o.hits.length_s) json["length_s"] = *o.hits.length_s;
-  if (o.hits.from_s > 0) json["from_s"] = o.hits.from_s;
-  if (o.hits.to_s) json["to_s"] = *o.hits.to_s;
-  if (!o.hits.gate_force) json["force_window"] = "off";
-  if (o.exponential_end > 0) json["exponential_end"] = o.exponential_end;
-  if (o.delays.automatic) json["delay"] = "auto";
-  if (!o.delays.delay_s.empty()) json["delay"] = o.delays.delay_s;
-  if (o.classes.overlay_dB != identify::ClassifyOptions{}.overlay_dB) json["overlay_db"] = o.classes.overlay_dB;
-  if (o.classes.object != identify::ObjectKind::automatic)
-    json["object"] = o.classes.object == identify::ObjectKind::tube ? "tube" : "other";
-  return json;
-}
 
 // The deflection document without the members that the analysis has already.
 Json deflection_in(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
@@ -139,7 +117,7 @@ JsonDocument analysis_document(const pipeline::Analysis& analysis, const JsonOpt
   }
   if (!force_only && wants(ReportSection::modes))
     document.add_written("effort", Json(name_of(analysis.options().modes.effort)));
-  if (const Json chosen = options_json(analysis); !chosen.empty()) document.add_written("options", chosen);
+  if (const Json chosen = options_json(analysis.options()); !chosen.empty()) document.add_written("options", chosen);
   if (wants(ReportSection::hits)) {
     document.add("hits", hits.size(), [&](std::size_t i) { return hit_json(analysis.record(), i, hits[i]); });
   }

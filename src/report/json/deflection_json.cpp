@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/json/json_document.hpp"
+#include "report/json/result_json.hpp"
 #include "report/json/warning_json.hpp"
 #include "report/text/deflection_text.hpp"
 #include "report/text/version.hpp"
@@ -59,6 +60,15 @@ std::string deflection_json(const pipeline::Analysis& analysis, const pipeline::
   }
   json["warnings"] = Json::array();
   for (const pipeline::Warning& warning : test.warnings) json["warnings"].push_back(warning_json(warning));
+  return indented_text(json) + "\n";
+}
+
+std::string with_comparison(const std::string& document, const std::vector<identify::Mode>& modes,
+                            const std::string& comparison) {
+  Json json = Json::parse(document);
+  json["modes"] = Json::array();
+  for (std::size_t m = 0; m < modes.size(); ++m) json["modes"].push_back(Json::parse(mode_json(modes[m], m, {})));
+  json["comparison"] = Json::parse(comparison);
   return indented_text(json) + "\n";
 }
 

@@ -129,7 +129,7 @@ void add_impacts(const Part& part, metrics::ComparedDocument& document) {
   part.at("sweep").for_each([&](const Part& impact) {
     if (impact.has("at") && impact.has("peak_deflection_m")) {
       document.deflections.push_back(
-          {.position_m = impact.at("at").number(), .peak_m = impact.at("peak_deflection_m").number()});
+          {.position_m = impact.at("at").number(), .peak_m = std::abs(impact.at("peak_deflection_m").number())});
     }
   });
 }

@@ -114,7 +114,7 @@ std::string mode_json(const identify::Mode& mode, std::size_t m, const ModeJson&
   if (mode.freq_scatter_Hz > 0) json["moves_hz"] = mode.freq_scatter_Hz;
   if (of.window_decay_per_s > 0) json["damping_ratio_raw"] = raw_damping(mode.pole, of.window_decay_per_s);
   if (of.classification != nullptr) add_classification(json, *of.classification);
-  json["frac"] = of.frac;
+  if (of.frac) json["frac"] = *of.frac;
   if (mode.joint_misfit > 0) {
     json["effort_used"] = name_of(identify::Effort::standard);
     json["joint_misfit"] = std::isfinite(mode.joint_misfit) ? Json(mode.joint_misfit) : Json();

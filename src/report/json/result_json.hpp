@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "pipeline/analysis.hpp"
@@ -13,7 +14,7 @@ std::string hit_json(const acquire::Record& record, std::size_t i, const pipelin
 struct ModeJson {
   double window_decay_per_s = 0;
   const identify::ModeClassification* classification = nullptr;  // nullptr for modes that are not classified
-  double frac = 0;                                               // over the lines around the mode
+  std::optional<double> frac{};                                  // over the lines around the mode; of FRFs only
 };
 std::string mode_json(const identify::Mode& mode, std::size_t m, const ModeJson& of);
 /// Each FRF's agreement with the modes, and its residual terms.

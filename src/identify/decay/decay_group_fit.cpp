@@ -1,0 +1,206 @@
+#include "identify/decay/decay_group_fit.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/math/levenberg_marquardt.hpp"
+#include "core/math/linear_algebra.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kMaxDecay = 0.5;  // damping ratio beyond which a rate describes no oscillation
+constexpr double kSmallest = 1e-300;
+
+// Real and imaginary parts one under the other.
+Eigen::MatrixXd stacked(const Eigen::MatrixXcd& complex) {
+  Eigen::MatrixXd out(2 * complex.rows(), complex.cols());
+  out << complex.real(), complex.imag();
+  return out;
+}
+
+// The linear problem at given rates, and its solution.
+struct State {
+  std::vector<DecayRate> rates;
+  Eigen::MatrixXd q;          // [2 lines, 2 modes] orthonormal basis of the columns
+  Eigen::MatrixXd r;          // [2 modes, 2 modes] upper triangular
+  Eigen::MatrixXd slope;      // [2 lines, 2 modes] the columns projected out
+  Eigen::MatrixXd amplitude;  // [2 modes, hits × channels]
+  Eigen::MatrixXd residual;   // [2 lines, hits × channels]
+};
+
+// ∂(slope part)/∂(Re s, Im s) of an amplitude: a·t·exp(st) and j·a·t·exp(st).
+Eigen::Matrix2d rotation(double re, double im) { return Eigen::Matrix2d{{re, -im}, {im, re}}; }
+
+class DecayProblem : public LeastSquaresProblem {
+ public:
+  DecayProblem(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data)
+      : windows_(group.windows), of_(of), data_(stacked(data)), weight_(Eigen::VectorXd::Ones(data.cols())) {
+    now_ = solved(group.rates);
+  }
+
+  const State& state() const { return now_; }
+  double cost() const override { return cost_of(now_); }
+
+  // The variance of a line's real and imaginary part, per channel, from the residual. Sets the weights.
+  Eigen::VectorXd set_weights_from_residual() {
+    const auto channels = static_cast<Index>(of_.channels), hits = static_cast<Index>(of_.hits);
+    const auto modes = static_cast<double>(now_.rates.size());
+    const double shared = 2 * modes / static_cast<double>(data_.cols());  // unknowns of the rates, per FRF
+    const double freedom = std::max(1.0, static_cast<double>(data_.rows()) - 2 * modes - shared);
+    Eigen::VectorXd noise = Eigen::VectorXd::Zero(channels);
+    for (Index i = 0; i < data_.cols(); ++i)
+      noise(i % channels) += now_.residual.col(i).squaredNorm() / freedom / static_cast<double>(hits);
+    for (Index i = 0; i < data_.cols(); ++i) weight_(i) = 1 / std::max(noise(i % channels), kSmallest);
+    return noise;
+  }
+
+  const NormalEquations& normal_equations() override {
+    equations_ = sum_over([](Index) { return true; });
+    return equations_;
+  }
+  NormalEquations of_hit(std::size_t hit) const {
+    const auto channels = static_cast<Index>(of_.channels);
+    return sum_over([&](Index i) { return i / channels == static_cast<Index>(hit); });
+  }
+
+  double step_size(const Eigen::VectorXd& step) const override {
+    double most = 0;
+    for (Index m = 0; m < step.size() / 2; ++m) {
+      const Complex s = now_.rates[static_cast<std::size_t>(m)].rate_radps;
+      most = std::max(most, std::hypot(step(2 * m), step(2 * m + 1)) / std::abs(s));
+    }
+    return most;
+  }
+
+  std::optional<double> try_step(const Eigen::VectorXd& step) override {
+    std::vector<DecayRate> rates = now_.rates;
+    for (std::size_t m = 0; m < rates.size(); ++m) {
+      Complex& s = rates[m].rate_radps;
+      const auto at = static_cast<Index>(2 * m);
+      s += Complex(step(at), step(at + 1));
+      const double highest = std::numbers::pi * of_.fs_Hz;
+      if (!(s.imag() > 0) || s.imag() > highest || -s.real() > kMaxDecay * std::abs(s) ||
+          s.real() * static_cast<double>(of_.samples) / of_.fs_Hz > 1)
+        return std::nullopt;
+    }
+    trial_ = solved(rates);
+    return cost_of(trial_);
+  }
+  void accept() override { std::swap(now_, trial_); }
+
+ private:
+  double cost_of(const State& state) const { return state.residual.colwise().squaredNorm().transpose().dot(weight_); }
+
+  State solved(const std::vector<DecayRate>& rates) const {
+    const auto modes = static_cast<Index>(rates.size());
+    const Index lines = data_.rows() / 2;
+    Eigen::MatrixXcd columns(lines, 2 * modes), slopes(lines, 2 * modes);
+    for (Index m = 0; m < modes; ++m) {
+      Index row = 0;
+      for (const auto& [first, count] : windows_) {
+        const DecayColumns part = decay_columns(rates[static_cast<std::size_t>(m)], of_, first, count);
+        columns.block(row, 2 * m, part.value.rows(), 2) = part.value;
+        slopes.block(row, 2 * m, part.value.rows(), 2) = part.slope;
+        row += part.value.rows();
+      }
+    }
+    State state{.rates = rates, .q = {}, .r = {}, .slope = {}, .amplitude = {}, .residual = {}};
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(stacked(columns));
+    state.q = qr.householderQ() * Eigen::MatrixXd::Identity(2 * lines, 2 * modes);
+    state.r = qr.matrixQR().topRows(2 * modes).triangularView<Eigen::Upper>();
+    const Eigen::MatrixXd along = state.q.transpose() * data_;
+    state.amplitude = state.r.triangularView<Eigen::Upper>().solve(along);
+    state.residual = data_ - state.q * along;
+    const Eigen::MatrixXd slope = stacked(slopes);
+    state.slope = slope - state.q * (state.q.transpose() * slope);
+    return state;
+  }
+
+  template <class Keep>
+  NormalEquations sum_over(const Keep& keep) const {
+    const auto modes = static_cast<Index>(now_.rates.size());
+    NormalEquations out{.matrix = Eigen::MatrixXd::Zero(2 * modes, 2 * modes),
+                        .right = Eigen::VectorXd::Zero(2 * modes)};
+    const Eigen::MatrixXd gram = now_.slope.transpose() * now_.slope;
+    const Eigen::MatrixXd gradient = now_.slope.transpose() * now_.residual;
+    for (Index i = 0; i < data_.cols(); ++i) {
+      if (!keep(i)) continue;
+      Eigen::MatrixXd turn = Eigen::MatrixXd::Zero(2 * modes, 2 * modes);
+      for (Index m = 0; m < modes; ++m)
+        turn.block<2, 2>(2 * m, 2 * m) = rotation(now_.amplitude(2 * m, i), now_.amplitude(2 * m + 1, i));
+      out.matrix += weight_(i) * turn.transpose() * gram * turn;
+      out.right += weight_(i) * turn.transpose() * gradient.col(i);
+    }
+    return out;
+  }
+
+  std::vector<std::pair<std::size_t, std::size_t>> windows_;
+  const DecaySpectra& of_;
+  Eigen::MatrixXd data_;
+  Eigen::VectorXd weight_;  // [hits × channels]
+  State now_, trial_;
+  NormalEquations equations_;
+};
+
+// Neighbouring lines' residuals are independent where the model is complete. White noise gives 1 ± 1/√lines.
+double residual_correlation(const Eigen::MatrixXd& residual) {
+  const Index lines = residual.rows() / 2;
+  double all = 0, neighbours = 0;
+  for (Index i = 0; i < residual.cols(); ++i) {
+    for (Index half = 0; half < 2; ++half) {
+      const auto part = residual.col(i).segment(half * lines, lines);
+      all += part.squaredNorm();
+      neighbours += part.head(lines - 1).dot(part.tail(lines - 1));
+    }
+  }
+  if (!(all > 0)) return 1;
+  // Beyond three standard deviations of the correlation of white residuals.
+  const double correlation = neighbours / all;
+  const double chance = 3 / std::sqrt(static_cast<double>(2 * lines * residual.cols()));
+  return correlation > chance ? std::sqrt((1 + correlation) / std::max(0.05, 1 - correlation)) : 1;
+}
+
+}  // namespace
+
+DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data,
+                              DecayAccuracy accuracy) {
+  DecayProblem problem(group, of, data);
+  constexpr LevenbergMarquardtOptions kFull{.max_steps = 40, .step_tolerance = 1e-14, .cost_tolerance = 1e-12};
+  constexpr LevenbergMarquardtOptions kRough{.max_steps = 12, .step_tolerance = 1e-8, .cost_tolerance = 1e-4};
+  const bool rough = accuracy == DecayAccuracy::rough;
+  DecayGroupFit out;
+  const int rounds = rough ? 1 : 3;  // the weights need the residual, and the fit the weights
+  for (int round = 0; round < rounds; ++round) {
+    out.noise = problem.set_weights_from_residual();
+    const LevenbergMarquardtSummary summary = levenberg_marquardt(problem, rough ? kRough : kFull);
+    out.converged = summary.stop != LevenbergMarquardtStop::max_steps;
+    if (of.channels == 1) break;
+  }
+  out.noise = problem.set_weights_from_residual();
+  const State& state = problem.state();
+  const auto modes = static_cast<Index>(state.rates.size());
+  out.rates = state.rates;
+  out.amplitude.resize(modes, data.cols());
+  for (Index m = 0; m < modes; ++m) {
+    out.amplitude.row(m).real() = state.amplitude.row(2 * m);
+    out.amplitude.row(m).imag() = state.amplitude.row(2 * m + 1);
+  }
+  out.covariance = core::inverse_gram(problem.normal_equations().matrix);
+  const Eigen::MatrixXd inverse_r =
+      state.r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(2 * modes, 2 * modes));
+  out.inverse_gram = inverse_r * inverse_r.transpose();
+  for (std::size_t h = 0; h < of.hits; ++h) {
+    const NormalEquations alone = problem.of_hit(h);
+    out.hit_step.push_back(solve_gram(alone.matrix, alone.right));
+    out.hit_information.push_back(alone.matrix);
+  }
+  out.misfit = residual_correlation(state.residual);
+  return out;
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,43 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "identify/decay/decay_spectra.hpp"
+
+namespace percuss::identify {
+
+/// Neighbouring modes that are fitted together, and the spectral lines that tell of them.
+struct DecayGroup {
+  std::vector<DecayRate> rates;
+  std::vector<std::pair<std::size_t, std::size_t>> windows;  // first line and count; ascending, disjoint
+};
+
+struct DecayGroupFit {
+  std::vector<DecayRate> rates;  // in the order of the group
+  Eigen::MatrixXcd amplitude;    // [modes, hits × channels] at the first sample
+  Eigen::MatrixXd covariance;    // of (Re s, Im s) of each mode, [2 modes, 2 modes]
+  Eigen::VectorXd noise;         // [channels] variance of the real and of the imaginary part of a line
+  Eigen::MatrixXd inverse_gram;  // [2 modes, 2 modes] of the columns: times `noise` the covariance of an amplitude
+  /// The step of the rates by each hit alone, and its normal matrix, [hits].
+  std::vector<Eigen::VectorXd> hit_step;
+  std::vector<Eigen::MatrixXd> hit_information;
+  /// The standard deviation of the sum of two neighbouring residuals, relative to independent ones: above 1 where the
+  /// model leaves structure.
+  double misfit = 1;
+  bool converged = false;
+};
+
+/// The accuracy of a group fit. rough: for a search that goes on.
+enum class DecayAccuracy { rough, full };
+
+/// Maximum likelihood of the group's rates in white noise, one variance per channel: amplitudes are eliminated by QR
+/// (variable projection), the rates found by Levenberg–Marquardt steps. `data` are spectra without all other modes,
+/// over the group's windows one after the other, [lines, hits × channels].
+/// The amplitudes of each hit and channel are free complex numbers. That a mode's amplitudes are a product of one
+/// number per hit and one per channel would not lower the bound of the rates.
+DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data,
+                              DecayAccuracy accuracy = DecayAccuracy::full);
+
+}  // namespace percuss::identify

@@ -1,0 +1,171 @@
+#include "identify/decay/decay_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/linear_algebra.hpp"
+#include "core/units.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+
+constexpr std::size_t kMaxTogether = 8;
+constexpr double kStill = 1e-11;  // change of a rate in one sweep, relative to its bandwidth and frequency
+
+double frequency_Hz(const FittedDecay& mode) { return mode.rate.rate_radps.imag() / kTwoPi; }
+
+// First line and one past the last.
+std::pair<std::size_t, std::size_t> window_of(const DecayRate& rate, const DecaySpectra& of,
+                                              const DecayWindows& windows) {
+  const double half_power = -rate.rate_radps.real() / std::numbers::pi / of.line_Hz();
+  const double reach = std::max(windows.half_power_bandwidths * std::max(half_power, 0.0), windows.lines);
+  const double centre = rate.rate_radps.imag() / kTwoPi / of.line_Hz();
+  const auto lines = static_cast<double>(of.lines.rows());
+  const double last = of.samples % 2 == 0 ? lines - 1 : lines;  // without the lines that are real
+  const double first = std::clamp(std::floor(centre - reach), 1.0, last - 1);
+  return {static_cast<std::size_t>(first), static_cast<std::size_t>(std::clamp(centre + reach + 1, first + 1, last))};
+}
+
+std::vector<std::vector<std::size_t>> split(std::vector<std::size_t> members, const std::vector<FittedDecay>& modes) {
+  if (members.size() <= kMaxTogether) return {members};
+  std::size_t at = 1;
+  double widest = -1;
+  for (std::size_t i = 1; i < members.size(); ++i) {
+    const double gap = frequency_Hz(modes[members[i]]) - frequency_Hz(modes[members[i - 1]]);
+    if (gap > widest) at = i;
+    widest = std::max(widest, gap);
+  }
+  const auto middle = members.begin() + static_cast<std::ptrdiff_t>(at);
+  auto out = split({members.begin(), middle}, modes);
+  for (auto& group : split({middle, members.end()}, modes)) out.push_back(std::move(group));
+  return out;
+}
+
+std::vector<std::vector<std::size_t>> groups_of(const std::vector<FittedDecay>& modes, const DecaySpectra& of,
+                                                const DecayWindows& windows) {
+  std::vector<std::vector<std::size_t>> out;
+  std::vector<std::size_t> members;
+  std::size_t end = 0;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const auto [first, last] = window_of(modes[m].rate, of, windows);
+    if (!members.empty() && first >= end) {
+      for (auto& group : split(members, modes)) out.push_back(std::move(group));
+      members.clear();
+    }
+    members.push_back(m);
+    end = std::max(end, last);
+  }
+  if (!members.empty()) {
+    for (auto& group : split(members, modes)) out.push_back(std::move(group));
+  }
+  return out;
+}
+
+void sort(std::vector<FittedDecay>& modes) {
+  std::stable_sort(modes.begin(), modes.end(), [](const FittedDecay& a, const FittedDecay& b) {
+    return a.rate.rate_radps.imag() < b.rate.rate_radps.imag();
+  });
+}
+
+}  // namespace
+
+void DecayModel::add(const DecayRate& rate) {
+  FittedDecay mode{.rate = rate,
+                   .amplitude = Eigen::RowVectorXcd::Zero(measured_->lines.cols()),
+                   .covariance = Eigen::Matrix2d::Zero(),
+                   .inverse_gram = Eigen::Matrix2d::Zero(),
+                   .noise = {},
+                   .hit_step = {},
+                   .hit_covariance = {}};
+  modes_.push_back(std::move(mode));
+  sort(modes_);
+}
+
+void DecayModel::remove(std::size_t mode) { modes_.erase(modes_.begin() + static_cast<std::ptrdiff_t>(mode)); }
+
+void DecayModel::subtract(const FittedDecay& mode, std::size_t first, Eigen::Ref<Eigen::MatrixXcd> lines) const {
+  if (mode.amplitude.isZero(0)) return;
+  const DecayColumns columns = decay_columns(mode.rate, *measured_, first, static_cast<std::size_t>(lines.rows()));
+  lines -= columns.value.col(0) * mode.amplitude.real().cast<Complex>();
+  lines -= columns.value.col(1) * mode.amplitude.imag().cast<Complex>();
+}
+
+DecaySpectra DecayModel::residual() const {
+  DecaySpectra out = *measured_;
+  for (const FittedDecay& mode : modes_) subtract(mode, 0, out.lines);
+  return out;
+}
+
+void DecayModel::fit_group(const std::vector<std::size_t>& members, const DecayWindows& windows) {
+  DecayGroup group;
+  std::vector<std::pair<std::size_t, std::size_t>> ranges;  // first, one past the last
+  for (const std::size_t m : members) {
+    group.rates.push_back(modes_[m].rate);
+    const auto range = window_of(modes_[m].rate, *measured_, windows);
+    if (!ranges.empty() && range.first <= ranges.back().second) {
+      ranges.back().second = std::max(ranges.back().second, range.second);
+    } else {
+      ranges.push_back(range);
+    }
+  }
+  std::sort(ranges.begin(), ranges.end());
+  std::size_t lines = 0;
+  for (const auto& [first, last] : ranges) {
+    // A broad mode's window may begin below its lower neighbour's.
+    if (!group.windows.empty() && first <= group.windows.back().first + group.windows.back().second) {
+      auto& [start, count] = group.windows.back();
+      lines -= count;
+      count = std::max(start + count, last) - start;
+      lines += count;
+    } else {
+      group.windows.emplace_back(first, last - first);
+      lines += last - first;
+    }
+  }
+  Eigen::MatrixXcd data(static_cast<Index>(lines), measured_->lines.cols());
+  Index row = 0;
+  for (const auto& [first, count] : group.windows) {
+    auto part = data.middleRows(row, static_cast<Index>(count));
+    part = measured_->lines.middleRows(static_cast<Index>(first), static_cast<Index>(count));
+    for (std::size_t m = 0; m < modes_.size(); ++m) {
+      if (std::find(members.begin(), members.end(), m) == members.end()) subtract(modes_[m], first, part);
+    }
+    row += static_cast<Index>(count);
+  }
+  const DecayGroupFit fitted = fit_decay_group(group, *measured_, data, windows.accuracy);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    FittedDecay& mode = modes_[members[i]];
+    const auto at = static_cast<Index>(2 * i);
+    mode.rate = fitted.rates[i];
+    mode.amplitude = fitted.amplitude.row(static_cast<Index>(i));
+    mode.covariance = fitted.covariance.block<2, 2>(at, at);
+    mode.inverse_gram = fitted.inverse_gram.block<2, 2>(at, at);
+    mode.noise = fitted.noise;
+    mode.misfit = fitted.misfit;
+    mode.converged = fitted.converged;
+    mode.hit_step.clear();
+    mode.hit_covariance.clear();
+    for (std::size_t h = 0; h < measured_->hits; ++h) {
+      mode.hit_step.emplace_back(fitted.hit_step[h].segment<2>(at));
+      mode.hit_covariance.emplace_back(inverse_gram(fitted.hit_information[h]).block<2, 2>(at, at));
+    }
+  }
+}
+
+void DecayModel::fit(int sweeps, const DecayWindows& windows) {
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    std::vector<Complex> before;
+    for (const FittedDecay& mode : modes_) before.push_back(mode.rate.rate_radps);
+    const auto groups = groups_of(modes_, *measured_, windows);
+    for (const auto& group : groups) fit_group(group, windows);
+    double change = 0;
+    for (std::size_t m = 0; m < modes_.size(); ++m)
+      change = std::max(change, std::abs(modes_[m].rate.rate_radps - before[m]) / std::abs(before[m]));
+    sort(modes_);
+    if (groups.size() <= 1 || change < kStill) return;
+  }
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,53 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "identify/decay/decay_group_fit.hpp"
+#include "identify/decay/decay_spectra.hpp"
+
+namespace percuss::identify {
+
+/// The lines around a mode that its group is fitted over, on either side: the larger of the two.
+struct DecayWindows {
+  double half_power_bandwidths = 40;
+  double lines = 60;
+  DecayAccuracy accuracy = DecayAccuracy::full;
+};
+
+/// A mode of a DecayModel, with the result of its last group fit.
+struct FittedDecay {
+  DecayRate rate;
+  Eigen::RowVectorXcd amplitude;          // [hits × channels] at the first sample
+  Eigen::Matrix2d covariance;             // of (Re s, Im s)
+  Eigen::Matrix2d inverse_gram;           // times `noise` the covariance of an amplitude's (Re, Im)
+  Eigen::VectorXd noise;                  // [channels] variance of a line's real and imaginary part
+  std::vector<Eigen::Vector2d> hit_step;  // [hits] of (Re s, Im s), by each hit alone
+  std::vector<Eigen::Matrix2d> hit_covariance;
+  double misfit = 1;
+  bool converged = false;
+};
+
+/// Decays fitted to spectra, group by group: modes whose windows overlap are fitted together, at most eight, and the
+/// other groups are subtracted. Groups take turns until the rates stand still.
+class DecayModel {
+ public:
+  explicit DecayModel(const DecaySpectra& measured) : measured_(&measured) {}
+
+  const std::vector<FittedDecay>& modes() const { return modes_; }  // ascending in frequency
+  void add(const DecayRate& rate);
+  void remove(std::size_t mode);
+  void clear() { modes_.clear(); }
+  /// Fits all groups in turn, `sweeps` times at most.
+  void fit(int sweeps, const DecayWindows& windows);
+  /// The measured spectra without all modes.
+  DecaySpectra residual() const;
+
+ private:
+  void fit_group(const std::vector<std::size_t>& members, const DecayWindows& windows);
+  void subtract(const FittedDecay& mode, std::size_t first, Eigen::Ref<Eigen::MatrixXcd> lines) const;
+
+  const DecaySpectra* measured_;
+  std::vector<FittedDecay> modes_;
+};
+
+}  // namespace percuss::identify

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstddef>
+
+#include "identify/decay/free_decay_fit.hpp"
+
+namespace percuss::identify {
+
+/// The records from a sample on.
+FreeDecays decays_from(const FreeDecays& whole, std::size_t first);
+
+/// The earliest sample of `whole` from which the fitted decays explain the records. `fit` is of decays_from(whole,
+/// start). The decays are extrapolated back from `start`, block by block, until the residual exceeds the noise: there
+/// the force still acts.
+std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std::size_t start);
+
+struct StartedFit {
+  FreeDecayFit fit;
+  std::size_t start = 0;  // sample of the records at which the fitted decays begin
+};
+
+/// fit_free_decays from the earliest sample on at which no force acts. `safe` is a sample by which the force has
+/// certainly ended.
+StartedFit fit_from_earliest_start(const FreeDecays& whole, std::size_t safe, const FreeDecayOptions& options);
+
+}  // namespace percuss::identify

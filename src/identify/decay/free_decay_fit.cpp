@@ -1,0 +1,189 @@
+#include "identify/decay/free_decay_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/units.hpp"
+#include "identify/decay/decay_noise.hpp"
+#include "identify/decay/decay_search.hpp"
+
+namespace percuss::identify {
+namespace {
+
+constexpr int kMaxSearches = 40;
+constexpr std::size_t kMaxDecays = 200;
+constexpr DecayWindows kSearchWindows{.half_power_bandwidths = 8, .lines = 30, .accuracy = DecayAccuracy::rough};
+constexpr int kSearchSweeps = 1, kFinalSweeps = 30;
+constexpr double kPairApart = 0.5, kPairReach = 3;  // of a mode's decay rate
+constexpr double kPairLevel = 0.01;                 // energy of one of a pair over the other's: a weaker one is misfit
+constexpr int kPairSweeps = 3;
+constexpr double kScatterShare = 0.7;  // of what a second pole explains
+constexpr std::size_t kPairPlaces = 10;
+constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
+constexpr double kMimics = 1e-3;        // energy relative to a decay within its bandwidth, of which it is the misfit
+
+// The energy of a decay over the record, Σ over hits and channels of |a|² Σ exp(2 Re s t)/2 over the noise's variance
+// per sample, in the unit of the matched filter.
+double energy_of(const FittedDecay& mode, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
+  const double decay = 2 * mode.rate.rate_radps.real() / of.fs_Hz, n = static_cast<double>(of.samples);
+  const double sum = std::abs(decay * n) < 1e-9 ? n : std::expm1(decay * n) / std::expm1(decay);
+  const auto line = static_cast<Eigen::Index>(std::clamp(
+      std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz()), 1.0, static_cast<double>(noise.rows() - 1)));
+  double energy = 0;
+  // A line's variance is N times a sample's; the matched filter passes a quarter of |a|² of a real decay.
+  for (Eigen::Index i = 0; i < mode.amplitude.size(); ++i)
+    energy += std::norm(mode.amplitude(i)) * sum / 4 * n / noise(line, i % noise.cols());
+  return energy;
+}
+
+bool within_bandwidth(const FittedDecay& a, const FittedDecay& b) {
+  const Complex s = a.rate.rate_radps, t = b.rate.rate_radps;
+  return std::abs(s.imag() - t.imag()) < -(s.real() + t.real());
+}
+
+std::vector<double> energies(const DecayModel& model, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
+  std::vector<double> out;
+  for (const FittedDecay& mode : model.modes()) out.push_back(energy_of(mode, of, noise));
+  return out;
+}
+
+// The index of a decay to leave out; its number of decays where all stay.
+std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& energy, double threshold) {
+  const auto& modes = model.modes();
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (!(energy[m] >= threshold)) return m;
+    for (std::size_t other = 0; other < modes.size(); ++other) {
+      if (other != m && energy[m] < kMimics * energy[other] && within_bandwidth(modes[m], modes[other])) return m;
+    }
+  }
+  return modes.size();
+}
+
+// Σ |R|² over the noise, whose mean over noise alone is the number of lines and spectra.
+double chi2(const DecaySpectra& residual, const Eigen::MatrixXd& noise) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < residual.lines.cols(); ++i)
+    sum += (residual.lines.col(i).cwiseAbs2().array() / noise.col(i % noise.cols()).array()).sum();
+  return sum;
+}
+
+// How much χ² (as of chi2) falls where each hit has a pole of its own, to first order.
+double gain_of_hits(const FittedDecay& mode) {
+  double sum = 0;
+  for (std::size_t h = 0; h < mode.hit_step.size(); ++h) {
+    const Eigen::Vector2d& step = mode.hit_step[h];
+    const double gain = step.dot(mode.hit_covariance[h].inverse() * step);
+    if (std::isfinite(gain)) sum += gain;
+  }
+  return sum / 2;  // a line of χ² 1 has a variance of 1/2 in each part
+}
+
+// Whether frequencies that differ between the hits explain most of what a second pole would.
+bool scatter_explains(const FittedDecay& alone, double gain) {
+  return alone.hit_step.size() > 1 && gain_of_hits(alone) > kScatterShare * gain;
+}
+
+// The model without the weaker of two modes within one bandwidth, where the hits' scatter explains it.
+std::optional<DecayModel> without_imitation(const DecayModel& model, std::size_t m, const Eigen::MatrixXd& noise,
+                                            const std::vector<double>& energy) {
+  const auto& modes = model.modes();
+  if (m + 1 >= modes.size() || !within_bandwidth(modes[m], modes[m + 1])) return std::nullopt;
+  const bool first_weaker = energy[m] < energy[m + 1];
+  DecayModel trial = model;
+  trial.remove(first_weaker ? m : m + 1);
+  trial.fit(kPairSweeps, {});
+  const double gain = chi2(trial.residual(), noise) - chi2(model.residual(), noise);
+  if (!scatter_explains(trial.modes()[m], gain)) return std::nullopt;
+  return trial;
+}
+
+// The model with mode m in two, half a half-power bandwidth apart, where that explains more than noise would: two close
+// modes look like one in the residual of one, but their shapes differ.
+std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, const DecaySpectra& of,
+                                    const Eigen::MatrixXd& noise) {
+  const Complex s = model.modes()[m].rate.rate_radps, apart(0, kPairApart * s.real());
+  DecayModel trial = model;
+  trial.remove(m);
+  trial.add({s - apart});
+  trial.add({s + apart});
+  trial.fit(kPairSweeps, kSearchWindows);
+  const double gain = chi2(model.residual(), noise) - chi2(trial.residual(), noise);
+  const auto spectra = static_cast<std::size_t>(of.lines.cols());
+  if (!(gain > decay_threshold(spectra + 1, kPairPlaces * model.modes().size()))) return std::nullopt;
+  if (scatter_explains(model.modes()[m], gain)) return std::nullopt;
+  const std::vector<double> energy = energies(trial, of, noise);
+  for (std::size_t i = 0; i + 1 < energy.size(); ++i) {
+    const bool pair = std::abs(trial.modes()[i].rate.rate_radps - s) < kPairReach * -s.real() &&
+                      std::abs(trial.modes()[i + 1].rate.rate_radps - s) < kPairReach * -s.real();
+    if (pair && std::min(energy[i], energy[i + 1]) > kPairLevel * std::max(energy[i], energy[i + 1])) return trial;
+  }
+  return std::nullopt;
+}
+
+// Whether the fit of a candidate stayed near it.
+bool is_modelled(const DecayRate& candidate, const DecayModel& model, const DecaySpectra& of) {
+  return std::any_of(model.modes().begin(), model.modes().end(), [&](const FittedDecay& mode) {
+    const Complex s = mode.rate.rate_radps, t = candidate.rate_radps;
+    return std::abs(s.imag() - t.imag()) < -(s.real() + t.real()) + kTwoPi * of.line_Hz();
+  });
+}
+
+}  // namespace
+
+FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOptions& options) {
+  DecayModel model(measured);
+  const Eigen::VectorXd rounding = decay_rounding(measured);
+  DecaySearchLimits limits{.band_Hz = options.band_Hz, .refused = {}};
+  FreeDecayFit out;
+  out.threshold = decay_threshold(measured.hits * measured.channels, measured.samples);
+  out.noise = decay_line_noise(measured, rounding);
+  const auto drop_unconfirmed = [&] {
+    for (;;) {
+      out.noise = decay_line_noise(model.residual(), rounding);
+      out.energy = energies(model, measured, out.noise);
+      const std::size_t m = unconfirmed(model, out.energy, out.threshold);
+      if (m == model.modes().size()) return;
+      limits.refused.push_back(model.modes()[m].rate);
+      model.remove(m);
+      model.fit(kSearchSweeps, kSearchWindows);
+    }
+  };
+  for (const double start_Hz : options.start_Hz)
+    model.add(decay_rate_of({.freq_Hz = start_Hz, .damping_ratio = kStartDamping}));
+  for (const DecayRate& rate : options.initial) model.add(rate);
+  model.fit(kSearchSweeps, kSearchWindows);
+  if (!options.initial.empty()) drop_unconfirmed();
+  const int searches = options.search ? kMaxSearches : 0;
+  for (int search = 0; search < searches && model.modes().size() < kMaxDecays; ++search) {
+    const auto found = strongest_decays(model.residual(), out.noise, limits);
+    if (found.empty()) break;
+    for (const DecayCandidate& one : found) model.add(one.rate);
+    model.fit(kSearchSweeps, kSearchWindows);
+    const std::size_t before = model.modes().size() - found.size();
+    drop_unconfirmed();
+    if (model.modes().size() > before) limits.refused.clear();  // a better model may confirm them
+    for (const DecayCandidate& one : found) {
+      if (!is_modelled(one.rate, model, measured)) limits.refused.push_back(one.rate);
+    }
+  }
+  model.fit(kFinalSweeps, {});
+  drop_unconfirmed();
+  for (std::size_t m = 0; options.search && measured.hits > 1 && m < model.modes().size(); ++m) {
+    if (auto alone = without_imitation(model, m, out.noise, energies(model, measured, out.noise)))
+      model = std::move(*alone);
+  }
+  for (std::size_t m = 0; options.search && m < model.modes().size(); ++m) {
+    if (auto pair = with_pair(model, m, measured, out.noise)) {
+      model = std::move(*pair);
+      ++m;
+    }
+  }
+  model.fit(kFinalSweeps, {});
+  out.noise = decay_line_noise(model.residual(), rounding);
+  out.energy = energies(model, measured, out.noise);
+  out.decays = model.modes();
+  return out;
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,104 @@
+#include "pipeline/response/response_impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "acquire/hits/time_selection.hpp"
+#include "core/math/statistics.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kBlock_s = 0.5e-3, kHistory_s = 20e-3;
+constexpr std::size_t kMinBlock = 8;  // samples
+constexpr double kRise = 10;          // of the power, in one block
+constexpr double kWeakest = 3e-3;     // of the strongest block's power
+constexpr double kAboveQuiet = 30;    // of the power in the quietest fifth of the row
+constexpr std::size_t kNoiseBlocks = 20;
+constexpr double kAboveNoise = 1.5;   // times the largest difference in these blocks before the rise
+constexpr double kOnsetLevel = 0.03;  // of the largest difference in the rise
+
+// The power of the first differences in blocks, as the sum over channels of each channel's share of its largest block.
+std::vector<double> block_power(const std::vector<std::vector<double>>& x, std::size_t block) {
+  std::vector<double> out(x.front().size() / block, 0.0);
+  for (const std::vector<double>& channel : x) {
+    std::vector<double> power(out.size(), 0.0);
+    for (std::size_t b = 0; b < power.size(); ++b) {
+      for (std::size_t n = std::max<std::size_t>(b * block, 1); n < (b + 1) * block; ++n)
+        power[b] += (channel[n] - channel[n - 1]) * (channel[n] - channel[n - 1]);
+    }
+    const double largest = extremes_of(power).high;
+    for (std::size_t b = 0; b < power.size() && largest > 0; ++b) out[b] += power[b] / largest;
+  }
+  return out;
+}
+
+double quiet_level(std::vector<double> power) {
+  const auto at = power.begin() + static_cast<std::ptrdiff_t>(power.size() / 5);
+  std::nth_element(power.begin(), at, power.end());
+  return *at;
+}
+
+std::vector<std::size_t> rising_blocks(const std::vector<double>& power, std::size_t history) {
+  const double least = std::max(kWeakest * extremes_of(power).high, kAboveQuiet * quiet_level(power));
+  std::vector<std::size_t> out;
+  for (std::size_t b = 1; b < power.size(); ++b) {
+    if (power[b] < kWeakest * extremes_of(power).high) continue;
+    const std::size_t from = b - std::min(b, history);
+    const double before = *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(from),
+                                            power.begin() + static_cast<std::ptrdiff_t>(b));
+    const bool ringing = !out.empty() && b - out.back() <= history;
+    if (power[b] > kRise * before && !ringing && (power[b] > least || from == 0)) out.push_back(b);
+  }
+  return out;
+}
+
+// The first sample of the rise: beyond a share of the largest difference within the block and the next one.
+std::size_t onset_in(const std::vector<std::vector<double>>& x, std::size_t block_index, std::size_t block) {
+  const std::size_t first = std::max<std::size_t>((block_index - 1) * block, 1);
+  const std::size_t last = std::min((block_index + 2) * block, x.front().size());
+  const std::size_t before = first - std::min(first - 1, kNoiseBlocks * block);
+  std::size_t onset = last;
+  for (const std::vector<double>& channel : x) {
+    const auto largest_in = [&](std::size_t from, std::size_t to) {
+      double largest = 0;
+      for (std::size_t n = from; n < to; ++n) largest = std::max(largest, std::abs(channel[n] - channel[n - 1]));
+      return largest;
+    };
+    const double level = std::max(kOnsetLevel * largest_in(first, last), kAboveNoise * largest_in(before, first));
+    for (std::size_t n = first; n < onset && level > 0; ++n) {
+      if (std::abs(channel[n] - channel[n - 1]) > level) onset = n;
+    }
+  }
+  return std::min(onset, block_index * block);
+}
+
+}  // namespace
+
+std::vector<ResponseImpact> response_impacts(const acquire::Record& record, const acquire::HitOptions& options) {
+  const auto block = std::max(kMinBlock, static_cast<std::size_t>(std::lround(kBlock_s * record.fs_Hz)));
+  const auto history =
+      std::max<std::size_t>(2, static_cast<std::size_t>(std::lround(kHistory_s * record.fs_Hz)) / block);
+  std::vector<ResponseImpact> out;
+  for (std::size_t row = 0; row < record.rows.size(); ++row) {
+    const acquire::SampleRange range = acquire::select_time_range(record, row, options);
+    const std::size_t samples = range.last - range.first;
+    if (samples < 4 * block) continue;
+    std::vector<std::vector<double>> x(record.accel.size(), std::vector<double>(samples));
+    for (std::size_t c = 0; c < x.size(); ++c) record.read_accel_mps2(row, c, range.first, x[c]);
+    const std::vector<double> power = block_power(x, block);
+    std::vector<ResponseImpact> found;
+    for (const std::size_t b : rising_blocks(power, history))
+      found.push_back({.row = row, .first = onset_in(x, b, block)});
+    if (found.empty() && extremes_of(power).high > 0) found.push_back({.row = row, .first = 0, .whole_pulse = false});
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      found[i].last = i + 1 < found.size() ? found[i + 1].first - std::min(found[i + 1].first, block) : samples;
+      found[i].first += range.first;
+      found[i].last += range.first;
+      out.push_back(found[i]);
+    }
+  }
+  return out;
+}
+
+}  // namespace percuss::pipeline

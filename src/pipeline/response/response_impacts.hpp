@@ -1,0 +1,23 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "acquire/hits/hits.hpp"
+#include "acquire/record/record.hpp"
+
+namespace percuss::pipeline {
+
+/// An impact that the responses alone show.
+struct ResponseImpact {
+  std::size_t row = 0;
+  std::size_t first = 0;    // sample of the row at which the structure begins to move
+  std::size_t last = 0;     // one past the last sample before the next impact, or the row's end
+  bool whole_pulse = true;  // false: the row begins after the impact
+};
+
+/// The impacts of a record without a force, row by row. An impact raises the power of the responses' first differences
+/// tenfold above the last 20 ms. A row without a rise begins within a decay.
+/// errors  InputError: no samples in the selected time.
+std::vector<ResponseImpact> response_impacts(const acquire::Record& record, const acquire::HitOptions& options);
+
+}  // namespace percuss::pipeline

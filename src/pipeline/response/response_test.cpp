@@ -1,0 +1,146 @@
+#include "pipeline/response/response_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "acquire/hits/time_selection.hpp"
+#include "core/error.hpp"
+#include "core/math/fft.hpp"
+#include "core/math/statistics.hpp"
+#include "core/parallel/parallel.hpp"
+#include "identify/decay/decay_start.hpp"
+#include "pipeline/response/response_warnings.hpp"
+#include "pipeline/run_analyses.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kSafe_s = 20e-3;       // by then no hammer or ball touches the structure any longer
+constexpr double kSafeShare = 1.0 / 8;  // of the record
+constexpr double kAntiAlias = 0.44;     // of fs: above it a recorder's filter shapes the response
+constexpr double kLowestLines = 1.5;    // of the default band
+constexpr std::size_t kMinSamples = 64;
+constexpr double kShortest = 0.5;  // of the median length
+constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;
+
+bool contains(const std::vector<std::size_t>& list, std::size_t i) {
+  return std::find(list.begin(), list.end(), i) != list.end();
+}
+
+std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOptions& options) {
+  std::vector<ResponseHit> hits;
+  std::vector<double> lengths;
+  for (const ResponseImpact& impact : response_impacts(record, options.hits)) {
+    hits.push_back({.impact = impact,
+                    .point = record.rows[impact.row].point,
+                    .onset_s = static_cast<double>(impact.first) / record.fs_Hz,
+                    .accepted = true,
+                    .reason = {}});
+    lengths.push_back(static_cast<double>(impact.last - impact.first));
+  }
+  const double least = std::max(static_cast<double>(kMinSamples), kShortest * median(lengths));
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    if (static_cast<double>(hits[h].impact.last - hits[h].impact.first) < least) {
+      hits[h].accepted = false;
+      hits[h].reason = "another impact follows too soon";
+    }
+    const bool accept = contains(options.accept_hits, h), reject = contains(options.reject_hits, h);
+    if (accept || reject) hits[h].by_user = hits[h].accepted != accept || reject;
+    if (accept) hits[h].accepted = true;
+    if (reject) hits[h].accepted = false;
+  }
+  return hits;
+}
+
+std::size_t common_samples(const ResponseTest& test) {
+  std::size_t samples = kMaxSamples;
+  bool any = false;
+  for (const ResponseHit& hit : test.hits) {
+    if (!hit.accepted) continue;
+    any = true;
+    samples = std::min(samples, hit.impact.last - hit.impact.first);
+  }
+  if (const auto length = acquire::selected_length(test.record, test.options.hits))
+    samples = std::min(samples, *length);
+  return any && samples >= kMinSamples ? fast_length_at_most(samples) : 0;
+}
+
+identify::FreeDecays decays_of(const ResponseTest& test) {
+  identify::FreeDecays out{.fs_Hz = test.record.fs_Hz, .channels = test.record.accel.size(), .response = {}};
+  for (const ResponseHit& hit : test.hits) {
+    if (!hit.accepted) continue;
+    ++out.hits;
+    for (std::size_t c = 0; c < out.channels; ++c) {
+      std::vector<double> x(test.samples);
+      test.record.read_accel_mps2(hit.impact.row, c, hit.impact.first, x);
+      out.response.push_back(std::move(x));
+    }
+  }
+  return out;
+}
+
+std::pair<double, double> band_of(const ResponseTest& test, std::size_t samples) {
+  const double fs_Hz = test.record.fs_Hz;
+  const std::pair<double, double> band =
+      test.options.band_Hz.value_or(std::pair(kLowestLines * fs_Hz / static_cast<double>(samples), kAntiAlias * fs_Hz));
+  if (band.first < band.second && band.second <= fs_Hz / 2) return band;
+  throw InputError(fmt::format("the band {:.6g}:{:.6g} Hz does not fit a sampling rate of {:.6g} Hz", band.first,
+                               band.second, fs_Hz),
+                   test.record.source(), "choose LO:HI with LO < HI <= half the sampling rate", {"band"});
+}
+
+std::vector<identify::ModeClassification> classified(const ResponseTest& test) {
+  std::vector<identify::Mode> modes;
+  for (const identify::DecayMode& one : test.found.modes) modes.push_back(one.mode);
+  std::vector<std::optional<double>> angles_rad;
+  for (const acquire::SignalInfo& signal : test.record.accel) angles_rad.push_back(signal.angle_rad);
+  const auto sensors = identify::pair_of_sensors(angles_rad);
+  std::vector<std::optional<double>> overlays_dB(modes.size());
+  for (std::size_t m = 0; sensors && m < modes.size(); ++m) {
+    const double first = std::abs(modes[m].residues[sensors->first].value);
+    const double second = std::abs(modes[m].residues[sensors->second].value);
+    if (first > 0 && second > 0) overlays_dB[m] = 20 * std::log10(second / first);
+  }
+  return identify::classify(modes, sensors, overlays_dB, test.options.classes);
+}
+
+// The clearest modes, in ascending frequency.
+void keep_most_energetic(std::vector<identify::DecayMode>& modes, std::size_t count) {
+  if (modes.size() <= count) return;
+  std::vector<double> energy;
+  for (const identify::DecayMode& one : modes) energy.push_back(one.energy);
+  std::sort(energy.begin(), energy.end(), std::greater<>());
+  std::erase_if(modes, [&](const identify::DecayMode& one) { return one.energy < energy[count - 1]; });
+}
+
+}  // namespace
+
+ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& options) {
+  ResponseTest test{
+      .record = std::move(record), .options = options, .hits = {}, .found = {}, .classifications = {}, .warnings = {}};
+  const ThreadLimit limit(options.threads);
+  assume_angles(test.record, test.options.classes);
+  test.hits = graded(test.record, test.options);
+  test.samples = common_samples(test);
+  if (test.possible()) {
+    const identify::FreeDecays whole = decays_of(test);
+    const std::size_t safe = std::min(static_cast<std::size_t>(kSafe_s * whole.fs_Hz),
+                                      static_cast<std::size_t>(kSafeShare * static_cast<double>(test.samples)));
+    test.band_Hz = band_of(test, test.samples - safe);
+    const identify::StartedFit started =
+        identify::fit_from_earliest_start(whole, safe,
+                                          {.band_Hz = test.band_Hz,
+                                           .start_Hz = test.options.modes.start_Hz,
+                                           .search = test.options.modes.start_Hz.empty()});
+    test.start_s = static_cast<double>(started.start) / whole.fs_Hz;
+    test.found = identify::modes_of_decays(started.fit, whole.channels, test.band_Hz);
+    if (test.options.modes.modes) keep_most_energetic(test.found.modes, *test.options.modes.modes);
+    test.classifications = classified(test);
+  }
+  test.warnings = response_warnings(test);
+  return test;
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "identify/classify/classify.hpp"
+#include "identify/decay/decay_modes.hpp"
+#include "pipeline/analysis_options.hpp"
+#include "pipeline/response/response_impacts.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+struct ResponseHit {
+  ResponseImpact impact;
+  int point = 0;
+  double onset_s = 0;  // from the row's beginning
+  bool accepted = false, by_user = false;
+  std::string reason;  // why it is rejected
+};
+
+/// What responses alone tell: modes from free decays, without the force.
+struct ResponseTest {
+  acquire::Record record;  // with assumed angles, where assumed
+  AnalysisOptions options;
+  std::pair<double, double> band_Hz;
+  std::vector<ResponseHit> hits;
+  std::size_t samples = 0;  // of each decay, from the impact on
+  double start_s = 0;       // of the decays, from the impact on: no force acts from there
+  identify::DecayResults found;
+  std::vector<identify::ModeClassification> classifications;  // [found.modes]
+  std::vector<Warning> warnings;
+
+  bool possible() const { return samples > 0; }
+};
+
+/// Finds the impacts in the responses and fits the free decays after them, all hits and channels together.
+/// errors  InputError: no response; a band that does not fit the data; an option that needs a force.
+ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& options);
+
+}  // namespace percuss::pipeline

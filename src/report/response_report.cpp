@@ -1,0 +1,141 @@
+#include "report/response_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/io/input_file.hpp"
+#include "core/units.hpp"
+#include "report/json/response_json.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/text_table.hpp"
+#include "report/text/version.hpp"
+#include "report/text/warnings_text.hpp"
+
+namespace percuss::report {
+namespace {
+
+constexpr std::size_t kMaxShapeColumns = 6;
+constexpr auto kRight = TextTable::Align::right;
+
+std::string channel_label(const pipeline::ResponseTest& test, std::size_t channel) {
+  return one_line(test.record.accel[channel].name, 24);
+}
+
+std::string heading(const pipeline::ResponseTest& test) {
+  const acquire::Record& record = test.record;
+  std::string name = one_line(input_name(record.source()), 400);
+  if (record.files.size() > 1) name = fmt::format("{} and {} more", name, record.files.size() - 1);
+  std::string text = fmt::format(
+      "{}\n  {} · responses only · {} impact{} × {} channel{}", name, rounded_frequency_text(record.fs_Hz),
+      test.hits.size(), test.hits.size() == 1 ? "" : "s", record.accel.size(), record.accel.size() == 1 ? "" : "s");
+  if (test.possible()) {
+    text += fmt::format(" · band {}–{} Hz\n  free decay from {:.3g} ms after the impact on, {:.4g} s long",
+                        hertz_text(test.band_Hz.first), hertz_text(test.band_Hz.second), 1e3 * test.start_s,
+                        static_cast<double>(test.samples) / record.fs_Hz - test.start_s);
+  }
+  return text + "\n\n";
+}
+
+TextTable hits_table(const pipeline::ResponseTest& test) {
+  TextTable table({{"hit", kRight}, {"row", kRight}, {"time", kRight}, {"verdict"}});
+  for (std::size_t h = 0; h < test.hits.size(); ++h) {
+    const pipeline::ResponseHit& hit = test.hits[h];
+    std::string verdict = hit.accepted ? "ok" : "rejected";
+    if (hit.by_user) verdict += hit.accepted ? " (accepted by the user)" : " (by the user)";
+    if (!hit.reason.empty()) verdict += ": " + hit.reason;
+    table.add({fmt::format("{}", h), fmt::format("{}", hit.impact.row),
+               hit.impact.whole_pulse ? fmt::format("{:.4f} s", hit.onset_s) : "before the row", verdict},
+              hit.accepted);
+  }
+  return table;
+}
+
+std::string shape_text(const identify::Residue& residue) {
+  const double degrees = std::round(std::arg(residue.value) * kRadian_deg);
+  const double shown = degrees <= -180 ? degrees + 360 : degrees == 0 ? 0 : degrees;  // neither −180 nor −0
+  return fmt::format("{} ∠ {:.0f}°", value_with_std(std::abs(residue.value), residue.std), shown);
+}
+
+TextTable modes_table(const pipeline::ResponseTest& test) {
+  const bool named = std::any_of(test.classifications.begin(), test.classifications.end(),
+                                 [](const auto& one) { return one.ratio.has_value(); });
+  const std::size_t channels = test.record.accel.size();
+  const std::size_t shown = channels > kMaxShapeColumns ? 0 : channels;
+  std::vector<TextTable::Column> columns{{"mode", kRight}};
+  if (named) columns.push_back({"family"});
+  columns.push_back({"frequency", kRight});
+  columns.push_back({"damping", kRight});
+  for (std::size_t c = 0; c < shown; ++c) {
+    if (c != test.found.reference)
+      columns.push_back({channel_label(test, c) + " / " + channel_label(test, test.found.reference), kRight});
+  }
+  columns.push_back({"note"});
+  TextTable table(columns);
+  for (std::size_t m = 0; m < test.found.modes.size(); ++m) {
+    const identify::Mode& mode = test.found.modes[m].mode;
+    std::vector<std::string> cells{fmt::format("{}", m)};
+    const identify::ModeClassification& type = test.classifications[m];
+    if (named)
+      cells.push_back(type.order > 0 ? fmt::format("{} {}", name_of(type.family), type.order) : name_of(type.family));
+    cells.push_back(value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz");
+    cells.push_back(value_with_std(100 * mode.pole.damping_ratio, 100 * mode.damping_std) + " %");
+    for (std::size_t c = 0; c < shown; ++c) {
+      if (c != test.found.reference) cells.push_back(shape_text(mode.residues[c]));
+    }
+    std::string note;
+    if (mode.freq_std_parts_Hz.hits > mode.freq_std_parts_Hz.noise) note = "± from the scatter of the hits";
+    if (mode.freq_std_parts_Hz.misfit > mode.freq_std_parts_Hz.noise)
+      note += note.empty() ? "± from the misfit" : " and the misfit";
+    cells.push_back(note);
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+ReportText text_of(const pipeline::ResponseTest& test) {
+  ReportText text = heading(test);
+  if (test.hits.size() > 1 || !test.possible()) {
+    text += hits_table(test);
+    text += std::string("\n");
+  }
+  if (test.possible() && test.found.modes.empty()) text += std::string("no mode rises above the noise in the band\n");
+  if (!test.found.modes.empty()) text += modes_table(test);
+  text += std::string("\n");
+  text += warnings_text(test.warnings);
+  return text;
+}
+
+std::vector<NumericColumn> columns_of(const pipeline::ResponseTest& test) {
+  std::vector<NumericColumn> out{
+      {"mode"}, {"frequency_hz"}, {"frequency_std_hz"}, {"damping_ratio"}, {"damping_ratio_std"}};
+  for (std::size_t c = 0; c < test.record.accel.size(); ++c) {
+    for (const char* part : {"re", "im", "std"}) out.push_back({fmt::format("channel_{}_{}", c, part), {}});
+  }
+  for (std::size_t m = 0; m < test.found.modes.size(); ++m) {
+    const identify::Mode& mode = test.found.modes[m].mode;
+    std::vector<double> row{static_cast<double>(m), mode.pole.freq_Hz, mode.freq_std_Hz, mode.pole.damping_ratio,
+                            mode.damping_std};
+    for (const identify::Residue& r : mode.residues) row.insert(row.end(), {r.value.real(), r.value.imag(), r.std});
+    for (std::size_t i = 0; i < row.size(); ++i) out[i].values.push_back(row[i]);
+  }
+  return out;
+}
+
+}  // namespace
+
+CommandReport response_report(const std::vector<pipeline::ResponseTest>& tests, const std::optional<BatLabel>& bat) {
+  CommandReport report;
+  report.json = responses_json(tests, bat);
+  for (std::size_t t = 0; t < tests.size(); ++t) {
+    if (tests.size() > 1) report.text += fmt::format("{}test {}\n", t == 0 ? "" : "\n", t);
+    report.text += text_of(tests[t]);
+  }
+  if (tests.size() == 1) report.columns = columns_of(tests.front());
+  return report;
+}
+
+}  // namespace percuss::report

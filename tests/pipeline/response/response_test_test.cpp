@@ -1,0 +1,142 @@
+#include "pipeline/response/response_test.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/units.hpp"
+
+namespace percuss::pipeline::response_test_test {
+
+constexpr double kFs_Hz = 8192, kPulse_s = 0.002;
+
+struct TrueMode {
+  identify::Pole pole;
+  std::vector<double> shape;  // [channels]
+};
+const std::vector<TrueMode> kModes{{{169, 0.010}, {1, 0.47}}, {{597, 0.008}, {1, -0.6}}, {{1820, 0.006}, {-0.8, 0.9}}};
+
+// The response of undamped-phase modes to a half sine from `onset_s` on, by the closed form of each mode's convolution.
+void add_hit(double onset_s, double scale, std::vector<std::vector<double>>& accel) {
+  const double p = std::numbers::pi / kPulse_s;
+  for (const TrueMode& mode : kModes) {
+    const Complex s = identify::decay_rate_of(mode.pole).rate_radps;
+    const double omega_d = s.imag();
+    // ∫ sin(pτ) exp(s(t − τ)) dτ from 0 to t, and to the pulse's end
+    const auto response = [&](double t) {
+      if (t <= 0) return 0.0;
+      const double end = std::min(t, kPulse_s);
+      const Complex factor = std::exp(s * t) / (s * s + p * p);
+      const Complex integral = factor * (p - std::exp(-s * end) * (p * std::cos(p * end) + s * std::sin(p * end)));
+      // Acceleration of x'' + 2ζωx' + ω²x = F: F + Im(s² e^{st} …)/ω_d
+      return (s * s * integral).imag() / omega_d + (t < kPulse_s ? std::sin(p * t) : 0);
+    };
+    for (std::size_t c = 0; c < accel.size(); ++c) {
+      for (std::size_t n = 0; n < accel[c].size(); ++n)
+        accel[c][n] += scale * mode.shape[c] * response(static_cast<double>(n) / kFs_Hz - onset_s);
+    }
+  }
+}
+
+acquire::Record record_of(std::vector<std::vector<std::vector<double>>> accel, double noise, bool continuous) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> gauss;
+  std::vector<std::vector<double>> force;
+  for (auto& row : accel) {
+    force.emplace_back(row.front().size());
+    for (auto& channel : row) {
+      for (double& value : channel) value += noise * gauss(random);
+    }
+  }
+  acquire::Record record = acquire::record_in_memory(kFs_Hz, std::move(force), std::move(accel));
+  record.has_force = false;
+  record.continuous = continuous;
+  return record;
+}
+
+acquire::Record rows(double noise) {
+  std::vector<std::vector<std::vector<double>>> accel;
+  for (const double scale : {100.0, 70.0, -120.0}) {
+    add_hit(0.05 + 1e-5 * scale, scale, accel.emplace_back(2, std::vector<double>(8192)));
+  }
+  return record_of(std::move(accel), noise, false);
+}
+
+TEST(ResponseTest, IsExactWithoutNoise) {
+  const ResponseTest test = analyse_responses(rows(0), {});
+  ASSERT_EQ(test.hits.size(), 3U);
+  ASSERT_EQ(test.found.modes.size(), kModes.size());
+  for (std::size_t m = 0; m < kModes.size(); ++m) {
+    const identify::Mode& mode = test.found.modes[m].mode;
+    EXPECT_NEAR(mode.pole.freq_Hz, kModes[m].pole.freq_Hz, 1e-7);
+    EXPECT_NEAR(mode.pole.damping_ratio, kModes[m].pole.damping_ratio, 1e-9);
+    const std::size_t ref = test.found.reference, other = 1 - ref;
+    EXPECT_NEAR(mode.residues[other].value.real(), kModes[m].shape[other] / kModes[m].shape[ref], 1e-6);
+    EXPECT_NEAR(mode.residues[other].value.imag(), 0, 1e-6);
+    ASSERT_EQ(test.found.modes[m].hits.size(), 3U);
+    // Amplitudes of the hits are in the ratio of the blows.
+    EXPECT_NEAR(std::abs(test.found.modes[m].hits[1].value / test.found.modes[m].hits[0].value), 0.7, 0.05);
+  }
+  // The fit begins after the blow, and soon after it.
+  EXPECT_GE(test.start_s, 0.8 * kPulse_s);
+  EXPECT_LE(test.start_s, 3 * kPulse_s);
+}
+
+TEST(ResponseTest, StatesHonestDeviationsInNoise) {
+  const ResponseTest test = analyse_responses(rows(2), {});
+  ASSERT_EQ(test.found.modes.size(), kModes.size());
+  for (std::size_t m = 0; m < kModes.size(); ++m) {
+    const identify::Mode& mode = test.found.modes[m].mode;
+    EXPECT_NEAR(mode.pole.freq_Hz, kModes[m].pole.freq_Hz, 4 * mode.freq_std_Hz);
+    EXPECT_NEAR(mode.pole.damping_ratio, kModes[m].pole.damping_ratio, 4 * mode.damping_std);
+    EXPECT_LT(mode.freq_std_Hz, 1e-3 * mode.pole.freq_Hz);
+  }
+}
+
+// One long row with several blows, as a recorder of sound makes it.
+TEST(ResponseTest, FindsTheBlowsOfAContinuousRecord) {
+  const std::vector<double> onsets_s{0.3, 1.4, 2.2};
+  std::vector<std::vector<double>> channels(2, std::vector<double>(static_cast<std::size_t>(3.5 * kFs_Hz)));
+  for (const double onset_s : onsets_s) add_hit(onset_s, 100, channels);
+  const ResponseTest test = analyse_responses(record_of({channels}, 0.05, true), {});
+  ASSERT_EQ(test.hits.size(), onsets_s.size());
+  for (std::size_t h = 0; h < onsets_s.size(); ++h) EXPECT_NEAR(test.hits[h].onset_s, onsets_s[h], 0.5e-3);
+  EXPECT_EQ(test.found.modes.size(), kModes.size());
+}
+
+TEST(ResponseTest, ObeysTheUser) {
+  AnalysisOptions options;
+  options.reject_hits = {1};
+  options.band_Hz = {100, 1000};
+  const ResponseTest test = analyse_responses(rows(1), options);
+  EXPECT_FALSE(test.hits[1].accepted);
+  EXPECT_TRUE(test.hits[1].by_user);
+  ASSERT_EQ(test.found.modes.size(), 2U);
+  EXPECT_EQ(test.found.modes[0].hits.size(), 2U);
+  options.modes.modes = 1;
+  EXPECT_EQ(analyse_responses(rows(1), options).found.modes.size(), 1U);
+}
+
+TEST(ResponseTest, SaysWhatNeedsAForce) {
+  const ResponseTest test = analyse_responses(rows(1), {});
+  const auto found = std::find_if(test.warnings.begin(), test.warnings.end(),
+                                  [](const Warning& warning) { return warning.code == "no_force"; });
+  ASSERT_NE(found, test.warnings.end());
+  EXPECT_THAT(found->message, testing::HasSubstr("1/kg"));
+}
+
+TEST(ResponseTest, HasNoModesInNoise) {
+  const ResponseTest test =
+      analyse_responses(record_of({{std::vector<double>(4096), std::vector<double>(4096)}}, 1, false), {});
+  EXPECT_TRUE(test.found.modes.empty());
+}
+
+TEST(ResponseTest, ReadsASilentRecordWithoutModes) {
+  const ResponseTest test = analyse_responses(record_of({{std::vector<double>(4096)}}, 0, false), {});
+  EXPECT_FALSE(test.possible());
+}
+
+}  // namespace percuss::pipeline::response_test_test

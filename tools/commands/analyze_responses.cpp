@@ -1,0 +1,70 @@
+#include "commands/analyze_responses.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/option_error.hpp"
+#include "cli/progress.hpp"
+#include "cli/report_output.hpp"
+#include "pipeline/response/response_test.hpp"
+#include "pipeline/run_analyses.hpp"
+#include "report/compare_report.hpp"
+#include "report/json/read_document.hpp"
+#include "report/response_report.hpp"
+
+namespace percuss::tools {
+namespace {
+
+void refuse_force_options(const AnalyzeFlags& flags) {
+  const auto refuse = [](bool given, const char* option, const char* why) {
+    if (given) throw OptionError({option}, why, "leave it out, or name the force's channel", {"force_channel"});
+  };
+  refuse(flags.analysis.estimator != "h1", "estimator", "needs a force, and none was recorded");
+  refuse(flags.analysis.exponential_end > 0, "exponential", "needs a force, and none was recorded");
+  refuse(flags.analysis.delay != "off", "delay", "needs a force, and none was recorded");
+  refuse(flags.analysis.trigger_N.has_value(), "trigger", "needs a force, and none was recorded");
+  refuse(flags.per_hit, "per_hit", "needs a force, and none was recorded");
+  refuse(flags.stabilisation, "stabilisation", "needs a force, and none was recorded");
+  for (const std::string& section : flags.only) {
+    if (section == "frf" || section == "coherence" || section == "deflection") {
+      throw OptionError::wrong_value("only", section, "leave it out, or name the force's channel",
+                                     "it needs a force, and none was recorded");
+    }
+  }
+}
+
+std::vector<pipeline::ResponseTest> tests_of(const AnalyzeFlags& flags, std::vector<acquire::Record> records) {
+  const pipeline::AnalysisOptions options = analysis_options(flags.analysis);
+  if (flags.read.files != acquire::FileGrouping::tests && records.size() > 1) {
+    acquire::Record joined = acquire::join_records(std::move(records), flags.read.files);
+    records.clear();
+    records.push_back(std::move(joined));
+  }
+  std::vector<pipeline::ResponseTest> tests;
+  for (const acquire::Record& record : records) {
+    for (auto& [run, part] : pipeline::split_runs(record))
+      tests.push_back(pipeline::analyse_responses(std::move(part), options));
+  }
+  return tests;
+}
+
+}  // namespace
+
+int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> records,
+                      const std::optional<report::BatLabel>& bat) {
+  refuse_force_options(flags);
+  check_report_outputs(flags.output);
+  const Progress progress("fitting decays", flags.output.quiet);
+  std::vector<std::string> inputs;
+  for (const acquire::Record& record : records) {
+    for (const acquire::InputFile& file : record.files) inputs.push_back(file.path);
+  }
+  const std::vector<pipeline::ResponseTest> tests = tests_of(flags, std::move(records));
+  report::CommandReport report = report::response_report(tests, bat);
+  progress.stop();
+  show_report(report, flags.output, inputs);
+  const bool possible = std::all_of(tests.begin(), tests.end(), [](const auto& test) { return test.possible(); });
+  return possible ? kOk : kImpossible;
+}
+
+}  // namespace percuss::tools
