@@ -1,5 +1,6 @@
 #include "identify/decay/free_decay_fit.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -23,13 +24,17 @@ constexpr std::size_t kPairPlaces = 10;
 constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
 constexpr double kMimics = 1e-3;        // energy relative to a decay within its bandwidth, of which it is the misfit
 
+std::size_t line_of(const FittedDecay& mode, const DecaySpectra& of) {
+  const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz());
+  return static_cast<std::size_t>(std::clamp(line, 1.0, static_cast<double>(of.lines.rows() - 1)));
+}
+
 // The energy of a decay over the record, Σ over hits and channels of |a|² Σ exp(2 Re s t)/2 over the noise's variance
 // per sample, in the unit of the matched filter.
 double energy_of(const FittedDecay& mode, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
   const double decay = 2 * mode.rate.rate_radps.real() / of.fs_Hz, n = static_cast<double>(of.samples);
   const double sum = std::abs(decay * n) < 1e-9 ? n : std::expm1(decay * n) / std::expm1(decay);
-  const auto line = static_cast<Eigen::Index>(std::clamp(
-      std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz()), 1.0, static_cast<double>(noise.rows() - 1)));
+  const auto line = static_cast<Eigen::Index>(line_of(mode, of));
   double energy = 0;
   // A line's variance is N times a sample's; the matched filter passes a quarter of |a|² of a real decay.
   for (Eigen::Index i = 0; i < mode.amplitude.size(); ++i)
@@ -68,33 +73,43 @@ double chi2(const DecaySpectra& residual, const Eigen::MatrixXd& noise) {
   return sum;
 }
 
-// How much χ² (as of chi2) falls where each hit has a pole of its own, to first order.
-double gain_of_hits(const FittedDecay& mode) {
+// How much χ² (as of chi2) falls where each hit has a pole of its own, to first order. The mode's own noise contains
+// its misfit, so that its covariance is scaled to `noise`.
+double gain_of_hits(const FittedDecay& mode, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
+  const Eigen::VectorXd lines = noise.row(static_cast<Eigen::Index>(line_of(mode, of))).transpose();
+  const double scale = (2 * mode.noise.array() / lines.array()).mean();
   double sum = 0;
   for (std::size_t h = 0; h < mode.hit_step.size(); ++h) {
     const Eigen::Vector2d& step = mode.hit_step[h];
     const double gain = step.dot(mode.hit_covariance[h].inverse() * step);
     if (std::isfinite(gain)) sum += gain;
   }
-  return sum / 2;  // a line of χ² 1 has a variance of 1/2 in each part
+  return scale * sum / 2;  // a line of χ² 1 has a variance of 1/2 in each part
 }
 
 // Whether frequencies that differ between the hits explain most of what a second pole would.
-bool scatter_explains(const FittedDecay& alone, double gain) {
-  return alone.hit_step.size() > 1 && gain_of_hits(alone) > kScatterShare * gain;
+bool scatter_explains(const FittedDecay& alone, double gain, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
+  return alone.hit_step.size() > 1 && gain_of_hits(alone, of, noise) > kScatterShare * gain;
 }
 
-// The model without the weaker of two modes within one bandwidth, where the hits' scatter explains it.
-std::optional<DecayModel> without_imitation(const DecayModel& model, std::size_t m, const Eigen::MatrixXd& noise,
-                                            const std::vector<double>& energy) {
+// The model with one mode in place of the modes from m on that overlap each other, where the hits' scatter explains
+// them.
+std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_t m, const DecaySpectra& of,
+                                             const Eigen::MatrixXd& noise, const std::vector<double>& energy) {
   const auto& modes = model.modes();
-  if (m + 1 >= modes.size() || !within_bandwidth(modes[m], modes[m + 1])) return std::nullopt;
-  const bool first_weaker = energy[m] < energy[m + 1];
+  std::size_t last = m, strongest = m;
+  while (last + 1 < modes.size() && within_bandwidth(modes[last], modes[last + 1])) {
+    ++last;
+    if (energy[last] > energy[strongest]) strongest = last;
+  }
+  if (last == m) return std::nullopt;
   DecayModel trial = model;
-  trial.remove(first_weaker ? m : m + 1);
+  for (std::size_t i = last + 1; i-- > m;) {
+    if (i != strongest) trial.remove(i);
+  }
   trial.fit(kPairSweeps, {});
   const double gain = chi2(trial.residual(), noise) - chi2(model.residual(), noise);
-  if (!scatter_explains(trial.modes()[m], gain)) return std::nullopt;
+  if (!scatter_explains(trial.modes()[m], gain, of, noise)) return std::nullopt;
   return trial;
 }
 
@@ -111,7 +126,7 @@ std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, cons
   const double gain = chi2(model.residual(), noise) - chi2(trial.residual(), noise);
   const auto spectra = static_cast<std::size_t>(of.lines.cols());
   if (!(gain > decay_threshold(spectra + 1, kPairPlaces * model.modes().size()))) return std::nullopt;
-  if (scatter_explains(model.modes()[m], gain)) return std::nullopt;
+  if (scatter_explains(model.modes()[m], gain, of, noise)) return std::nullopt;
   const std::vector<double> energy = energies(trial, of, noise);
   for (std::size_t i = 0; i + 1 < energy.size(); ++i) {
     const bool pair = std::abs(trial.modes()[i].rate.rate_radps - s) < kPairReach * -s.real() &&
@@ -170,7 +185,7 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
   model.fit(kFinalSweeps, {});
   drop_unconfirmed();
   for (std::size_t m = 0; options.search && measured.hits > 1 && m < model.modes().size(); ++m) {
-    if (auto alone = without_imitation(model, m, out.noise, energies(model, measured, out.noise)))
+    if (auto alone = without_imitations(model, m, measured, out.noise, energies(model, measured, out.noise)))
       model = std::move(*alone);
   }
   for (std::size_t m = 0; options.search && m < model.modes().size(); ++m) {

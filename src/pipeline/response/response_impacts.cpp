@@ -70,7 +70,7 @@ std::size_t onset_in(const std::vector<std::vector<double>>& x, std::size_t bloc
       if (std::abs(channel[n] - channel[n - 1]) > level) onset = n;
     }
   }
-  return std::min(onset, block_index * block);
+  return onset < last ? onset : block_index * block;
 }
 
 }  // namespace
