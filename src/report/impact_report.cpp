@@ -37,8 +37,12 @@ void add_result(Json& json, const model::ImpactResult& r) {
   json["cor"] = r.cor;
   json["contact_s"] = r.contact_s;
   json["peak_force_n"] = r.peak_force_N;
-  json["peak_deflection_m"] = r.flies_off ? Json() : Json(r.peak_deflection_m);
-  json["peak_deflection_time_s"] = r.flies_off ? Json() : Json(r.peak_deflection_time_s);
+  const auto unless_flying = [&](double value) { return r.flies_off ? Json() : Json(value); };
+  json["peak_deflection_m"] = unless_flying(std::abs(r.peak_deflection_m));
+  json["peak_deflection_time_s"] = unless_flying(r.peak_deflection_time_s);
+  json["peak_deflection_direction"] = r.flies_off ? Json() : Json(r.peak_deflection_m < 0 ? -1 : 1);
+  json["forward_deflection_m"] = unless_flying(r.forward_deflection_m);
+  json["forward_deflection_time_s"] = unless_flying(r.forward_deflection_time_s);
   json["flies_off"] = r.flies_off;
   json["recontact"] = r.recontact_s.has_value();
   json["recontact_time_s"] = optional_json(r.recontact_s);
@@ -80,8 +84,10 @@ std::string speed_text(double cor, double speed_mps) {
 
 std::string deflection_text(const model::ImpactResult& r) {
   if (r.flies_off) return "the beam flies off: its deflection has no maximum";
-  return fmt::format("largest deflection of the struck point {:.4g} mm, {:.2f} ms after first touch",
-                     1000 * r.peak_deflection_m, 1000 * r.peak_deflection_time_s);
+  return fmt::format(
+      "largest deflection of the struck point {:.4g} mm {} the ball's motion, {:.2f} ms after first touch",
+      1000 * std::abs(r.peak_deflection_m), r.peak_deflection_m < 0 ? "against" : "along",
+      1000 * r.peak_deflection_time_s);
 }
 
 std::string contacts_text(const model::Impact& impact, const model::ImpactResult& r) {
@@ -118,12 +124,13 @@ TextTable sweep_table(const ImpactSweep& sweep) {
   TextTable table(std::move(heads));
   for (std::size_t i = 0; i < sweep.values.size(); ++i) {
     const model::ImpactResult& r = sweep.results[i];
-    std::vector<std::string> cells{fmt::format("{:.6g}", sweep.values[i]),
-                                   fmt::format("{:.4f}", r.cor),
-                                   fmt::format("{:.3f} ms", 1000 * r.contact_s),
-                                   fmt::format("{:.4g} N", r.peak_force_N),
-                                   r.flies_off ? "flies off" : fmt::format("{:.3f} mm", 1000 * r.peak_deflection_m),
-                                   recontact_text(r)};
+    std::vector<std::string> cells{
+        fmt::format("{:.6g}", sweep.values[i]),
+        fmt::format("{:.4f}", r.cor),
+        fmt::format("{:.3f} ms", 1000 * r.contact_s),
+        fmt::format("{:.4g} N", r.peak_force_N),
+        r.flies_off ? "flies off" : fmt::format("{:.3f} mm", 1000 * std::abs(r.peak_deflection_m)),
+        recontact_text(r)};
     if (several) cells.push_back(r.final_cor ? fmt::format("{:.4f}", *r.final_cor) : "not known");
     table.add(std::move(cells));
   }
@@ -176,7 +183,7 @@ std::vector<NumericColumn> sweep_columns(const model::Impact& impact, const std:
       for (const SweptName& name : kSwept) columns[c++].values.push_back(*swept_value(varied, name.key));
       const model::ImpactResult& r = sweep.results[i];
       for (const double value :
-           {r.cor, r.contact_s, r.peak_force_N, r.peak_deflection_m, r.peak_deflection_time_s,
+           {r.cor, r.contact_s, r.peak_force_N, std::abs(r.peak_deflection_m), r.peak_deflection_time_s,
             r.recontact_s.value_or(kEmptyField), r.final_cor.value_or(kEmptyField), static_cast<double>(r.contacts)})
         columns[c++].values.push_back(value);
     }
@@ -211,7 +218,7 @@ std::vector<LineChart> sweep_charts(const model::Impact& impact, const std::vect
   if (!flies_off) {
     charts.push_back(sweep_chart(impact, sweeps,
                                  {.title = "Deflection of the struck point", .y = {.label = "largest deflection, mm"}},
-                                 [](const model::ImpactResult& r) { return 1000 * r.peak_deflection_m; }));
+                                 [](const model::ImpactResult& r) { return 1000 * std::abs(r.peak_deflection_m); }));
   }
   return charts;
 }

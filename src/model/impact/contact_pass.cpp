@@ -79,6 +79,9 @@ ImpactResult ContactPass::run(bool series) {
   result_.contact_s = time_s_;
   result_.cor = -state_.ball_mps / speed_mps_;
   result_.lost_J = state_.lost_J;
+  const bool back = back_m_ > result_.forward_deflection_m;
+  result_.peak_deflection_m = back ? -back_m_ : result_.forward_deflection_m;
+  result_.peak_deflection_time_s = back ? back_time_s_ : result_.forward_deflection_time_s;
   return std::move(result_);
 }
 
@@ -103,12 +106,18 @@ void ContactPass::update_peaks(const BallOnBeamReading& before, double dt_s) {
       maximum_of_cubic(before.force_N, before.force_rate_Nps, now_.force_N, now_.force_rate_Nps, dt_s);
   result_.peak_force_N = std::max(result_.peak_force_N, force.value);
   const CubicMaximum bent = maximum_of_cubic(before.beam_m, before.beam_mps, now_.beam_m, now_.beam_mps, dt_s);
-  if (bent.value > result_.peak_deflection_m) {
-    result_.peak_deflection_m = bent.value;
-    result_.peak_deflection_time_s = time_s_ + bent.at * dt_s;
+  if (bent.value > result_.forward_deflection_m) {
+    result_.forward_deflection_m = bent.value;
+    result_.forward_deflection_time_s = time_s_ + bent.at * dt_s;
+  }
+  const CubicMaximum back = maximum_of_cubic(-before.beam_m, -before.beam_mps, -now_.beam_m, -now_.beam_mps, dt_s);
+  if (back.value > back_m_) {
+    back_m_ = back.value;
+    back_time_s_ = time_s_ + back.at * dt_s;
   }
   time_s_ += dt_s;
 }
+
 void ContactPass::append_moment(bool wanted) {
   if (!wanted) return;
   result_.series.push_back({.time_s = time_s_,

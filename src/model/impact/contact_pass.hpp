@@ -33,6 +33,7 @@ class ContactPass {
   double step_s_, speed_mps_, scale_m_, first_m_ = 0, time_s_ = 0;
   BallOnBeamState state_, saved_;
   BallOnBeamReading now_;
+  double back_m_ = 0, back_time_s_ = 0;  // largest deflection against the ball's motion
   ImpactResult result_;
 };
 

@@ -70,14 +70,18 @@ std::optional<double> FreeMotion::next_contact_s(double until_s) const {
   return {};
 }
 
-std::optional<FreeMotion::Peak> FreeMotion::peak(double until_s, double floor_m) const {
+std::optional<FreeMotion::Peak> FreeMotion::peak(double until_s, double floor_m, double direction) const {
   std::optional<Peak> best;
+  const auto beam = [&](double time_s) {
+    const Point point = beam_at(time_s);
+    return Point{.value = direction * point.value, .rate = direction * point.rate};
+  };
   const auto offer = [&](double time_s, double value_m) {
     if (value_m > (best ? best->value_m : floor_m)) best = {.value_m = value_m, .time_s = time_s};
   };
   const double min_step_s =
       std::max(until_s / kMaxPeakSteps, kTwoPi / (kPeakStepsPerPeriod * std::max(fastest_radps_, 1e-300)));
-  Point here = beam_at(0);
+  Point here = beam(0);
   for (double time_s = 0; time_s < until_s;) {
     offer(time_s, here.value);
     const double below = (best ? best->value_m : floor_m) - here.value;
@@ -85,10 +89,10 @@ std::optional<FreeMotion::Peak> FreeMotion::peak(double until_s, double floor_m)
     if (bound_mps2_ > 0)
       step_s = below > 0 || here.rate <= 0 ? positive_until_s(below, -here.rate, bound_mps2_) : here.rate / bound_mps2_;
     const double next_s = std::min(until_s, time_s + std::max(min_step_s, step_s));
-    const Point next = beam_at(next_s);
+    const Point next = beam(next_s);
     if (here.rate > 0 && next.rate < 0) {
-      const double top_s = bracketed_root([&](double t) { return beam_at(t).rate; }, time_s, next_s);
-      offer(top_s, beam_at(top_s).value);
+      const double top_s = bracketed_root([&](double t) { return beam(t).rate; }, time_s, next_s);
+      offer(top_s, beam(top_s).value);
     }
     time_s = next_s;
     here = next;

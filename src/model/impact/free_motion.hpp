@@ -30,8 +30,9 @@ class FreeMotion {
   struct Peak {
     double value_m = 0, time_s = 0;
   };
-  /// The beam's largest deflection within `until_s`, if it exceeds `floor_m`.
-  std::optional<Peak> peak(double until_s, double floor_m) const;
+  /// The beam's largest deflection in a direction (1: along the ball's motion, −1: against it) within `until_s`, if it
+  /// exceeds `floor_m`. The value is the magnitude.
+  std::optional<Peak> peak(double until_s, double floor_m, double direction = 1) const;
 
  private:
   Point gap_at(double time_s) const;
