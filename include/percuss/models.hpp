@@ -61,7 +61,8 @@ struct BeamImpact {
 struct BeamImpactResult {
   double cor = 0;  // at the first separation
   double contact_s = 0, peak_force_N = 0;
-  double peak_deflection_m = 0, peak_deflection_time_s = 0;  // NaN where the beam flies off
+  // The largest deflection by magnitude, positive along the ball's motion; NaN where the beam flies off.
+  double peak_deflection_m = 0, peak_deflection_time_s = 0;
   std::optional<double> recontact_s{};
   std::size_t contacts = 1;           // until the ball stays away
   std::optional<double> final_cor{};  // after the last contact; none where the contacts do not end

@@ -28,7 +28,7 @@ constexpr std::array<SweptName, 5> kSwept{{{"ei", "EI, N·m²"},
                                            {"at", "impact from the spring's end, m"},
                                            {"speed", "ball speed, m/s"}}};
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // an empty field of the table
+constexpr double kEmptyField = std::numeric_limits<double>::quiet_NaN();  // an empty field of the table
 
 Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
@@ -184,7 +184,7 @@ std::vector<NumericColumn> sweep_columns(const model::Impact& impact, const std:
       const model::ImpactResult& r = sweep.results[i];
       for (const double value :
            {r.cor, r.contact_s, r.peak_force_N, std::abs(r.peak_deflection_m), r.peak_deflection_time_s,
-            r.recontact_s.value_or(kNone), r.final_cor.value_or(kNone), static_cast<double>(r.contacts)})
+            r.recontact_s.value_or(kEmptyField), r.final_cor.value_or(kEmptyField), static_cast<double>(r.contacts)})
         columns[c++].values.push_back(value);
     }
   }
@@ -218,7 +218,7 @@ std::vector<LineChart> sweep_charts(const model::Impact& impact, const std::vect
   if (!flies_off) {
     charts.push_back(sweep_chart(impact, sweeps,
                                  {.title = "Deflection of the struck point", .y = {.label = "largest deflection, mm"}},
-                                 [](const model::ImpactResult& r) { return 1000 * r.peak_deflection_m; }));
+                                 [](const model::ImpactResult& r) { return 1000 * std::abs(r.peak_deflection_m); }));
   }
   return charts;
 }

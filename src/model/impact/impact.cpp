@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <tuple>
-#include <utility>
 
 #include "core/error.hpp"
 #include "core/math/roots.hpp"
@@ -43,28 +41,32 @@ void thin_series(std::vector<ImpactMoment>& series) {
   series.resize(kept);
 }
 
-// The largest deflections of both directions after the separation, where they exceed those of the contact.
-void take_free_peaks(const FreeMotion& free, ImpactResult& result) {
+// Extends the largest deflections of the contact to the free motion.
+void find_largest_deflection(const FreeMotion& free, ImpactResult& result) {
+  if (result.flies_off) {
+    result.peak_deflection_m = result.peak_deflection_time_s = std::numeric_limits<double>::quiet_NaN();
+    result.forward_deflection_m = result.forward_deflection_time_s = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
   for (const double direction : {1.0, -1.0}) {
     const auto peak = free.peak(kFollowUp_s, direction > 0 ? result.forward_deflection_m : 0, direction);
     if (!peak) continue;
     const double time_s = result.contact_s + peak->time_s;
-    if (direction > 0)
-      std::tie(result.forward_deflection_m, result.forward_deflection_time_s) = std::pair(peak->value_m, time_s);
-    if (peak->value_m > std::abs(result.peak_deflection_m))
-      std::tie(result.peak_deflection_m, result.peak_deflection_time_s) = std::pair(direction * peak->value_m, time_s);
+    if (direction > 0) {
+      result.forward_deflection_m = peak->value_m;
+      result.forward_deflection_time_s = time_s;
+    }
+    if (peak->value_m > std::abs(result.peak_deflection_m)) {
+      result.peak_deflection_m = direction * peak->value_m;
+      result.peak_deflection_time_s = time_s;
+    }
   }
 }
 
 void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool series) {
   if (const auto touch = free.next_contact_s(kFollowUp_s)) result.recontact_s = result.contact_s + *touch;
   result.flies_off = free.flies_off();
-  if (result.flies_off) {
-    result.peak_deflection_m = result.peak_deflection_time_s = std::numeric_limits<double>::quiet_NaN();
-    result.forward_deflection_m = result.forward_deflection_time_s = std::numeric_limits<double>::quiet_NaN();
-  } else {
-    take_free_peaks(free, result);
-  }
+  find_largest_deflection(free, result);
   if (!series) return;
   thin_series(result.series);
   result.series.back().force_N = 0;  // the computed force differs from zero only by rounding

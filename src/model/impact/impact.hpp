@@ -46,7 +46,7 @@ struct ImpactResult {
   double contact_s = 0;  // from the first touch to the first separation
   double peak_force_N = 0;
   // The beam's largest deflection at at_m, until 80 ms after separation: by magnitude, positive along the ball's
-  // motion; and the largest along the ball's motion. NaN where the beam flies off.
+  // motion; and the largest along the ball's motion. All NaN where the beam flies off.
   double peak_deflection_m = 0, peak_deflection_time_s = 0;
   double forward_deflection_m = 0, forward_deflection_time_s = 0;
   bool flies_off = false;  // a rigid-body mode carries the struck point away, so there is no largest deflection
