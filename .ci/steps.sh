@@ -51,7 +51,7 @@ build() {
 
 all_sources() { git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'; }
 
-# The .cpp files to check again: changed files, and files that include a changed header.
+# The .cpp files to check again: changed files, and files that include a changed header of src/.
 changed_sources() {
   base=${CI_BASE:-$(git merge-base HEAD '@{upstream}' 2>/dev/null || true)}
   if [ -z "$base" ] || { [ -z "${CI_BASE:-}" ] && [ "$base" = "$(git rev-parse HEAD)" ]; }; then

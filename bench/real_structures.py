@@ -37,6 +37,24 @@ and independently of percuss. The outcomes are:
 - refused: no modes; UNNAMED: right, but no message names the imperfection; SILENT: results are off without a message
 - other: nothing in the record tells of the imperfection
 
+A row states a scenario and its level: a higher level is a larger imperfection, or another form of it. These names need
+a word of explanation:
+
+- damper, gyro: complex modes, from a damper at one place or from gyroscopic coupling; air: damping rises with amplitude
+- drift_hits, drift_decay: frequencies drift from hit to hit, or during the decay
+- late_trigger, late_all: rows that begin within the pulse, for two hits or for all; begins_after: rows without the
+  pulse
+- rebound: the hammer comes back after 18 ms; tail: a long soft end of the pulse; off_axis: hits at an angle
+- coupling, overload_droop: the high-pass of the sensors' supply, without and with clipping of the force
+- mounting: a resonance of the second sensor's mounting; steps: coarse quantisation; lost: samples missing in all
+  channels
+- machine: vibration of a machine nearby; crowded: 60 modes that overlap; repeated: nearly repeated roots; outside:
+  strong modes just outside the band
+- stop: contact with a stop at large amplitude; impatient: the next hit comes before the decay has ended
+- sloppy: a recorder with a first-order filter only; filters: different filters for hammer and sensors; thinned: a lower
+  sampling rate without a filter
+- twenty: twenty tests of one structure; ordinary: a little of many imperfections
+
 `bench/real_structures.py` writes this section.
 """
 OUTCOMES = ['right', 'fair', 'named', 'warned', 'refused', 'UNNAMED', 'SILENT']

@@ -77,8 +77,9 @@ pybind11::list notes_of(const Notes& notes) {
 }
 
 void bind_records(pybind11::module_& module);
-void bind_outcome(pybind11::module_& module);
-void bind_numbers(pybind11::module_& module);
+void bind_outcome(pybind11::module_& module);  // the results of commands
+void bind_numbers(pybind11::module_& module);  // functions of arrays: mac
+/// Adds the run time of the library without Python, for bench_overhead.py.
 void bind_overhead(pybind11::module_& module);
 
 }  // namespace percuss::python

@@ -5,10 +5,11 @@
 
 namespace percuss::accuracy {
 
+inline constexpr std::size_t kUnit_samples = 65536;  // length of the bare transform whose time is the unit
+
 /// Measures the default impact of model/impact/impact.hpp by both methods, over the step and over the number of modes.
 /// The error is the difference of the coefficient of restitution from exact_cor(). Times are multiples of one bare
 /// transform of kUnit_samples values.
-inline constexpr std::size_t kUnit_samples = 65536;
 Family study_impact(Extent extent, const TimingOptions& turns);
 
 }  // namespace percuss::accuracy

@@ -4,7 +4,8 @@
 /// what() is one line, "problem (where); remedy". options() holds the identifiers of the options concerned; they are
 /// the same for the command line (--accel-channel), Python (accel_channel=) and C++. The rule for C++: the field of an
 /// options aggregate has the identifier as its name, followed by its unit where it has one: "fs" is ReadOptions::fs_Hz.
-/// The one exception is "force" (overwrite files), which is WriteOptions::overwrite: in C++ a force is a signal.
+/// There are two exceptions. "force" (overwrite files) is WriteOptions::overwrite: in C++ a force is a signal.
+/// "overlay_db" is AnalysisOptions::overlay_dB.
 /// option_field() applies the rule, written() appends the fields to the message.
 ///
 /// @code
@@ -57,8 +58,8 @@ struct Message {
 };
 
 /// Unusable input: a file, an option's value or their combination. what() is one line, "problem (where); remedy". It
-/// names no options: each interface adds them in its own notation. No field holds control characters or more than 600
-/// bytes.
+/// names no options: each interface adds them in its own notation. No field holds control characters. A field of more
+/// than 600 bytes is cut and ends in "...".
 ///   throw InputError("no sampling rate", path, "state it in Hz", {"fs"});
 class InputError : public std::runtime_error {
  public:

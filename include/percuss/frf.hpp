@@ -59,7 +59,8 @@ class FrfSet {
   const std::vector<double>& freq_Hz() const;
   const std::vector<Frf>& frfs() const;  // ascending by point, then channel
   std::vector<Channel> channels() const;
-  /// The same responses as accelerance, mobility or receptance. The value at 0 Hz becomes 0.
+  /// The same responses as accelerance, mobility or receptance. A mobility or receptance at 0 Hz is 0, unless an
+  /// exponential window was applied.
   FrfSet converted(FrfKind kind) const;
 
   explicit FrfSet(std::shared_ptr<const api::FrfData> data) : data_(std::move(data)) {}

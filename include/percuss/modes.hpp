@@ -31,7 +31,7 @@ namespace percuss {
 
 /// A mode's residue A at one point and channel: accelerance H(ω) = … + A·(jω)²/((jω)² + 2ζω_r jω + ω_r²).
 struct Residue {
-  std::size_t point = 0;    // index into Analysis::points()
+  std::size_t point = 0;    // number of the point, one of Analysis::points()
   std::size_t channel = 0;  // acceleration channel
   std::complex<double> value_per_kg;
   double std_per_kg = 0;  // of the real and of the imaginary part
@@ -83,7 +83,7 @@ struct ModeClassification {
 struct Warning {
   std::string code, message;
   std::vector<OptionId> options{};  // that the message concerns
-  std::string remedy{};             // what to do, where it is stated apart; the message contains it
+  std::string remedy{};             // what to do, if known; `message` ends with it
   Severity severity = Severity::warn;
 };
 

@@ -255,7 +255,7 @@ def test_info_and_truth_print_the_same_document(tool):
 
 
 def test_reports_equal_the_reports_of_the_command_line(tool, bat, monkeypatch):
-    """The reports differ only in their command line: Python writes options with an equals sign."""
+    """The reports differ only in their command line: it names the output file only in the report of the tool."""
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")
     bat.save("bat.h5")
     percuss.analyze("bat.h5", band=BAND).report("saved.html")

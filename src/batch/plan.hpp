@@ -10,13 +10,13 @@ namespace percuss::batch {
 /// The files of a batch. Each argument is a file, a folder or a pattern with * ? [ ]. From a folder and its
 /// sub-folders, all files with the extension of a record are taken, except hidden files.
 struct RecordFiles {
-  std::vector<std::string> paths;  // each once, relative to the working folder
+  std::vector<std::string> paths;  // each once, absolute or relative to the working folder
   std::size_t left_out = 0;        // files in the named folders, with other extensions
 };
 /// errors  InputError: no such file, a pattern without a match, a folder that cannot be read
 RecordFiles record_files(const std::vector<std::string>& named);
 
-/// The names in a text, one per line. Blank lines are ignored.
+/// The names in a text, one per line. Empty lines are ignored.
 std::vector<std::string> parse_path_list(std::string_view text);
 
 /// The records of a batch, ordered by id. An id is the name of the file without extension if it is unique, otherwise

@@ -19,7 +19,7 @@ struct BatchStatus {
   std::vector<std::string> stuck;  // ids of records begun at least twice and never finished: they may crash a worker
 };
 
-/// errors  InputError: a part in the folder has another plan, options, number of shards or version
+/// errors  InputError: a finished part in the folder has another plan, other options or another number of shards
 BatchStatus batch_status(const Manifest& manifest, const std::string& folder);
 
 /// The document percuss/batch-status/1, indented, with a line end.

@@ -10,8 +10,8 @@ namespace percuss::report {
 /// (acquire/write_record.hpp).
 acquire::FrfRecord frf_record_of(const pipeline::Analysis& analysis);
 
-/// Writes the FRFs in the format of the path's extension: .csv, .h5, .mat, .uff or .unv. The file is written whole or
-/// not at all. errors  InputError: the file exists (without `force`) or cannot be written.
+/// Writes the FRFs in the format of the path's extension, one of acquire::frf_extensions(). The file is written whole
+/// or not at all. errors  InputError: the file exists (without `force`) or cannot be written.
 void write_frfs(const std::string& path, const acquire::FrfRecord& record, acquire::FrfKind kind, bool force);
 
 void write_frf_csv(const std::string& path, const pipeline::Analysis& analysis, acquire::FrfKind kind, bool force);

@@ -13,8 +13,8 @@ namespace percuss::report {
 /// errors  InputError: the file exists (without `force`) or cannot be written, no modes.
 void write_modes_uff(const std::string& path, const pipeline::Survey& survey, bool force);
 
-/// The same for a test without geometry. One point has a component per sensor. Of several points, each has one
-/// component.
+/// The same for a test without geometry. The node of a single point has a component per sensor. Where there are several
+/// points, each node has one component.
 void write_modes_uff(const std::string& path, const pipeline::Analysis& analysis, bool force);
 
 }  // namespace percuss::report

@@ -8,7 +8,7 @@
 namespace percuss::report {
 
 /// JSON: percuss/study/1 (docs/schema/study.schema.json). Text: the statements with their statistics, then the
-/// outliers. Table: the statistics of each class of each figure. Charts: each figure and each bat's trail. `curve` is
+/// outliers. Table: the statistics of each class of each figure. Charts: each figure and each bat's history. `curve` is
 /// drawn in the charts over the hoop frequency.
 CommandReport study_report(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {},
                            CsvFormulas formulas = CsvFormulas::neutralise);

@@ -86,12 +86,13 @@ std::vector<TrampolineWarning> trampoline_warnings(const model::Trampoline& mode
                    {}});
   }
   if (fit.chi2_p < kUnlikelyChi2) {
-    out.push_back({"poor_fit",
-                   fmt::format("the model misses the measured CCOR by more than their deviations: chi2 {:.1f}, "
-                               "probability {:.1g}",
-                               fit.chi2, fit.chi2_p),
-                   "check the points and their deviations",
-                   {"fit_ccor"}});
+    out.push_back(
+        {"poor_fit",
+         fmt::format("the model misses the measured CCOR by more than their standard deviations: chi2 {:.1f}, "
+                     "probability {:.1g}",
+                     fit.chi2, fit.chi2_p),
+         "check the points and their standard deviations",
+         {"fit_ccor"}});
   }
   const auto [slowest_mps, fastest_mps] = measured_speeds_mps(*fitted);
   if (model.ball_speed_mps > fastest_mps || model.ball_speed_mps < slowest_mps) {

@@ -16,10 +16,11 @@ using Complex = std::complex<double>;
 constexpr double kPi = std::numbers::pi;
 constexpr double kDecayExponent = 42;  // a decay is truncated below e^−42 = 6e-19
 
-/// A term of the pulse's shape Σ re·cos(m W t) + im·sin(m W t), W = π/width.
+/// A term amplitude · e^{j m W t} of the pulse's shape, m = multiple, W = π/width. The list of terms also holds the
+/// conjugate of each term, so the shape is real.
 struct Harmonic {
   double multiple;
-  Complex amplitude;  // of e^{j m W t}; the list holds its conjugate as well
+  Complex amplitude;
 };
 
 std::vector<Harmonic> harmonics(PulseKind kind) {
@@ -114,9 +115,9 @@ DuringPulse during_pulse(const SampledPulse& pulse, const std::vector<SampledPol
   return out;
 }
 
-/// Z[i] = ∫_{−reach}^{v} b(u) e^{λ(v−u)} du at v = zone.first + i − end: the filtered decay that starts at the end of
-/// the pulse. There is one panel per sample. The recursion Z(v + 1) = e^λ Z(v) + new panel damps its own rounding
-/// errors.
+/// Z[i] = ∫_{−w}^{v} b(u) e^{λ(v−u)} du at v = zone.first + i − end: the filtered decay that starts at the end of the
+/// pulse. b is anti_alias_kernel, w is kFilterHalfWidth. There is one panel per sample. The recursion Z(v + 1) = e^λ
+/// Z(v) + new panel damps its own rounding errors.
 std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const std::vector<SampledPole>& poles,
                                               const Zone& zone) {
   const auto size = static_cast<std::size_t>(zone.last - zone.first);

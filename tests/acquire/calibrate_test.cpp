@@ -91,7 +91,7 @@ TEST(Calibrate, LeavesWeakHitsOut) {
   EXPECT_TRUE(found.hits[2].used);
 }
 
-TEST(Calibrate, LiesWithinItsStandardDeviation) {
+TEST(Calibrate, HasTheExpectedStandardDeviation) {
   const std::vector<double> peaks(20, 300);
   const Calibration found = calibrate(free_mass({.noise = 0.01, .peaks_N = peaks}), kMass_kg);
   // Both channels have the same noise. 15 samples of each hit exceed half of the peak; their mean square is at least

@@ -8,7 +8,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-// A command with several outputs writes all or none. The last output of each command here fails.
+// A command with several outputs writes all or none.
 namespace percuss::output_group_test {
 
 namespace fs = std::filesystem;
@@ -33,6 +33,7 @@ class OutputGroups : public testing::Test {
   std::string missing_ = folder_.file("missing/z.json");  // in a folder that does not exist
 };
 
+// The last output of each command fails.
 TEST_F(OutputGroups, AreAbsentWhenOneFails) {
   const std::vector<std::vector<std::string>> commands{
       {"analyze", record_, "-o", folder_.file("a.html"), "-o", folder_.file("a.h5"), "-o", missing_},

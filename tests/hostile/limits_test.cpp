@@ -183,7 +183,8 @@ TEST_F(LongInput, OfJsonTakesMemoryAsItsSize) {
 // was in memory before the line was refused.
 TEST_F(LongInput, OfOneLineIsRefusedInSecondsWithLittleMemory) {
 #ifndef PERCUSS_SANITIZED
-  constexpr std::size_t kMax_bytes = 250'000'000;  // of this process before the start, and 17 MB of the file
+  // The memory that the child takes over from the test program at the fork, and 17 MB of the file.
+  constexpr std::size_t kMax_bytes = 250'000'000;
 #endif
   const std::string path = folder_.file("long.csv"), head = "time,force,accel\n";
   std::string lines = head;

@@ -16,7 +16,7 @@ struct Cell {
   synth::SynthSpec spec;
   std::function<void(Samples&)> alter{};
   Expectation expected{};
-  std::string defect{};
+  std::string defect{};  // Check::defect
   std::size_t runs = 1, full_runs = 1;
   double exponential_end = 0;  // AnalysisOptions::exponential_end
   bool calibrated = false;     // Result::calibrated

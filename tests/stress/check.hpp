@@ -19,7 +19,7 @@ struct ModeError {
 /// The result of one run of a check.
 struct Result {
   std::vector<std::string> failures;   // none: as expected
-  std::set<std::string> said;          // codes of findings and warnings, "exit 3", "exit 4"
+  std::set<std::string> said;          // codes of findings and warnings; "exit N" if the exit code N is not 0
   std::size_t wanted = 0, found = 0;   // true modes that must be found, and true modes found
   double freq_relative = 0;            // the largest error over the modes found, relative
   double damping_absolute = 0;         // … of the damping ratio
@@ -29,7 +29,7 @@ struct Result {
   bool calibrated = false;
 };
 
-/// One cell of the grid.
+/// A cell in the form that the suite runs: made from a Cell, or one of the invariance checks.
 struct Check {
   std::string group, name;
   std::string expectation;  // as text, for the table

@@ -24,7 +24,7 @@ namespace percuss::stress {
 namespace {
 
 constexpr double kMinCoverage = 0.90, kMaxCoverage = 0.98;  // of 95 % intervals
-constexpr std::size_t kMinModes = 300;                      // for a coverage to within ± 1.3 %
+constexpr std::size_t kMinModes = 300;                      // a coverage of 95 % is then known to ± 1.3 %
 constexpr const char* kMeasured = "<!-- measured -->\n";
 
 struct Options {

@@ -55,9 +55,9 @@ void add_bending(synth::SynthSpec& spec, synth::RandomStream& random) {
 }
 
 void add_hoop(synth::SynthSpec& spec, synth::RandomStream& random) {
-  const bool shorter = random.uniform() < 0.2;  // a hoop mode below the second bending mode
+  const bool low = random.uniform() < 0.2;  // the first hoop mode is below the second bending mode
   double f = spec.modes[0].freq_Hz * random.uniform(1.3, 2.1);
-  if (!shorter) f = random.uniform(1000, 2500);
+  if (!low) f = random.uniform(1000, 2500);
   const bool pairs = random.uniform() < 0.6;
   for (int order = 1; order <= 2 && f < kHighest_Hz; ++order, f *= random.uniform(1.2, 1.6)) {
     synth::SynthMode mode{.freq_Hz = f,

@@ -10,7 +10,7 @@
 
 namespace percuss::tools {
 
-/// The analysis options as typed, shared by analyze, frf, nodes, survey and deflect.
+/// The analysis options as typed, shared by analyze, frf, nodes, survey, deflect and batch plan.
 struct AnalysisFlags {
   std::string band;
   std::string effort = "best";

@@ -58,7 +58,7 @@ void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kno
 /// Whether standard output is a terminal wide enough for a plot of characters.
 bool can_plot_in_terminal();
 
-/// Columns of the terminal on standard output; 100 if it is not a terminal.
+/// Columns of the terminal on standard output; 100 if it is not a terminal or has fewer than 40.
 std::size_t terminal_width();
 
 }  // namespace percuss::tools

@@ -37,7 +37,8 @@ void Progress::show() {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, std::chrono::seconds(1), [&] { return done_; })) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fmt::print(stderr, "\r{}\033[K", visible_text(text_(seconds)));  // std::cerr makes control characters visible
+    // std::cerr would write the control characters as escapes (VisibleOutput).
+    fmt::print(stderr, "\r{}\033[K", visible_text(text_(seconds)));
     shown = true;
   }
   if (shown) fmt::print(stderr, "\r\033[K");

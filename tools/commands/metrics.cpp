@@ -209,7 +209,9 @@ void add_constants(Command& command, MetricsFlags& f) {
       .above_zero()
       .type("MPH")
       .show_default();
-  command.value("--swing-length-in", f.swing_length_in, "Set the length of the standard bat in the swing model")
+  command
+      .value("--swing-length-in", f.swing_length_in,
+             "Set the distance from the knob at which the standard bat has the speed --v0-mph")
       .above_zero()
       .type("IN")
       .show_default();

@@ -42,7 +42,7 @@ constexpr std::array<std::string_view, kFields> kTitles = {"point",      "x_m", 
 
 Quantity quantity_of(std::size_t field) { return field == kAngle ? Quantity::angle : Quantity::length; }
 
-// The file's lines with content, and their numbers.
+// A line of the file that is neither blank nor a comment.
 struct Line {
   std::size_t number = 0;  // from 1
   std::string_view text;

@@ -33,7 +33,7 @@ double ac_coupling_Hz(const Hit& hit, std::span<const double> x, double fs_Hz) {
   const double length_s = static_cast<double>(after.size()) / fs_Hz;
   const double pulse_Ns = integral_of(x.subspan(before, end - before), rest_N, fs_Hz);
   if (length_s < kMinLength_s || pulse_Ns == 0) return 0;
-  // The early part that has not yet returned almost all of the pulse.
+  // Halves the early part until it has returned at most kMaxEarly of the pulse's integral.
   auto early = after.first(after.size() / 4);
   const auto returned = [&](std::span<const double> samples) {
     return -integral_of(samples, rest_N, fs_Hz) / pulse_Ns;

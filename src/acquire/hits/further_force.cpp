@@ -10,21 +10,21 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kNoise = 6;              // standard deviations of the smoothed force
-constexpr double kMinFraction = 0.001;    // of the peak: smaller contacts change an FRF by less than 0.01 dB
-constexpr std::size_t kMinGuard = 8;      // samples beside the pulse that belong to it
-constexpr double kMaxPause = 1.5;         // pulse lengths; after a longer pause the force is a contact of its own
-constexpr std::size_t kMaxPull = 3;       // longest pull between two pushes of ringing, in pauses
-constexpr double kTailFraction = 0.1;     // of the peak: a larger push in the tail is a contact
-constexpr double kStandsOut = 5;          // times the tail before it: such a push is a contact, too
-constexpr std::size_t kPushesBefore = 2;  // pulse lengths of the tail before a push
-constexpr double kTwoSigned = 0.5;        // pull over push; a push beside a deeper pull is ringing
-constexpr double kRingingReach = 2;       // pulse lengths around a push in which ringing pulls
-constexpr double kPushOverDip = 1.5;      // times the deepest dip; a smaller push is noise
-constexpr double kSoft = 3;               // times the length of the main pulse: softer than a contact of this hammer
-constexpr double kSpike = 0.5;            // of the length of the main pulse
-constexpr double kSpikeNoise = 10;        // standard deviations at which the length of a push can be measured
-constexpr double kGateReach = 1.25;       // pulse lengths on either side of a contact's peak
+constexpr double kNoise = 6;            // standard deviations of the smoothed force
+constexpr double kMinFraction = 0.001;  // of the peak: smaller contacts change an FRF by less than 0.01 dB
+constexpr std::size_t kMinGuard = 8;    // samples beside the pulse that belong to it
+constexpr double kMaxPause = 1.5;       // pulse lengths; after a longer pause the force is a contact of its own
+constexpr std::size_t kMaxPull = 3;     // longest pull between two pushes of ringing, in pauses
+constexpr double kTailFraction = 0.1;   // of the peak: a larger push in the tail is a contact
+constexpr double kStandsOut = 5;        // times the tail before it: such a push is a contact, too
+constexpr std::size_t kTailBefore = 2;  // pulse lengths before a push in which the tail is measured
+constexpr double kTwoSigned = 0.5;      // pull over push; a push beside a deeper pull is ringing
+constexpr double kRingingReach = 2;     // pulse lengths around a push in which ringing pulls
+constexpr double kPushOverDip = 1.5;    // times the deepest dip; a smaller push is noise
+constexpr double kSoft = 3;             // times the length of the main pulse: softer than a contact of this hammer
+constexpr double kSpike = 0.5;          // of the length of the main pulse
+constexpr double kSpikeNoise = 10;      // standard deviations at which the length of a push can be measured
+constexpr double kGateReach = 1.25;     // pulse lengths on either side of a contact's peak
 constexpr std::size_t kSpreadSamples = 1024;
 
 // The largest |force| at least `guard` samples outside the crossings of the pulse.
@@ -135,12 +135,13 @@ class ForceSearch {
     }
   }
 
-  // The largest force between the pulse and a push in its tail that begins at `first`.
+  // The largest force of the tail just before a push that begins at `first`: within kTailBefore pulse lengths, and
+  // after the pulse.
   double before(std::size_t first) const {
     const auto guard = static_cast<std::size_t>(guard_);
     const std::size_t end = first - std::min(first, guard / 2);
     const std::size_t begin =
-        std::max(static_cast<std::size_t>(pulse_.fall) + guard / 2, end - std::min(end, kPushesBefore * guard));
+        std::max(static_cast<std::size_t>(pulse_.fall) + guard / 2, end - std::min(end, kTailBefore * guard));
     if (begin >= end) return main_;
     return extremes_of(std::span(x_).subspan(begin, end - begin)).max_distance_from(0);
   }

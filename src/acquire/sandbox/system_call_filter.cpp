@@ -24,8 +24,8 @@
 namespace percuss::acquire {
 namespace {
 
-// The kernel ignores the upper half of an argument of 32 bits. Comparisons see 64 bits, so each rule requires the upper
-// half to be zero.
+// The kernel ignores the upper half of an argument of 32 bits, but comparisons see 64 bits. So each rule requires the
+// upper half to be zero, or tests only bits of the lower half.
 constexpr scmp_datum_t kAllBits = ~scmp_datum_t{0};
 
 scmp_datum_t bits(int flags) { return static_cast<scmp_datum_t>(static_cast<unsigned>(flags)); }

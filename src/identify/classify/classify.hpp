@@ -71,10 +71,10 @@ std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const s
 void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
                    const ClassifyOptions& options, const LowerOrders& lower = {});
 
-/// The orders below the band, counted from the modes `below` it; `found` are the modes within the band. Hoop modes
-/// count. Bending modes count where their frequencies fit a tube: the second is more than 2.3 times the first, and the
-/// ratios of all others are smaller. Motion on the suspension and hum do not count. The type of a lower mode counts
-/// from 90 % confidence on.
+/// The orders below the band, counted from the modes `below` it; `found` are the modes within the band. All hoop modes
+/// count. Bending modes count downwards from the band, as far as the first order. On a tube, the second bending
+/// frequency is more than 2.3 times the first, and the ratios of all higher neighbours are smaller. Motion on the
+/// suspension and hum therefore do not count. The type of a lower mode counts from 90 % confidence on.
 LowerOrders lower_orders(const std::vector<Mode>& below, const std::vector<ModeClassification>& below_types,
                          const std::vector<Mode>& found, const std::vector<ModeClassification>& types,
                          const ClassifyOptions& options);

@@ -12,7 +12,7 @@ struct RatioAngle {
   double out_of_phase = 0;  // 2 |Im(conj(A₁)·A₂)|/(|A₁|² + |A₂|²): 0 for a real shape
 };
 
-/// Density of a wrapped Gaussian of standard deviation `std` with period 180°, per radian.
+/// Density of a wrapped Gaussian of standard deviation `std_rad` with period 180°, per radian.
 double wrapped_density(double difference_rad, double std_rad);
 
 /// Errors of a set-up made by hand: the standard deviations of one sensor's angle and of one channel's gain.

@@ -20,8 +20,8 @@ struct TypeEvidence {
 };
 
 /// The type posteriors of all modes of one test, in ascending frequency. The modes share two unknowns: the plane in
-/// which the bat is most flexible, and the error of the angle between the sensors. With their prior weights w, and the
-/// likelihood L of each type f of each mode at given unknowns,
+/// which the bat is most flexible, and the placement, which is the error of the angle between the sensors. With their
+/// prior weights w, and the likelihood L of each type f of each mode at given unknowns,
 ///   P(f of mode m) ∝ Σ_plane,placement w · L_m(f) Π_others Σ_f' L(f')                                     (1)
 /// Modes that all have the hoop ratio may therefore all be bending modes in a plane at −45° to the sensors: a bat's
 /// lowest mode is a bending mode. The two planes of one bending mode are at right angles. Both members of a hoop pair

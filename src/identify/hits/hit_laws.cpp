@@ -18,6 +18,7 @@ constexpr double kMinForceRange = 1.2;  // largest force over the smallest: equa
 constexpr double kMinVariation = 1e-9;
 constexpr int kBisections = 40;
 
+// The x of a regression line over the hits: a function of the hit's force, or its order.
 using Law = std::function<double(std::size_t hit)>;
 
 struct Line {

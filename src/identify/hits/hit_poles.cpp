@@ -17,7 +17,7 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kMaxUncertainty = 0.5;  // of the half-power bandwidth: beyond it a hit does not determine a pole
+constexpr double kMaxUncertainty = 0.5;  // of half-power bandwidth and damping ratio: beyond it the pole is unknown
 constexpr double kMinModeGain =
     12;  // F statistic of a mode over the fits of all hits: in noise, a search for a mode reaches 6
 constexpr double kMinNoise = 1e-9;          // of the data: the weight of an FRF without residual stays finite

@@ -21,8 +21,8 @@ struct Pole {
 inline constexpr double kMaxDampingRatio = 0.3;  // a pole with more damping describes the background, not a mode
 
 /// The force of the averaged hits of one impact point, for the model of truncated records. Without blocks, or with
-/// blocks without force, the force is unknown: the FRFs count as untruncated, and `ff` is empty.
-/// ForceBlock::decay_per_s is the decay rate of the exponential window in either case.
+/// blocks without force, the force is unknown: the FRFs count as untruncated, and `ff` is empty. Blocks without force
+/// still hold the decay rate of the exponential window.
 struct PointForce {
   std::vector<frf::ForceBlock> blocks;  // [hits]
   std::vector<frf::Spectrum> spectra;   // F_h [hits]

@@ -60,7 +60,8 @@ std::vector<Delay> delays_of(const PointForce& force, double groups) {
   return delays;
 }
 
-// Standard deviation of the ringing cut off on one side of the gate, the same in all hits, N.
+// Standard deviation of the ringing cut off on one side of the gate, N. It is the same in all hits, so the hits do not
+// average it out: hence the factor √hits.
 double cut_ringing_N(const PointForce& force, double turns) {
   if (!force.blocks.front().ungated_N.empty()) return 0;
   const double gain = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMaxRingingGain);

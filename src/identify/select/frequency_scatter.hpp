@@ -26,9 +26,9 @@ struct WindowData {
 /// `max_cost`.
 PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double max_cost);
 
-/// True where the modes of `one`, with separate poles at each point, explain the window as well as the additional
-/// common modes of `more`. The additional modes then only describe the frequency scatter. To first order, they
-/// describe it exactly.
+/// True where the additional common modes of `more` only describe the frequency scatter of the modes of `one`. To first
+/// order, they describe it exactly. The test: separate poles of `one` at each point leave at most 15 times the cost of
+/// `more`. If `one` has a single mode, its frequency must also scatter as widely as the poles of `more` lie apart.
 /// Always false for fewer than three points, because two orthogonal modes look the same there. `more` was fitted to
 /// this window.
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,

@@ -13,8 +13,10 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kHeldReach = 0.005;    // of a stated frequency, which stands for the highest line within this …
-constexpr double kHeldReachLines = 4;   // … or within these lines
+// A stated frequency stands for the highest line around it: within this part of the frequency, or this many lines if
+// that is more.
+constexpr double kHeldReach = 0.005;
+constexpr double kHeldReachLines = 4;
 constexpr double kHeldMaxWidth = 0.05;  // of a stated frequency: a broader fit may move by this much
 constexpr double kHeldDamping = 3;      // standard deviations of the damping ratio
 constexpr double kHeldPeakToResidual = 3;

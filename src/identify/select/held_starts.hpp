@@ -21,6 +21,7 @@ struct RefusedStart {
   Reason reason = Reason::moved;
 };
 
+/// The modes of the accepted starts, and the refused starts.
 struct HeldStarts {
   std::vector<FittedMode> modes;
   std::vector<RefusedStart> refused;

@@ -20,7 +20,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXcd;
 
-constexpr std::size_t kSharedPoints = 3;  // from which shared columns pay
+constexpr std::size_t kSharedPoints = 3;  // with fewer points, shared columns save no work
 
 std::vector<FittedMode> joint_modes(const FrfDataset& set, const JointFit& fit) {
   std::vector<FittedMode> modes;

@@ -6,10 +6,11 @@
 
 namespace percuss::identify {
 
-/// A second search where the first one left something unexplained: a frequency that scatters between points, a material
-/// misfit around a mode (misfit_of, is_material), or a material resonance in a residual that is smooth somewhere. It
-/// fits all modes together (best_joint_fit), so that crowded and heavily damped modes need no windows of their own.
-/// Replaces `modes` only where the new modes explain significantly more (least_gain).
+/// A second search where the first one left something unexplained: a frequency that scatters between points, a misfit
+/// around a mode, or a resonance in a residual that is smooth somewhere. Misfit and resonance must be significant
+/// (misfit_of) and large enough to disturb a mode (is_material). The search fits all modes together (best_joint_fit),
+/// so that crowded and heavily damped modes need no windows of their own. Replaces `modes` only where the new modes
+/// explain significantly more (least_gain).
 /// `residual` belongs to a fit of all `modes` together, [channels][lines]; empty: unknown.
 /// theory (4.21)
 void search_jointly(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual,

@@ -36,8 +36,8 @@ double misfit_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& res
 /// The misfit of a mode that needs a search, in standard deviations.
 inline constexpr double kMinMisfit = 6;
 
-/// True where the residual around a mode is large enough, relative to the FRF, to disturb it; any FRF. Residuals of
-/// rounding errors, or of the gain that noise of the force explains, are not.
+/// True where the residual around a mode is material: in some FRF it is large enough, relative to the FRF, to disturb
+/// the mode. Residuals of rounding errors, or of the gain that noise of the force explains, are not material.
 bool is_material(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole);
 
 /// Likelihood ratio of two residuals (twice its logarithm). Its degrees of freedom are the independent lines of the

@@ -14,9 +14,10 @@ namespace {
 constexpr double kOutlier = 3;     // standard deviations from the median
 constexpr double kNodeSize = 0.3;  // of the median residue: a smaller one is near a node
 
-// Standard deviations with an outlier's own distance added: it lies far outside the scatter of the other values.
-std::vector<double> robust_std(const std::vector<double>& value, std::vector<double> std,
-                               const std::vector<double>& size) {
+// Adds an outlier's distance from the median to its standard deviation: it lies far outside the scatter of the other
+// values.
+std::vector<double> widened_at_outliers(const std::vector<double>& value, std::vector<double> std,
+                                        const std::vector<double>& size) {
   std::vector<double> weight, off;
   for (const double s : size) weight.push_back(s * s);
   const double middle = weighted_median(value, weight);
@@ -54,7 +55,7 @@ double weighted_median(const std::vector<double>& value, const std::vector<doubl
 
 RobustMean robust_mean(const std::vector<double>& value, const std::vector<double>& stated,
                        const std::vector<double>& size) {
-  const std::vector<double> std = robust_std(value, stated, size), factor = node_factors(size);
+  const std::vector<double> std = widened_at_outliers(value, stated, size), factor = node_factors(size);
   const auto weighted = [&](double spread2) {
     double sum = 0, weights = 0, squares = 0;
     for (std::size_t i = 0; i < value.size(); ++i) {

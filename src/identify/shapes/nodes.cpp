@@ -149,11 +149,11 @@ std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options)
 
 std::optional<double> minimum_of_peak(std::span<const double> position_m, std::span<const double> peak,
                                       double resolution_m) {
-  constexpr double kMinDepth = 0.5;  // of the largest peak: a node's V reaches below it
+  constexpr double kMaxLowest = 0.5;  // of the largest peak: near a node, the lowest peak is smaller
   const std::size_t n = peak.size();
   if (n < 3) return std::nullopt;
   const auto low = static_cast<std::size_t>(std::min_element(peak.begin(), peak.end()) - peak.begin());
-  if (peak[low] > kMinDepth * *std::max_element(peak.begin(), peak.end())) return std::nullopt;
+  if (peak[low] > kMaxLowest * *std::max_element(peak.begin(), peak.end())) return std::nullopt;
   std::size_t next = 0;
   if (low == 0 || low + 1 == n) {
     next = low == 0 ? 1 : n - 2;

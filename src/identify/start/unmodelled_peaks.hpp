@@ -12,8 +12,9 @@ struct UnmodelledPeak {
   double level_dB = 0;  // of Σ|H|² over the FRFs, relative to its largest line
 };
 
-/// Prominent peaks (prominent_lines) farther than three half-power bandwidths, and three lines, from every mode. Only
-/// peaks within the force's bandwidth and within `range_dB` of the largest line. Ascending.
+/// Prominent peaks (prominent_lines) farther than three half-power bandwidths, and three lines, from every mode. The
+/// residual has a resonance there, with a quarter of the energy or more. Only peaks within the force's bandwidth and
+/// within `range_dB` of the largest line. Ascending.
 std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::vector<Mode>& modes, double range_dB);
 
 /// Stable poles (stable_poles) within the force's bandwidth and farther than a half-power bandwidth from every mode.

@@ -15,8 +15,9 @@ namespace {
 constexpr std::size_t kMinBefore = 8;  // samples at rest needed to estimate a bias
 constexpr std::size_t kRinging = 32;   // longest ringing of an anti-alias filter before the onset, in samples
 constexpr double kMethodError = 1e-6;  // of the largest deflection: error by rounding and by the filter's first ringing
-constexpr double kOnsetNoise = 8, kOnsetLevel = 1e-3;
-constexpr double kLowestShare = 0.5;  // default lowest frequency over the frequency of the strongest line
+constexpr double kOnsetNoise = 8;      // standard deviations of the noise that a motion must exceed …
+constexpr double kOnsetLevel = 1e-3;   // … and the part of the largest acceleration
+constexpr double kLowestShare = 0.5;   // default lowest frequency over the frequency of the strongest line
 
 double largest_magnitude(std::span<const double> x) { return extremes_of(x).max_distance_from(0); }
 

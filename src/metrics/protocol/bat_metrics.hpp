@@ -64,8 +64,8 @@ struct RankedMetricsCode {
 /// All codes of metrics_warnings(), most serious first. docs/reference/warnings.md has a row for each.
 std::span<const RankedMetricsCode> ranked_metrics_codes();
 
-/// Warns of implausible values, then of inconsistent constants of the source: most serious first, each with the
-/// severity of its code.
+/// Warns of implausible values and of inconsistent constants of the source. The most serious warning comes first, and
+/// each has the severity of its code.
 std::vector<MetricsWarning> metrics_warnings(const BatReadings& readings, const BatMetrics& metrics);
 
 }  // namespace percuss::metrics

@@ -10,6 +10,8 @@ namespace {
 
 using enum StudyQuantity;
 
+constexpr int kAppendixB = -1;  // first_by_length of figures B1 to B5, for 30 to 34 in
+
 // A group of figures of the source, y over x. first_by_length is the number of its figure for 31 in (the figures for 32
 // to 34 in follow). of_all is the number of its figure for all lengths. 0: the source has none.
 struct FigureKind {
@@ -20,7 +22,7 @@ struct FigureKind {
 constexpr std::array<FigureKind, 18> kKinds{{{StudyFamily::wood, moi, besr, 0, 13},
                                              {StudyFamily::wood, moi, bbs, 0, 14},
                                              {StudyFamily::wood, moi, bbcor, 0, 15},
-                                             {StudyFamily::wood, drop, besr, -1, 16},
+                                             {StudyFamily::wood, drop, besr, kAppendixB, 16},
                                              {StudyFamily::wood, drop, bbs, 0, 17},
                                              {StudyFamily::wood, drop, bbcor, 0, 18},
                                              {StudyFamily::wood, bending1, besr, 0, 19},
@@ -35,7 +37,6 @@ constexpr std::array<FigureKind, 18> kKinds{{{StudyFamily::wood, moi, besr, 0, 1
                                              {StudyFamily::nonwood, hoop1, besr, 55, 0},
                                              {StudyFamily::nonwood, hoop1, bbs, 59, 0},
                                              {StudyFamily::nonwood, hoop1, bbcor, 63, 0}}};
-constexpr int kAppendixB = -1;  // figures B1 to B5, of 30 to 34 in
 
 const char* family_words(StudyFamily family) { return family == StudyFamily::wood ? "wood" : "nonwood"; }
 

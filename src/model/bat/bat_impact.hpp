@@ -42,7 +42,8 @@ class BatImpact {
   bool has_separated() const;
 
   LossyBall ball_;
-  double swing_mps_, closing_mps_, wall_m_;
+  double swing_mps_, closing_mps_;  // speed of the bat at the point of impact, and of the ball relative to it
+  double wall_m_;                   // largest compression of the ball on a rigid wall at the closing speed
   Eigen::Index count_;
   Eigen::ArrayXd omega_;
   ModalStepper contact_, free_;

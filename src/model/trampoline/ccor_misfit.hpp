@@ -19,8 +19,8 @@ using Exponents = Eigen::Vector2d;
 /// `model` with these exponents.
 Trampoline with_exponents(Trampoline model, const Exponents& e);
 
-/// Fits search 0 ≤ a ≤ kMaxStiffnessExponent: a ball's contact stiffens (Hertz: a = 1/2). A larger a is a wall of its
-/// own, which no ball has.
+/// Fits search 0 ≤ a ≤ kMaxStiffnessExponent: a ball's contact stiffens (Hertz: a = 1/2). With a larger a the contact
+/// would act like a hard stop, as no ball does.
 inline constexpr double kMaxStiffnessExponent = 3;
 inline constexpr double kStartMargin = 1e-3;  // of a start of b below 1 + a
 

@@ -9,7 +9,8 @@ namespace {
 constexpr int kPairs = 12;         // listed
 constexpr double kScanStep = 0.1;  // of a, in the search for pairs within every standard deviation
 
-// The end of the values of a with a pair within every standard deviation, or with a chi2 within the interval.
+// The lowest or highest listed a (direction −1 or 1). The search starts at an end of the fit's interval of a. A value
+// beyond the interval is listed if some b keeps every CCOR within its standard deviation.
 double family_end(const CcorMisfit& misfit, const ExponentFit& fit, double interval_end, double direction) {
   Exponents pair = fit.exponents();
   double end = interval_end;

@@ -18,7 +18,7 @@ struct Segment {
 };
 std::size_t segment_length(std::size_t samples);
 Segment early_segment(std::size_t samples);
-/// The end of the row, an eighth of it after the early segment.
+/// The end of the row. It begins an eighth of the row after the beginning of the early segment.
 Segment late_segment(std::size_t samples);
 
 /// Blackman–Harris window, 92 dB, scaled to the amplitude of a sinusoid: modes that still ring beside a tone do not

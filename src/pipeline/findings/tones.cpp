@@ -13,7 +13,7 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMinSamples = 4096;  // of a row: shorter ones do not separate tones from modes
-constexpr double kAboveFloor = 40;         // times the median power around: noise exceeds 13 in ten thousand lines
+constexpr double kAboveFloor = 40;         // times the median power around: 1 of 10 000 noise lines exceeds 13 times
 constexpr double kAboveFlank = 4;          // times the lines just beyond the window's main lobe
 constexpr std::size_t kFlankLines = 3;
 constexpr std::size_t kFloorLines = 24;               // on either side
@@ -175,8 +175,8 @@ std::optional<double> mains_of(const std::vector<Tone>& tones, std::span<const T
   return sum / weights;
 }
 
-// Puts the harmonics of the mains at the multiples of their common fundamental, and adds those that have no peak of
-// their own in the first hit, or equal phases at all hits by chance.
+// Puts the harmonics of the mains at the multiples of their common fundamental. Adds missing harmonics: a harmonic may
+// have no peak of its own in the first hit, or by chance equal phases at all hits.
 void add_mains(ToneFit& fit, std::span<const ToneSignal> signals, const std::vector<double>& window, double fs_Hz) {
   const double line = 1 / static_cast<double>(window.size());
   const std::optional<double> base = mains_of(fit.tones, signals, window, fs_Hz);

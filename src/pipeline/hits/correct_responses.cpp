@@ -180,7 +180,7 @@ void examine_response(HitResponse& response, const acquire::Hit& hit, std::span<
   const std::size_t first = end_of_pulse(hit);
   if (hit.gated_N.empty() || first >= accel_mps2.size()) return;
   const std::size_t quiet = hit.gate_first > hit.first ? hit.gate_first - hit.first : 0;
-  // The recorder's filter rings before the pulse: where the force hides it, a response may show it.
+  // The recorder's filter rings before the pulse. A response may show this ringing even if the force does not.
   const std::size_t silent = quiet > 2 * kFilterRinging ? quiet - kFilterRinging : quiet / 2;
   response.noise = {.after = difference_profile(accel_mps2, first),
                     .before = difference_rms(accel_mps2.first(std::min(silent, accel_mps2.size())))};

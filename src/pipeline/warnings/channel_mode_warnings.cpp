@@ -21,14 +21,14 @@ constexpr double kFastest_mps = 50;        // ten times the speed of a hammer sw
 constexpr double kSameMotion = 0.98;       // of ChannelPair::correlation
 constexpr double kOppositeMotion = -0.95;  // likewise
 constexpr double kOneSide_rad = std::numbers::pi / 2 + 0.1;  // sensors farther apart may point against each other
-constexpr double kOwnPlace_rad = std::numbers::pi / 6;
+constexpr double kOwnPlace_rad = std::numbers::pi / 6;       // sensors farther apart show different motions
 
 std::string name_of(const acquire::Record& record, std::size_t channel) {
   if (channel >= record.accel.size() || record.accel[channel].name.empty()) return fmt::format("accel {}", channel + 1);
   return one_line(record.accel[channel].name, kMaxNameBytes);
 }
 
-std::string microseconds(double s, double std_s) {
+std::string delay_text(double s, double std_s) {
   const double magnitude = std::abs(s);
   const char* unit = magnitude < 1e-3 ? "µs" : "ms";
   const double scale = magnitude < 1e-3 ? 1e6 : 1e3;
@@ -41,7 +41,8 @@ struct DelayList {
   const ChannelDelay* most = nullptr;
 };
 
-// The delay turns residues visibly, or it biases a mode whose residues were taken for real, and its neighbour.
+// Whether the delay turns residues visibly, or turns a residue that was fitted as real by more than its standard
+// deviation. Such a fit biases the mode and its close neighbour.
 bool matters(const ChannelDelay& delay, const std::vector<identify::Mode>& modes) {
   if (!delay.established()) return false;
   if (delay.largest_phase() > kVisiblePhase) return true;
@@ -59,7 +60,7 @@ DelayList list_of(const acquire::Record& record, const std::vector<identify::Mod
   for (const ChannelDelay& delay : delays) {
     if (!matters(delay, modes)) continue;
     list.text += fmt::format("{}{} {} {} the force", list.text.empty() ? "" : ", ", name_of(record, delay.channel),
-                             microseconds(delay.delay_s, delay.std_s), delay.delay_s > 0 ? "after" : "before");
+                             delay_text(delay.delay_s, delay.std_s), delay.delay_s > 0 ? "after" : "before");
     if (list.most == nullptr || delay.largest_phase() > list.most->largest_phase()) list.most = &delay;
   }
   return list;

@@ -13,10 +13,10 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kHeldLines = 6;   // lines per band of the pulse's spectrum
-constexpr double kMinAtNyquist = 0.1;   // of the pulse's level at low frequencies: below it nothing is excited there
-constexpr double kMaxFilterFall = 0.7;  // from 0.42 to 0.495 of the sampling rate; a filter falls further
-constexpr double kMinFolded = 0.02;     // of the largest response: level of the highest frequencies just after the hit
+constexpr std::size_t kLinesPerBand = 6;  // lines per band of the pulse's spectrum
+constexpr double kMinAtNyquist = 0.1;     // of the pulse's level at low frequencies: below it nothing is excited there
+constexpr double kMaxFilterFall = 0.7;    // from 0.42 to 0.495 of the sampling rate; a filter falls further
+constexpr double kMinFolded = 0.02;  // of the largest response: level of the highest frequencies just after the hit
 constexpr std::size_t kMinSameLevel = 4;  // hits that show a level
 constexpr double kMaxLevelSpread = 0.04;  // of the logarithm of the extremes
 constexpr double kMinForceSpread = 0.05;  // of the logarithm of the forces
@@ -29,14 +29,14 @@ constexpr std::size_t kMinPulse = 6;            // samples that are compared
 // rms magnitude of the spectrum of a pulse between two frequencies, in shares of the sampling rate.
 double pulse_level(const std::vector<double>& pulse, double from, double to) {
   double square = 0;
-  for (std::size_t k = 0; k < kHeldLines; ++k) {
-    const double turns = from + (to - from) * (static_cast<double>(k) + 0.5) / static_cast<double>(kHeldLines);
+  for (std::size_t k = 0; k < kLinesPerBand; ++k) {
+    const double turns = from + (to - from) * (static_cast<double>(k) + 0.5) / static_cast<double>(kLinesPerBand);
     Complex sum;
     for (std::size_t n = 0; n < pulse.size(); ++n)
       sum += pulse[n] * std::polar(1.0, -kTwoPi * turns * static_cast<double>(n));
     square += std::norm(sum);
   }
-  return std::sqrt(square / static_cast<double>(kHeldLines));
+  return std::sqrt(square / static_cast<double>(kLinesPerBand));
 }
 
 double spread_of_logs(const std::vector<double>& values) {

@@ -10,7 +10,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kMaterialResidual = 0.01;  // relative: below, the model's own approximations may cause it
+constexpr double kMinJointResidual = 0.01;  // relative: below, the model's own approximations may cause it
 constexpr double kWorthNaming = 10;         // residual energy of the joint fit over the local fit's
 constexpr std::size_t kMaxNamedPeaks = 8;   // in one warning
 constexpr double kMaxSplitBandwidths = 5;   // separation of two peaks that asymmetry or damage splits
@@ -47,7 +47,7 @@ std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes
   std::size_t count = 0, unsettled = 0;
   for (const identify::Mode& mode : modes) {
     if (!(mode.joint_misfit > kWorthNaming)) continue;
-    if (std::isfinite(mode.joint_misfit) && mode.joint_residual < kMaterialResidual) continue;
+    if (std::isfinite(mode.joint_misfit) && mode.joint_residual < kMinJointResidual) continue;
     ++count;
     if (!std::isfinite(mode.joint_misfit)) {
       ++unsettled;

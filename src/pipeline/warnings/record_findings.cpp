@@ -20,7 +20,7 @@ constexpr double kMainsDeviation = 0.005;  // of the mains' frequency from 50 or
 
 // One kind of fault over all hits.
 struct FaultSummary {
-  std::string where;  // "hit 0 (3 samples at 81.3 ms), …"
+  std::string where;  // "hit 0 (3 samples, 81.3 ms after the blow), …"
   std::size_t hits = 0, most = 0;
   double size_mps2 = 0;
 };

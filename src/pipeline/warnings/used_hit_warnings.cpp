@@ -14,7 +14,7 @@ namespace {
 using acquire::FindingCode;
 
 constexpr double kShort = 0.8;           // of the median hit
-constexpr double kDecides = 0.9;         // of the shortest hit: its length is the transforms' length
+constexpr double kDecides = 0.9;         // of the shortest hit: shorter transforms have another cause
 constexpr std::size_t kMaxNumbers = 20;  // of hits or points in a sentence
 
 std::string listed(const std::vector<std::size_t>& numbers) {

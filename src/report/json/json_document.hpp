@@ -20,8 +20,9 @@ std::string ascii_text(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-/// A JSON object that may be long: several threads make its values and its arrays' elements when it is written, so that
-/// they need not exist at once. Each value is the text of a document, indented by 2 spaces.
+/// A JSON object that may be long. Several threads make the texts of its values and of its arrays' elements when it is
+/// written. The objects of the JSON library behind these texts need not exist at once. Each text is indented by 2
+/// spaces.
 class JsonDocument {
  public:
   using Value = std::function<std::string()>;

@@ -110,7 +110,7 @@ std::string TextTable::text(std::size_t width) const {
 }
 
 std::string TextTable::html() const {
-  const auto wraps = [&](std::size_t c) {  // several words, too long for one line
+  const auto wraps = [&](std::size_t c) {  // a cell too long for one line
     return std::any_of(rows_.begin(), rows_.end(), [&](const auto& row) { return text_width(row[c]) > kMinWrap; });
   };
   std::vector<std::string> kinds;

@@ -133,7 +133,7 @@ TEST(FindHits, GatesTheForceToItsPulse) {
   test::add_filtered_haversine(x, 5000.4, kWidth, 200);
   const Hit hit = hits_in({x})[0];
   EXPECT_TRUE(hit.ungated_N.empty());
-  EXPECT_LE(hit.gated_N.size(), 144 + kWidth + 2);  // the length of the filter on both sides
+  EXPECT_LE(hit.gated_N.size(), 144 + kWidth + 2);  // up to 72 samples of ringing on each side
   constexpr double kFloor = 1e-9 * 200 + 1e-13;     // of the peak; rounding of the offset
   double outside = 0;
   for (std::size_t n = 0; n < x.size(); ++n) {

@@ -207,7 +207,7 @@ TEST_F(Sandbox, ForksWithLibrariesIdle) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
-    !defined(__clang__)  // sanitizers reserve terabytes
+    !defined(__clang__)  // sanitizers reserve terabytes; clang does not state them in these macros
 TEST_F(Sandbox, LimitsMemory) {
   EXPECT_THAT(message_when([] {
                 const std::vector<char> much(std::size_t{300} << 20U);

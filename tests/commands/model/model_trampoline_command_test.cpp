@@ -53,7 +53,7 @@ TEST(ModelTrampolineCommand, FitsTheExponentsFromOptionOrFile) {
   EXPECT_NEAR(from_option["fit"]["a"].get<double>(), 0.6495, 0.01);  // the COR has five digits
 }
 
-// Five speeds with errors of 0.004, in which the free pair runs to its limit.
+// Five speeds with errors of 0.004. A fit of both exponents, a and b, runs to its limit.
 const std::string kNoisyCcor =  // NOLINT(cert-err58-cpp): a literal
     "26.8224:0.5242:0.004,35.7632:0.5028:0.004,40.2336:0.5036:0.004,44.704:0.4930:0.004,51.4096:0.4879:0.004";
 

@@ -118,7 +118,8 @@ TEST(RoundestBetween, HasTheFewestDigits) {
   }
 }
 
-// A rate rounded to int would be undefined here.
+// An infinite stamp gives a rate of 0, a step of 5e-324 s an infinite rate. The logarithm of such a rate is infinite;
+// its conversion to int would be undefined.
 TEST(TimeStamps, MustBeFinite) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   for (const std::vector<double>& time_s : {std::vector{38, kInfinite}, {0, 5e-324}}) {

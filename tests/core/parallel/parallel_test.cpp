@@ -103,7 +103,7 @@ TEST(ParallelForCost, RunsShortOrLimitedLoopsOnTheCallingThread) {
   expect_calling_thread(1'000'000'000);
 }
 
-TEST(ParallelForCost, KeepsTheThreadLimitWithinTasksAndRestoresIt) {
+TEST(ParallelForCost, ObeysAThreadLimitThatATaskSets) {
   std::vector<std::atomic<int>> calls(64);
   {
     const ThreadLimit limit(2);

@@ -69,7 +69,7 @@ TEST(SynthesisedFrf, UsesAPointsOwnPole) {
 TEST(SynthesisedFrf, SeparatesNoiseFromOmittedModes) {
   Case c;
   test::add_frf_noise(c.set, 1, 3);
-  EXPECT_NEAR(synthesised_frfs(c.set, c.modes, c.set.lines)[0].noise_share, 1, 0.05);  // some hundred lines
+  EXPECT_NEAR(synthesised_frfs(c.set, c.modes, c.set.lines)[0].noise_share, 1, 0.05);  // 3901 lines
   Case missing;
   missing.modes.pop_back();
   EXPECT_LE(synthesised_frfs(missing.set, missing.modes, missing.set.lines)[0].noise_share, 0.05);  // a smooth curve

@@ -165,7 +165,7 @@ TEST(TimoshenkoBeam, AgreesWithRitz) {
       EXPECT_NEAR(modes[i].freq_Hz(), expected[i], 1e-7 * expected[i]) << static_cast<int>(support) << ' ' << i;
       EXPECT_EQ(beam_nodes_m(modes[i]).size(), i);
     }
-    EXPECT_THROW(beam_modes(beam, expected.size() + 2), InputError);  // above 3007.7 Hz
+    EXPECT_THROW(beam_modes(beam, expected.size() + 2), InputError);  // cut-off frequency 3007.7 Hz
   }
 }
 

@@ -74,7 +74,7 @@ batch::RowOptions row_options(const batch::Manifest& manifest, bool trust_input)
     throw InputError(e.what(), head_place(manifest), "plan the batch again");
   }
   out.write_option = flag_of;
-  out.analysis.threads = 1;  // threads divide the records
+  out.analysis.threads = 1;  // a batch runs its records in parallel, each on one thread
   if (!manifest.head().setup.empty())
     out.read.read.setup = acquire::parse_channel_setup(manifest.head().setup, manifest.path() + ", line 1, setup");
   return out;

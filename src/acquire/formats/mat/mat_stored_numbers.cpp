@@ -23,7 +23,7 @@ constexpr std::uint64_t kHeader_bytes = 128, kVersion_at = 124, kTag_bytes = 8;
 constexpr std::uint32_t kOtherByteOrder = 0x494DU;  // the letters IM in the other byte order
 constexpr std::uint32_t kInt32 = 5, kUint32 = 6, kMatrix = 14, kCompressed = 15;
 constexpr std::uint32_t kCell = 1, kStructure = 2, kDouble = 6, kUint64 = 15, kComplexFlag = 0x800;
-constexpr std::size_t kMaxDepth = 16, kMaxDimensions = 64;  // the reader refuses more
+constexpr std::size_t kMaxDepth = 16, kMaxDimensions = 64;  // the reader refuses or skips more
 constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 48U;
 // Bytes of a number, by the type of an element; 0 for types that hold no numbers.
 constexpr std::array<std::uint64_t, 14> kNumberBytes{0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8};
@@ -162,7 +162,7 @@ class Variable {
     const auto flags = next_tag(end);
     if (!flags || flags->type != kUint32 || flags->bytes != 8) return;
     const std::uint32_t kind_and_flags = word();
-    word();  // of sparse arrays
+    word();  // unused: the number of nonzero elements of a sparse array
     const auto count = element_count(end);
     const auto name = next_tag(end);
     if (!count || !name) return;

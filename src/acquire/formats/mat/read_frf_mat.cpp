@@ -67,9 +67,8 @@ const MatVariable& chosen_frf(const MatFile& file, const std::vector<const MatVa
                   "accel_channel");
 }
 
-// The dimension of the lines is as long as the vector of frequencies. Of several such dimensions it is the last one of
-// an array of three dimensions, otherwise the first. Without such a dimension it is the longest. The other dimensions
-// are points, then channels.
+// The dimension of the lines is as long as the vector of frequencies. If several dimensions fit, it is the third one if
+// that fits, otherwise the first. If none fits, it is the longest. The other dimensions are points, then channels.
 MatFrfLayout frf_layout(const MatVariable& variable, std::size_t frequencies) {
   std::vector<std::pair<std::size_t, std::size_t>> axes;  // size, stride
   std::size_t stride = 1;

@@ -25,7 +25,8 @@ struct UffContents {
   std::size_t shapes = 0;                        // of sets 55 and 2414
 };
 
-/// errors  InputError with file and line: a set with one of these numbers does not follow its layout.
+/// errors  InputError with file and line: a set 15, 18, 58, 164 or 2411 does not follow its layout. Unreadable trace
+/// lines are not an error (UffTraceLines::unreadable).
 UffContents read_uff_contents(const FileBytes& file);
 
 /// Messages about the content that is not used, such as "data sets not used: 2467 (1), 773 (2)" or "mode shapes: 3, not

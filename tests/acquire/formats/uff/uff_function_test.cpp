@@ -8,7 +8,7 @@
 #include "support/input_error.hpp"
 #include "support/uff_text.hpp"
 
-// Every layout of data set 58 and its ambiguous cases, written by hand.
+// Every layout of data set 58 and its ambiguous cases, and the data sets of a geometry, written by hand.
 namespace percuss::acquire::uff_function_test {
 
 using test::csv_bytes;
