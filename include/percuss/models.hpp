@@ -61,7 +61,7 @@ struct BeamImpact {
 struct BeamImpactResult {
   double cor = 0;  // at the first separation
   double contact_s = 0, peak_force_N = 0;
-  double peak_deflection_m = 0, peak_deflection_time_s = 0;
+  double peak_deflection_m = 0, peak_deflection_time_s = 0;  // by magnitude; positive along the ball's motion
   std::optional<double> recontact_s{};
   double energy_error = 0;  // largest |E/E₀ − 1| of the total energy E
 };
