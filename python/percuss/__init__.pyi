@@ -206,6 +206,8 @@ def deflect(
     positions: _Text | None = ...,
     beam_distance: float | None = ...,
     beam_time: float | None = ...,
+    compare: _File | list[_File] | None = ...,
+    beam: _Text | None = ...,
     fs: _Text | None = ...,
     df: float | None = ...,
     force_channel: _Text | None = ...,

@@ -122,7 +122,12 @@ TEST_F(DeflectCommand, ComparesItsModesAndDeflectionsWithABeam) {
   ASSERT_EQ(compared["documents"].size(), 3U);
   const json& model = compared["others"][0];
   EXPECT_GE(model["pairs"].size(), 2U);
-  for (const json& pair : model["pairs"]) EXPECT_LE(std::abs(pair["difference_percent"].get<double>()), 0.5) << pair;
+  // The record holds little more than one period of the first mode, and samples of an unfiltered force.
+  for (const json& pair : model["pairs"]) {
+    EXPECT_LE(std::abs(pair["difference_percent"].get<double>()),
+              0.3 + 3.5 * pair["difference_std_percent"].get<double>())
+        << pair;
+  }
   ASSERT_EQ(model["deflections"].size(), kPlaces_m.size());
   for (const json& pair : model["deflections"])
     EXPECT_NEAR(pair["ratio"].get<double>(), 1 / kSensor, 0.02) << pair;  // one second contact is left out

@@ -19,7 +19,7 @@ constexpr int kSearchSweeps = 1, kFinalSweeps = 30;
 constexpr double kPairApart = 0.5, kPairReach = 3;  // of a mode's decay rate
 constexpr double kPairLevel = 0.01;                 // energy of one of a pair over the other's: a weaker one is misfit
 constexpr int kPairSweeps = 3;
-constexpr double kScatterShare = 0.7;  // of what a second pole explains
+constexpr double kScatterShare = 0.9;  // of what a second pole explains
 constexpr std::size_t kPairPlaces = 10;
 constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
 constexpr double kMimics = 1e-3;        // energy relative to a decay within its bandwidth, of which it is the misfit

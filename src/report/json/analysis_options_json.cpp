@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/io/parse_number.hpp"
-
 namespace percuss::report {
 namespace {
 
@@ -30,15 +28,6 @@ Json options_json(const pipeline::AnalysisOptions& o) {
   if (o.classes.overlay_dB != identify::ClassifyOptions{}.overlay_dB) json["overlay_db"] = o.classes.overlay_dB;
   if (o.classes.object != identify::ObjectKind::automatic)
     json["object"] = o.classes.object == identify::ObjectKind::tube ? "tube" : "other";
-  return json;
-}
-
-Json bat_json(const BatLabel& bat) {
-  Json json{{"id", bat.id}, {"properties", Json::object()}};
-  for (const auto& [key, text] : bat.properties) {
-    const ParsedNumber number = parse_number(text, false);
-    json["properties"][key] = number.problem == NumberProblem::none ? Json(number.value) : Json(text);
-  }
   return json;
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/json/analysis_options_json.hpp"
+#include "report/json/bat_label.hpp"
 #include "report/json/json_document.hpp"
 #include "report/json/result_json.hpp"
 #include "report/json/warning_json.hpp"
