@@ -11,13 +11,14 @@ namespace {
 constexpr std::size_t kMinPlaces = 3;
 constexpr double kSamePlace_m = 1e-6;
 
-bool families_agree(const ComparedMode& a, const ComparedMode& b) {
+// Whether the modes may be of one kind. Only classified modes state whether they are the second peak of a split mode.
+bool kinds_agree(const ComparedMode& a, const ComparedMode& b) {
   const auto any = [](const std::string& family) { return family.empty() || family == "unknown"; };
-  return any(a.family) || any(b.family) || a.family == b.family;
+  return any(a.family) || any(b.family) || (a.family == b.family && a.second == b.second);
 }
 
 bool frequencies_match(const ComparedMode& a, const ComparedMode& b, double furthest) {
-  return families_agree(a, b) && a.second == b.second && a.freq_Hz > 0 && b.freq_Hz > 0 &&
+  return kinds_agree(a, b) && a.freq_Hz > 0 && b.freq_Hz > 0 &&
          std::abs(b.freq_Hz - a.freq_Hz) <= furthest * std::max(a.freq_Hz, b.freq_Hz);
 }
 

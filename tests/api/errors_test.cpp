@@ -55,8 +55,8 @@ TEST(OptionFields, AreTheIdentifierAndItsUnit) {
 
 // Options without a C++ field. They concern the terminal, the command's output files, or documents that json() does not
 // contain.
-const std::set<std::string> kOfTheCommandLine{"bat",  "bat_id", "compare", "example", "explain", "help",
-                                              "hits", "json",   "only",    "output",  "quiet",   "trace"};
+const std::set<std::string> kOfTheCommandLine{"bat",  "bat_id", "beam", "compare", "example", "explain", "help",
+                                              "hits", "json",   "only", "output",  "quiet",   "trace"};
 
 TEST(OptionFields, ExistForTheOptionsOfTheCommandLine) {
   for (const char* const command : {"analyze", "frf", "survey", "deflect"}) {

@@ -22,7 +22,7 @@ TEST(OptionUnits, ConvertToTheUnitOfTheOption) {
   ASSERT_EQ(si["curve"].size(), lab["curve"].size());
   EXPECT_NEAR(si["best"]["exit_speed_mps"].get<double>(), lab["best"]["exit_speed_mps"].get<double>(), 1e-9);
   const auto inches = document_of({"metrics", "--length-in", "34", "--weight-oz", "31"});
-  const auto metric = document_of({"metrics", "--length-in", "86.36 cm", "--weight-oz", "878.835218875g"});
+  const auto metric = document_of({"metrics", "--length-in", "86.36 cm", "--weight-oz", "878.835216875g"});
   EXPECT_NEAR(inches["drop"].get<double>(), metric["drop"].get<double>(), 1e-9);
   EXPECT_EQ(document_of({"metrics", "--length-in", "34in", "--weight-oz", "31oz"})["drop"], inches["drop"]);
 }

@@ -13,6 +13,7 @@
 #include "support/help_pages.hpp"
 #include "support/modal_frfs.hpp"
 #include "support/percuss_process.hpp"
+#include "support/ping_file.hpp"
 #include "support/scratch_folder.hpp"
 #include "synth/synthesise.hpp"
 
@@ -69,6 +70,7 @@ class Examples : public testing::Test {
     }
     acquire::write_hdf5(prepared()->file("scan.h5"), synth::synthesise(test::roving_beam_spec(3, 0.25, 25)).record,
                         false);
+    test::write_bytes(prepared()->file("ping.wav"), test::wav_of(test::ping(1e-3)));
     test::write_bytes(prepared()->file("hits.csv"), calibration_hits());
     test::write_bytes(prepared()->file("profile.txt"), "2 50\n10 26\n45 28\n60 50\n84 66\n");
     test::write_bytes(prepared()->file("blade.csv"), "x,width,thickness\n0,100,25\n250,108,38\n550,108,30\n");

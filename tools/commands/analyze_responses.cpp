@@ -1,6 +1,9 @@
 #include "commands/analyze_responses.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "cli/option_error.hpp"
@@ -33,6 +36,16 @@ void refuse_force_options(const AnalyzeFlags& flags) {
   }
 }
 
+void refuse_frf_files(const OutputFlags& output, const std::string& input) {
+  constexpr std::array kFrfs = {".h5", ".hdf5", ".mat", ".uff", ".unv"};
+  for (const std::string& path : output.paths) {
+    if (std::find(kFrfs.begin(), kFrfs.end(), extension_of(path)) != kFrfs.end()) {
+      throw InputError(fmt::format("there are no FRFs to write to '{}' without a force channel", path), input,
+                       std::string("name the force's channel, or write ") + kReportKinds, {"force_channel"});
+    }
+  }
+}
+
 std::vector<pipeline::ResponseTest> tests_of(const AnalyzeFlags& flags, std::vector<acquire::Record> records) {
   const pipeline::AnalysisOptions options = analysis_options(flags.analysis);
   if (flags.read.files != acquire::FileGrouping::tests && records.size() > 1) {
@@ -53,6 +66,7 @@ std::vector<pipeline::ResponseTest> tests_of(const AnalyzeFlags& flags, std::vec
 int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> records,
                       const std::optional<report::BatLabel>& bat) {
   refuse_force_options(flags);
+  refuse_frf_files(flags.output, records.front().source());
   check_report_outputs(flags.output);
   const Progress progress("fitting decays", flags.output.quiet);
   std::vector<std::string> inputs;

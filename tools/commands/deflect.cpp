@@ -118,8 +118,8 @@ void add_deflect(CommandLine& line) {
   command.example("percuss deflect bat.h5 --highpass-corner 1", "Undo the 1 Hz high-pass of the charge amplifier");
   command.example("percuss deflect bat.h5 --method drift-free -o deflection.csv",
                   "Write the curves over time as a table");
-  command.example("percuss deflect ball.h5 --positions 0.025:0.065:0.545 --beam ei=4000,speed=5 --compare hammer.json",
-                  "Compare frequencies and deflections of a ball test, a model beam and a hammer test");
+  command.example("percuss deflect bat.h5 --beam ei=4000,speed=5 --compare test.json",
+                  "Compare frequencies and deflections of this test, a model beam and another test");
   metrics::DeflectionOptions& deflection = flags->options.deflection;
   command
       .value("--method", flags->method,

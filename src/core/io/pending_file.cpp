@@ -94,7 +94,8 @@ bool rename_to_new(const std::string& from, const std::string& to) {
 PendingFile::PendingFile(std::string path, bool force, bool unnamed_if_possible, bool follows_links)
     : path_(std::move(path)), force_(force) {
   check_target(follows_links);
-  if (follows_links) remove_abandoned_files(folder_of(target_), temporary_prefix(target_));
+  folder_ = folder_of(target_);
+  if (follows_links) remove_abandoned_files(folder_, temporary_prefix(target_));
   if (unnamed_if_possible) open_unnamed();
   if (descriptor_ < 0) open_named();
 }
@@ -121,7 +122,7 @@ void PendingFile::check_target(bool follows_links) {
 }
 
 void PendingFile::open_unnamed() {
-  descriptor_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode);
+  descriptor_ = ::open(folder_.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode);
   if (descriptor_ < 0) return;
   temporary_path_ = "/proc/self/fd/" + std::to_string(descriptor_);
   unnamed_ = ::access(temporary_path_.c_str(), R_OK | W_OK) == 0;
@@ -131,7 +132,7 @@ void PendingFile::open_unnamed() {
 }
 
 void PendingFile::open_named() {
-  remove_abandoned_files(folder_of(target_), temporary_prefix(target_));
+  remove_abandoned_files(folder_, temporary_prefix(target_));
   temporary_path_ = first_free_name(target_, [this](const std::string& name) {
     descriptor_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kMode);
     if (descriptor_ < 0) return false;
@@ -196,8 +197,8 @@ void PendingFile::fail(std::string_view problem) const {
   throw_system_error(problem, error, path_, remedy_for(error));
 }
 
-void PendingFile::sync_folder() const {
-  const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+void PendingFile::sync_folder() const noexcept {
+  const int folder = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;
   // The file is complete under its name. Some network drives cannot synchronise a folder, which is not an error.
   ::fsync(folder);

@@ -28,8 +28,8 @@ class PendingFile {
   void publish();
   /// Removes a published file, unless it replaced another one.
   void withdraw() const;
-  /// Synchronises the folder.
-  void sync_folder() const;
+  /// Synchronises the folder. Needs no memory: the file is there already.
+  void sync_folder() const noexcept;
 
   const std::string& temporary_path() const { return temporary_path_; }
 
@@ -39,7 +39,7 @@ class PendingFile {
   void open_named();
   [[noreturn]] void fail(std::string_view problem) const;
 
-  std::string path_, target_, temporary_path_;
+  std::string path_, target_, folder_, temporary_path_;
   bool force_, unnamed_ = false, replaces_ = false, published_ = false;
   int descriptor_ = -1;
   std::optional<TemporaryFile> named_;

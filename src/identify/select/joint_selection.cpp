@@ -19,8 +19,8 @@ constexpr double kJointMaxDamping = 0.98 * kMaxDampingRatio;
 constexpr double kJointCoincide = 0.05;   // bandwidths between two poles that the fit has merged
 constexpr double kJointWindowWidths = 5;  // half-power bandwidths on either side of a mode
 constexpr double kJointWindowLines = 8;
-constexpr double kMaterialResidual = 5e-4;  // of the FRF: less moves no mode by more than 5e-4 bandwidths
-constexpr double kGainNoise = 2;            // standard deviations of the gain error from the force's noise
+constexpr double kMaterialResidual = 2e-3;  // of the FRF: less moves no mode by more than 5e-4 bandwidths
+constexpr double kGainNoise = 4;            // standard deviations of the gain error from the force's noise
 constexpr double kMinNoiseShare = 0.02;     // least part of the lines that counts as independent
 constexpr double kModeGain = 150;           // likelihood ratio that a mode needs, divided among its unknowns
 // Limits of the likelihood ratio per unknown: the limit of a close mode; the logarithm of the number of lines.

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -24,7 +25,7 @@ constexpr double kLogDifference = 1e-4;    // for central differences: their rel
 constexpr double kMaxLogChange = 25;       // of a parameter from its start
 constexpr double kMinIndependence = 1e-7;  // smallest eigenvalue of the correlation of the columns: about (1e-4)²
 constexpr double kMinSensitivity = 1e-6;   // ∂ ln f/∂ ln p: a parameter with less leaves the frequencies unchanged
-constexpr double kSpringDecades = 4, kSpringStarts = 17;
+constexpr std::array kSpringDecades = {0.0, -2.0, 2.0, -4.0, 4.0};  // from the stated spring
 
 double& value_of(BeamStructure& structure, StructureParameter which) {
   switch (which) {
@@ -93,30 +94,44 @@ class StructureProblem {
     return columns;
   }
 
+  // The best of several fits: frequencies saturate for a soft and for a stiff spring, so that a fit may end at either.
   VectorXd solve() const {
-    VectorXd logs = best_start();
-    const auto residual_at = [&](const VectorXd& at) { return residual_within_limits(at); };
-    const auto jacobian_at = [&](const VectorXd& at) { return jacobian(at); };
-    levenberg_marquardt(logs, residual_at, jacobian_at, kStructureFitOptions);
-    return logs;
-  }
-
- private:
-  // The frequencies saturate for a soft and for a stiff spring, so the search starts at the best of several.
-  VectorXd best_start() const {
-    const auto spring = std::find(parameters_.begin(), parameters_.end(), StructureParameter::torsion);
     VectorXd best = start_logs_;
-    if (spring == parameters_.end()) return best;
     double least = std::numeric_limits<double>::infinity();
-    for (double i = 0; i < kSpringStarts; ++i) {
-      VectorXd logs = start_logs_;
-      logs(spring - parameters_.begin()) += std::log(10.0) * kSpringDecades * (2 * i / (kSpringStarts - 1) - 1);
+    for (const VectorXd& start : starts()) {
+      const VectorXd logs = fitted_from(start);
       const auto rest = residual_within_limits(logs);
       if (!rest || !(rest->squaredNorm() < least)) continue;
       least = rest->squaredNorm();
       best = logs;
     }
     return best;
+  }
+
+ private:
+  // `start` itself where a step on the way leads to a spring too soft or too stiff for the elements.
+  VectorXd fitted_from(const VectorXd& start) const {
+    VectorXd logs = start;
+    try {
+      levenberg_marquardt(
+          logs, [&](const VectorXd& at) { return residual_within_limits(at); },
+          [&](const VectorXd& at) { return jacobian(at); }, kStructureFitOptions);
+    } catch (const InputError&) {
+      return start;
+    }
+    return logs;
+  }
+
+  std::vector<VectorXd> starts() const {
+    const auto spring = std::find(parameters_.begin(), parameters_.end(), StructureParameter::torsion);
+    if (spring == parameters_.end()) return {start_logs_};
+    std::vector<VectorXd> out;
+    for (const double decades : kSpringDecades) {
+      VectorXd logs = start_logs_;
+      logs(spring - parameters_.begin()) += std::log(10.0) * decades;
+      if (residual_within_limits(logs)) out.push_back(logs);
+    }
+    return out;
   }
 
   BeamStructure start_;

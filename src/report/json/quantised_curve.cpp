@@ -22,12 +22,13 @@ QuantisedCurve quantised_curve(std::span<const double> values, double min_step) 
   }
   if (!(low <= high)) low = high = 0;
   // Levels in dB, phases and coherences are far from the limits of a double, so that k fits in 16 bits.
-  assert(min_step > 0 && std::isfinite(high - low));
+  assert(min_step >= 0 && std::isfinite(high - low));
   const double step = std::max(min_step, (high - low) / kLargest);
   std::vector<std::uint8_t> bytes;
   bytes.reserve(2 * values.size());
   for (const double value : values) {
-    const auto k = std::isfinite(value) ? static_cast<std::uint16_t>(std::lround((value - low) / step)) : kAbsent;
+    const auto k =
+        std::isfinite(value) ? static_cast<std::uint16_t>(std::lround(step > 0 ? (value - low) / step : 0)) : kAbsent;
     bytes.push_back(static_cast<std::uint8_t>(k & 0xFFU));
     bytes.push_back(static_cast<std::uint8_t>(k >> 8U));
   }

@@ -136,7 +136,7 @@ TEST(ModelTrampolineCommand, WritesTableAndPicture) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto lines = test::lines_of(test::bytes_of(folder.file("a.csv")));
   ASSERT_EQ(lines.size(), 7U);
-  EXPECT_EQ(lines[0], "hoop_hz,cor,loaded_hoop_hz,contact_s,contacts");
+  EXPECT_EQ(lines[0], "hoop_hz,cor,loaded_hoop_hz,contact_s,contacts,cor_over_wall,cor_over_10khz");
   EXPECT_THAT(test::bytes_of(folder.file("a.svg")), testing::StartsWith("<svg "));
 }
 

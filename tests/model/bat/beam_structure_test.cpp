@@ -104,11 +104,12 @@ TEST(BeamStructure, MatchesBesselFunctionsForAWedgeAndACone) {
 }
 
 // The classical values ω L² √(ρA/EI) of a complete wedge and cone, clamped at the base: 5.315 and 8.719 (k²/4, with k
-// the roots of J1 I2 + I1 J2 and of J2 I3 + I2 J3). The tip of the model has a thousandth of the base's thickness.
+// the roots of J1 I2 + I1 J2 and of J2 I3 + I2 J3). The tip of the model has a ten-thousandth of the base's thickness:
+// a thousandth lowers the values by 0.2 %.
 TEST(BeamStructure, ApproachesTheCompleteWedgeAndCone) {
   for (const auto& [round, classical] : {std::pair{false, 5.315}, std::pair{true, 8.719}}) {
     BeamStructure beam{.table = {.kind = ProfileKind::points, .round = round}, .material = {}, .slender = true};
-    for (const auto& [at_m, size_m] : {std::pair{0.0, 0.1}, std::pair{1.0, 1e-4}}) {
+    for (const auto& [at_m, size_m] : {std::pair{0.0, 0.1}, std::pair{1.0, 1e-5}}) {
       beam.table.stations.push_back({.at_m = at_m,
                                      .width_m = round ? size_m : 0.05,
                                      .layers = {round ? SectionLayer{} : SectionLayer{.thickness_m = size_m}}});
