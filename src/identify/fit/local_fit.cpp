@@ -77,8 +77,6 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalP
   // |residual|² per line is the sum of two equal variances, of real and imaginary part, and so is weight².
   const double scale = fit.degrees > 0 ? state.cost / static_cast<double>(fit.degrees) : 1;
   const MatrixXd covariance = inverse_gram(problem.normal_equations().matrix) * scale;
-  // The complex numbers of each FRF that the unknowns leave free; the poles count for all FRFs together.
-  const double freedom = std::max(1.0, 0.5 * static_cast<double>(fit.degrees) / static_cast<double>(fit.noise.size()));
   for (Index m = 0; m < static_cast<Index>(modes); ++m) {
     const double common = window.of_pole(fit.poles[static_cast<std::size_t>(m)]);
     fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, common * covariance(2 * m, 2 * m)));
@@ -100,7 +98,9 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalP
         fit.residue_std(o, m) =
             std::sqrt(std::max(0.0, window.of_residue(pole) * linear + 0.5 * window.of_pole(pole) * from_poles));
       }
-      fit.noise(o) = part.residual.col(column).norm() / std::sqrt(freedom);
+      const auto residual = part.residual.col(column);
+      const double freedom = std::max(1.0, static_cast<double>(residual.size() - static_cast<Index>(modes) - 2));
+      fit.noise(o) = std::sqrt(residual.squaredNorm() / freedom);
     }
   }
 }

@@ -13,7 +13,7 @@ struct LocalFit {
   Eigen::MatrixXcd residues;  // [channels, modes], 1/kg
   Eigen::MatrixXd residue_std;  // of real and imaginary part, rms |residue − truth|/√2, without the force's gain error
   Eigen::VectorXd freq_std_Hz, damping_std;
-  Eigen::VectorXd noise;    // [channels] rms of |residual| per line that the unknowns leave free, (m/s²)/N
+  Eigen::VectorXd noise;    // [channels] rms of |residual| per line, (m/s²)/N
   double cost = 0;          // Σ |residual|²/weight²
   std::size_t degrees = 0;  // of freedom: real data minus real parameters
   bool converged = false;

@@ -77,21 +77,6 @@ TEST(FitLocally, FindsTheNoiseOfEachFrf) {
   for (Eigen::Index o = 0; o < 2; ++o) EXPECT_LE(std::abs(found.noise(o) / (0.03 * std::sqrt(2)) - 1), kTolerance);
 }
 
-// A window of few lines: what the poles, the residues and the polynomial take counts.
-TEST(FitLocally, FindsTheNoiseInAShortWindow) {
-  constexpr int kRuns = 400;
-  constexpr double kTolerance = 0.1;  // 3.5 standard deviations: 400 times two channels, 9 complex lines free of 14
-  constexpr std::size_t kLines = 14;
-  double power = 0;
-  for (int run = 0; run < kRuns; ++run) {
-    FrfDataset set = test::empty_set(4096, 4096, 294, 294 + kLines - 1, 2);
-    for (std::size_t o = 0; o < 2; ++o) test::add_mode(set, o, {300.37, 0.01}, kResidues[o]);
-    test::add_frf_noise(set, 0.03, static_cast<std::uint64_t>(run) + 1000);
-    power += fit(set, {{300.37, 0.01}}).noise.squaredNorm() / 2;
-  }
-  EXPECT_NEAR(power / kRuns / (2 * 0.03 * 0.03), 1, kTolerance);
-}
-
 TEST(FitLocally, ScalesWithTheDataAndNotWithTheWeights) {
   constexpr double kTolerance = 1e-7;  // where the iteration stops
   FrfDataset set = one_mode();
