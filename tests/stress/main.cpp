@@ -115,8 +115,8 @@ int run(const Options& options) {
   std::cout << cells << ' ' << words(coverage) << '\n';
   if (!options.table.empty()) {
     const std::string defects = defects_of(summaries);
-    write_table(options.table,
-                "\n" + cells + '\n' + words(coverage) + ".\n" + (defects.empty() ? "" : "\n### Known defects\n" + defects) + tables_of(summaries));
+    write_table(options.table, "\n" + cells + '\n' + words(coverage) + ".\n" +
+                                   (defects.empty() ? "" : "\n### Known defects\n" + defects) + tables_of(summaries));
   }
   const bool covered = coverage.modes < kMinModes || (in_range(coverage.of_freq()) && in_range(coverage.of_damping()));
   return failed == 0 && covered ? 0 : 1;

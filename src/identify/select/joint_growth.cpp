@@ -40,8 +40,8 @@ std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> po
 }
 
 // The starts: the modes found before, and every stable pole that is not one of these modes and around which the
-// residual matters. Without noise, rounding errors make a hundred stable poles. A misfitting mode may be two close modes
-// fitted as one: the stable poles near it replace it.
+// residual matters. Without noise, rounding errors make a hundred stable poles. A misfitting mode may be two close
+// modes fitted as one: the stable poles near it replace it.
 std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>& residual,
                             const std::vector<FittedMode>& modes) {
   std::vector<Pole> starts = stable_poles(set);

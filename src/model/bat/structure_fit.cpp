@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/math/levenberg_marquardt.hpp"
@@ -44,9 +45,9 @@ double& value_of(BeamStructure& structure, StructureParameter which) {
 
 class StructureProblem {
  public:
-  StructureProblem(const BeamStructure& structure, const std::vector<StructureParameter>& parameters,
+  StructureProblem(BeamStructure structure, const std::vector<StructureParameter>& parameters,
                    const std::vector<MeasuredMode>& measured, const StructureFitOptions& options)
-      : start_(structure), parameters_(parameters), measured_(measured), options_(options) {
+      : start_(std::move(structure)), parameters_(parameters), measured_(measured), options_(options) {
     for (const MeasuredMode& one : measured) highest_ = std::max(highest_, one.elastic);
     start_logs_ = VectorXd(std::ssize(parameters));
     for (Index i = 0; i < start_logs_.size(); ++i)

@@ -5,9 +5,13 @@
 #include "core/io/parse_number.hpp"
 
 namespace percuss::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 nlohmann::ordered_json bat_json(const BatLabel& bat) {
-  using Json = nlohmann::ordered_json;
   Json json{{"id", bat.id}, {"properties", Json::object()}};
   for (const auto& [key, text] : bat.properties) {
     const ParsedNumber number = parse_number(text, false);

@@ -43,7 +43,7 @@ TEST(ReadingsTable, RejectsImpossibleRows) {
            {"id,diameter_in\na,1 2 3 4 5 6 7 8\n", "more than 7 values"},
            {"id,hoop1_hz\na,0\n", "hoop1_hz"},
            {R"({"schema": "percuss/session/1", "bats": []})", "not a table of readings"}})
-    EXPECT_THAT(input_error_of([&] { parse_readings_table(text, "t"); }), HasSubstr(problem)) << text;
+    EXPECT_THAT(input_error_of([&, &table = text] { parse_readings_table(table, "t"); }), HasSubstr(problem)) << text;
 }
 
 }  // namespace percuss::metrics::readings_table_test
