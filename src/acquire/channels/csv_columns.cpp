@@ -197,15 +197,14 @@ class Finder {
       if (column.index != columns_.force.index) columns_.accel.push_back(column);
     }
     if (columns_.accel.empty() && !columns_.has_force) find_only_response();
-    if (columns_.accel.empty() && !columns_.has_force) {
+    if (!columns_.accel.empty()) return;
+    if (!columns_.has_force) {
       throw AmbiguousColumns("neither a force nor an acceleration column found among " + list_of(header_.columns),
                              where_, "name the force and the accelerations, or the accelerations alone", header_,
                              {"force_channel", "accel_channel"});
     }
-    if (columns_.accel.empty()) {
-      throw AmbiguousColumns("no acceleration column found among " + list_of(header_.columns), where_,
-                             "name the accelerations", header_, {"accel_channel"});
-    }
+    throw AmbiguousColumns("no acceleration column found among " + list_of(header_.columns), where_,
+                           "name the accelerations", header_, {"accel_channel"});
   }
 
   // A file with one signal and no force holds a response, such as a microphone's.

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace percuss::acquire {
 
@@ -12,5 +14,12 @@ bool is_point_number(std::int64_t point);
 
 /// errors  InputError: not the number of a point; names `where`.
 void require_point_number(std::int64_t point, const std::string& where);
+
+/// The numbers of points that a file stores as floating-point numbers.
+/// errors  InputError: a number that is not whole or not a point's, or that occurs twice; names `where`.
+std::vector<int> point_numbers(std::span<const double> numbers, const std::string& where);
+
+/// errors  always InputError: the numbers at `where` are not whole
+[[noreturn]] void refuse_point_numbers(const std::string& where);
 
 }  // namespace percuss::acquire

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 #include "acquire/channels/named_channels.hpp"
 #include "acquire/formats/hdf5/hdf5_input.hpp"
@@ -78,16 +77,7 @@ std::vector<int> points_of(const InputHdf5& file, std::size_t count) {
   const InputDataSet set(file, "point");
   const std::string where = file.where("point");
   if (set.shape() != std::vector<std::size_t>{count}) throw InputError("not one number per point", where, kRemedy);
-  const auto numbers = set.read_all();
-  for (std::size_t p = 0; p < count; ++p) {
-    if (!(std::abs(numbers[p]) <= static_cast<double>(kMaxPointNumber)) || numbers[p] != std::round(numbers[p]))
-      throw InputError("not a whole number", where, "store whole numbers");
-    points[p] = static_cast<int>(numbers[p]);
-    require_point_number(points[p], where);
-  }
-  if (std::set<int>(points.begin(), points.end()).size() != count)
-    throw InputError("a point occurs twice", where, "give each point its own number");
-  return points;
+  return point_numbers(set.read_all(), where);
 }
 
 void read_sensors(const InputHdf5& file, const InputDataSet& frf, std::size_t channels, FrfRecord& record) {

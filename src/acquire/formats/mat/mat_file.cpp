@@ -20,8 +20,6 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kNameShown = 63;
-
 void ignore_log(int, char*) {}
 
 struct CloseMat {
@@ -57,7 +55,8 @@ MatFile read_mat_file(const std::string& path) {
     const std::string name = variable->name == nullptr ? "" : variable->name;
     flatten.check_claim(variable.get());
     if (MatFlattener::reads(variable.get()) && Mat_VarReadDataAll(file.get(), variable.get()) != 0)
-      throw InputError(one_line(name, kNameShown) + " cannot be read", path, "is it damaged? Save it again");
+      throw InputError(one_line(name, MatFlattener::kNameShown) + " cannot be read", path,
+                       "is it damaged? Save it again");
     flatten.add(name, variable.get());
   }
   return out;

@@ -11,7 +11,7 @@ namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kMaxVariables = 10'000, kMaxDepth = 8, kMaxElements = 4096;
-constexpr std::size_t kMaxMatDimensions = 8, kMaxNameShown = 63;
+constexpr std::size_t kMaxMatDimensions = 8;
 
 template <class Stored>
 void append_as_double(std::vector<double>& out, const void* data, std::size_t count) {
@@ -116,7 +116,7 @@ void MatFlattener::spend(std::uint64_t count, std::uint64_t each_bytes) {
 }
 
 void MatFlattener::skip(const std::string& name, const std::string& why) {
-  out_.notes.emplace_back(fmt::format("{} is not read: {}", one_line(name, kMaxNameShown), why));
+  out_.notes.emplace_back(fmt::format("{} is not read: {}", one_line(name, kNameShown), why));
 }
 
 void MatFlattener::refuse(const std::string& problem) const {
@@ -131,11 +131,11 @@ void MatFlattener::add_numbers(const std::string& name, const matvar_t* variable
   const std::uint64_t stored =
       static_cast<std::uint64_t>(variable->nbytes) / static_cast<std::uint64_t>(std::max(variable->data_size, 1));
   if (count == 0) return;
-  if (variable->data == nullptr || stored < count) refuse(one_line(name, kMaxNameShown) + " cannot be read");
+  if (variable->data == nullptr || stored < count) refuse(one_line(name, kNameShown) + " cannot be read");
   bool known = true;
   if (variable->isComplex != 0) {
     const auto* const parts = static_cast<const mat_complex_split_t*>(variable->data);
-    if (parts->Re == nullptr || parts->Im == nullptr) refuse(one_line(name, kMaxNameShown) + " cannot be read");
+    if (parts->Re == nullptr || parts->Im == nullptr) refuse(one_line(name, kNameShown) + " cannot be read");
     known = to_doubles(variable->data_type, parts->Re, count, out.real) &&
             to_doubles(variable->data_type, parts->Im, count, out.imaginary);
   } else {
@@ -175,7 +175,7 @@ void MatFlattener::add_elements(const std::string& name, const std::vector<const
                                 char close) {
   if (elements_of.empty()) return;
   if (elements_of.size() == 1) return add(name, elements_of.front());
-  if (elements_of.size() > kMaxElements) refuse("more than 4096 elements in " + one_line(name, kMaxNameShown));
+  if (elements_of.size() > kMaxElements) refuse("more than 4096 elements in " + one_line(name, kNameShown));
   MatFile parts{.path = out_.path};
   MatFlattener within(parts, UINT64_MAX);
   bool alike = true;

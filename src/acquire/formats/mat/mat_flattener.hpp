@@ -14,6 +14,8 @@ namespace percuss::acquire {
 /// errors  InputError: more than 10000 variables, 4096 elements or 8 levels; numbers that the file lacks.
 class MatFlattener {
  public:
+  static constexpr std::size_t kNameShown = 63;  // characters of a name in a message
+
   /// `limit_bytes`: of all numbers that the headers may claim.
   MatFlattener(MatFile& out, std::uint64_t limit_bytes) : out_(out), left_bytes_(limit_bytes) {}
 

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
+#include <numeric>
 
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/formats/mat/mat_frf_layout.hpp"
@@ -116,19 +115,14 @@ std::vector<double> values_of(const MatFile& file, const MatVariable* companion,
 
 // The numbers of the points; from 0 if the file does not number them.
 std::vector<int> point_numbers_in(const MatFile& file, std::size_t count) {
-  std::vector<int> points(count);
   const MatVariable* const numbers = find_variable(file, "point");
-  const bool numbered = numbers != nullptr && numbers->size() == count;
-  const std::string where = file.path + ": point";
-  for (std::size_t p = 0; p < count; ++p) {
-    const double number = numbered ? numbers->real[p] : static_cast<double>(p);
-    const bool whole = std::abs(number) <= static_cast<double>(kMaxPointNumber) && std::rint(number) == number;
-    if (!whole || (numbered && numbers->is_complex())) throw InputError("not a whole number", where, "store 0, 1, …");
-    points[p] = static_cast<int>(number);
-    require_point_number(points[p], where);
+  if (numbers != nullptr && numbers->size() == count) {
+    const std::string where = file.path + ": point";
+    if (numbers->is_complex()) refuse_point_numbers(where);
+    return point_numbers(numbers->real, where);
   }
-  if (std::set<int>(points.begin(), points.end()).size() != count)
-    throw InputError("a point occurs twice", where, "give each point its own number");
+  std::vector<int> points(count);
+  std::iota(points.begin(), points.end(), 0);
   return points;
 }
 

@@ -39,8 +39,9 @@ bool any(const std::vector<bool>& found) { return std::find(found.begin(), found
 
 // The function that a number means, counted from 1 in the order of the file; nothing where the text is a name.
 const UffFunction* function_numbered(const std::string& text, const Functions& functions) {
-  for (std::size_t i = 0; i < functions.size(); ++i) {
-    if (lower_name(*functions[i]) == lower_case(text)) return nullptr;
+  const std::string lower = lower_case(text);
+  for (const UffFunction* function : functions) {
+    if (lower_name(*function) == lower) return nullptr;
   }
   for (std::size_t i = 0; i < functions.size(); ++i) {
     if (std::to_string(i + 1) == text) return functions[i];
