@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "report/json/json_document.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/numeric_csv.hpp"
 #include "report/text/text_table.hpp"
@@ -32,7 +33,7 @@ Json uncertainty_of(const metrics::UncertainValue& value) {
     if (std::abs(part) > kRoundingOfParts * std::abs(value.value())) from[kReadingNames.at(i)] = std::abs(part);
     if (value.unknown(static_cast<metrics::Reading>(i))) without.push_back(kReadingNames.at(i));
   }
-  const double std = value.std() > kRoundingOfParts * std::abs(value.value()) ? value.std() : 0;
+  const double std = std_without_rounding(value);
   return {{"std", std}, {"from", std::move(from)}, {"without", std::move(without)}};
 }
 
@@ -147,9 +148,10 @@ CommandReport metrics_report(const metrics::BatReadings& readings, const BatProf
   report.table = "number,value,std,equation\n";
   for (const MetricLine& line : lines) {
     if (line.value)
-      report.table += fmt::format("{},{},{},{}\n", line.key, line.value->value(), line.value->std(), line.equation);
+      report.table +=
+          fmt::format("{},{},{},{}\n", line.key, line.value->value(), std_without_rounding(*line.value), line.equation);
   }
-  report.json = json.dump(2) + "\n";
+  report.json = indented_text(json) + "\n";
   report.text = text_of_metrics(lines, metrics, metrics::metrics_warnings(readings, metrics));
   return report;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -44,6 +45,11 @@ struct MetricLine {
 
 /// Parts of a standard deviation below this, relative to the value, are rounding errors of terms that cancel.
 inline constexpr double kRoundingOfParts = 1e-14;
+
+/// The standard deviation, 0 where it is such a rounding error.
+inline double std_without_rounding(const metrics::UncertainValue& value) {
+  return value.std() > kRoundingOfParts * std::abs(value.value()) ? value.std() : 0;
+}
 
 /// All metrics in the order of the reports.
 std::vector<MetricLine> metric_lines(const metrics::BatReadings& readings, const metrics::BatMetrics& metrics);

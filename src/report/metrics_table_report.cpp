@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "metrics/protocol/readings_table.hpp"
+#include "report/json/json_document.hpp"
 #include "report/metrics_report.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
@@ -21,8 +22,8 @@ std::string cell_of(const std::optional<double>& value) { return value ? fmt::fo
 std::string value_cell(const MetricLine& line) { return line.value ? cell_of(line.value->value()) : ""; }
 
 std::string std_cell(const MetricLine& line) {
-  return line.value && line.value->std() > kRoundingOfParts * std::abs(line.value->value()) ? cell_of(line.value->std())
-                                                                                            : "";
+  const double std = line.value ? std_without_rounding(*line.value) : 0;
+  return std > 0 ? cell_of(std) : "";
 }
 
 std::string table_header() {
@@ -122,7 +123,7 @@ CommandReport metrics_table_report(const std::vector<NamedMetrics>& bats, CsvFor
     json["bats"].push_back(std::move(one));
     collect(warnings, metrics::metrics_warnings(bat.readings, computed), bat.label.id);
   }
-  report.json = json.dump(2) + "\n";
+  report.json = indented_text(json) + "\n";
   report.text += table_of_bats(bats, all_lines);
   add_warnings(warnings, bats.size(), report.text);
   return report;

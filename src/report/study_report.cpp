@@ -142,7 +142,7 @@ std::string study_json(const metrics::Study& study) {
   return indented_text(json) + "\n";
 }
 
-// Quantities with frequencies and speeds as whole numbers and tenths.
+// BESR and BBCOR with three decimals, drop and speeds with one, frequencies and MOI with none.
 std::string quantity_text(metrics::StudyQuantity quantity, double value) {
   using enum metrics::StudyQuantity;
   if (quantity == besr || quantity == bbcor) return fmt::format("{:.3f}", value);
@@ -171,7 +171,7 @@ void add_groups(const metrics::Study& study, ReportText& out) {
 
 void add_programs(const metrics::Study& study, ReportText& out) {
   for (const metrics::StudyProgram& p : study.programs) {
-    if (p.counted) continue;
+    if (p.counted || p.bats == 0) continue;
     out.say({fmt::format("{} bats of the program {} are drawn, but not part of statements, trends and correlations",
                          p.bats, p.name),
              {"program"}});

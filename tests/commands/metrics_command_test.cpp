@@ -156,4 +156,12 @@ TEST(MetricsCommand, ShowsNoUncertaintyOfTermsThatCancel) {
   }
 }
 
+// Texts of the user need not be UTF-8.
+TEST(MetricsCommand, WritesAnIdOfAnyBytes) {
+  const auto outcome =
+      run_percuss({"metrics", "--length-in", "33", "--weight-oz", "30", "--bat-id", "W\xe9", "--json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(test::parse_json(outcome.out)["bat"]["id"], "W\xef\xbf\xbd");
+}
+
 }  // namespace percuss::metrics_command_test

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-#include <iostream>
 #include <memory>
 
 #include "cli/option_error.hpp"
@@ -119,8 +117,10 @@ report::NamedMetrics metrics_of_row(const MetricsFlags& flags, const metrics::Re
 }
 
 int metrics_of_table(const MetricsFlags& flags) {
-  if (!flags.bat_id.empty())
-    throw OptionError({"bat_id"}, "names one bat, but a table is given", "write the ids into the table");
+  if (!flags.bat_id.empty() || !flags.bat.empty()) {
+    throw OptionError({flags.bat_id.empty() ? "bat" : "bat_id"}, "names one bat, but a table is given",
+                      "write ids and properties into the table");
+  }
   std::vector<report::NamedMetrics> bats;
   const auto rows =
       metrics::parse_readings_table(read_input(flags.table, kMaxReadings_bytes).view(), input_name(flags.table), flags);
@@ -136,8 +136,8 @@ int metrics(const MetricsFlags& flags) {
     return kOk;
   }
   check_outputs(flags.output, {".json", ".csv", ".html"});
-  const auto label = bat_label(flags.bat_id, flags.bat);
   if (!flags.table.empty()) return metrics_of_table(flags);
+  const auto label = bat_label(flags.bat_id, flags.bat);
   const report::NamedMetrics one = named_metrics(flags);
   return show_report(report::metrics_report(one.readings, one.profile, label), flags.output);
 }

@@ -35,7 +35,6 @@ class AbiEvaluation {
 
   AbiRun run() {
     run_.displacement_in = log_.displacement_in.value_or(rules_.displacement_in);
-    stated_ = log_.displacement_in.has_value();
     for (const AbiEntry& entry : log_.entries) take(entry);
     return std::move(run_);
   }
@@ -70,7 +69,7 @@ class AbiEvaluation {
   // Forces at different displacements are not comparable: the displacement of the first compression holds for all.
   void check_displacement(const AbiCompression& compression) {
     const double now_in = compression.displacement_in.value_or(run_.displacement_in);
-    if (!stated_ && run_.compressions.empty()) run_.displacement_in = now_in;
+    if (!log_.displacement_in && run_.compressions.empty()) run_.displacement_in = now_in;
     if (std::abs(now_in - run_.displacement_in) > kReadingTolerance) {
       throw InputError(
           fmt::format("compressed by {:g} in, but the other compressions by {:g} in", now_in, run_.displacement_in),
@@ -183,7 +182,6 @@ class AbiEvaluation {
   const AbiRules& rules_;
   const AbiEntry* entry_ = nullptr;
   double unrolled_lbf_ = 0;  // BC_i,0
-  bool stated_ = false;      // the displacement, by the log
   AbiRun run_;
 };
 

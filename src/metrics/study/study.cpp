@@ -48,14 +48,15 @@ void fit_figure(const Study& study, StudyFigure& figure) {
 }
 
 // Whether a program counts: as asked for, else the main one.
-std::vector<StudyProgram> programs_of(const std::vector<StudyBat>& bats, const StudyOptions& options) {
+std::vector<StudyProgram> programs_of(const Study& study, const StudyOptions& options) {
   std::map<std::string, std::size_t> bats_of;
-  for (const StudyBat& bat : bats) ++bats_of[program_of(bat)];
+  for (std::size_t b = 0; b < study.bats.size(); ++b) bats_of[program_of(study.bats[b])] += study.repeated[b] ? 0U : 1U;
   std::vector<StudyProgram> out;
   for (const auto& [name, count] : bats_of) out.push_back({.name = name, .bats = count, .counted = false});
   if (options.programs.empty()) {
     const auto main = std::max_element(out.begin(), out.end(), [](const StudyProgram& a, const StudyProgram& b) {
-      return std::pair(a.name == kMainProgram, a.bats) < std::pair(b.name == kMainProgram, b.bats);
+      return std::pair(a.bats > 0 && a.name == kMainProgram, a.bats) <
+             std::pair(b.bats > 0 && b.name == kMainProgram, b.bats);
     });
     if (main != out.end()) main->counted = true;
   }
@@ -148,7 +149,7 @@ std::string program_of(const StudyBat& bat) { return bat.program.empty() ? kMain
 Study study_of(std::vector<StudyBat> bats, const StudyOptions& options) {
   Study study{.bats = std::move(bats)};
   study.repeated = repeats_of(study.bats);
-  study.programs = programs_of(study.bats, options);
+  study.programs = programs_of(study, options);
   study.groups = study_groups_of(study.bats);
   for (std::size_t b = 0; b < study.bats.size(); ++b) {
     const auto program = std::find_if(study.programs.begin(), study.programs.end(),

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,10 +19,11 @@ namespace percuss::metrics {
 std::optional<std::vector<BatProperties>> states_in_document(std::string_view text, const std::string& where);
 
 /// Columns of a table of percuss metrics that a study does not use.
-inline constexpr std::array<const char*, 22> kMetricsColumns{
-    "cg_in",         "period_s",      "ball_g",      "v_in_mph",          "v_out_mph",         "v_swing_mph",
-    "v_contact_mph", "ncaa_besr",     "k",           "drop_class",        "drop_std",          "moi_oz_in2_std",
-    "besr_std",      "ncaa_besr_std", "bbs_mph_std", "bbcor_std",         "v_contact_mph_std", "v_swing_mph_std",
-    "k_std",         "gate_times_s",  "warnings",    "handle_diameter_in"};
+inline constexpr std::array<const char*, 21> kMetricsColumns{
+    "cg_in",         "period_s",    "gate_times_s", "diameter_in",       "handle_diameter_in",
+    "ball_g",        "v_in_mph",    "v_out_mph",    "v_swing_mph",       "v_contact_mph",
+    "ncaa_besr",     "k",           "drop_std",     "moi_oz_in2_std",    "besr_std",
+    "ncaa_besr_std", "bbs_mph_std", "bbcor_std",    "v_contact_mph_std", "v_swing_mph_std",
+    "k_std"};
 
 }  // namespace percuss::metrics

@@ -100,8 +100,9 @@ const std::string* finer_of(const std::string& a, const std::string& b) {
   const auto x_decimals = decimals_of(a), y_decimals = decimals_of(b);
   if (x.problem != NumberProblem::none || y.problem != NumberProblem::none || !x_decimals || !y_decimals)
     return nullptr;
-  const double half = 0.5 * std::pow(10.0, -std::min(*x_decimals, *y_decimals));
-  constexpr double kSlack = 1 + 1e-9;
+  constexpr double kSlack = 1 + 1e-9, kMostRounding = 0.01;  // of the value: the text "6" may stand for 6.0
+  const double half = std::min(0.5 * std::pow(10.0, -std::min(*x_decimals, *y_decimals)),
+                               kMostRounding * std::max(std::abs(x.value), std::abs(y.value)));
   if (std::abs(x.value - y.value) > half * kSlack) return nullptr;
   return *x_decimals >= *y_decimals ? &a : &b;
 }
@@ -169,7 +170,9 @@ void StudyRows::merge(const BatProperties& properties, const std::string& where)
 
 // The states of a break-in are listed in their order, also where documents of later states came first.
 void StudyRows::order_states(const std::vector<BatProperties>& states) {
-  if (states.size() < 2) return;
+  const std::string bat = states.empty() ? "" : text_of(states.front(), "bat");
+  const auto is_of_bat = [&](const BatProperties& state) { return text_of(state, "bat") == bat; };
+  if (bat.empty() || !std::all_of(states.begin(), states.end(), is_of_bat)) return;  // a list of several bats
   std::vector<std::string> ids;
   for (const BatProperties& state : states) {
     const std::string id = text_of(state, "id");
@@ -217,7 +220,9 @@ void StudyRows::add(std::string_view text, const std::string& where) {
   const auto read = [&](StrictObject& o) {
     std::string schema = "percuss/study-table/1";
     o.read("schema", schema);
-    if (schema != "percuss/study-table/1") o.fail("not a table of bats", "schema", "give a table or analyses");
+    if (schema != "percuss/study-table/1")
+      o.fail("not a table of bats", "schema",
+             "give a table of bats, or a document of analyze, metrics, certify or abi");
     o.need("bats");
     o.read_list("bats", read_row);
   };

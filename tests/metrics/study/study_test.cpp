@@ -269,6 +269,7 @@ TEST(StudyTable, RefusesInvalidValues) {
   EXPECT_THAT(refusal("id,length_in,material,hoop1_hz\na,33,wood,-5\n"), HasSubstr("hoop1_hz is -5"));
   EXPECT_THAT(refusal("id,length_in,material\n,33,wood\n"), HasSubstr("without an id"));
   EXPECT_THAT(refusal("id,length_in,material\na,33,wood\na,34,wood\n"), HasSubstr("two values of length_in"));
+  EXPECT_THAT(refusal("id,length_in,material\na,33,wood\na,33.4,wood\n"), HasSubstr("two values of length_in"));
   EXPECT_THAT(refusal("id,length_in,material,condition\na,33,wood,old\n"), HasSubstr("condition"));
   EXPECT_THAT(refusal("{\"schema\": \"percuss/analysis/1\"}"), HasSubstr("does not name its bat"));
   EXPECT_THAT(refusal("{\"schema\": \"percuss/analysis/1\", \"runs\": []}"), HasSubstr("several tests"));
