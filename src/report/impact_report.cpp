@@ -93,7 +93,8 @@ std::string deflection_text(const model::ImpactResult& r) {
 std::string contacts_text(const model::Impact& impact, const model::ImpactResult& r) {
   if (r.contacts == 1) return "second contact: " + recontact_text(r);
   if (!r.final_cor)
-    return fmt::format("second contact: {}; the contacts do not end after {} of them", recontact_text(r), r.contacts);
+    return fmt::format("second contact: {}; {} contacts were followed, and no last one was found", recontact_text(r),
+                       r.contacts);
   return fmt::format(
       "second contact: {}; the ball leaves for good after {} contacts and {:.1f} ms, with {}: coefficient of "
       "restitution {:.5f}",

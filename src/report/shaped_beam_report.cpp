@@ -40,10 +40,13 @@ std::vector<ShapedMode> all_modes(const model::BatModes& beam, std::size_t count
   for (std::size_t mode = 0; mode < rigid; ++mode) modes.push_back(rigid_mode(beam, mode, x_m));
   const std::size_t elastic = std::min(count - rigid, static_cast<std::size_t>(beam.freq_Hz.size()));
   const Eigen::VectorXd tip = beam.deflection(beam.length_m);
+  std::vector<Eigen::VectorXd> deflections;  // of all modes, at each position
+  deflections.reserve(x_m.size());
+  for (const double x : x_m) deflections.push_back(beam.deflection(x));
   for (std::size_t mode = 0; mode < elastic; ++mode) {
     const auto at = static_cast<Eigen::Index>(mode);
     ShapedMode out{.freq_Hz = beam.freq_Hz[at], .node_m = model::nodes_of(beam, mode), .shape = {}};
-    for (const double x : x_m) out.shape.push_back(beam.deflection(x)[at] / tip[at]);
+    for (const Eigen::VectorXd& all : deflections) out.shape.push_back(all[at] / tip[at]);
     modes.push_back(std::move(out));
   }
   return modes;

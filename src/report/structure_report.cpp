@@ -72,7 +72,7 @@ KindDifference largest_difference(const std::vector<double>& freq_Hz, const Othe
 // A warning where the table was read as slices and they are long.
 std::optional<Message> kind_warning(const model::BeamStructure& structure, const StructureOrigin& origin,
                                     const std::vector<double>& freq_Hz) {
-  if (!origin.other || structure.table.kind != model::ProfileKind::slices) return {};
+  if (!origin.other || freq_Hz.empty() || structure.table.kind != model::ProfileKind::slices) return {};
   const KindDifference worst = largest_difference(freq_Hz, *origin.other);
   return Message{
       fmt::format("slices are up to {:.1f} % of the length long; with linear dimensions between the positions mode {} "
@@ -150,7 +150,7 @@ void add_structure_json(const model::BeamStructure& structure, const StructureOr
                                 {"severity", "warn"},
                                 {"message", warning->text},
                                 {"value", largest_difference(freq_Hz, *origin.other).relative},
-                                {"remedy", "read the table as points"}});
+                                {"remedy", "if the table holds measured points, say so"}});
   }
 }
 

@@ -67,7 +67,6 @@ BeamElement element_of(const BeamStructure& structure, std::size_t station, doub
     e.bending_Nm2 += kGaussWeight.at(i) * section.bending_Nm2;
     e.shear_N += kGaussWeight.at(i) * section.shear_N;
     e.mass_kgpm += kGaussWeight.at(i) * section.mass_kgpm;
-    e.rotary_kgm += kGaussWeight.at(i) * section.rotary_kgm;
   }
   if (structure.slender) e.shear_N = std::numeric_limits<double>::infinity();
   return e;

@@ -22,7 +22,6 @@ struct BeamElement {
   double bending_Nm2 = 0;  // mean EI
   double shear_N = 0;      // mean κGA; infinite without shear deformation
   double mass_kgpm = 0;    // mean ρA
-  double rotary_kgm = 0;   // mean ρI
   std::array<BeamSection, kGaussPoints> at_gauss{};
 
   // Shape functions of deflection w, rotation θ of the section, shear w′ − θ and curvature θ′, at x = 0 … 1.
@@ -66,7 +65,8 @@ struct BatInertia {
   double inertia_kgm2 = 0;  // about a transverse axis through the centre of mass
 };
 
-/// Exact for constant and for linearly changing dimensions.
+/// Exact for constant and for linearly changing dimensions, except in an element in which a
+/// wall reaches the axis.
 BatInertia inertia_of(const TimoshenkoBeam& beam);
 
 /// The start of each element, and the end of the beam. shape [elements + 1].

@@ -79,15 +79,13 @@ void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool serie
   }
 }
 
-// Follows the ball to its last contact. The chain runs with the step of the first contact and with half of it.
+// Follows the ball from the first separation to its last contact: with step_s, and all contacts with half of it.
 void follow_contacts(BallOnBeam& system, const Impact& impact, ImpactMethod method, double step_s,
-                     ImpactResult& result) {
-  const auto chain_of = [&](double chain_step_s) {
-    ContactPass first(system, impact, method, chain_step_s, system.start(impact.speed_mps));
-    const double contact_s = first.run(false).contact_s;
-    return contact_chain(system, impact, method, chain_step_s, first.end(), contact_s);
-  };
-  const ContactChain coarse = chain_of(step_s), fine = chain_of(step_s / 2);
+                     const BallOnBeamState& separated, ImpactResult& result) {
+  const ContactChain coarse = contact_chain(system, impact, method, step_s, separated, result.contact_s);
+  ContactPass first(system, impact, method, step_s / 2, system.start(impact.speed_mps));
+  const double contact_s = first.run(false).contact_s;
+  const ContactChain fine = contact_chain(system, impact, method, step_s / 2, first.end(), contact_s);
   result.contacts = fine.contacts;
   result.last_separation_s = fine.last_separation_s;
   result.energy_error = std::max(result.energy_error, fine.energy_error);
@@ -140,7 +138,7 @@ ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options)
   result.last_separation_s = result.contact_s;
   if (result.recontact_s) {
     result.final_cor = result.final_cor_uncertainty = std::nullopt;
-    follow_contacts(system, impact, options.method, step_s, result);
+    follow_contacts(system, impact, options.method, step_s, end, result);
   }
   return result;
 }

@@ -182,6 +182,11 @@ TEST_F(ModelBatCommand, NamesTheInvalidColumn) {
                                                         {"end,diameter,thickness\n2,50,1\n", "walls"},
                                                         {"end,diameter,young_2\n2,50,1e9\n", "layer 1 has no wall"},
                                                         {"end,width,young\n2,50,1e9\n", "layer 1 has no thickness"},
+                                                        {"end,diameter,density (g/cm³)\n2,50,0.7\n", "g/cm³"},
+                                                        {"end,diameter,young (psi)\n2,50,1e6\n", "psi"},
+                                                        {"end,diameter,wall (kg)\n2,50,1\n", "kg"},
+                                                        {"end,diameter,wall,diameter_2\n2,50,1,40\n", "'diameter_2'"},
+                                                        {"end,diameter\n0,50\n2,50\n", "ends at position 0"},
                                                         {"end,diameter,wall\n2,50,0\n", "wall"},
                                                         {"end,diameter,young\n2,50,-1\n", "Young"},
                                                         {"end (mm),diameter (mm),wall\n2,50,1\n", "mm"}}) {

@@ -115,7 +115,9 @@ int model_shaped_beam(const ModelBeamFlags& flags, model::BeamStructure beam) {
   if (flags.fit.any()) {
     origin.measured = measured_modes(flags.fit, rigid);
     const auto parameters = structure_parameters(flags.fit, beam, origin.total_mass_kg.has_value());
-    origin.fit = model::fit_structure(beam, parameters, origin.measured, {.total_mass_kg = origin.total_mass_kg});
+    origin.fit =
+        model::fit_structure(beam, parameters, origin.measured,
+                             {.total_mass_kg = origin.total_mass_kg, .max_element_fraction = kBeamElementFraction});
     beam = origin.fit->structure;
   }
   const std::size_t elastic = flags.modes > rigid ? flags.modes - rigid : 1;

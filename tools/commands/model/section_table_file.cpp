@@ -23,7 +23,16 @@ constexpr const char* kProfileForm =
 constexpr const char* kNamesForm =
     "name further columns in the first line: wall, young, shear, density, and wall_2, young_2 … of inner layers";
 
-enum class Quantum { position, diameter, width, thickness, wall, young, shear, density };
+enum class Quantum {
+  position,
+  diameter,
+  width,
+  thickness,
+  wall,
+  young,
+  shear,
+  density
+};  // from thickness on: of a layer
 
 struct ColumnName {
   const char* name;
@@ -57,7 +66,9 @@ std::optional<ProfileColumn> column_named(const std::string& text) {
     base.resize(base.size() - 2);
   }
   for (const ColumnName& one : kColumns) {
-    if (base == one.name) return ProfileColumn{.what = one.what, .layer = layer, .unit = lower_case(unit)};
+    const bool of_layer = one.what >= Quantum::thickness;
+    if (base == one.name && (layer == 0 || of_layer))
+      return ProfileColumn{.what = one.what, .layer = layer, .unit = lower_case(unit)};
   }
   return {};
 }
@@ -89,9 +100,10 @@ std::vector<std::string> names_of(const NumberTable& table, const std::vector<st
   return unnamed;
 }
 
-std::vector<ProfileColumn> columns_of(const NumberTable& table, const SectionTableForm& form) {
+std::vector<ProfileColumn> columns_of(const NumberTable& table, const SectionTableForm& form,
+                                      const std::string& where) {
   const std::size_t count = table.rows.front().values.size();
-  const std::string& place = table.rows.front().place;
+  const std::string& place = table.headers.empty() ? table.rows.front().place : where;
   std::vector<std::string> names = names_of(table, form.unnamed);
   names.resize(count);
   std::vector<ProfileColumn> columns;
@@ -122,6 +134,17 @@ const ProfileColumn* column_for(const std::vector<ProfileColumn>& columns, Quant
 }
 
 // Refuses columns that give no section, and units in the header that differ from the profile's.
+// Whether the unit that the header states for a column is the one in which the column is read.
+bool is_expected(const ProfileColumn& column, const LengthUnits& units) {
+  const std::string& unit = column.unit;
+  if (column.what == Quantum::density) return unit == "kg/m3" || unit == "kg/m^3" || unit == "kg/m³";
+  if (column.what == Quantum::young || column.what == Quantum::shear)
+    return unit == "pa" || unit == "n/m2" || unit == "n/m^2" || unit == "n/m²";
+  const auto stated = parse_unit(unit);
+  const double wanted_m = column.what == Quantum::position ? units.position_m : units.size_m;
+  return stated && stated->quantity == Quantity::length && stated->to_SI == wanted_m;
+}
+
 void check_columns(const std::vector<ProfileColumn>& columns, std::size_t layers, const LengthUnits& units,
                    const std::string& place) {
   const auto refuse = [&](const std::string& problem, const char* remedy) {
@@ -141,11 +164,7 @@ void check_columns(const std::vector<ProfileColumn>& columns, std::size_t layers
   }
   for (const ProfileColumn& one : columns) {
     if (one.unit.empty()) continue;
-    const auto stated = parse_unit(one.unit);
-    const double wanted_m = one.what == Quantum::position ? units.position_m : units.size_m;
-    const bool material = one.what == Quantum::young || one.what == Quantum::shear || one.what == Quantum::density;
-    if (material ? one.unit == "gpa" || one.unit == "mpa" || one.unit == "g/cm^3"
-                 : stated && stated->quantity == Quantity::length && stated->to_SI != wanted_m) {
+    if (!is_expected(one, units)) {
       throw refuse(fmt::format("the header states {}, another unit is expected", one.unit),
                    "give lengths in the profile's units, moduli in Pa and densities in kg/m³");
     }
@@ -207,7 +226,7 @@ model::SectionTable read_section_table(const std::string& path, const SectionTab
   const LengthUnits units = length_units(form.units);
   const NumberTable table = read_named_number_table(
       path, {.columns = 2, .max_columns = kMaxColumns, .max_rows = kMaxSlices, .remedy = kProfileForm});
-  const std::vector<ProfileColumn> columns = columns_of(table, form);
+  const std::vector<ProfileColumn> columns = columns_of(table, form, input_name(path));
   std::size_t layers = 1;
   for (const ProfileColumn& one : columns) layers = std::max(layers, one.layer + 1);
   check_columns(columns, layers, units, table.rows.front().place);
@@ -221,6 +240,10 @@ model::SectionTable read_section_table(const std::string& path, const SectionTab
       return InputError(problem, row.place, kProfileForm, {"profile_unit"});
     };
     const bool first = out.stations.size() == 1;
+    if (first && at_m == 0 && !from_zero) {
+      throw InputError("a slice that ends at position 0", row.place,
+                       "write the end of each slice, or state that the rows are points", {"profile_kind"});
+    }
     if (first ? !(at_m > 0 || (from_zero && at_m == 0)) : !(at_m > out.stations[out.stations.size() - 2].at_m))
       throw refuse("the positions do not ascend");
     if (!(at_m <= kMaxEnd_m)) throw refuse(fmt::format("a position of {:g} m", at_m));

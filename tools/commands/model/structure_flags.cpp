@@ -82,10 +82,6 @@ void add_structure_flags(Command& command, StructureFlags& flags, const char* ki
       .type("KG:AT|KG:FROM:TO");
 }
 
-void use_total_mass(const StructureFlags& flags, model::BeamStructure& structure) {
-  if (flags.total_mass_kg) structure.material.density_kgpm3 = model::density_for_mass(structure, *flags.total_mass_kg);
-}
-
 model::BeamStructure read_structure(const StructureFlags& flags, const std::vector<std::string>& unnamed) {
   if (flags.total_mass_kg && flags.density_kgpm3)
     throw OptionError({"total_mass", "density"}, "both give the density", "omit one");
@@ -98,7 +94,7 @@ model::BeamStructure read_structure(const StructureFlags& flags, const std::vect
   material.young_Pa = flags.young_Pa.value_or(material.young_Pa);
   material.shear_Pa = flags.shear_Pa.value_or(material.shear_Pa);
   structure.added = added_masses(flags, structure.length_m());
-  use_total_mass(flags, structure);
+  if (flags.total_mass_kg) structure.material.density_kgpm3 = model::density_for_mass(structure, *flags.total_mass_kg);
   return structure;
 }
 
