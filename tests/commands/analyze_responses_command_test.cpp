@@ -68,6 +68,23 @@ TEST_F(AnalyzeResponses, RefusesWhatNeedsAForce) {
               HasSubstr("without a force channel"));
 }
 
+TEST_F(AnalyzeResponses, ComparesAndRefusesHitsThatDoNotExist) {
+  ASSERT_EQ(run_percuss({"analyze", folder_.file("ping.wav"), "-o", folder_.file("a.json"), "--quiet"}).code, 0);
+  const auto outcome = run_percuss({"analyze", folder_.file("ping.wav"), "--compare", folder_.file("a.json")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("(0.00 %)"));
+  EXPECT_THAT(test::rejection_of({"analyze", folder_.file("ping.wav"), "--reject-hit", "9"}, {".json"}, "ping.wav"),
+              HasSubstr("there is no hit 9"));
+}
+
+TEST_F(AnalyzeResponses, RefusesFilesWithoutAForceBesideOthers) {
+  ASSERT_EQ(run_percuss({"synth", "wood-bat", "-o", folder_.file("bat.h5"), "--quiet"}).code, 0);
+  for (const auto& [first, second] : {std::pair{"ping.wav", "bat.h5"}, std::pair{"bat.h5", "ping.wav"}}) {
+    test::rejection_of({"analyze", folder_.file(first), folder_.file(second), "--files", "tests"}, {".json"},
+                       "ping.wav");
+  }
+}
+
 TEST_F(AnalyzeResponses, GivesTheSameBytesForAnyNumberOfThreads) {
   const auto one = run_percuss({"analyze", folder_.file("ping.wav"), "--json", "--threads", "1"});
   const auto two = run_percuss({"analyze", folder_.file("ping.wav"), "--json", "--threads", "2"});

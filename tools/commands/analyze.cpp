@@ -14,9 +14,7 @@
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
-#include "report/compare_report.hpp"
 #include "report/json/analysis_json.hpp"
-#include "report/json/read_document.hpp"
 #include "report/svg/analysis_charts.hpp"
 #include "report/text/analysis_text.hpp"
 #include "report/text/skipped_work_text.hpp"
@@ -27,17 +25,6 @@ namespace {
 void print_trace(const pipeline::Analysis& analysis) {
   for (const auto& stage : analysis.trace().stages())
     std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
-}
-
-report::CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& document, const std::string& name) {
-  std::vector<metrics::ComparedDocument> documents = report::parse_documents(document, name);
-  for (const std::string& path : flags.compared) {
-    for (metrics::ComparedDocument& one : report::read_documents(path)) {
-      one.name = with_display_names(flags.output.host, one.name);
-      documents.push_back(std::move(one));
-    }
-  }
-  return report::compare_report(documents);
 }
 
 pipeline::ImpactTest deflection_of(const pipeline::Analysis& analysis) {
@@ -60,8 +47,14 @@ int analyze(const AnalyzeFlags& flags) {
   ReadFlags read = flags.read;
   read.options.force_optional = true;
   Measurements opened = open_measurements(read);
-  if (!opened.records.empty() && !opened.records.front().has_force)
+  const auto lacks_force = [](const acquire::Record& record) { return !record.has_force; };
+  const auto without = std::find_if(opened.records.begin(), opened.records.end(), lacks_force);
+  if (without != opened.records.end()) {
+    if (!std::all_of(opened.records.begin(), opened.records.end(), lacks_force))
+      throw InputError("no force where another file has one", without->source(),
+                       "analyse files with a force and files without one separately");
     return analyze_responses(flags, std::move(opened.records), bat);
+  }
   const Progress progress("analysing", flags.output.quiet);
   auto tests = tests_of(flags, std::move(opened));
   require_one_test(flags, sections, tests.size());

@@ -11,23 +11,26 @@
 #include "cli/report_output.hpp"
 #include "pipeline/response/response_test.hpp"
 #include "pipeline/run_analyses.hpp"
-#include "report/compare_report.hpp"
-#include "report/json/read_document.hpp"
 #include "report/response_report.hpp"
 
 namespace percuss::tools {
 namespace {
 
 void refuse_force_options(const AnalyzeFlags& flags) {
-  const auto refuse = [](bool given, const char* option, const char* why) {
-    if (given) throw OptionError({option}, why, "leave it out, or name the force's channel", {"force_channel"});
+  const auto refuse = [](bool given, const char* option) {
+    if (given) {
+      throw OptionError({option}, "needs a force, and none was recorded", "leave it out, or name the force's channel",
+                        {"force_channel"});
+    }
   };
-  refuse(flags.analysis.estimator != "h1", "estimator", "needs a force, and none was recorded");
-  refuse(flags.analysis.exponential_end > 0, "exponential", "needs a force, and none was recorded");
-  refuse(flags.analysis.delay != "off", "delay", "needs a force, and none was recorded");
-  refuse(flags.analysis.trigger_N.has_value(), "trigger", "needs a force, and none was recorded");
-  refuse(flags.per_hit, "per_hit", "needs a force, and none was recorded");
-  refuse(flags.stabilisation, "stabilisation", "needs a force, and none was recorded");
+  refuse(flags.analysis.estimator != "h1", "estimator");
+  refuse(flags.analysis.exponential_end > 0, "exponential");
+  refuse(flags.analysis.delay != "off", "delay");
+  refuse(flags.analysis.trigger_N.has_value(), "trigger");
+  refuse(flags.per_hit, "per_hit");
+  refuse(flags.stabilisation, "stabilisation");
+  refuse(flags.trace, "trace");
+  refuse(flags.explain, "explain");
   for (const std::string& section : flags.only) {
     if (section == "frf" || section == "coherence" || section == "deflection") {
       throw OptionError::wrong_value("only", section, "leave it out, or name the force's channel",
@@ -75,6 +78,10 @@ int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> re
   }
   const std::vector<pipeline::ResponseTest> tests = tests_of(flags, std::move(records));
   report::CommandReport report = report::response_report(tests, bat);
+  if (!flags.compared.empty()) {
+    report.text += "\n";
+    report.text += comparison_of(flags, report.json, inputs.front()).text;
+  }
   progress.stop();
   show_report(report, flags.output, inputs);
   const bool possible = std::all_of(tests.begin(), tests.end(), [](const auto& test) { return test.possible(); });

@@ -8,6 +8,8 @@
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "pipeline/run_analyses.hpp"
+#include "report/compare_report.hpp"
+#include "report/json/read_document.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -82,6 +84,17 @@ void compute(const std::vector<Test>& tests, const std::set<report::ReportSectio
     } catch (const std::exception&) {
     }
   });
+}
+
+report::CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& document, const std::string& name) {
+  std::vector<metrics::ComparedDocument> documents = report::parse_documents(document, name);
+  for (const std::string& path : flags.compared) {
+    for (metrics::ComparedDocument& one : report::read_documents(path)) {
+      one.name = with_display_names(flags.output.host, one.name);
+      documents.push_back(std::move(one));
+    }
+  }
+  return report::compare_report(documents);
 }
 
 }  // namespace percuss::tools

@@ -9,6 +9,7 @@
 #include "cli/open_files.hpp"
 #include "cli/output.hpp"
 #include "pipeline/impact_test.hpp"
+#include "report/html/command_report.hpp"
 #include "report/text/report_sections.hpp"
 
 namespace percuss::tools {
@@ -41,5 +42,8 @@ std::vector<Test> tests_of(const AnalyzeFlags& flags, Measurements opened);
 /// Computes the sections of several tests in parallel. It ignores errors, which occur again when the report reads the
 /// results.
 void compute(const std::vector<Test>& tests, const std::set<report::ReportSection>& sections);
+
+/// Compares a document of this run, `name`, with those of --compare.
+report::CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& document, const std::string& name);
 
 }  // namespace percuss::tools

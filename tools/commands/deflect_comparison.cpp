@@ -61,7 +61,6 @@ metrics::ComparedDocument document_of(ModelBeam beam, const pipeline::ImpactTest
       .name = "model beam", .schema = "percuss/model-beam/1", .model = true, .modes = {}, .deflections = {}};
   for (const model::BeamMode& mode : model::beam_modes(beam.impact.beam, kBeamModes))
     out.modes.push_back({.freq_Hz = mode.freq_Hz(), .family = "bending", .shape = {}});
-  std::map<std::size_t, double> speeds;
   double mean = 0;
   for (const pipeline::ImpactSpeed& one : test.speeds) mean += one.speed_mps / static_cast<double>(test.speeds.size());
   if (!beam.speed_known && test.speeds.empty()) return out;

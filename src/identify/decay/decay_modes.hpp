@@ -22,7 +22,7 @@ struct DecayMode {
   double energy = 0;  // over the noise
 };
 
-/// Decays that are no modes.
+/// The modes of a test without a force, and the sinusoids among its decays.
 struct DecayResults {
   std::vector<DecayMode> modes;  // ascending in frequency
   std::vector<DecayMode> tones;  // do not decay: their damping ratio is within three standard deviations of 0

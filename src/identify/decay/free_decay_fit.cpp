@@ -114,8 +114,8 @@ std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_
 }
 
 // The model with mode m in two, half a half-power bandwidth apart, where that explains more than noise would: two close
-// modes look like one in the residual of one, but their shapes differ.
-std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, const DecaySpectra& of,
+// modes look like one in the residual of one, but their shapes differ. `left`: χ² of the model's residual.
+std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, double left, const DecaySpectra& of,
                                     const Eigen::MatrixXd& noise) {
   const Complex s = model.modes()[m].rate.rate_radps, apart(0, kPairApart * s.real());
   DecayModel trial = model;
@@ -123,7 +123,7 @@ std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, cons
   trial.add({s - apart});
   trial.add({s + apart});
   trial.fit(kPairSweeps, kSearchWindows);
-  const double gain = chi2(model.residual(), noise) - chi2(trial.residual(), noise);
+  const double gain = left - chi2(trial.residual(), noise);
   const auto spectra = static_cast<std::size_t>(of.lines.cols());
   if (!(gain > decay_threshold(spectra + 1, kPairPlaces * model.modes().size()))) return std::nullopt;
   if (scatter_explains(model.modes()[m], gain, of, noise)) return std::nullopt;
@@ -188,9 +188,11 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
     if (auto alone = without_imitations(model, m, measured, out.noise, energies(model, measured, out.noise)))
       model = std::move(*alone);
   }
+  double left = options.search ? chi2(model.residual(), out.noise) : 0;
   for (std::size_t m = 0; options.search && m < model.modes().size(); ++m) {
-    if (auto pair = with_pair(model, m, measured, out.noise)) {
+    if (auto pair = with_pair(model, m, left, measured, out.noise)) {
       model = std::move(*pair);
+      left = chi2(model.residual(), out.noise);
       ++m;
     }
   }

@@ -9,8 +9,6 @@
 #include "pipeline/hits/response_clipping.hpp"
 
 namespace percuss::pipeline {
-namespace {
-
 bool contains(const std::vector<std::size_t>& list, std::size_t i) {
   return std::find(list.begin(), list.end(), i) != list.end();
 }
@@ -23,8 +21,6 @@ void require_hits(const std::vector<std::size_t>& numbers, std::size_t hits, con
                      "hits count from 0, as in the report", {option});
   }
 }
-
-}  // namespace
 
 std::vector<AnalysedHit> grade_by_force(std::vector<acquire::Hit> found, const acquire::Record& record,
                                         const HitDemands& demands) {

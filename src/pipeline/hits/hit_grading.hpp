@@ -15,6 +15,12 @@ struct HitDemands {
   std::optional<double> high_Hz;            // upper end of the band, which the bandwidth of the force should reach
 };
 
+bool contains(const std::vector<std::size_t>& list, std::size_t i);
+
+/// errors  InputError: a number of `numbers`, the value of `option`, that none of the `hits` hits has.
+void require_hits(const std::vector<std::size_t>& numbers, std::size_t hits, const acquire::Record& record,
+                  const char* option);
+
 /// Accepts hits by their force and by the user's demands.
 /// errors  InputError: a hit number that does not exist.
 std::vector<AnalysedHit> grade_by_force(std::vector<acquire::Hit> found, const acquire::Record& record,

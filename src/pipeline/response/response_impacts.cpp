@@ -40,10 +40,11 @@ double quiet_level(std::vector<double> power) {
 }
 
 std::vector<std::size_t> rising_blocks(const std::vector<double>& power, std::size_t history) {
-  const double least = std::max(kWeakest * extremes_of(power).high, kAboveQuiet * quiet_level(power));
+  const double weakest = kWeakest * extremes_of(power).high;
+  const double least = std::max(weakest, kAboveQuiet * quiet_level(power));
   std::vector<std::size_t> out;
   for (std::size_t b = 1; b < power.size(); ++b) {
-    if (power[b] < kWeakest * extremes_of(power).high) continue;
+    if (power[b] < weakest) continue;
     const std::size_t from = b - std::min(b, history);
     const double before = *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(from),
                                             power.begin() + static_cast<std::ptrdiff_t>(b));

@@ -11,6 +11,7 @@
 #include "core/math/statistics.hpp"
 #include "core/parallel/parallel.hpp"
 #include "identify/decay/decay_start.hpp"
+#include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/response/response_warnings.hpp"
 #include "pipeline/run_analyses.hpp"
 
@@ -25,10 +26,6 @@ constexpr std::size_t kMinSamples = 64;
 constexpr double kShortest = 0.5;  // of the median length
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;
 
-bool contains(const std::vector<std::size_t>& list, std::size_t i) {
-  return std::find(list.begin(), list.end(), i) != list.end();
-}
-
 std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOptions& options) {
   std::vector<ResponseHit> hits;
   std::vector<double> lengths;
@@ -40,6 +37,8 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
                     .reason = {}});
     lengths.push_back(static_cast<double>(impact.last - impact.first));
   }
+  require_hits(options.accept_hits, hits.size(), record, "accept_hit");
+  require_hits(options.reject_hits, hits.size(), record, "reject_hit");
   const double least = std::max(static_cast<double>(kMinSamples), kShortest * median(lengths));
   for (std::size_t h = 0; h < hits.size(); ++h) {
     if (static_cast<double>(hits[h].impact.last - hits[h].impact.first) < least) {
@@ -47,7 +46,7 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
       hits[h].reason = "another impact follows too soon";
     }
     const bool accept = contains(options.accept_hits, h), reject = contains(options.reject_hits, h);
-    if (accept || reject) hits[h].by_user = hits[h].accepted != accept || reject;
+    hits[h].by_user = accept || reject;
     if (accept) hits[h].accepted = true;
     if (reject) hits[h].accepted = false;
   }

@@ -35,7 +35,7 @@ struct ResponseTest {
 };
 
 /// Finds the impacts in the responses and fits the free decays after them, all hits and channels together.
-/// errors  InputError: no response; a band that does not fit the data; an option that needs a force.
+/// errors  InputError: a band that does not fit the data; a hit that does not exist.
 ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& options);
 
 }  // namespace percuss::pipeline
