@@ -10,7 +10,8 @@
 
 namespace percuss::batch {
 
-/// A shard to run. Paths of records are relative to the working folder, which is the folder of the manifest.
+/// A shard to run. Paths of records are absolute, or relative to the working folder, which is the folder of the
+/// manifest.
 struct ShardJob {
   const Manifest* manifest = nullptr;
   std::size_t shard = 0, shards = 1;

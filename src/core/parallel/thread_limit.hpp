@@ -4,7 +4,7 @@
 namespace percuss {
 inline namespace core {
 
-/// The ThreadLimit that parallel_for_cost and parallel_for_chunks obey on this thread; 0: none.
+/// For tests: the ThreadLimit that parallel_for_cost and parallel_for_chunks obey on this thread; 0: none.
 std::size_t current_thread_limit();
 
 }  // namespace core

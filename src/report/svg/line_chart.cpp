@@ -139,7 +139,7 @@ class Drawing {
     return fmt::format("{}{:.1f} {:.1f}", pen ? "L" : "M", x_.pixel(x), std::clamp(y_.pixel(y), kTop, kBottom));
   }
 
-  // SVG path around the area between the curves: a closed part between two gaps of either curve.
+  // SVG path around the area between the curves. Gaps of either curve divide it into parts, each closed.
   std::string path_around(const ChartBand& one) const {
     std::vector<std::size_t> part(one.x.size());  // the number of gaps up to each sample
     for (std::size_t i = 0; i < part.size(); ++i) {

@@ -195,9 +195,9 @@ void add_history(const metrics::Study& study, const metrics::StudyHistory& histo
   const std::string column = metrics::column_of(y);
   std::string name =
       fmt::format("{}-hoop1-trail-{}-{}", column.substr(0, column.find('_')), number, file_word(history.bat));
-  const int source = y == metrics::StudyQuantity::besr ? 67 : y == metrics::StudyQuantity::bbs ? 68 : 69;
-  drawn.push_back(
-      {std::move(name), std::to_string(source), metrics::StudyQuantity::hoop1, y, std::move(chart), std::move(shown)});
+  // The figures of [8] over the break-in.
+  const char* const source = y == metrics::StudyQuantity::besr ? "67" : y == metrics::StudyQuantity::bbs ? "68" : "69";
+  drawn.push_back({std::move(name), source, metrics::StudyQuantity::hoop1, y, std::move(chart), std::move(shown)});
 }
 
 std::vector<StudyPlot> plotted_curves(const metrics::Study& study, const std::optional<metrics::StudyCurve>& model) {

@@ -104,7 +104,7 @@ std::string shared_order_note(const pipeline::Analysis& analysis, std::size_t m)
   for (std::size_t other = 0; other < all.size(); ++other) {
     if (other == m || all[other].family != all[m].family || all[other].order != all[m].order) continue;
     const double apart_Hz = std::abs(analysis.modes()[m].pole.freq_Hz - analysis.modes()[other].pole.freq_Hz);
-    return fmt::format("same order as mode {}, {} Hz apart: more than a split mode", other, significant(apart_Hz, 3));
+    return fmt::format("same order as mode {}, {} Hz apart: too far for a split mode", other, significant(apart_Hz, 3));
   }
   return "";
 }
