@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "cli/exit_code.hpp"
 #include "cli/option_error.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_output.hpp"

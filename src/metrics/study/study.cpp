@@ -52,6 +52,7 @@ std::vector<StudyProgram> programs_of(const Study& study, const StudyOptions& op
   std::map<std::string, std::size_t> bats_of;
   for (std::size_t b = 0; b < study.bats.size(); ++b) bats_of[program_of(study.bats[b])] += study.repeated[b] ? 0U : 1U;
   std::vector<StudyProgram> out;
+  out.reserve(bats_of.size());
   for (const auto& [name, count] : bats_of) out.push_back({.name = name, .bats = count, .counted = false});
   if (options.programs.empty()) {
     const auto main = std::max_element(out.begin(), out.end(), [](const StudyProgram& a, const StudyProgram& b) {

@@ -202,9 +202,10 @@ void add_history(const metrics::Study& study, const metrics::StudyHistory& histo
 
 std::vector<StudyPlot> plotted_curves(const metrics::Study& study, const std::optional<metrics::StudyCurve>& model) {
   std::vector<StudyPlot> drawn;
-  for (const metrics::StudyFigure& figure : study.figures)
+  for (const metrics::StudyFigure& figure : study.figures) {
     drawn.push_back(
         {figure.name, figure.source, figure.x, figure.y, chart_of(study, figure, model), pooled_class(figure).bats});
+  }
   for (std::size_t t = 0; t < study.histories.size(); ++t) {
     for (const metrics::StudyQuantity y :
          {metrics::StudyQuantity::besr, metrics::StudyQuantity::bbs, metrics::StudyQuantity::bbcor})

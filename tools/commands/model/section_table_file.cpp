@@ -9,6 +9,7 @@
 #include "cli/option_error.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
+#include "core/io/input_file.hpp"
 #include "core/io/number_table.hpp"
 #include "core/units.hpp"
 
@@ -93,11 +94,10 @@ LengthUnits length_units(const std::string& units) {
 
 // The names of the columns: the last line of names that contains a known one.
 std::vector<std::string> names_of(const NumberTable& table, const std::vector<std::string>& unnamed) {
-  for (auto header = table.headers.rbegin(); header != table.headers.rend(); ++header) {
-    if (std::any_of(header->begin(), header->end(), [](const auto& cell) { return column_named(cell).has_value(); }))
-      return *header;
-  }
-  return unnamed;
+  const auto header = std::find_if(table.headers.rbegin(), table.headers.rend(), [](const auto& names) {
+    return std::any_of(names.begin(), names.end(), [](const auto& cell) { return column_named(cell).has_value(); });
+  });
+  return header == table.headers.rend() ? unnamed : *header;
 }
 
 std::vector<ProfileColumn> columns_of(const NumberTable& table, const SectionTableForm& form,
@@ -108,14 +108,14 @@ std::vector<ProfileColumn> columns_of(const NumberTable& table, const SectionTab
   names.resize(count);
   std::vector<ProfileColumn> columns;
   columns.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    auto column = column_named(names[i]);
+  for (const std::string& name : names) {
+    const std::size_t i = columns.size();
+    auto column = column_named(name);
     // A table of two columns needs no names that percuss knows.
     if (!column && count == 2) column = column_named(i == 0 ? "position" : "diameter");
     if (!column) {
-      throw InputError(names[i].empty()
-                           ? fmt::format("column {} has no name", i + 1)
-                           : fmt::format("column {} has the unknown name '{}'", i + 1, one_line(names[i], 40)),
+      throw InputError(name.empty() ? fmt::format("column {} has no name", i + 1)
+                                    : fmt::format("column {} has the unknown name '{}'", i + 1, one_line(name, 40)),
                        place, kNamesForm);
     }
     for (const ProfileColumn& before : columns) {
