@@ -7,7 +7,8 @@
 
 namespace percuss::identify {
 
-/// The lines around a mode that its group is fitted over, on either side: the larger of the two.
+/// The width of a mode's window on either side of its frequency: the wider of the two. A group is fitted over the
+/// windows of its modes.
 struct DecayWindows {
   double half_power_bandwidths = 40;
   double lines = 60;
@@ -19,7 +20,7 @@ struct FittedDecay {
   DecayRate rate;
   Eigen::RowVectorXcd amplitude;          // [hits × channels] at the first sample
   Eigen::Matrix2d covariance;             // of (Re s, Im s)
-  Eigen::Matrix2d inverse_gram;           // times `noise` the covariance of an amplitude's (Re, Im)
+  Eigen::Matrix2d inverse_gram;           // covariance of an amplitude's (Re, Im), divided by `noise`
   Eigen::VectorXd noise;                  // [channels] variance of a line's real and imaginary part
   std::vector<Eigen::Vector2d> hit_step;  // [hits] of (Re s, Im s), by each hit alone
   std::vector<Eigen::Matrix2d> hit_covariance;
@@ -39,7 +40,7 @@ class DecayModel {
   void clear() { modes_.clear(); }
   /// Fits all groups in turn, `sweeps` times at most.
   void fit(int sweeps, const DecayWindows& windows);
-  /// The measured spectra without all modes.
+  /// The measured spectra minus all modes.
   DecaySpectra residual() const;
 
  private:

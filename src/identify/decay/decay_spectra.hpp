@@ -29,7 +29,7 @@ struct DecaySpectra {
 };
 DecaySpectra decay_spectra(const FreeDecays& decays);
 
-/// A decaying exponential s = rate_radps, of which the pole and its mirror image give a real response Re(a exp(st)).
+/// The complex rate s of a decaying oscillation. With the conjugate rate it gives the real response Re(a exp(st)).
 struct DecayRate {
   Complex rate_radps;  // negative real part, positive imaginary part
   Pole pole() const;
