@@ -18,7 +18,7 @@ struct MeasuredBat {
 
 /// Results shown besides the sweep.
 struct TrampolineExtras {
-  std::optional<model::FittedExponents> fitted;  // measured and fit; the report computes the rest
+  std::optional<model::FittedExponents> fitted;  // needs `measured` and `fit`; the report computes the rest
   std::optional<double> modal_mass_kg;           // from a measured shift of the hoop frequency
   std::vector<MeasuredBat> bats{};
 };
