@@ -77,7 +77,7 @@ std::string recontact_text(const model::ImpactResult& r) {
   return r.recontact_s ? fmt::format("after {:.1f} ms", 1000 * *r.recontact_s) : "none";
 }
 
-// The speed against the ball's initial direction, and what a negative one means.
+// The ball's speed after a contact. Says so where the ball keeps its direction.
 std::string speed_text(double cor, double speed_mps) {
   return fmt::format("{:.4g} m/s{}", std::abs(cor) * speed_mps, cor < 0 ? " in the same direction" : "");
 }
