@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 
 constexpr std::size_t kMaxTogether = 8;
-constexpr double kStill = 1e-11;  // change of a rate in one sweep, relative to its bandwidth and frequency
+constexpr double kStill = 1e-11;  // relative change of a rate in one sweep, below which the fit ends
 
 double frequency_Hz(const FittedDecay& mode) { return mode.rate.rate_radps.imag() / kTwoPi; }
 
