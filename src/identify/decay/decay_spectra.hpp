@@ -23,7 +23,8 @@ struct FreeDecays {
 struct DecaySpectra {
   double fs_Hz = 0;
   std::size_t samples = 0, hits = 0, channels = 0;
-  Eigen::MatrixXcd lines;  // [samples/2 + 1, hits × channels]
+  Eigen::MatrixXcd lines;          // [samples/2 + 1, hits × channels]
+  std::vector<Complex> phasors{};  // exp(−jω_kΔ) of the lines; computed where they are needed if empty
 
   double line_Hz() const { return fs_Hz / static_cast<double>(samples); }
 };
@@ -45,5 +46,7 @@ struct DecayColumns {
   Eigen::MatrixX2cd value, slope;  // slope: the columns (1) of t·exp(st)
 };
 DecayColumns decay_columns(const DecayRate& rate, const DecaySpectra& of, std::size_t first, std::size_t count);
+/// Only the values of decay_columns.
+Eigen::MatrixX2cd decay_values(const DecayRate& rate, const DecaySpectra& of, std::size_t first, std::size_t count);
 
 }  // namespace percuss::identify

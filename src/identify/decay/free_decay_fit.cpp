@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kMaxSearches = 40;
 constexpr std::size_t kMaxDecays = 200;
-constexpr DecayWindows kSearchWindows{.half_power_bandwidths = 8, .lines = 30, .accuracy = DecayAccuracy::rough};
+constexpr DecayWindows kSearchWindows{
+    .half_power_bandwidths = 8, .lines = 30, .max_lines = 1000, .accuracy = DecayAccuracy::rough};
 constexpr int kSearchSweeps = 1, kFinalSweeps = 30;
 constexpr double kPairApart = 0.5, kPairReach = 3;  // of a mode's decay rate
 constexpr double kPairLevel = 0.01;                 // energy of one of a pair over the other's: a weaker one is misfit
