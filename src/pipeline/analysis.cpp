@@ -15,17 +15,6 @@
 
 namespace percuss::pipeline {
 
-namespace {
-
-Budget budget_of(const AnalysisOptions& options, const acquire::Record& record) {
-  if (options.budget) return *options.budget;
-  std::uint64_t bytes = 0;
-  for (const acquire::InputFile& file : record.files) bytes += file.bytes;
-  return default_budget(bytes);
-}
-
-}  // namespace
-
 Analysis::Analysis(acquire::Record record, AnalysisOptions options)
     : source_(std::make_shared<RecordSource>(std::move(record))),
       options_(std::move(options)),

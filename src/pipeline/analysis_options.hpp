@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "acquire/hits/hits.hpp"
+#include "acquire/record/record.hpp"
 #include "core/budget.hpp"
 #include "frf/estimators.hpp"
 #include "identify/classify/classify.hpp"
@@ -27,5 +28,8 @@ struct AnalysisOptions {
   std::optional<Budget> budget;  // default: default_budget() of the input
   std::vector<Warning> known;    // warnings about the input that are known before its analysis
 };
+
+/// The limits of an analysis of `record`: the stated ones, by default default_budget() of its files.
+Budget budget_of(const AnalysisOptions& options, const acquire::Record& record);
 
 }  // namespace percuss::pipeline

@@ -193,6 +193,7 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   }
   ImpactTest test{.speeds = impact_speeds(analysis, impacts, hits, options)};
   test.hits.resize(hits.size() * channels);
+  const BudgetScope scope(analysis.budget());
   analysis.trace().run("deflection", [&] {
     parallel_for(test.hits.size(), analysis.options().threads, [&](std::size_t i) {
       const std::size_t h = hits[i / channels], c = i % channels;

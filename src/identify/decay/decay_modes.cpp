@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/significance.hpp"
 #include "core/units.hpp"
 #include "identify/hits/hit_scatter.hpp"
 
@@ -86,8 +87,7 @@ RankOne rank_one(const FittedDecay& decay, Index channels) {
   if (freedom > 0) {
     const double chi2 = values.tail(values.size() - 1).squaredNorm();
     // One variance of the real and one of the imaginary part: χ² of `freedom` real numbers.
-    const double deviate = (std::cbrt(chi2 / freedom) - (1 - 2 / (9 * freedom))) / std::sqrt(2 / (9 * freedom));
-    if (deviate > kSignificantScatter) out.excess = std::sqrt(chi2 / freedom);
+    if (chi2_deviate(chi2, freedom) > kSignificantScatter) out.excess = std::sqrt(chi2 / freedom);
   }
   out.std *= out.excess;
   return out;

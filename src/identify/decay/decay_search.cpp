@@ -77,13 +77,6 @@ FilterBank matched_filters(const DecaySpectra& residual, const Eigen::MatrixXd& 
   return out;
 }
 
-double half_power_Hz(const DecayRate& rate) { return -rate.rate_radps.real() / std::numbers::pi; }
-
-bool apart(const DecayRate& a, const DecayRate& b, double margin_Hz, double bandwidths) {
-  const double distance_Hz = std::abs(a.rate_radps.imag() - b.rate_radps.imag()) / kTwoPi;
-  return distance_Hz > margin_Hz + bandwidths * (half_power_Hz(a) + half_power_Hz(b)) / 2;
-}
-
 }  // namespace
 
 double decay_threshold(std::size_t spectra, std::size_t places) {
@@ -107,7 +100,7 @@ std::vector<DecayCandidate> strongest_decays(const DecaySpectra& residual, const
     const double omega = kTwoPi * bank.line_Hz * static_cast<double>(k);
     const DecayRate rate{Complex(-bank.rate_per_s(k), omega)};
     const bool refused = std::any_of(limits.refused.begin(), limits.refused.end(), [&](const DecayRate& other) {
-      return !apart(rate, other, residual.line_Hz() / 2, 1);
+      return overlap(rate, other, 1, residual.line_Hz() / 2);
     });
     if (!refused) peaks.push_back({.rate = rate, .energy = e});
   }
@@ -117,7 +110,7 @@ std::vector<DecayCandidate> strongest_decays(const DecaySpectra& residual, const
   for (const DecayCandidate& peak : peaks) {
     if (chosen.size() >= limits.max_candidates || peak.energy < kWeakest * peaks.front().energy) break;
     if (std::all_of(chosen.begin(), chosen.end(), [&](const DecayCandidate& other) {
-          return apart(peak.rate, other.rate, kApart_lines * residual.line_Hz(), 3);
+          return !overlap(peak.rate, other.rate, 3, kApart_lines * residual.line_Hz());
         }))
       chosen.push_back(peak);
   }

@@ -56,6 +56,11 @@ Pole DecayRate::pole() const {
   return {.freq_Hz = omega / kTwoPi, .damping_ratio = -rate_radps.real() / omega};
 }
 
+bool overlap(const DecayRate& a, const DecayRate& b, double bandwidths, double margin_Hz) {
+  const Complex s = a.rate_radps, t = b.rate_radps;
+  return std::abs(s.imag() - t.imag()) < -bandwidths * (s.real() + t.real()) + kTwoPi * margin_Hz;
+}
+
 DecayRate decay_rate_of(const Pole& pole) {
   const double omega = kTwoPi * pole.freq_Hz, zeta = pole.damping_ratio;
   return {omega * Complex(-zeta, std::sqrt(std::max(0.0, 1 - zeta * zeta)))};

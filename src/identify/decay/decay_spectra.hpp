@@ -36,6 +36,9 @@ struct DecayRate {
   Pole pole() const;
 };
 DecayRate decay_rate_of(const Pole& pole);
+/// Whether two decays overlap: their frequencies are nearer than `bandwidths` times the mean of their half-power
+/// bandwidths, plus `margin_Hz`.
+bool overlap(const DecayRate& a, const DecayRate& b, double bandwidths = 1, double margin_Hz = 0);
 
 /// The spectra of Re(exp(st)) and Re(j exp(st)), and their derivatives by s, at lines first … first + count − 1. With
 /// z = exp(sΔ), N samples and D(k) = (1 − z^N)/(1 − z exp(−jω_kΔ)), the exact transform of the truncated decay:

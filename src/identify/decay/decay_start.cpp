@@ -8,8 +8,9 @@
 namespace percuss::identify {
 namespace {
 
-constexpr std::size_t kBackBlock = 8;  // samples
-constexpr double kAlarm = 4;           // standard deviations of a block's mean square
+constexpr double kSafe_s = 20e-3, kSafeShare = 1.0 / 8;  // of safe_start()
+constexpr std::size_t kBackBlock = 8;                    // samples
+constexpr double kAlarm = 4;                             // standard deviations of a block's mean square
 constexpr int kMaxMoves = 4;
 constexpr double kWorthwhile = 0.05;  // of the start: a smaller move changes nothing
 
@@ -33,6 +34,10 @@ Expected expected_of(const FreeDecayFit& fit, std::size_t samples) {
 }
 
 }  // namespace
+
+std::size_t safe_start(std::size_t samples, double fs_Hz) {
+  return static_cast<std::size_t>(std::min(kSafe_s * fs_Hz, kSafeShare * static_cast<double>(samples)));
+}
 
 FreeDecays decays_from(const FreeDecays& whole, std::size_t first) {
   FreeDecays out{.fs_Hz = whole.fs_Hz, .hits = whole.hits, .channels = whole.channels, .response = {}};

@@ -5,6 +5,10 @@
 
 namespace percuss::identify {
 
+/// The sample of a record of `samples`, which begins with an impact, by which no hammer or ball touches the structure
+/// any longer: 20 ms after its first sample, and in short records an eighth of them.
+std::size_t safe_start(std::size_t samples, double fs_Hz);
+
 /// The records from a sample on.
 FreeDecays decays_from(const FreeDecays& whole, std::size_t first);
 

@@ -23,7 +23,9 @@ constexpr int kPairSweeps = 3;
 constexpr double kScatterShare = 0.9;  // of what a second pole explains
 constexpr std::size_t kPairPlaces = 10;
 constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
-constexpr double kMimics = 1e-3;  // energy over the energy of a decay within its bandwidth: a weaker one is misfit
+// Energy over the energy of a decay within its bandwidth: a weaker one is misfit. In a single spectrum no other shape
+// tells a weak mode from a stronger one whose frequency or damping changes while it decays.
+constexpr double kMimics = 1e-3, kMimicsAlone = 0.1;
 
 std::size_t line_of(const FittedDecay& mode, const DecaySpectra& of) {
   const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz());
@@ -43,11 +45,6 @@ double energy_of(const FittedDecay& mode, const DecaySpectra& of, const Eigen::M
   return energy;
 }
 
-bool within_bandwidth(const FittedDecay& a, const FittedDecay& b) {
-  const Complex s = a.rate.rate_radps, t = b.rate.rate_radps;
-  return std::abs(s.imag() - t.imag()) < -(s.real() + t.real());
-}
-
 std::vector<double> energies(const DecayModel& model, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
   std::vector<double> out;
   for (const FittedDecay& mode : model.modes()) out.push_back(energy_of(mode, of, noise));
@@ -55,12 +52,12 @@ std::vector<double> energies(const DecayModel& model, const DecaySpectra& of, co
 }
 
 // The index of a decay to leave out; the number of decays where all stay.
-std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& energy, double threshold) {
+std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& energy, double threshold, double mimics) {
   const auto& modes = model.modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (!(energy[m] >= threshold)) return m;
     for (std::size_t other = 0; other < modes.size(); ++other) {
-      if (other != m && energy[m] < kMimics * energy[other] && within_bandwidth(modes[m], modes[other])) return m;
+      if (other != m && energy[m] < mimics * energy[other] && overlap(modes[m].rate, modes[other].rate)) return m;
     }
   }
   return modes.size();
@@ -99,7 +96,7 @@ std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_
                                              const Eigen::MatrixXd& noise, const std::vector<double>& energy) {
   const auto& modes = model.modes();
   std::size_t last = m, strongest = m;
-  while (last + 1 < modes.size() && within_bandwidth(modes[last], modes[last + 1])) {
+  while (last + 1 < modes.size() && overlap(modes[last].rate, modes[last + 1].rate)) {
     ++last;
     if (energy[last] > energy[strongest]) strongest = last;
   }
@@ -133,17 +130,17 @@ std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, doub
   for (std::size_t i = 0; i + 1 < energy.size(); ++i) {
     const bool pair = std::abs(trial.modes()[i].rate.rate_radps - s) < kPairReach * -s.real() &&
                       std::abs(trial.modes()[i + 1].rate.rate_radps - s) < kPairReach * -s.real();
-    if (pair && std::min(energy[i], energy[i + 1]) > kPairLevel * std::max(energy[i], energy[i + 1])) return trial;
+    if (pair && std::min(energy[i], energy[i + 1]) >
+                    std::max(kPairLevel, of.lines.cols() > 1 ? 0 : kMimicsAlone) * std::max(energy[i], energy[i + 1]))
+      return trial;
   }
   return std::nullopt;
 }
 
 // Whether the fit of a candidate stayed near it.
 bool is_modelled(const DecayRate& candidate, const DecayModel& model, const DecaySpectra& of) {
-  return std::any_of(model.modes().begin(), model.modes().end(), [&](const FittedDecay& mode) {
-    const Complex s = mode.rate.rate_radps, t = candidate.rate_radps;
-    return std::abs(s.imag() - t.imag()) < -(s.real() + t.real()) + kTwoPi * of.line_Hz();
-  });
+  return std::any_of(model.modes().begin(), model.modes().end(),
+                     [&](const FittedDecay& mode) { return overlap(mode.rate, candidate, 1, of.line_Hz()); });
 }
 
 }  // namespace
@@ -155,11 +152,12 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
   FreeDecayFit out;
   out.threshold = decay_threshold(measured.hits * measured.channels, measured.samples);
   out.noise = decay_line_noise(measured, rounding);
+  const double mimics = measured.lines.cols() > 1 ? kMimics : kMimicsAlone;
   const auto drop_unconfirmed = [&] {
     for (;;) {
       out.noise = decay_line_noise(model.residual(), rounding);
       out.energy = energies(model, measured, out.noise);
-      const std::size_t m = unconfirmed(model, out.energy, out.threshold);
+      const std::size_t m = unconfirmed(model, out.energy, out.threshold, mimics);
       if (m == model.modes().size()) return;
       limits.refused.push_back(model.modes()[m].rate);
       model.remove(m);

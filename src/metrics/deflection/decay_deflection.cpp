@@ -10,7 +10,6 @@ namespace percuss::metrics {
 namespace {
 
 constexpr std::size_t kMinSamples = 64, kMaxSamples = std::size_t{1} << 15U;
-constexpr double kSafe_s = 20e-3, kSafeShare = 1.0 / 8;  // by then the contact has ended
 constexpr double kLowestLines = 0.7, kAntiAlias = 0.44;  // the band: from lines, to part of the sampling rate
 
 }  // namespace
@@ -22,7 +21,7 @@ std::optional<DecayDeflection> decay_deflection(std::span<const double> accel_mp
   const auto moving = accel_mps2.subspan(onset, samples);
   const identify::FreeDecays whole{
       .fs_Hz = fs_Hz, .hits = 1, .channels = 1, .response = {{moving.begin(), moving.end()}}};
-  const auto safe = static_cast<std::size_t>(std::min(kSafe_s * fs_Hz, kSafeShare * static_cast<double>(samples)));
+  const std::size_t safe = identify::safe_start(samples, fs_Hz);
   const double line_Hz = fs_Hz / static_cast<double>(samples - safe);
   const identify::StartedFit started = identify::fit_from_earliest_start(
       whole, safe, {.band_Hz = {kLowestLines * line_Hz, kAntiAlias * fs_Hz}, .start_Hz = {}});

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "acquire/hits/time_selection.hpp"
+#include "core/budget.hpp"
 #include "core/error.hpp"
 #include "core/math/fft.hpp"
 #include "core/math/statistics.hpp"
@@ -18,10 +19,8 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kSafe_s = 20e-3;       // by then no hammer or ball touches the structure any longer
-constexpr double kSafeShare = 1.0 / 8;  // of the record
-constexpr double kAntiAlias = 0.44;     // of fs: above it a recorder's filter shapes the response
-constexpr double kLowestLines = 1.5;    // lower end of the default band, in spectral lines
+constexpr double kAntiAlias = 0.44;   // of fs: above it a recorder's filter shapes the response
+constexpr double kLowestLines = 1.5;  // lower end of the default band, in spectral lines
 constexpr std::size_t kMinSamples = 64;
 constexpr double kShortest = 0.5;  // of the median length
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;
@@ -120,13 +119,14 @@ ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& op
   ResponseTest test{
       .record = std::move(record), .options = options, .hits = {}, .found = {}, .classifications = {}, .warnings = {}};
   const ThreadLimit limit(options.threads);
+  BudgetMeter meter(budget_of(options, test.record), test.record.source());
+  const BudgetScope scope(meter);
   assume_angles(test.record, test.options.classes);
   test.hits = graded(test.record, test.options);
   test.samples = common_samples(test);
   if (test.possible()) {
     const identify::FreeDecays whole = decays_of(test);
-    const std::size_t safe = std::min(static_cast<std::size_t>(kSafe_s * whole.fs_Hz),
-                                      static_cast<std::size_t>(kSafeShare * static_cast<double>(test.samples)));
+    const std::size_t safe = identify::safe_start(test.samples, whole.fs_Hz);
     test.band_Hz = band_of(test, test.samples - safe);
     const identify::StartedFit started =
         identify::fit_from_earliest_start(whole, safe,

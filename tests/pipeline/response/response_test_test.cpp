@@ -120,6 +120,36 @@ TEST(ResponseTest, ObeysTheUser) {
   EXPECT_EQ(analyse_responses(rows(1), options).found.modes.size(), 1U);
 }
 
+TEST(ResponseTest, EndsWhenItsBudgetIsSpent) {
+  AnalysisOptions options;
+  options.budget = Budget{.time_s = 1e-6};
+  EXPECT_THROW(analyse_responses(rows(1), options), BudgetSpent);
+}
+
+// In one spectrum, nothing tells a weak close mode from a frequency that falls while the amplitude decays. The
+// frequency rises by a quarter of the half-power bandwidth from the first sample to the last.
+TEST(ResponseTest, TakesAMovingFrequencyForOneMode) {
+  constexpr double kFreq_Hz = 400, kDamping = 0.003, kRise = 0.25 * 2 * kDamping, kNoise = 0.01;
+  const double decay_per_s = kTwoPi * kFreq_Hz * kDamping;
+  std::mt19937 random(5);
+  std::normal_distribution<double> gauss;
+  std::vector<double> x(16384);
+  double phase = 0;
+  for (std::size_t n = 0; n < x.size(); ++n) {
+    const double t_s = static_cast<double>(n) / kFs_Hz - 0.05;
+    x[n] = kNoise * gauss(random);
+    if (t_s < 0) continue;
+    const double amplitude = std::exp(-decay_per_s * t_s);
+    phase += kTwoPi * kFreq_Hz * (1 + kRise * (1 - amplitude * amplitude)) / kFs_Hz;
+    x[n] += 100 * amplitude * std::sin(phase);
+  }
+  const ResponseTest test = analyse_responses(record_of({{x}}, 0, true), {});
+  ASSERT_EQ(test.found.modes.size(), 1U);
+  const identify::Mode& mode = test.found.modes[0].mode;
+  EXPECT_GT(mode.freq_std_parts_Hz.misfit, mode.freq_std_parts_Hz.noise);
+  EXPECT_NEAR(mode.pole.freq_Hz, kFreq_Hz * (1 + kRise / 2), kFreq_Hz * kRise / 2);
+}
+
 TEST(ResponseTest, SaysWhatNeedsAForce) {
   const ResponseTest test = analyse_responses(rows(1), {});
   const auto found = std::find_if(test.warnings.begin(), test.warnings.end(),
