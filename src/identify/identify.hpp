@@ -11,7 +11,7 @@ namespace percuss::identify {
 
 struct IdentifyOptions {
   Effort effort = Effort::best;
-  std::optional<std::size_t> modes;  // largest number of modes; the most significant ones are kept
+  std::optional<std::size_t> modes;  // largest number of modes, see keep_clearest()
   std::vector<double> start_Hz;      // fit at most one mode from each of these frequencies, and no others
 };
 

@@ -13,7 +13,7 @@
 namespace percuss::identify::spurious_peaks_test {
 
 constexpr double kGainNoise = 0.05;
-constexpr double kLineNoise = 0.01;  // the height of the peaks is some hundred
+constexpr double kLineNoise = 0.01;  // the peaks are a few hundred high
 const std::vector<double> kModes_Hz{112, 307, 596, 974};
 
 // One hit at each of nine points, ζ = 1e-4, lines 0.04 Hz apart; the force is unknown.

@@ -15,7 +15,7 @@ struct CommandResult {
   std::string message;         // of an error
   std::set<std::string> said;  // codes of warnings and of findings
   std::vector<identify::Mode> modes;
-  std::vector<double> unclaimed_Hz;  // peaks of the warning of this name
+  std::vector<double> unclaimed_Hz;  // peaks named by the warning unclaimed_peaks
   double df_Hz = 0;                  // line spacing
 };
 

@@ -80,7 +80,7 @@ std::string lines_of(const Summary& s) {
 }
 
 std::string defects_of(const std::vector<Summary>& summaries) {
-  std::vector<std::string> defects;  // in the order of the cells
+  std::vector<std::string> defects;  // in the order of `summaries`
   std::map<std::string, std::string> cells;
   for (const Summary& s : summaries) {
     if (!s.known()) continue;

@@ -50,7 +50,7 @@ TEST(DoubleHit, AddsASecondPulseAfterTheDelay) {
   const Pulse second{spec.pulse.kind, hit.onset_s + 0.0121, hit.width_s, hit.second_peak_N};
   const PulseBasis basis = pulse_basis(second, spec.fs_Hz, {}, 0, spec.samples);
   const std::vector<double> with = force(bad, 1), without = force(good, 1);
-  constexpr double kTolerance = 1e-12;  // N, of some hundred: rounding
+  constexpr double kTolerance = 1e-12;  // rounding of a few hundred N
   for (std::size_t i = 0; i < basis.force_N.size(); ++i) {
     const std::size_t n = basis.first + i;
     ASSERT_LE(std::abs(with[n] - without[n] - basis.force_N[i]), kTolerance);
@@ -116,7 +116,7 @@ TEST(Recorder, AddsBiasAndDrift) {
   spec.recorder = {.force_bias_N = 2, .accel_bias_mps2 = 0.5, .accel_drift_mps2_per_s = -3};
   const SyntheticTest test = synthesise(spec);
   EXPECT_DOUBLE_EQ(force(test, 0)[0], 2);
-  constexpr double kTolerance = 1e-12;  // m/s², of some hundred
+  constexpr double kTolerance = 1e-12;  // rounding of a few hundred m/s²
   const double t_s = 4000 / spec.fs_Hz;
   EXPECT_LE(std::abs(accel(test, 0)[4000] - accel(plain, 0)[4000] - (0.5 - 3 * t_s)), kTolerance);
 }

@@ -10,9 +10,9 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kPairSpacing = 0.04;   // relative: one bending mode's frequencies in its two planes are closer
-constexpr double kSplitDeviations = 2;  // of the separation: peaks 25 Hz apart are a split mode, whatever the noise
-constexpr double kSplitSpacing = 0.15;  // of the lower frequency: largest separation, besides double_peak_Hz
+constexpr double kPairSpacing = 0.04;          // relative: one bending mode's frequencies in its two planes are closer
+constexpr double kSplitDeviations = 2;         // standard deviations that noise may add to a separation
+constexpr double kSplitSpacing = 0.15;         // of the lower frequency: largest separation, besides double_peak_Hz
 constexpr double kMinLoneProbability = 0.9;    // below it the second type is stated …
 constexpr double kMinRivalProbability = 0.03;  // … and where the second type has more than this
 constexpr double kMinTubeEvidence = -2.3;      // logarithm: another object is less than ten times as likely

@@ -192,7 +192,8 @@ bool DecayModel::fit_unsettled(const std::vector<std::size_t>& members, const De
     const FittedDecay& mode = modes_[members[i]];
     still = still && is_still(mode, mode.rate.rate_radps - before[i].rate_radps);
   }
-  // What moved is subtracted from the other groups, which have to follow; in a search, only those nearby.
+  // The other groups are fitted after subtraction of these modes, so they must be fitted again. A search only repeats
+  // the fits nearby.
   if (!still && windows.accuracy == DecayAccuracy::full) {
     for (FittedDecay& mode : modes_) mode.settled.reset();
   } else if (!still) {

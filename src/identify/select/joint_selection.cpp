@@ -23,7 +23,8 @@ constexpr double kMaterialResidual = 2e-3;  // of the FRF: less moves no mode by
 constexpr double kGainNoise = 4;            // standard deviations of the gain error from the force's noise
 constexpr double kMinNoiseShare = 0.02;     // least part of the lines that counts as independent
 constexpr double kModeGain = 150;           // likelihood ratio that a mode needs, divided among its unknowns
-// Limits of the likelihood ratio per unknown: the limit of a close mode; the logarithm of the number of lines.
+// Limits of this ratio per unknown. The maximum is the F statistic that a close mode needs, the minimum about the
+// logarithm of the number of lines.
 constexpr double kMaxGain = 25, kMinGain = 8;
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.

@@ -42,15 +42,17 @@ struct Deflection {
   double peak_m = 0;          // signed; NaN, like peak_std_m and forward_m, where no deflection is significant
   double peak_std_m = 0;
   double forward_m = 0, forward_std_m = 0;  // the peak in the direction of the first motion; signed
-  double drift_m = 0;                       // standard deviation due to bias and drift at the last sample
+  // Of bias and drift at the last sample: for drift_free the standard deviation, for small_interval the deflection that
+  // they cause; 0 for the other methods.
+  double drift_m = 0;
 
   bool has_peak() const { return !std::isnan(peak_m); }
 };
 
 /// Computes the deflection of the struck structure from its acceleration (and force).
-///   drift_free      subtracts the bias and drift before the impact, integrates without error (integrate_twice),
-///                   and centres a held structure on its position of rest. Its standard deviation includes the bias and
-///                   the double integral of white noise, σ_w² = σ_a² Δt t³/3.
+///   drift_free      subtracts the bias and drift before the impact, integrates without quadrature error
+///                   (integrate_twice), and centres a held structure on its position of rest. Its standard deviation
+///                   includes the bias and the double integral of white noise, σ_w² = σ_a² Δt t³/3.
 ///   small_interval  first-order sums from the impact on (small_interval_sums), without any correction
 ///   frequency       division in the frequency domain, line by line
 ///   modal           the response of the modes to the force

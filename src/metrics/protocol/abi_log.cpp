@@ -99,7 +99,8 @@ std::string abi_log_example() {
   // The metric, besr or bbcor, and its limit, which the bat must not exceed.
   "metric": "besr",
   "limit": 0.728,
-  // The displacement of every compression. A force beyond the load cell permits a smaller one, such as 0.025 in.
+  // The displacement of every compression. Where the force exceeds the load cell, a smaller one is permitted,
+  // such as 0.025 in.
   "displacement_in": 0.03,
   // The steps in the order of testing. A compression holds the forces in lbf at 0, 90, 45 and -45 degrees, a roll the
   // depth of the rollers in inches. A performance test holds the value at its best location. Optional: "damage" and

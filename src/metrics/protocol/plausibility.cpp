@@ -174,7 +174,7 @@ void check_performance(const BatReadings& r, const BatMetrics& m, std::vector<Me
   const std::vector<OptionId> speeds{"v_in_mph", "v_out_mph", "ball_g", "z_in"};
   if (m.besr && !r.bbcor) {
     add_if_implausible(
-        {"a BESR", "", m.besr, 1, kMinBesr, kMaxBesr, "it is one half and the ratio of rebound to inbound speed",
+        {"a BESR", "", m.besr, 1, kMinBesr, kMaxBesr, "it is one half plus the ratio of rebound to inbound speed",
          r.besr ? "state it as a ratio" : readings, r.besr ? std::vector<OptionId>{"besr"} : speeds},
         out);
   }

@@ -50,7 +50,7 @@ struct Products {
   double coefficient() const { return std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0); }
 };
 
-constexpr double kAlmostOne = 1 - 1e-15;  // largest argument with a finite artanh
+constexpr double kAlmostOne = 1 - 1e-15;  // artanh is infinite at 1
 
 // (P15) of r
 Correlation pearson_interval(double value, double freedom) {

@@ -9,7 +9,7 @@ namespace percuss::pipeline {
 ///   no_force         results that need a force are missing
 ///   no_free_decay    no impact can be used
 ///   tone             sinusoids that do not decay
-///   and the options' known warnings, the notes of the reading as input, and object_warnings
+///   and the options' known warnings, the reader's notes (input_warnings), and object_warnings
 std::vector<Warning> response_warnings(const ResponseTest& test);
 
 }  // namespace percuss::pipeline

@@ -18,7 +18,7 @@ struct TrueMode {
   std::vector<Complex> amplitude;  // [hits × channels]
 };
 
-// Two modes two half-power bandwidths apart, and one of which the record holds less than one time constant.
+// A mode whose time constant exceeds the length of the record, and two modes two half-power bandwidths apart.
 const std::vector<TrueMode>& truth() {
   static const std::vector<TrueMode> kModes{
       {{.freq_Hz = 14.5, .damping_ratio = 0.012}, {{8, 3}, {-5, 1}, {6, 2}, {-4, 0.5}}},

@@ -62,7 +62,8 @@ TEST(ScatteredModes, AreTheMeanOverThePointsWithItsStandardDeviation) {
     // The spread of nine frequencies 0.02 Hz apart is 0.055 Hz; the method of moments with unequal weights is accurate
     // to a third.
     EXPECT_NEAR(modes[0].freq_scatter_Hz, 0.055, 0.02);
-    EXPECT_NEAR(modes[0].freq_std_Hz, modes[0].freq_scatter_Hz / 3, 2e-3) << "of nine, one near a node";
+    EXPECT_NEAR(modes[0].freq_std_Hz, modes[0].freq_scatter_Hz / 3, 2e-3)
+        << "the mean of nine points, one of them near a node";
   }
 }
 

@@ -81,8 +81,8 @@ TEST(LargestDeflection, IsUnbiasedInWeakRecords) {
     stated += found.peak_std_m / true_m / kTrials;
   }
   EXPECT_GE(stated, 0.01);  // the records are weak
-  // 60 trials give the mean error to 0.13 standard deviations. The RMS is below 1 where the integration uses that the
-  // beam swings about its rest position, (7.5) of docs/theory/theory.md.
+  // 60 trials give the mean error to 0.13 standard deviations. The RMS is below 1 where the integration also uses
+  // the constraint that the beam swings about its rest position, (7.5) of docs/theory/theory.md.
   EXPECT_LE(std::abs(sum / kTrials), 0.5);
   EXPECT_LE(std::abs(relative), 4 * stated / std::sqrt(kTrials));
   EXPECT_LE(std::sqrt(squares / kTrials), 1.35);

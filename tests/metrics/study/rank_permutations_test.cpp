@@ -83,7 +83,7 @@ TEST(RankPermutations, EqualAnEnumerationOfClasses) {
   EXPECT_LT(p, 1.05 * exact);
 }
 
-// The smallest class that is not exact, beside the same count as above.
+// The smallest class that is approximated, compared with the exact count of the other program.
 TEST(RankPermutations, ApproximateLargeClasses) {
   RankedClass bats = in_order(13);
   constexpr double kApproximation = 0.06;                      // of p: the distribution has steps
@@ -93,7 +93,7 @@ TEST(RankPermutations, ApproximateLargeClasses) {
   EXPECT_NEAR(permutation_p({bats}) / 0.006661934066447955, 1, kApproximation);
   bats.y = {-10, -4, -12, -8, 2, -6, 0, -2, 4, 6, 12, 10, 8};  // Σd² = 40
   const double ratio = permutation_p({bats}) / 0.00011213580658025103;
-  EXPECT_GT(ratio, 1);  // too large in the far tail: no false relation
+  EXPECT_GT(ratio, 1);  // p is too large in the far tail, so it shows no false relation
   EXPECT_LT(ratio, 2.1);
 }
 

@@ -47,7 +47,8 @@ TEST(StudyDocuments, JoinAllTestsOfABat) {
     EXPECT_EQ(value(bats[0], besr), 0.71384);
     EXPECT_EQ(value(bats[0], bbs), 97.1);
     EXPECT_EQ(value(bats[0], drop), -3);
-    // A later state has the length, the material, the MOI and the weight of its bat; BBS follows by (P8).
+    // A later state has the length, the material, the MOI and the weight of its bat; BBS follows by
+    // (P8) of docs/theory/performance.md.
     EXPECT_TRUE(bats[1].broken_in);
     EXPECT_EQ(bats[1].length_in, 33);
     EXPECT_EQ(bats[1].material, BarrelMaterial::composite);

@@ -6,7 +6,7 @@
 
 namespace percuss::model::rigid_test {
 
-// The source's constants: [10], its table before figure 2.
+// The constants of the source, [10] in docs/theory/sources.md: its table before figure 2.
 const RigidCollision kPublished;
 
 TEST(RigidBat, ReproducesThePublishedSweetSpot) {

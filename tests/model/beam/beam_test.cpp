@@ -67,7 +67,7 @@ TEST(Beam, BecomesPinnedOrClampedAtTheLimitsOfStiffness) {
   EXPECT_EQ(beam_modes(sprung(0), 4)[3].lambda, beam_modes(held(BeamSupport::pinned), 4)[3].lambda);
   EXPECT_EQ(beam_modes({.torsion_Nmprad = std::numeric_limits<double>::infinity()}, 4)[3].lambda,
             beam_modes(held(BeamSupport::clamped), 4)[3].lambda);
-  // A soft spring turns the rigid beam: ω² = T/(ρA L³/3), to first order in T*.
+  // A soft spring turns the rigid beam: ω² = T/(ρA L³/3), to first order in T* = T L/EI.
   const BeamMode soft = beam_modes(sprung(1e-6), 1)[0];
   const double rigid = std::sqrt(1e-6 * 4000 / 0.57 / (2.24 * 0.57 * 0.57 * 0.57 / 3));
   EXPECT_NEAR(soft.omega_radps / rigid, 1, 1e-6);

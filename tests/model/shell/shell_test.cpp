@@ -132,7 +132,7 @@ TEST(ShellFit, RefusesPatternsThatDoNotSeparateTheUnknowns) {
               testing::HasSubstr("two frequencies"));
 }
 
-// The remedy for two unknowns, to fit only one, is none for a single unknown.
+// For a single unknown, the message must not advise to fit only one.
 TEST(ShellFit, NamesARemedyForOneUnknown) {
   auto uncertain = measured_on(kAluminium, {{.n = 2, .m = 1}});
   uncertain[0].freq_std_Hz = uncertain[0].freq_Hz;

@@ -10,7 +10,8 @@ namespace percuss::model::exponent_family_test {
 constexpr double kMph_mps = 0.44704;
 constexpr double kA = 0.6495, kB = 0.5202;
 
-// The model's COR at the five speeds of the source, by the independent solver of trampoline_test.cpp.
+// The model's COR at the five speeds of the source ([8] in docs/theory/sources.md), by the independent solver of
+// trampoline_test.cpp.
 std::vector<MeasuredCor> exact(double std) {
   return {{.speed_mps = 60 * kMph_mps, .cor = 0.5192180578841, .cor_std = std},
           {.speed_mps = 80 * kMph_mps, .cor = 0.5067505983381, .cor_std = std},

@@ -66,8 +66,8 @@ TEST(Trampoline, RefusesABallThatDoesNotLeave) {
 
 TEST(Trampoline, ReproducesTheSourcesReference) { EXPECT_NEAR(rebound(kBaseball, 10e3).cor, 0.4892, 0.5e-4); }
 
-// The source states 1100 to 1300 Hz. The barrel's damping in its script, 90.5, gives 1255.2 Hz. The damping in its
-// table, 100, gives 1275.6 Hz.
+// The source, [8] in docs/theory/sources.md, states 1100 to 1300 Hz. The barrel's damping in its script, 90.5, gives
+// 1255.2 Hz. The damping in its table, 100, gives 1275.6 Hz.
 TEST(Trampoline, HasThePublishedOptimumForABaseball) {
   const HoopPeak peak = peak_of(kBaseball);
   EXPECT_GE(peak.hoop_Hz, 1100);

@@ -25,7 +25,7 @@ void add_hit(double onset_s, double scale, std::vector<std::vector<double>>& acc
   for (const TrueMode& mode : kModes) {
     const Complex s = identify::decay_rate_of(mode.pole).rate_radps;
     const double omega_d = s.imag();
-    // ∫ sin(pτ) exp(s(t − τ)) dτ from 0 to t, and to the pulse's end
+    // ∫ sin(pτ) exp(s(t − τ)) dτ from 0 to t, but not beyond the pulse's end
     const auto response = [&](double t) {
       if (t <= 0) return 0.0;
       const double end = std::min(t, kPulse_s);
