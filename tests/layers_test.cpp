@@ -85,7 +85,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kForbidde
     {"acquire/hits", "acquire/formats"},       // hits are graded from samples, independent of the file format
     {"identify/select", "identify/classify"},  // modes are found before they are named
     {"model", "acquire"},                      // models read no files
-    {"model", "identify"},                     // models use no measurement
+    {"model", "identify"},                     // models do not use identified modes
 }};
 
 struct Include {

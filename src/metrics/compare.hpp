@@ -16,7 +16,7 @@ struct ComparedMode {
   double freq_Hz = 0;
   double freq_std_Hz = 0;  // 0: not stated
   std::string family;      // "bending", "hoop"; "" or "unknown": any
-  bool second = false;     // second peak of a split mode: it pairs only with another second peak
+  bool second = false;     // second peak of a split mode: it pairs only with second peaks and unclassified modes
   struct Component {
     std::complex<double> value;
     double std = 0;
@@ -58,9 +58,9 @@ struct PairedModes {
 };
 
 /// Pairs the modes of two documents. Two modes with shapes at three common places or more pair by shape only, the best
-/// MAC first. The modes that this leaves, and whose shapes cannot be compared, pair by frequency, in order: their
-/// number is maximised, then the differences of the logarithms of the frequencies are minimised. A bending mode never
-/// pairs with a hoop mode. Modes of 0 Hz (rigid-body modes) are left out.
+/// MAC first. The modes that this leaves, and whose shapes cannot be compared, pair by frequency, in order: the
+/// number of pairs is maximised, then the sum of |ln(f_b/f_a)| is minimised. A bending mode never pairs with a hoop
+/// mode. Modes of 0 Hz (rigid-body modes) are left out.
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options = {});
 
 struct DeflectionPair {

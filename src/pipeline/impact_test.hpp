@@ -48,9 +48,10 @@ struct ImpactTest {
   std::vector<Warning> warnings;
 };
 
-/// Deflection at each accelerometer for each impact with a pulse. Hits rejected for FRFs (a double hit, a truncated
-/// decay) have a deflection, too. Modes are identified only if the method, stated or automatic, needs them.
-/// errors  InputError: no force or no mode where the method needs them; another number of positions than points.
+/// Deflection at each accelerometer for each impact with a pulse; without a force, each row is one impact. Hits that
+/// percuss rejects for FRFs (a double hit, a truncated decay) have a deflection, too. Hits that the user rejects have
+/// none. Modes are identified only if the method, stated or automatic, needs them.
+/// errors  InputError: no force or no mode where the options need them; another number of positions than points.
 ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options = {});
 
 }  // namespace percuss::pipeline

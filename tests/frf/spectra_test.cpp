@@ -139,7 +139,7 @@ TEST(ExponentialWindow, OnBothChannelsShowsTheExactFrfAtJOmegaPlusItsDecay) {
     unshifted = std::max(unshifted, std::abs(response[k] / force[k] - accelerance_at(test.truth, omega)));
     size = std::max(size, std::abs(exact));
   }
-  constexpr double kTail = 1e-9;  // the truncated end, 1e-11 of the start; the lines differ by a factor of 10
+  constexpr double kTail = 1e-9;  // the truncated end, 1e-11 of the start, with a margin of 100
   EXPECT_LE(error, kTail * size);
   EXPECT_GE(unshifted, 0.1 * size);  // the shift by the window's decay is large
 }
@@ -154,7 +154,7 @@ TEST(Spectra, OfADelayedResponseLagInPhase) {
   const auto a = accel_spectrum(hit, accel, lines, 0);
   for (std::size_t k = 0; k < lines.count; ++k) {
     const Complex exact = std::polar(3.0, -kTwoPi * static_cast<double>(k * kDelay) / kSamples);
-    ASSERT_LE(std::abs(a[k] / f[k] - exact), 1e-13);  // rounding, over lines that differ by a factor of 10
+    ASSERT_LE(std::abs(a[k] / f[k] - exact), 1e-13);  // rounding; the lines of the force differ by a factor of 7
   }
 }
 

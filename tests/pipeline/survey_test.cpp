@@ -148,7 +148,7 @@ TEST_F(BarrelSurvey, ExplainsTheFrfs) {
 }
 
 TEST_F(BarrelSurvey, AgreesWithTheTwoAccelerometerTest) {
-  // [8], appendix A: the two-accelerometer test names the same modes as the survey.
+  // [8] in docs/theory/sources.md, appendix A: the two-accelerometer test names the same modes as the survey.
   synth::SynthSpec quick = barrel();
   quick.points = {{.position_m = 0.11, .angle_rad = 35 * kDegree}};
   quick.sensors = {{.position_m = 0.05, .angle_rad = 0}, {.position_m = 0.05, .angle_rad = pi / 2}};

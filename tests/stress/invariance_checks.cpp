@@ -136,7 +136,7 @@ Check shifted(double samples) {
   return check;
 }
 
-/// One file, or one file per hit, in every format.
+/// One file, or one file per hit, in each format of records except sound.
 std::vector<Check> of_files() {
   std::vector<Check> checks;
   for (const char* extension : {".h5", ".mat", ".uff", ".csv"}) {

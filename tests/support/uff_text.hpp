@@ -32,11 +32,11 @@ struct UffText {
     return out + axis(abscissa, "s") + axis(ordinate, ordinate_unit) + axis(denominator, denominator_unit) +
            axis(0, "NONE");
   }
-  /// The numbers as lines of the file.
+  /// The whole data set, with its numbers as lines of text.
   std::string text(const std::string& numbers) const {
     return "    -1" + end + "    58" + end + header() + numbers + "    -1" + end;
   }
-  /// The numbers as bytes of the file. `stated` is the number of bytes that the first line states.
+  /// The whole data set, with its numbers as bytes. `stated` is the number of bytes that the first line states.
   std::string binary(const std::string& bytes, int byte_order, std::size_t stated) const {
     return "    -1" + end +
            fmt::format("    58b{:6}     2          11{:12}     0     0           0           0", byte_order, stated) +

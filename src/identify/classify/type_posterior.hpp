@@ -23,9 +23,10 @@ struct TypeEvidence {
 /// which the bat is most flexible, and the placement, which is the error of the angle between the sensors. With their
 /// prior weights w, and the likelihood L of each type f of each mode at given unknowns,
 ///   P(f of mode m) ∝ Σ_plane,placement w · L_m(f) Π_others Σ_f' L(f')                                     (1)
-/// Modes that all have the hoop ratio may therefore all be bending modes in a plane at −45° to the sensors: a bat's
-/// lowest mode is a bending mode. The two planes of one bending mode are at right angles. Both members of a hoop pair
-/// have the hoop ratio. A hammer at an unknown angle λ to such a pair excites its members as cos λ : sin λ.
+/// Modes that all have the hoop ratio may therefore all be bending modes in a plane at −45° to the first sensor. The
+/// prior favours this if the lowest frequency is low, because a bat's lowest mode is a bending mode. The two planes of
+/// one bending mode are at right angles. Both members of a hoop pair have the hoop ratio. A hammer at an unknown angle
+/// λ to such a pair excites its members as cos λ : sin λ.
 /// theory (6.6)
 std::vector<TypePosterior> type_posteriors(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood);
 

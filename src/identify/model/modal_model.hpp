@@ -37,7 +37,7 @@ struct PointForce {
 /// errors  InputError: the force has no energy at some spectral line.
 PointForce point_force(std::vector<frf::ForceBlock> blocks, std::vector<frf::Spectrum> spectra,
                        const acquire::LineRange& lines, double noise_N);
-/// H1 of a response to the hits at this point. shapes  accel [hits] point to [lines]; result [lines], (m/s²)/N
+/// H1 of a response to the hits at this point. shapes  accel [hits][lines]; result [lines], (m/s²)/N
 std::vector<Complex> h1_at(const PointForce& force, std::span<const std::span<const Complex>> accel);
 
 /// The contribution of a mode with residue 1 to an H1 estimate, and its derivatives, at some spectral lines.

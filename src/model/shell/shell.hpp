@@ -34,7 +34,7 @@ double rayleigh_Hz(const TubeShell& shell, std::size_t n);
 double love_Hz(const TubeShell& shell, std::size_t n);
 
 /// Flügge: a thin shell on shear diaphragms (its ends stay round and slide axially), with m half-waves along it.
-/// The result is the lowest Ω², an eigenvalue of the symmetric matrix S with λ = mπR/L:
+/// Ω² is the lowest eigenvalue of the symmetric matrix S, with λ = mπR/L:
 ///   S11 = λ² + (1 − ν)/2 n²(1 + k)          S12 = −(1 + ν)/2 nλ
 ///   S13 = −νλ − k(λ³ − (1 − ν)/2 n²λ)       S22 = n² + (1 − ν)/2 λ²(1 + 3k)
 ///   S23 = n + k (3 − ν)/2 λ²n               S33 = 1 + k((λ² + n²)² − 2n² + 1)                   (4)

@@ -9,7 +9,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMinBlocks = 16;     // of the later part of a response
+constexpr std::size_t kMinBlocks = 16;     // of a response after the hit; Hann window: in the last half
 constexpr double kMinFall = 0.15;          // of the logarithm over the fitted part: 14 %
 constexpr double kClear = 8;               // standard deviations of the decay
 constexpr double kMaxMismatch = 0.15;      // of the logarithm of the level at the hit

@@ -11,7 +11,7 @@ namespace percuss::pipeline {
 struct ResponseImpact {
   std::size_t row = 0;
   std::size_t first = 0;    // sample of the row at which the structure begins to move
-  std::size_t last = 0;     // one past the last sample before the next impact, or the row's end
+  std::size_t last = 0;     // one past the last sample: just before the next impact, or the end of the selected time
   bool whole_pulse = true;  // false: the row begins after the impact
 };
 

@@ -26,7 +26,7 @@ struct ResponseTest {
   std::pair<double, double> band_Hz;
   std::vector<ResponseHit> hits;
   std::size_t samples = 0;  // of each decay, from the impact on
-  double start_s = 0;       // of the decays, from the impact on: no force acts from there
+  double start_s = 0;       // start of the decays after the impact: no force acts from there on
   identify::DecayResults found;
   std::vector<identify::ModeClassification> classifications;  // [found.modes]
   std::vector<Warning> warnings;

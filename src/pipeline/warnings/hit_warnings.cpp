@@ -65,7 +65,7 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
   if (const auto low = accepted_hits_with(hits, acquire::FindingCode::low_bandwidth); !low.hits.empty()) {
     out.push_back(with_remedy(
         {"low_bandwidth",
-         fmt::format("the force of {} does not reach the end of the band: it falls by 20 dB up to {:.0f} Hz. Modes "
+         fmt::format("the force of {} does not reach the end of the band: it has fallen by 20 dB at {:.0f} Hz. Modes "
                      "beyond are weakly excited and less certain",
                      hit_list(low.hits), low.least),
          {"band"}},

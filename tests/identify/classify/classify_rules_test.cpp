@@ -165,7 +165,7 @@ TEST(Order, IsSharedByASplitMode) {
 }
 
 TEST(Order, IsSharedByTheTwoPlanesOfABendingMode) {
-  // Planes at right angles, 1.8 % apart.
+  // Planes at right angles, with frequencies 1.8 % and 1.0 % apart.
   EXPECT_EQ(orders_of(classifications({bending(169, 0.4), bending(172, -2.5), bending(575), bending(581, -2.5)})),
             (std::vector<int>{1, 1, 2, 2}));
 }

@@ -83,7 +83,7 @@ TEST(Deflection, IsExactForACleanRecord) {
 // Behind an anti-alias filter, the deflection is the filtered one. The reference follows from the filtered force, not
 // from the samples of the acceleration.
 TEST(Deflection, IsExactForAFilteredRecordAtEverySamplingRate) {
-  constexpr double kRounding = 1e-6;  // of the peak: the window at the record's end, and the zero-mean correction
+  constexpr double kTolerance = 1e-6;  // of the peak: the window at the record's end, and the zero-mean correction
   const std::vector<synth::SynthPole> poles{{14.5, 0.012}, {90, 0.01}, {322, 0.008}};
   for (const double fs_Hz : {2000.0, 5000.0, 12800.0, 25600.0, 50000.0}) {
     const auto samples = static_cast<std::size_t>(1.2 * fs_Hz);
@@ -103,7 +103,7 @@ TEST(Deflection, IsExactForAFilteredRecordAtEverySamplingRate) {
     const auto truth = modal_deflection(force, fs_Hz, modes, 0).deflection_m;
     const Deflection found =
         deflection_of({.fs_Hz = fs_Hz, .accel_mps2 = accel, .onset_s = 0.1, .force_N = {}, .modes = {}});
-    EXPECT_NEAR(std::abs(found.peak_m), largest(truth), kRounding * largest(truth)) << fs_Hz;
+    EXPECT_NEAR(std::abs(found.peak_m), largest(truth), kTolerance * largest(truth)) << fs_Hz;
   }
 }
 

@@ -315,7 +315,8 @@ TEST(Certify, NeverPassesABatThatFails) {
   EXPECT_GT(verdicts.at(static_cast<std::size_t>(CertifyVerdict::undecided)), 20);
 }
 
-// Six shots of 136.0 mph and one rebound each, 6 in from the tip of a 33 in bat: by hand, BESR = v/136 + 1/2 + ε.
+// Six shots at 136.0 mph, 6 in from the tip of a 33 in bat. By hand, BESR = v/136 + 1/2 + ε, with v the rebound speed
+// of each shot and ε the correction of the lot.
 TEST(Certify, GivesAllMetricsOfALocation) {
   Session s = fresh_session();
   s.lot.correction = 0.002;

@@ -45,7 +45,7 @@ TEST(Association, MatchesAHandComputation) {
   const auto a = association_of({{{1, 2, 3, 4, 5}, {2, 1, 4, 3, 5}}});
   EXPECT_NEAR(a->spearman.value, 0.8, kRounding);
   EXPECT_NEAR(a->pearson.value, 0.8, kRounding);
-  // Σd² ≤ 4 in 8 of 120 orders: itself, 4 swaps of neighbours, 3 pairs of such swaps. As many have Σd² ≥ 36.
+  // Σd² ≤ 4 in 8 of 120 orders: the sorted one, 4 swaps of neighbours, 3 pairs of such swaps. As many have Σd² ≥ 36.
   EXPECT_NEAR(a->p, 16.0 / 120, kRounding);
   EXPECT_NEAR(a->pearson.high, std::tanh(std::atanh(0.8) + 1.959963984540054 / std::sqrt(2.0)), kRounding);
 }

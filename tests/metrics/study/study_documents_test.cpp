@@ -99,7 +99,8 @@ TEST(StudyDocuments, RejectDocumentsWithoutTheirBatAndContradictions) {
   EXPECT_FALSE(states_in_document(R"({"schema": "percuss/study-table/1", "bats": []})", "t"));
 }
 
-// Documents of hostile shape neither crash nor name a bat twice.
+// Documents of an unexpected shape are read or rejected, without a crash. Each element of "cycles" is a state of the
+// bat, also when its id repeats or is missing.
 TEST(StudyDocuments, SurviveOtherShapes) {
   for (const char* text :
        {R"({"schema": "percuss/metrics/1", "bats": 3})", R"({"schema": "percuss/metrics/1", "bats": [1]})",

@@ -61,7 +61,7 @@ TEST(BeamImpact, AgreesWithFiniteElementsAndRungeKutta) {
   }
 }
 
-// The rule of percuss deflect. Without damping the beam may swing back further than it was struck.
+// The rule of percuss deflect. Without damping, the backward swing may exceed the forward deflection.
 TEST(BeamImpact, StatesTheLargestDeflectionByMagnitudeWithItsSign) {
   int backward = 0;
   for (const double at_m : {0.1, 0.2, 0.3, 0.4, 0.51}) {
@@ -161,7 +161,8 @@ TEST(BeamImpact, TouchesALightBeamAgain) {
 
 // Reference: ten exact modes of the uniform beam on a torsion spring (roots of the determinant of its boundary
 // conditions). scipy's DOP853 (relative 3e-13, steps of 2 µs) integrates each contact. After a separation the closed
-// form is evaluated at 400 001 points of 80 ms for the next touch. Given to eight decimals and to nanoseconds.
+// form is evaluated at 400 001 points over 80 ms to find the next contact. The values have eight decimals, the times
+// whole nanoseconds.
 TEST(BeamImpact, FollowsTheBallToItsLastContact) {
   struct Last {
     double mass_per_length_kgpm, final_cor;

@@ -126,7 +126,7 @@ TEST(ResponseTest, EndsWhenItsBudgetIsSpent) {
   EXPECT_THROW(analyse_responses(rows(1), options), BudgetSpent);
 }
 
-// In one spectrum, nothing tells a weak close mode from a frequency that falls while the amplitude decays. The
+// In one spectrum, nothing tells a weak close mode from a frequency that changes while the amplitude decays. Here the
 // frequency rises by a quarter of the half-power bandwidth from the first sample to the last.
 TEST(ResponseTest, TakesAMovingFrequencyForOneMode) {
   constexpr double kFreq_Hz = 400, kDamping = 0.003, kRise = 0.25 * 2 * kDamping, kNoise = 0.01;

@@ -30,7 +30,7 @@ LineChart chart() {
 
 TEST(LineChart, DrawsCurvesInsideThePlotAndBreaksThemAtNan) {
   const std::string svg = line_chart_svg(chart());
-  EXPECT_THAT(svg, HasSubstr("M72.0 371.4L254.7 266.5M620.0 56.6\""));  // margins of 4 % of the plot's 340 px
+  EXPECT_THAT(svg, HasSubstr("M72.0 371.4L254.7 266.5M620.0 56.6\""));  // margins of 4 % of the values' range
   EXPECT_THAT(svg, HasSubstr("<circle cx=\"620.0\""));
 }
 
@@ -65,8 +65,9 @@ TEST(LineChart, DrawsPointsAloneWithALegend) {
   EXPECT_THAT(svg, HasSubstr(">wood</text>"));
   EXPECT_THAT(svg, HasSubstr(">A</text>"));
   EXPECT_THAT(svg, HasSubstr(">&lt;B</text>"));
-  EXPECT_THAT(svg, HasSubstr("<circle cx=\"599.7\" cy=\"371.4\" r=\"3\" fill=\"#0072B2\"/>"));  // 4 % in from the edges
-  EXPECT_THAT(svg, HasSubstr("stroke=\"#0072B2\" stroke-width=\"1.8\""));                       // the given style
+  EXPECT_THAT(svg,
+              HasSubstr("<circle cx=\"599.7\" cy=\"371.4\" r=\"3\" fill=\"#0072B2\"/>"));  // 4 % of the range inwards
+  EXPECT_THAT(svg, HasSubstr("stroke=\"#0072B2\" stroke-width=\"1.8\""));                  // the given style
 }
 
 TEST(LineChart, MarksDifferWithoutColour) {
