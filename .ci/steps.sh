@@ -51,7 +51,8 @@ build() {
 
 all_sources() { git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'; }
 
-# include_patterns PATH: the ways to write a header in an #include: its path, without any number of its leading folders.
+# include_patterns PATH: the ways to write a header in an #include: its path, and the path without its first folder, without
+# its first two folders, and so on.
 include_patterns() {
   header=$1
   while printf '"%s"\n<%s>\n' "$header" "$header"; do
@@ -95,7 +96,8 @@ check_layout() { all_sources | xargs clang-format --dry-run -Werror; }
 
 check_scripts() { grep -lE '^#!/bin/(ba)?sh|shellcheck shell=' start .ci/* | xargs shellcheck; }
 
-# Makes the accuracy page, and checks that README.md shows its table.
+# Checks that percuss_accuracy makes all files docs/project/accuracy*, and that README.md shows the table of
+# docs/project/accuracy.md.
 check_accuracy_page() {
   made=$(mktemp -d)
   build/release/bench/percuss_accuracy --quick "$made" >/dev/null

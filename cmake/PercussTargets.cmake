@@ -30,8 +30,8 @@ function(percuss_options target)
   endif()
 endfunction()
 
-# percuss_code(TARGET): a layer or the tool. Targets share a precompiled header, which requires equal compiler options. The preset
-# tidy does not use it, so that it detects missing includes.
+# percuss_code(TARGET): the settings of a layer or of the tool. These targets share a precompiled header, which requires
+# equal compiler options. The preset tidy does not use it, so that it detects missing includes.
 add_library(percuss_headers OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
 target_precompile_headers(percuss_headers PRIVATE
   <Eigen/Core> <nlohmann/json.hpp> <fmt/format.h> <algorithm> <filesystem> <string> <vector>)

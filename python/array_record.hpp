@@ -40,8 +40,9 @@ struct ArrayTest {
 /// A checksum of at most 512 numbers, spread over all signals. It differs if the arrays were refilled or scaled.
 std::uint64_t sample_checksum(const ArrayTest& test);
 
-/// The record of the arrays, as of a file with the same content: the options set units, scales, angles and rate. Throws
-/// InputError as record_of_table does. The readers of the record throw InputError for samples that are not finite.
+/// The record of the arrays, equal to the record of a file with the same content: the options set units, scales, angles
+/// and rate. Throws InputError as record_of_table does. The readers of the record throw InputError for samples that are
+/// not finite.
 acquire::Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const acquire::ReadOptions& options);
 
 }  // namespace percuss::python

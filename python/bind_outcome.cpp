@@ -48,25 +48,25 @@ py::list frfs_of(const SharedResult& held, std::size_t test, const std::string& 
   return responses_of(*made, first, band.count, made);
 }
 
-// Columns [modes] of the modal parameters, and residues [modes][outputs].
+// Columns [modes] of the modal parameters, and residues [modes][FRF channels].
 py::dict modes_of(const SharedResult& held, std::size_t test) {
   const pipeline::Analysis& analysis = *analysis_of(held, test);
   const auto modes = without_gil(held, [&] { return analysis.modes(); });
-  const std::size_t outputs = modes.empty() ? 0 : modes.front().residues.size();
+  const std::size_t frf_channels = modes.empty() ? 0 : modes.front().residues.size();
   const auto column = [&](const auto& number) {
     std::vector<double> values;
     values.reserve(modes.size());
     for (const identify::Mode& mode : modes) values.push_back(number(mode));
     return copy_of(std::span<const double>(values));
   };
-  py::array_t<Complex> residues({modes.size(), outputs});
-  py::array_t<double> residue_std({modes.size(), outputs});
+  py::array_t<Complex> residues({modes.size(), frf_channels});
+  py::array_t<double> residue_std({modes.size(), frf_channels});
   py::list places;
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    for (std::size_t o = 0; o < outputs; ++o) {
-      const identify::Residue& residue = modes[m].residues.at(o);
-      residues.mutable_at(m, o) = residue.value;
-      residue_std.mutable_at(m, o) =
+    for (std::size_t c = 0; c < frf_channels; ++c) {
+      const identify::Residue& residue = modes[m].residues.at(c);
+      residues.mutable_at(m, c) = residue.value;
+      residue_std.mutable_at(m, c) =
           std::hypot(residue.std, residue.relative_std * std::abs(residue.value));  // as the document
       if (m == 0) places.append(py::make_tuple(residue.point, residue.channel));
     }

@@ -36,7 +36,7 @@ struct ResultHandle {
 };
 using SharedResult = std::shared_ptr<ResultHandle>;
 
-/// The analysis of one test. Throws IndexError.
+/// The analysis of one test. Throws IndexError, and InputError for a result without FRFs.
 const std::shared_ptr<const pipeline::Analysis>& analysis_of(const SharedResult& held, std::size_t test);
 
 /// Calls the function without Python's lock, one thread at a time. A reference that it returns stays valid.

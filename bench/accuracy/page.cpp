@@ -178,8 +178,8 @@ deflections. For `modal` it includes the identification of the modes.
 {}
 - The bound assumes a known force and a known number of modes, but unknown modal parameters, bias and drift.
   `drift-free` ({}) uses neither force nor modes, hence its distance from the bound. `modal` ({}) uses both.
-- With less noise the error of both stays near 0.003 %: the largest deflection is stated at a sample, and the true
-  maximum lies between two samples. The stated standard deviation does not include this: with 0.01 % of noise the
+- With less noise the error of both stays at 0.003 to 0.004 %: the largest deflection is stated at a sample, and the
+  true maximum lies between two samples. The stated standard deviation does not include this: with 0.01 % of noise the
   coverage of `drift-free` is only {} %. `modal` states too large a standard deviation (coverage {} % in the main case).
 - `small-interval` integrates the bias together with the signal, and `frequency` omits all motion below its lowest line.
   Both are faster, but useless for the largest deflection of such records. They stay for comparison with published
@@ -204,7 +204,7 @@ multiples of one bare transform of 65 536 values.
 `modal` moves the modes exactly between impulses of the contact force and has fourth order in the step. By default it
 chooses a step with which the restitution converges to 1e-9. The published `small-increment` keeps the force constant in
 each step and has first order. It is faster only for errors of a hundredth: its longest steps are Pareto-optimal, its
-shorter ones are not ({} in all). It stays for comparison with published figures.
+shorter ones are not ({} figures in all). It stays for comparison with published figures.
 )",
                      case_table(family, main), picture(family), not_optimal(family, "small-increment"));
 }

@@ -37,8 +37,9 @@ the upper half of a line in the chart: 1 means proportional growth.
 ![time and memory over size](accuracy-scaling.svg)
 
 - Proportional or nearly so (exponent of time up to 1.2): {}.
-- Steeper: {}. `best` fits every mode together with all others. Many channels have many lines to fit. Rows of 2^17
-  samples and more are cut at the end of their decay, like continuous records.
+- Steeper: {}. `best` fits every mode together with all others. Many channels have many lines to fit.
+- Rows of 2^17 samples and more are cut at the end of their decay, like continuous records. Their time can be below the
+  baseline, which transforms whole rows.
 - Memory grows at most in proportion to the data held at a time.
 {}{}
 )",

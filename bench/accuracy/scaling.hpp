@@ -17,9 +17,9 @@ struct ScalePoint {
 };
 
 struct Scaling {
-  std::string of;    // "samples per hit"
-  std::string with;  // fixed sizes
-  std::size_t asked = 0;
+  std::string of;                  // "samples per hit"
+  std::string with;                // fixed sizes
+  std::size_t asked = 0;           // the largest size to measure
   std::vector<ScalePoint> points;  // up to `asked`, or to the time limit
   double time_exponent = 0, memory_exponent = 0;
 };

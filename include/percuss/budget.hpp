@@ -26,7 +26,7 @@
 
 namespace percuss {
 
-/// Limits of one analysis. By default there is no limit.
+/// Limits of one analysis. A Budget without values has no limit; default_budget() gives the usual limits.
 struct Budget {
   double time_s = std::numeric_limits<double>::infinity();  // wall-clock time of its computations
   std::uint64_t memory_bytes = std::numeric_limits<std::uint64_t>::max();

@@ -27,8 +27,8 @@ namespace api {
 struct DeflectionData;
 }
 
-/// automatic: drift_free if the record shows the structure at rest before the impact, otherwise modal if force and
-/// modes are known.
+/// automatic: modal if force and modes are known and the record does not show the structure at rest before the impact;
+/// otherwise drift_free.
 enum class DeflectionMethod { automatic, small_interval, drift_free, frequency, modal };
 
 struct DeflectionOptions {

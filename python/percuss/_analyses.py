@@ -24,7 +24,7 @@ class Analysis(Frf):
     hits                                 a dictionary per hit, with its findings
     runs                                 an Analysis per test: of files="tests", or of a file with several runs
 
-    Of a test without a force, document["input"] is "response": residues are relative to one channel, and there are no FRFs.
+    Of a test without a force, the entry "input" is "response": residues are relative to one channel, and there are no FRFs.
 
     Reading modes or FRFs raises NoHitError if no hit can be used, and UsageError if the result holds several tests.
     """
@@ -49,12 +49,12 @@ class Analysis(Frf):
 
     @property
     def modes(self) -> list[dict[str, Any]]:
-        """A dictionary per mode, as in the document: frequency, damping, family, double peak, residues."""
+        """A dictionary per mode, as in the document: frequency, damping, family, split mode, residues."""
         return self._own().get("modes", [])
 
     @property
     def warnings(self) -> list[dict[str, str]]:
-        """A dictionary per warning about the test and its results: code and message."""
+        """A dictionary per warning about the test and its results: code, severity, message, remedy."""
         return self._own().get("warnings", [])
 
     def _of_free_decays(self, name: str) -> np.ndarray:

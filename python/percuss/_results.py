@@ -105,7 +105,7 @@ class Result(Mapping[str, Any]):
 
     @property
     def exit_code(self) -> int:
-        """0; 3 if info() could not read a file; 4 if no hit can be used; 5 if a bat exceeds its limit."""
+        """0; 3 if info() could not read a file; 4 if no hit can be used; 5 if a bat fails certify() or abi()."""
         return self._outcome.code
 
     @property

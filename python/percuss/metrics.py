@@ -37,7 +37,7 @@ certify = _make(
     "certify",
     _Result,
     "session is a path or a dictionary; percuss.example('certify') shows its keys. Returns a Result: verdict, sweet spot, shots, next.\n"
-    "exit_code is 5 if the bat exceeds its limit.",
+    "exit_code is 5 if the bat exceeds its limit or is damaged.",
     "",
     [_positional("session", False)],
 )

@@ -48,6 +48,7 @@ synth::SynthSpec internal_spec(const SynthSpec& spec) {
   return out;
 }
 
+// The test of this specification, with the seed and the threads of `options`.
 SynthTest made(synth::SynthSpec spec, const SynthOptions& options) {
   spec.seed = options.seed.value_or(spec.seed);
   synth::SyntheticTest test = synth::synthesise(spec, options.threads);

@@ -70,10 +70,9 @@ struct DeflectionPair {
   double ratio = 0, ratio_std = 0;  // model/test where one document is a model, otherwise b/a
 };
 
-/// Pairs deflections at the same place. The test leads where the other document is a model, otherwise `a` leads. Each
-/// deflection of the leading document is paired at its position (interpolated in a model's sweep), or at its point
-/// where it has no position. Where the other document is a model, the test's deflection in the direction of the first
-/// motion is compared, if it is stated.
+/// Pairs the largest deflections (peak_m) at the same place. The test leads where the other document is a model,
+/// otherwise `a` leads. Each deflection of the leading document is paired at its position (interpolated in a model's
+/// sweep), or at its point where it has no position.
 std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const ComparedDocument& b);
 
 }  // namespace percuss::metrics

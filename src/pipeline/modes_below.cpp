@@ -1,4 +1,4 @@
-// The modes below the analysed band: a tube's orders count on from them.
+// The modes below the analysed band. The orders of a tube's modes in the band continue from them.
 #include <algorithm>
 
 #include "pipeline/analysis.hpp"

@@ -26,7 +26,7 @@ struct ModeAlongScan {
 
 struct NodeScan {
   ScanPositions positions;
-  std::vector<ModeAlongScan> modes;  // without hoop modes, which have no node on a line along the barrel
+  std::vector<ModeAlongScan> modes;  // without hoop modes
   std::vector<Warning> warnings;     // about the scan; the analysis has its own
 };
 

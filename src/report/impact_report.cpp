@@ -58,7 +58,7 @@ Json document(double speed_mps, const model::ImpactResult& result, const std::ve
   return json;
 }
 
-// The speed against the ball's initial direction, and what a negative one means.
+// The ball's speed after a contact. Says so where the ball keeps its direction.
 std::string speed_text(double cor, double speed_mps) {
   return fmt::format("{:.4g} m/s{}", std::abs(cor) * speed_mps, cor < 0 ? " in the same direction" : "");
 }

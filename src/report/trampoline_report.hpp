@@ -19,7 +19,7 @@ struct MeasuredBat {
 
 /// Results shown besides the sweep.
 struct TrampolineExtras {
-  std::optional<model::FittedExponents> fitted;  // measured and fit; the report computes the rest
+  std::optional<model::FittedExponents> fitted;  // needs `measured` and `fit`; the report computes the rest
   std::optional<double> modal_mass_kg;           // from a measured shift of the hoop frequency
   std::vector<MeasuredBat> bats{};
   CsvFormulas formulas = CsvFormulas::neutralise;  // of the bats' ids in the table

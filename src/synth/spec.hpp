@@ -22,7 +22,7 @@ struct SynthMode {
   SynthFamily family = SynthFamily::bending;
   int order = 1;                         // bending: of the free-free beam; hoop: axial half-waves
   double angle_rad = 0;                  // plane of bending; an antinode of the hoop pattern
-  double amplitude_per_sqrt_kg = 1;      // mass-normalised shape: at the tip (bending), at the antinode (hoop)
+  double amplitude_per_sqrt_kg = 1;      // mass-normalised shape: at the knob (bending), at the antinode (hoop)
   std::vector<double> residue_per_kg{};  // [points × sensors]; replaces the shape
 };
 

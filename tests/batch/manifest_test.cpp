@@ -11,7 +11,7 @@ namespace percuss::batch::manifest_test {
 
 class BatchManifest : public testing::Test {
  protected:
-  /// Records of these sizes, called r000, r001, …
+  /// Writes a manifest of records of these sizes, called r000, r001, …; returns its bytes.
   std::string write(const std::vector<std::uint64_t>& bytes) {
     std::vector<BatchRecord> records;
     for (std::size_t i = 0; i < bytes.size(); ++i) {

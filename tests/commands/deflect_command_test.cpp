@@ -46,7 +46,8 @@ void add_impact(double at_m, std::mt19937& random, std::vector<double>& force_N,
         accel += y * (y * force - omega * omega * state.eta[m]);
       }
       for (int k = 0; k < kSubsteps; ++k) model.step(state, 1 / kFs_Hz / kSubsteps);
-      // The model ignores second contacts: it removes the ball after the first separation.
+      // As in the model's largest deflection, there is no second contact: the ball is removed after the first
+      // separation.
       separated = separated || (force > 0 && model.read(state).force_N == 0);
       if (separated) state.ball_m = -1;
     }
@@ -109,7 +110,7 @@ TEST_F(DeflectCommand, ComparesWithAModel) {
   EXPECT_THAT(text.out, HasSubstr("largest deflection"));
 }
 
-// Frequencies, deflections and their ratio of the test, of a model beam and of a document, in one command.
+// One command compares the frequencies and deflections of the test with a model beam and with a document.
 TEST_F(DeflectCommand, ComparesItsModesAndDeflectionsWithABeam) {
   const test::ScratchFolder out;
   ASSERT_EQ(run_percuss({"model", "beam", "-o", "beam.json", "--quiet"}, {.folder = out.path()}).code, 0);
@@ -125,7 +126,7 @@ TEST_F(DeflectCommand, ComparesItsModesAndDeflectionsWithABeam) {
   ASSERT_EQ(compared["documents"].size(), 3U);
   const json& model = compared["others"][0];
   EXPECT_GE(model["pairs"].size(), 2U);
-  // The frequencies themselves are no measure here: the unfiltered force hardly reaches the modes above the first two.
+  // The frequencies themselves are not checked: the unfiltered force hardly excites the modes above the first two.
   const json beam = test::parse_json(test::bytes_of(out.file("beam.json")))["frequency_hz"];
   for (const json& pair : model["pairs"]) {
     const double test_Hz = pair["frequency_a_hz"], model_Hz = pair["frequency_b_hz"];
@@ -135,7 +136,7 @@ TEST_F(DeflectCommand, ComparesItsModesAndDeflectionsWithABeam) {
   }
   ASSERT_EQ(model["deflections"].size(), kPlaces_m.size());
   for (const json& pair : model["deflections"])
-    EXPECT_NEAR(pair["ratio"].get<double>(), 1 / kSensor, 0.02) << pair;  // one second contact is left out
+    EXPECT_NEAR(pair["ratio"].get<double>(), 1 / kSensor, 0.02) << pair;  // both without second contacts
   EXPECT_THAT(run_percuss({"deflect", file("bat.h5"), "--beam", "colour=3"}).err, HasSubstr("not a known name"));
 }
 

@@ -193,8 +193,8 @@ TEST_F(FrfInput, AcceptsFrfsOfZeros) {
   EXPECT_EQ(document["modes"], json::array());
 }
 
-// Many FRFs take a separate path, which removes the truncation of records. The truncation of FRFs from a file is
-// unknown.
+// Many FRFs are fitted by a separate method, which adds the decays that a record cut off. FRFs from a file do not state
+// where their records ended.
 TEST_F(FrfInput, FindsTheModesOfTheRecordFromManyPoints) {
   ASSERT_EQ(run_percuss({"synth", "roving-barrel", "-o", file("barrel.h5")}).code, 0);
   ASSERT_EQ(run_percuss({"frf", file("barrel.h5"), "-o", file("frfs.h5")}).code, 0);

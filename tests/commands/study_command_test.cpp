@@ -129,8 +129,8 @@ TEST_F(StudyCommand, JoinsAnalysesThatNameTheirBat) {
   }
 }
 
-// From the bench to the figure of a break-in: the documents of four commands, as they are.
-TEST_F(StudyCommand, JoinsTheDocumentsOfAllCommands) {
+// From the bench to the figure of a break-in: the unchanged documents of analyze, metrics and abi.
+TEST_F(StudyCommand, JoinsTheDocumentsOfSeveralCommands) {
   const auto run = [&](std::vector<std::string> words) { return run_percuss(words, {.folder = folder_.path()}); };
   const auto keep = [&](const char* name, const std::vector<std::string>& words) {
     const auto outcome = run(words);

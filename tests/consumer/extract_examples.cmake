@@ -2,13 +2,13 @@
 # (```cpp blocks) as OUT/PREFIX_1.cpp, …, and sets NAMES to PREFIX_1, … Each example must be a program with a main().
 function(extract_examples file out prefix names)
   file(READ ${file} text)
-  # CMake splits lists at ; and takes brackets together: both are replaced while the text is a list.
+  # CMake splits lists at ; but not within brackets: both are replaced while the text is a list.
   string(REPLACE ";" "@semicolon@" text "${text}")
   string(REPLACE "[" "@open@" text "${text}")
   string(REPLACE "]" "@close@" text "${text}")
   if(file MATCHES "[.]hpp$")
     string(REGEX MATCHALL "/// @code\n(///[^\n]*\n)*/// @endcode" programs "${text}")
-    # The match is greedy, so a header may hold only one example.
+    # The match is greedy, so a comment may hold only one example.
   else()
     string(REGEX REPLACE "\n```" "\n@fence@" text "\n${text}")
     string(REGEX MATCHALL "@fence@cpp\n[^@]*(@(semicolon|open|close)@[^@]*)*@fence@" programs "${text}")

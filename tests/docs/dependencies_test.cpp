@@ -13,14 +13,14 @@ namespace percuss::dependencies_test {
 
 struct Library {
   const char* name;     // of the shared library, up to .so
-  const char* package;  // Debian's, to link it
+  const char* package;  // the Debian package for linking
   const char* found;    // what percussConfig.cmake finds
 };
 
 constexpr std::array kLibraries{
     Library{"libfftw3", "libfftw3-dev", "FFTW3"},
     Library{"libgsl", "libgsl-dev", "GSL"},
-    Library{"libgslcblas", "libgsl-dev", "GSL"},  // with linkers that keep libraries without used symbols
+    Library{"libgslcblas", "libgsl-dev", "GSL"},  // loaded only if the linker keeps unused libraries
     Library{"libtbb", "libtbb-dev", "TBB"},
     Library{"libfmt", "libfmt-dev", "fmt"},
     Library{"libsndfile", "libsndfile1-dev", "SNDFILE"},

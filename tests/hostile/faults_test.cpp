@@ -189,7 +189,8 @@ TEST_F(BatchFaults, OfProcessesLeaveTheRecordOpen) {
 }
 
 TEST_F(BatchFaults, OfTheDiskAreNeverRows) {
-  // The failing writes: label of the journal, a begun record, its rows, part-0.jsonl, synchronisation of part-0.jsonl.
+  // The failing writes: the journal's first line, a begun record, its rows, part-0.jsonl, synchronisation of
+  // part-0.jsonl.
   for (const long n : {1, 2, 5, 8, 9}) {
     SCOPED_TRACE(n);
     const std::string out = "out" + std::to_string(n);

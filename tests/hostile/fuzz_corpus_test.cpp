@@ -24,7 +24,7 @@ std::vector<std::string> inputs_of(const fuzz::Target& target) {
   return paths;
 }
 
-// Overwrites some bytes, removes, doubles or moves a part, or appends the end of another input.
+// Overwrites some bytes, removes, doubles or copies a part, or replaces the end by the end of another input.
 std::string mutated(const std::string& bytes, const std::string& other, std::mt19937& random) {
   const auto below = [&](std::size_t limit) { return limit == 0 ? 0 : random() % limit; };
   std::string out = bytes;

@@ -59,7 +59,7 @@ TEST_F(Hdf5Damage, ByTruncationIsAlwaysAnInputError) {
 }
 
 TEST_F(Hdf5Damage, OfCompressedSamplesIsAnInputErrorWhenRead) {
-  // Overwrites bytes of a compressed chunk, after its gzip header.
+  // Overwrites bytes of a compressed chunk, after its zlib header.
   std::string bytes = good_;
   const std::size_t gzip = bytes.find("\x78\x9c");
   ASSERT_NE(gzip, std::string::npos);

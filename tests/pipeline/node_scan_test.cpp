@@ -15,7 +15,7 @@ namespace percuss::pipeline::node_scan_test {
 
 constexpr double kNode_in = 0.02;  // positions by hand are accurate to a few hundredths of an inch
 constexpr double kDeviations = 3;
-constexpr double kMinimum_in = 0.125;  // resolution of the peak's minimum, the source's rule for a node
+constexpr double kMinimum_in = 0.125;  // resolution of the smallest peak's position, the source's estimate of a node
 
 constexpr ScanPositions kScan{.start_m = 3 * kInch_m, .step_m = 0.25 * kInch_m, .count = 25};
 

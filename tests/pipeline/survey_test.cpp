@@ -48,7 +48,7 @@ synth::SynthSpec barrel() {
   return spec;
 }
 
-// Adds a sensor, and rings of 8 impact points on the barrel.
+// Sets one sensor, and rings of 8 impact points on the barrel.
 synth::SynthSpec roving(synth::SynthSpec spec, int rings = 5) {
   spec.sensors = {{.position_m = 0.05, .angle_rad = 0}};
   spec.points.clear();

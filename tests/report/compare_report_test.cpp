@@ -7,7 +7,7 @@ namespace percuss::report::compare_report_test {
 
 using testing::ElementsAre;
 
-// Deflections at two places; nothing stands for an unknown position or point.
+// The chart of deflections at two places. An unset position or point is unknown.
 LineChart chart_of_places(std::vector<metrics::ComparedDeflection> places) {
   metrics::ComparedDocument document{.name = "a", .schema = "", .modes = {}, .deflections = std::move(places)};
   return compare_report({document, document}).charts.at(0);

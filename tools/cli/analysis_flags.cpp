@@ -119,9 +119,10 @@ void add_analysis_flags(Command& command, AnalysisFlags& flags) {
 
 void add_budget_option(Command& command, std::vector<double>& budget) {
   command
-      .list("--budget", budget,
-            "Stop an analysis that takes more than this time in seconds or memory in GB (default: 120 s and 2 s per MB "
-            "of input; 2.1 GB and 16 times the input)")
+      .list(
+          "--budget", budget,
+          "Stop an analysis that takes more than this time in seconds or memory in GB (default: 120 s plus 2 s per MB "
+          "of input; 2.1 GB plus 16 times the input)")
       .above_zero()
       .type("S[,GB]");
 }

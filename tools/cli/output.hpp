@@ -22,13 +22,13 @@ struct OutputFlags {
 /// `kinds` lists the extensions that the command passes to check_outputs: ".json, .csv".
 void add_output_flags(Command& command, OutputFlags& flags, const char* kinds);
 
-/// The flag for tables with texts. csv_formulas() gives its meaning.
+/// Adds --keep-formulas, for commands that write texts to CSV. csv_formulas() converts the flag.
 void add_formula_flag(Command& command, bool& keep_formulas);
 CsvFormulas csv_formulas(bool keep_formulas);
 
-/// The flags for files that a host saves after the command has run.
+/// The flags for files that a host saves after the command has run: without the host, but with its command line.
 OutputFlags captured_output(const OutputFlags& flags);
-/// `kept` with one path.
+/// `kept` with this path alone, and this value of --force.
 OutputFlags single_output(const OutputFlags& kept, const std::string& path, bool force);
 
 /// Prints the result of a command on standard output, or gives it to the host.

@@ -35,7 +35,8 @@ void add_setup_option(Command& command, ReadFlags& flags);
 void add_trust_input_option(Command& command, ReadFlags& flags);
 inline constexpr const char* kReadingHeading = "Reading";
 
-/// The options with the set-up file and the typed units applied. Throws InputError.
+/// The options with the set-up file and the typed units applied. Throws InputError, and OptionError for a rate that is
+/// no number, unless a MAT file is read.
 acquire::ReadOptions resolved_read_options(const ReadFlags& flags);
 
 /// The options for one of several files, with its own force scale. Throws UsageError for a wrong number of scales.

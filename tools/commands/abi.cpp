@@ -41,7 +41,7 @@ void add_abi(CommandLine& line) {
   command.about(
       "Evaluates the accelerated break-in of a composite bat by rolling. The log lists compressions, rollings and "
       "tests in order; the report names the next step. The bat passes when a test falls clearly below the best one. It "
-      "fails when a test exceeds the limit (exit status 5).");
+      "fails when a test exceeds the limit, or when the first test damages the bat (exit code 5).");
   command.example("percuss abi --example > log.json; percuss abi log.json", "Print an example log and evaluate it");
   command.example("percuss abi --example > log.json; percuss abi log.json -o break-in.svg",
                   "Plot performance and hoop frequency over the steps");

@@ -8,7 +8,7 @@
 namespace percuss::tools {
 
 /// Analyses records without a force: modes from free decays. Returns the exit code.
-/// errors  OptionError: an option or a kind of output that needs a force.
+/// errors  OptionError: an option that needs a force; InputError: an output file of FRFs.
 int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> records,
                       const std::optional<report::BatLabel>& bat);
 

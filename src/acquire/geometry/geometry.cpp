@@ -90,7 +90,7 @@ Columns columns_of(const std::vector<std::string_view>& names, const std::string
   return columns;
 }
 
-// Takes a line of units below the names: a line without numbers.
+// Takes a line of units below the names: a line without numbers. Returns false for a line with numbers.
 bool take_units(Columns& columns, const std::vector<std::string_view>& cells, const CsvDialect& dialect,
                 const std::string& where) {
   for (const std::string_view cell : cells) {

@@ -21,7 +21,8 @@ struct Geometry {
   bool tube = false;                  // position and angle are known for every point
 };
 
-/// Reads the places of a survey's points from a text with one line per point (docs/reference/formats.md, "Geometry"):
+/// Reads the places of a survey's points from a text with one line per point (docs/reference/formats.md, "Geometry of a
+/// survey"):
 ///   point, x_m, y_m, z_m                      or
 ///   point, position_m, angle_deg[, radius_m]
 /// Columns may have any order. Units are m, mm, cm, in and deg, rad; they stand in the name ("x_mm", "angle (rad)") or

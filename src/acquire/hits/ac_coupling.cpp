@@ -13,10 +13,10 @@ constexpr double kMinLength_s = 0.02;      // shorter stretches after the pulse 
 constexpr double kMaxLength_s = 0.25;      // longer ones add the error of the baseline
 constexpr std::size_t kMinRest = 16;       // samples before the pulse
 constexpr double kMinSignificance = 8;     // standard deviations of the undershoot
-constexpr double kMaxContradiction = 0.2;  // relative, of the part that has returned at the end
+constexpr double kMaxContradiction = 0.2;  // largest deviation, relative to the return expected at the end
 constexpr double kMaxEarly = 0.9;          // of the pulse's integral, returned in the early part
 
-// Of the force above its rest before the pulse.
+// Integral of the force above its level of rest before the pulse.
 double integral_of(std::span<const double> x, double rest_N, double fs_Hz) {
   return (std::accumulate(x.begin(), x.end(), 0.0) - rest_N * static_cast<double>(x.size())) / fs_Hz;
 }

@@ -8,8 +8,8 @@
 
 namespace percuss::acquire {
 
-/// Copies the pulse with its tail, and the contacts within the hit, into the hit's gate. The samples between them hold
-/// only noise. `x` are the samples of the hit; `further` was found in samples that begin `offset` earlier.
+/// Copies the pulse with its tail, and the contacts within the hit except spikes, into the hit's gate. The gate is zero
+/// between them. `x` are the samples of the hit; `further` was found in samples that begin `offset` earlier.
 void gate_force(Hit& hit, std::span<const double> x, const Gate& pulse, const FurtherForce& further,
                 std::size_t offset);
 

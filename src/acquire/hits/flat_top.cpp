@@ -24,7 +24,8 @@ constexpr std::size_t kLongPulse = 32;  // samples, of a pulse that needs no int
 // Largest amplitude near half the sampling rate, over the pulse's impulse. It changes the flatness by about 0.02.
 constexpr double kMaxAlias = 0.005;
 
-// [kOversampling][2 kKernel]: weights of the samples around a place between two samples, the first at 1 − kKernel.
+// [kOversampling][2 kKernel]: weights at the place step / kOversampling after sample n. They belong to the samples
+// n + 1 − kKernel … n + kKernel.
 using InterpolationWeights = std::array<std::array<double, 2 * kKernel>, kOversampling>;
 
 InterpolationWeights interpolation_weights() {

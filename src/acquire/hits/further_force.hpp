@@ -11,7 +11,7 @@ namespace percuss::acquire {
 /// A further contact of the hammer: one push of the main pulse's sign and about its length.
 struct SecondPulse {
   double delay_samples = 0;  // negative: before the main pulse
-  double ratio = 0;          // of the main pulse
+  double ratio = 0;          // its height over the main pulse's, both smoothed
   bool spike = false;        // shorter than half the main pulse: not this hammer
   Gate gate;
 };

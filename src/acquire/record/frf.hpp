@@ -22,7 +22,7 @@ const char* name_of(FrfKind kind);
 const char* unit_of(FrfKind kind);
 
 /// Accelerance as mobility (÷ jω) or receptance (÷ (jω)²); value and standard deviation alike. With an exponential
-/// window of decay σ the FRF stands at s = jω + σ, and the divisor is s or s². The line at s = 0 becomes 0.
+/// window of decay σ the values are the FRF at s = jω + σ, and the divisor is s or s². The line at s = 0 becomes 0.
 /// theory (2.10)
 Frf converted(const Frf& accelerance, const LineRange& lines, FrfKind kind, double decay_per_s = 0);
 

@@ -8,7 +8,7 @@ bool can_restrict_files();
 
 /// Leaves this process one file to open, for reading: the regular file `path`, if there is one. The process can also
 /// neither open TCP connections (from version 4 of Landlock on) nor signal other processes (from version 6 on). False
-/// when the system refuses, which it does only where it has no Landlock.
+/// when the system has no Landlock or refuses the restriction.
 bool leave_one_readable_file(const std::string& path);
 
 }  // namespace percuss::acquire

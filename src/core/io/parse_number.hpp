@@ -13,8 +13,8 @@ struct ParsedNumber {
 };
 
 /// Parses a number as instruments write it: surrounding blanks and double quotes, leading '+', exponent with e, E, d or
-/// D, decimal comma if `decimal_comma`. The number must fill `cell`. A number too small for double is 0; texts for
-/// infinity and "nan" are not_finite.
+/// D, decimal comma if `decimal_comma`. The number must fill `cell`. A number too small for double is 0; "inf",
+/// "nan" and the error texts of programs ("#N/A", "1.#IND") are not_finite.
 ParsedNumber parse_number(std::string_view cell, bool decimal_comma);
 
 /// The text for messages: "empty", "not a number", "not finite", "too large".

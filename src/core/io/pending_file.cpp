@@ -61,8 +61,8 @@ std::string temporary_name(const std::string& target, int attempt) {
   return name;
 }
 
-/// Calls make(name) with new names until one succeeds. Returns that name, or an empty text where a call fails for
-/// another reason than an existing file.
+/// Calls make(name) with new names until one succeeds, and returns this name. Returns an empty text when a call fails
+/// for another reason than an existing file, or after kNamesTried names.
 template <class Make>
 std::string first_free_name(const std::string& target, Make&& make) {
   for (int attempt = 0; attempt < kNamesTried; ++attempt) {

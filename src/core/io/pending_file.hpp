@@ -28,7 +28,7 @@ class PendingFile {
   void publish();
   /// Removes a published file, unless it replaced another one.
   void withdraw() const;
-  /// Synchronises the folder. Needs no memory: the file is there already.
+  /// Synchronises the folder. Allocates no memory, so that it cannot fail after the file is published.
   void sync_folder() const noexcept;
 
   const std::string& temporary_path() const { return temporary_path_; }

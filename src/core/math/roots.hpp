@@ -32,7 +32,7 @@ MaximumPoint bracketed_maximum(const RealFunction& f, const std::vector<double>&
 /// Finds all roots of w^n + c_1 w^(n−1) + … + c_n by Aberth's simultaneous Newton iteration.
 ///   start: n different values. The roots of a similar polynomial converge in a few steps.
 ///   Where the iteration does not converge, the result is companion_roots(c).
-/// Result i belongs to start i, unless the roots are eigenvalues.
+/// Result i belongs to start i, except for the result of companion_roots.
 /// shapes  c, start and result [n].
 Eigen::VectorXcd polynomial_roots(const Eigen::VectorXcd& c, const Eigen::VectorXcd& start);
 

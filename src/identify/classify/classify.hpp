@@ -60,7 +60,8 @@ struct LowerOrders {
 /// Both likelihoods include the errors of the ratio, of the sensors' placement and of the channels' gains. All modes
 /// are classified together (type_posterior.hpp). Below 90 % confidence, the second type is stated as well.
 /// Without sensors, for an `other` object, and where assumed angles do not fit the modes (tube_evidence.hpp), the modes
-/// keep an unknown type, no order and no split mode.
+/// keep an unknown type and no order. They also have no split mode, unless `object` is tube: split modes of a stated
+/// tube are marked without sensors too.
 /// overlay_dB[m] is the measured level difference at mode m's peak. source  [8] section 3.6 for the overlay rule and
 /// the 25 Hz rule. theory (6.1), (6.2), (6.3)
 std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,

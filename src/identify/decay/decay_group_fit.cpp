@@ -28,12 +28,13 @@ struct State {
   std::vector<DecayRate> rates;
   Eigen::MatrixXd q;          // [2 lines, 2 modes] orthonormal basis of the columns
   Eigen::MatrixXd r;          // [2 modes, 2 modes] upper triangular
-  Eigen::MatrixXd slope;      // [2 lines, 2 modes] the columns projected out
+  Eigen::MatrixXd slope;      // [2 lines, 2 modes] derivatives of the columns, with the columns projected out
   Eigen::MatrixXd amplitude;  // [2 modes, hits × channels]
   Eigen::MatrixXd residual;   // [2 lines, hits × channels]
 };
 
-// ∂(slope part)/∂(Re s, Im s) of an amplitude: a·t·exp(st) and j·a·t·exp(st).
+// The derivatives of a mode's response by Re s and Im s, a·t·exp(st) and j·a·t·exp(st), as combinations of the mode's
+// two slope columns. re and im are the parts of the amplitude a.
 Eigen::Matrix2d rotation(double re, double im) { return Eigen::Matrix2d{{re, -im}, {im, re}}; }
 
 class DecayProblem : public LeastSquaresProblem {
@@ -147,8 +148,8 @@ class DecayProblem : public LeastSquaresProblem {
   NormalEquations equations_;
 };
 
-// Neighbouring lines' residuals are independent where the model is complete. White noise gives 1 ± 1/√lines.
-double residual_correlation(const Eigen::MatrixXd& residual) {
+// DecayGroupFit::misfit. Neighbouring lines' residuals are independent where the model is complete.
+double misfit_factor(const Eigen::MatrixXd& residual) {
   const Index lines = residual.rows() / 2;
   double all = 0, neighbours = 0;
   for (Index i = 0; i < residual.cols(); ++i) {
@@ -159,7 +160,7 @@ double residual_correlation(const Eigen::MatrixXd& residual) {
     }
   }
   if (!(all > 0)) return 1;
-  // Beyond three standard deviations of the correlation of white residuals.
+  // Three standard deviations of the correlation of white residuals.
   const double correlation = neighbours / all;
   const double chance = 3 / std::sqrt(static_cast<double>(2 * lines * residual.cols()));
   return correlation > chance ? std::sqrt((1 + correlation) / std::max(0.05, 1 - correlation)) : 1;
@@ -199,7 +200,7 @@ DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, c
     out.hit_step.push_back(solve_gram(alone.matrix, alone.right));
     out.hit_information.push_back(alone.matrix);
   }
-  out.misfit = residual_correlation(state.residual);
+  out.misfit = misfit_factor(state.residual);
   return out;
 }
 

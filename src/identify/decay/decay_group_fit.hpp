@@ -8,7 +8,7 @@
 
 namespace percuss::identify {
 
-/// Neighbouring modes that are fitted together, and the spectral lines that tell of them.
+/// Neighbouring modes that are fitted together, and the spectral lines to which they are fitted.
 struct DecayGroup {
   std::vector<DecayRate> rates;
   std::vector<std::pair<std::size_t, std::size_t>> windows;  // first line and count; ascending, disjoint
@@ -23,20 +23,21 @@ struct DecayGroupFit {
   /// The step of the rates by each hit alone, and its normal matrix, [hits].
   std::vector<Eigen::VectorXd> hit_step;
   std::vector<Eigen::MatrixXd> hit_information;
-  /// The standard deviation of the sum of two neighbouring residuals, relative to independent ones: above 1 where the
-  /// model leaves structure.
+  /// √((1 + c)/(1 − c)) for the correlation c of neighbouring lines' residuals: the standard deviation of a sum of many
+  /// such residuals, relative to independent ones. Above 1 where the model leaves structure; 1 where c is not
+  /// significant.
   double misfit = 1;
   bool converged = false;
 };
 
-/// The accuracy of a group fit. rough: for a search that goes on.
+/// The accuracy of a group fit. rough: few steps, for a search that fits the group again later.
 enum class DecayAccuracy { rough, full };
 
 /// Maximum likelihood of the group's rates in white noise, one variance per channel: amplitudes are eliminated by QR
 /// (variable projection), the rates found by Levenberg–Marquardt steps. `data` are spectra without all other modes,
 /// over the group's windows one after the other, [lines, hits × channels].
-/// The amplitudes of each hit and channel are free complex numbers. That a mode's amplitudes are a product of one
-/// number per hit and one per channel would not lower the bound of the rates.
+/// The amplitudes of each hit and channel are free complex numbers. Restricting them to products of one number per hit
+/// and one per channel would not lower the Cramér–Rao bound of the rates.
 DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data,
                               DecayAccuracy accuracy = DecayAccuracy::full);
 

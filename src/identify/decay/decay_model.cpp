@@ -12,7 +12,8 @@ namespace {
 using Eigen::Index;
 
 constexpr std::size_t kMaxTogether = 8;
-constexpr double kStill = 1e-11;  // change of a rate in one sweep, relative to its bandwidth and frequency
+constexpr double kStill = 1e-11;     // relative change of a rate in one sweep, below which the fit ends
+constexpr double kStillStds = 1e-3;  // the same in standard deviations of the rate
 
 double frequency_Hz(const FittedDecay& mode) { return mode.rate.rate_radps.imag() / kTwoPi; }
 
@@ -20,7 +21,8 @@ double frequency_Hz(const FittedDecay& mode) { return mode.rate.rate_radps.imag(
 std::pair<std::size_t, std::size_t> window_of(const DecayRate& rate, const DecaySpectra& of,
                                               const DecayWindows& windows) {
   const double half_power = -rate.rate_radps.real() / std::numbers::pi / of.line_Hz();
-  const double reach = std::max(windows.half_power_bandwidths * std::max(half_power, 0.0), windows.lines);
+  const double reach =
+      std::min(std::max(windows.half_power_bandwidths * std::max(half_power, 0.0), windows.lines), windows.max_lines);
   const double centre = rate.rate_radps.imag() / kTwoPi / of.line_Hz();
   const auto lines = static_cast<double>(of.lines.rows());
   const double last = of.samples % 2 == 0 ? lines - 1 : lines;  // without the lines that are real
@@ -63,6 +65,12 @@ std::vector<std::vector<std::size_t>> groups_of(const std::vector<FittedDecay>& 
   return out;
 }
 
+// Whether a rate stands still after it changed by `step`.
+bool is_still(const FittedDecay& mode, const Complex& step) {
+  const double std_radps = std::sqrt(std::max(0.0, mode.covariance.trace()));
+  return std::abs(step) < std::max(kStill * std::abs(mode.rate.rate_radps), kStillStds * std_radps);
+}
+
 void sort(std::vector<FittedDecay>& modes) {
   std::stable_sort(modes.begin(), modes.end(), [](const FittedDecay& a, const FittedDecay& b) {
     return a.rate.rate_radps.imag() < b.rate.rate_radps.imag();
@@ -78,18 +86,39 @@ void DecayModel::add(const DecayRate& rate) {
                    .inverse_gram = Eigen::Matrix2d::Zero(),
                    .noise = {},
                    .hit_step = {},
-                   .hit_covariance = {}};
+                   .hit_covariance = {},
+                   .settled = {}};
+  unsettle_near(rate);
   modes_.push_back(std::move(mode));
   sort(modes_);
 }
 
-void DecayModel::remove(std::size_t mode) { modes_.erase(modes_.begin() + static_cast<std::ptrdiff_t>(mode)); }
+void DecayModel::remove(std::size_t mode) {
+  const DecayRate rate = modes_[mode].rate;
+  modes_.erase(modes_.begin() + static_cast<std::ptrdiff_t>(mode));
+  unsettle_near(rate);
+}
+
+void DecayModel::unsettle_near(const DecayRate& rate) {
+  const auto [first, last] = window_of(rate, *measured_, {});
+  for (FittedDecay& mode : modes_) {
+    const auto [low, high] = window_of(mode.rate, *measured_, {});
+    if (low < last && first < high) mode.settled.reset();
+  }
+}
+
+bool DecayModel::is_settled(const std::vector<std::size_t>& members, DecayAccuracy accuracy) const {
+  return std::all_of(members.begin(), members.end(), [&](std::size_t m) {
+    const auto& settled = modes_[m].settled;
+    return settled && (*settled == accuracy || *settled == DecayAccuracy::full);
+  });
+}
 
 void DecayModel::subtract(const FittedDecay& mode, std::size_t first, Eigen::Ref<Eigen::MatrixXcd> lines) const {
   if (mode.amplitude.isZero(0)) return;
-  const DecayColumns columns = decay_columns(mode.rate, *measured_, first, static_cast<std::size_t>(lines.rows()));
-  lines -= columns.value.col(0) * mode.amplitude.real().cast<Complex>();
-  lines -= columns.value.col(1) * mode.amplitude.imag().cast<Complex>();
+  const Eigen::MatrixX2cd columns = decay_values(mode.rate, *measured_, first, static_cast<std::size_t>(lines.rows()));
+  lines -= columns.col(0) * mode.amplitude.real().cast<Complex>();
+  lines -= columns.col(1) * mode.amplitude.imag().cast<Complex>();
 }
 
 DecaySpectra DecayModel::residual() const {
@@ -154,17 +183,34 @@ void DecayModel::fit_group(const std::vector<std::size_t>& members, const DecayW
   }
 }
 
+bool DecayModel::fit_unsettled(const std::vector<std::size_t>& members, const DecayWindows& windows) {
+  std::vector<DecayRate> before;
+  for (const std::size_t m : members) before.push_back(modes_[m].rate);
+  fit_group(members, windows);
+  bool still = true;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const FittedDecay& mode = modes_[members[i]];
+    still = still && is_still(mode, mode.rate.rate_radps - before[i].rate_radps);
+  }
+  // What moved is subtracted from the other groups, which have to follow; in a search, only those nearby.
+  if (!still && windows.accuracy == DecayAccuracy::full) {
+    for (FittedDecay& mode : modes_) mode.settled.reset();
+  } else if (!still) {
+    for (const DecayRate& rate : before) unsettle_near(rate);
+    for (const std::size_t m : members) unsettle_near(modes_[m].rate);
+  }
+  for (const std::size_t m : members) modes_[m].settled = windows.accuracy;
+  return still;
+}
+
 void DecayModel::fit(int sweeps, const DecayWindows& windows) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    std::vector<Complex> before;
-    for (const FittedDecay& mode : modes_) before.push_back(mode.rate.rate_radps);
-    const auto groups = groups_of(modes_, *measured_, windows);
-    for (const auto& group : groups) fit_group(group, windows);
-    double change = 0;
-    for (std::size_t m = 0; m < modes_.size(); ++m)
-      change = std::max(change, std::abs(modes_[m].rate.rate_radps - before[m]) / std::abs(before[m]));
+    bool still = true;
+    for (const auto& group : groups_of(modes_, *measured_, windows)) {
+      if (!is_settled(group, windows.accuracy)) still = fit_unsettled(group, windows) && still;
+    }
     sort(modes_);
-    if (groups.size() <= 1 || change < kStill) return;
+    if (still) return;
   }
 }
 

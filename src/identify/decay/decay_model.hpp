@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "identify/decay/decay_group_fit.hpp"
@@ -7,10 +8,12 @@
 
 namespace percuss::identify {
 
-/// The lines around a mode that its group is fitted over, on either side: the larger of the two.
+/// The width of a mode's window on either side of its frequency: the wider of the first two, at most the third. A group
+/// is fitted over the windows of its modes.
 struct DecayWindows {
   double half_power_bandwidths = 40;
   double lines = 60;
+  double max_lines = 4000;
   DecayAccuracy accuracy = DecayAccuracy::full;
 };
 
@@ -19,16 +22,18 @@ struct FittedDecay {
   DecayRate rate;
   Eigen::RowVectorXcd amplitude;          // [hits × channels] at the first sample
   Eigen::Matrix2d covariance;             // of (Re s, Im s)
-  Eigen::Matrix2d inverse_gram;           // times `noise` the covariance of an amplitude's (Re, Im)
+  Eigen::Matrix2d inverse_gram;           // covariance of an amplitude's (Re, Im), divided by `noise`
   Eigen::VectorXd noise;                  // [channels] variance of a line's real and imaginary part
   std::vector<Eigen::Vector2d> hit_step;  // [hits] of (Re s, Im s), by each hit alone
   std::vector<Eigen::Matrix2d> hit_covariance;
   double misfit = 1;
   bool converged = false;
+  std::optional<DecayAccuracy> settled;  // of the fit after which nothing changed nearby
 };
 
 /// Decays fitted to spectra, group by group: modes whose windows overlap are fitted together, at most eight, and the
-/// other groups are subtracted. Groups take turns until the rates stand still.
+/// other groups are subtracted. Groups take turns until the rates stand still. A group in which, and near which,
+/// nothing changed since its last fit is not fitted again.
 class DecayModel {
  public:
   explicit DecayModel(const DecaySpectra& measured) : measured_(&measured) {}
@@ -36,13 +41,16 @@ class DecayModel {
   const std::vector<FittedDecay>& modes() const { return modes_; }  // ascending in frequency
   void add(const DecayRate& rate);
   void remove(std::size_t mode);
-  void clear() { modes_.clear(); }
   /// Fits all groups in turn, `sweeps` times at most.
   void fit(int sweeps, const DecayWindows& windows);
-  /// The measured spectra without all modes.
+  /// The measured spectra minus all modes.
   DecaySpectra residual() const;
 
  private:
+  /// Whether the group's rates stood still.
+  bool fit_unsettled(const std::vector<std::size_t>& members, const DecayWindows& windows);
+  void unsettle_near(const DecayRate& rate);
+  bool is_settled(const std::vector<std::size_t>& members, DecayAccuracy accuracy) const;
   void fit_group(const std::vector<std::size_t>& members, const DecayWindows& windows);
   void subtract(const FittedDecay& mode, std::size_t first, Eigen::Ref<Eigen::MatrixXcd> lines) const;
 

@@ -32,7 +32,7 @@ struct DecayResults {
 /// The modes within a band from fitted decays. Amplitudes of several hits and channels are a product of one number per
 /// hit and one per channel (rank one, weighted by the channels' noise). The parts of a ± are as for modes of FRFs:
 /// noise; scatter between the hits, where it is significant; misfit, where neighbouring residuals correlate.
-/// shapes  channels of the FreeDecays.
+/// `channels` is the number of channels of the FreeDecays.
 DecayResults modes_of_decays(const FreeDecayFit& fit, std::size_t channels, std::pair<double, double> band_Hz);
 
 }  // namespace percuss::identify

@@ -15,7 +15,7 @@ using Eigen::Index;
 constexpr std::size_t kRates = 12;
 constexpr double kSlowest = 0.5;       // decay over the record, in nepers
 constexpr double kFastest = 1.0 / 16;  // of the sampling rate
-constexpr double kFalseAlarms = 1000;  // searches per mode that is none
+constexpr double kFalseAlarms = 1000;  // searches in which noise alone gives one decay
 constexpr double kWeakest = 0.02;      // of the strongest candidate: weaker ones wait until it is fitted
 constexpr double kApart_lines = 6;     // between candidates of one search, beyond three half-power bandwidths
 

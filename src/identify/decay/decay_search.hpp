@@ -10,8 +10,8 @@ namespace percuss::identify {
 /// A decay that a matched filter finds in a residual.
 struct DecayCandidate {
   DecayRate rate;
-  double energy =
-      0;  // Σ over hits and channels of the matched energy over the noise; its mean in noise is their number
+  /// Σ over hits and channels of the matched energy over the noise. Pure noise gives hits × channels on average.
+  double energy = 0;
 };
 
 struct DecaySearchLimits {

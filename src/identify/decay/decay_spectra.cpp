@@ -8,12 +8,41 @@
 
 namespace percuss::identify {
 
+namespace {
+
+// exp(−jω_k) of the lines, per sample. A recurrence would lose digits of 1 − q near the resonance (decay_columns).
+std::vector<Complex> phasors(std::size_t first, std::size_t count, std::size_t samples) {
+  std::vector<Complex> out(count);
+  for (std::size_t k = 0; k < count; ++k)
+    out[k] = std::polar(1.0, -kTwoPi * static_cast<double>(first + k) / static_cast<double>(samples));
+  return out;
+}
+
+// The phasors of lines first … first + count − 1.
+class LinePhasors {
+ public:
+  LinePhasors(const DecaySpectra& of, std::size_t first, std::size_t count) {
+    if (of.phasors.empty()) own_ = phasors(first, count, of.samples);
+    at_ = of.phasors.empty() ? own_.data() : of.phasors.data() + first;
+  }
+  const Complex& operator[](Eigen::Index i) const { return at_[i]; }
+
+ private:
+  std::vector<Complex> own_;
+  const Complex* at_ = nullptr;
+};
+
+Complex inverse(const Complex& z) { return std::conj(z) / std::norm(z); }
+
+}  // namespace
+
 DecaySpectra decay_spectra(const FreeDecays& decays) {
   DecaySpectra out{.fs_Hz = decays.fs_Hz,
                    .samples = decays.samples(),
                    .hits = decays.hits,
                    .channels = decays.channels,
-                   .lines = {}};
+                   .lines = {},
+                   .phasors = phasors(0, decays.samples() / 2 + 1, decays.samples())};
   out.lines.resize(static_cast<Eigen::Index>(out.samples / 2 + 1), static_cast<Eigen::Index>(decays.response.size()));
   for (std::size_t i = 0; i < decays.response.size(); ++i) {
     auto column = out.lines.col(static_cast<Eigen::Index>(i));
@@ -32,17 +61,29 @@ DecayRate decay_rate_of(const Pole& pole) {
   return {omega * Complex(-zeta, std::sqrt(std::max(0.0, 1 - zeta * zeta)))};
 }
 
+Eigen::MatrixX2cd decay_values(const DecayRate& rate, const DecaySpectra& of, std::size_t first, std::size_t count) {
+  const LinePhasors phasor(of, first, count);
+  Eigen::MatrixX2cd out(static_cast<Eigen::Index>(count), 2);
+  const Complex s = rate.rate_radps / of.fs_Hz, step = std::exp(s);
+  const Complex gone = 1.0 - std::exp(static_cast<double>(of.samples) * s);
+  for (Eigen::Index i = 0; i < out.rows(); ++i) {
+    const Complex q = phasor[i];
+    const Complex d = gone * inverse(1.0 - step * q), m = std::conj(gone) * inverse(1.0 - std::conj(step) * q);
+    out(i, 0) = 0.5 * (d + m);
+    out(i, 1) = Complex(0, 0.5) * (d - m);
+  }
+  return out;
+}
+
 DecayColumns decay_columns(const DecayRate& rate, const DecaySpectra& of, std::size_t first, std::size_t count) {
+  const LinePhasors phasor(of, first, count);
   const double dt_s = 1 / of.fs_Hz, n = static_cast<double>(of.samples);
   const auto rows = static_cast<Eigen::Index>(count);
   DecayColumns out{.value = Eigen::MatrixX2cd(rows, 2), .slope = Eigen::MatrixX2cd(rows, 2)};
   const Complex s = rate.rate_radps * dt_s, at_end = std::exp(n * s), step = std::exp(s);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const double w = kTwoPi * static_cast<double>(first + static_cast<std::size_t>(i)) / n;
-    const Complex phasor = std::polar(1.0, -w);  // a recurrence would lose digits of 1 − q near the resonance
     const auto kernel = [&](Complex one_step, Complex z_n) {
-      const Complex q = one_step * phasor, rest = 1.0 - q, r = std::conj(rest) / std::norm(rest);
-      const Complex value = (1.0 - z_n) * r;
+      const Complex q = one_step * phasor[i], r = inverse(1.0 - q), value = (1.0 - z_n) * r;
       return std::pair(value, dt_s * r * (value * q - n * z_n));
     };
     const auto [d, d1] = kernel(step, at_end);

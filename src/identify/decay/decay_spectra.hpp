@@ -23,13 +23,14 @@ struct FreeDecays {
 struct DecaySpectra {
   double fs_Hz = 0;
   std::size_t samples = 0, hits = 0, channels = 0;
-  Eigen::MatrixXcd lines;  // [samples/2 + 1, hits × channels]
+  Eigen::MatrixXcd lines;          // [samples/2 + 1, hits × channels]
+  std::vector<Complex> phasors{};  // exp(−jω_kΔ) of the lines; computed where they are needed if empty
 
   double line_Hz() const { return fs_Hz / static_cast<double>(samples); }
 };
 DecaySpectra decay_spectra(const FreeDecays& decays);
 
-/// A decaying exponential s = rate_radps, of which the pole and its mirror image give a real response Re(a exp(st)).
+/// The complex rate s of a decaying oscillation. With the conjugate rate it gives the real response Re(a exp(st)).
 struct DecayRate {
   Complex rate_radps;  // negative real part, positive imaginary part
   Pole pole() const;
@@ -45,5 +46,7 @@ struct DecayColumns {
   Eigen::MatrixX2cd value, slope;  // slope: the columns (1) of t·exp(st)
 };
 DecayColumns decay_columns(const DecayRate& rate, const DecaySpectra& of, std::size_t first, std::size_t count);
+/// Only the values of decay_columns.
+Eigen::MatrixX2cd decay_values(const DecayRate& rate, const DecaySpectra& of, std::size_t first, std::size_t count);
 
 }  // namespace percuss::identify

@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kMaxSearches = 40;
 constexpr std::size_t kMaxDecays = 200;
-constexpr DecayWindows kSearchWindows{.half_power_bandwidths = 8, .lines = 30, .accuracy = DecayAccuracy::rough};
+constexpr DecayWindows kSearchWindows{
+    .half_power_bandwidths = 8, .lines = 30, .max_lines = 1000, .accuracy = DecayAccuracy::rough};
 constexpr int kSearchSweeps = 1, kFinalSweeps = 30;
 constexpr double kPairApart = 0.5, kPairReach = 3;  // of a mode's decay rate
 constexpr double kPairLevel = 0.01;                 // energy of one of a pair over the other's: a weaker one is misfit
@@ -22,21 +23,21 @@ constexpr int kPairSweeps = 3;
 constexpr double kScatterShare = 0.9;  // of what a second pole explains
 constexpr std::size_t kPairPlaces = 10;
 constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
-constexpr double kMimics = 1e-3;        // energy relative to a decay within its bandwidth, of which it is the misfit
+constexpr double kMimics = 1e-3;  // energy over the energy of a decay within its bandwidth: a weaker one is misfit
 
 std::size_t line_of(const FittedDecay& mode, const DecaySpectra& of) {
   const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz());
   return static_cast<std::size_t>(std::clamp(line, 1.0, static_cast<double>(of.lines.rows() - 1)));
 }
 
-// The energy of a decay over the record, Σ over hits and channels of |a|² Σ exp(2 Re s t)/2 over the noise's variance
-// per sample, in the unit of the matched filter.
+// The energy of a decay as DecayCandidate::energy gives it: Σ over hits and channels of |a|² Σ exp(2 Re s t)/4 over the
+// noise's variance per sample.
 double energy_of(const FittedDecay& mode, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
   const double decay = 2 * mode.rate.rate_radps.real() / of.fs_Hz, n = static_cast<double>(of.samples);
   const double sum = std::abs(decay * n) < 1e-9 ? n : std::expm1(decay * n) / std::expm1(decay);
   const auto line = static_cast<Eigen::Index>(line_of(mode, of));
   double energy = 0;
-  // A line's variance is N times a sample's; the matched filter passes a quarter of |a|² of a real decay.
+  // A line's variance is N times a sample's. The matched filter passes only half of the amplitude of a real decay.
   for (Eigen::Index i = 0; i < mode.amplitude.size(); ++i)
     energy += std::norm(mode.amplitude(i)) * sum / 4 * n / noise(line, i % noise.cols());
   return energy;
@@ -53,7 +54,7 @@ std::vector<double> energies(const DecayModel& model, const DecaySpectra& of, co
   return out;
 }
 
-// The index of a decay to leave out; its number of decays where all stay.
+// The index of a decay to leave out; the number of decays where all stay.
 std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& energy, double threshold) {
   const auto& modes = model.modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -65,7 +66,7 @@ std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& ener
   return modes.size();
 }
 
-// Σ |R|² over the noise, whose mean over noise alone is the number of lines and spectra.
+// Σ |R|² over the noise. For noise alone, its mean is lines × spectra.
 double chi2(const DecaySpectra& residual, const Eigen::MatrixXd& noise) {
   double sum = 0;
   for (Eigen::Index i = 0; i < residual.lines.cols(); ++i)
@@ -113,8 +114,9 @@ std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_
   return trial;
 }
 
-// The model with mode m in two, half a half-power bandwidth apart, where that explains more than noise would: two close
-// modes look like one in the residual of one, but their shapes differ. `left`: χ² of the model's residual.
+// The model with mode m split into two, half a half-power bandwidth apart at the start, where this lowers χ² by more
+// than noise would. The search cannot find such a pair: one fitted mode leaves no clear peak of the other. But the
+// shapes of the two modes differ. `left`: χ² of the model's residual.
 std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, double left, const DecaySpectra& of,
                                     const Eigen::MatrixXd& noise) {
   const Complex s = model.modes()[m].rate.rate_radps, apart(0, kPairApart * s.real());

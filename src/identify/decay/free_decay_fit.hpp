@@ -11,11 +11,11 @@ namespace percuss::identify {
 struct FreeDecayOptions {
   std::pair<double, double> band_Hz;
   std::vector<double> start_Hz{};    // frequencies that the search begins with
-  std::vector<DecayRate> initial{};  // decays that it begins with
+  std::vector<DecayRate> initial{};  // decays that the search begins with
   bool search = true;                // false: fit these and no others
 };
 
-/// All decays of a set of records, and what they leave.
+/// All decays of a set of records, and the noise of their residual.
 struct FreeDecayFit {
   std::vector<FittedDecay> decays;  // ascending in frequency
   std::vector<double> energy;       // [decays] over the noise, as DecayCandidate::energy

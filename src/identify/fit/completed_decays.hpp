@@ -29,7 +29,7 @@ class CompletedDecays {
   FrfDataset whole_;
 };
 
-/// The smallest amplitude of a mode at the end of the records that counts as truncation.
+/// The smallest amplitude of a mode at the records' end, relative to its start, that counts as truncation.
 inline constexpr double kCompleted = 1e-9;
 
 }  // namespace percuss::identify

@@ -12,7 +12,7 @@ namespace percuss::identify {
 
 /// The single hits of a test.
 struct HitFrfs {
-  FrfDataset set;                               // a point for each hit; channels hit by hit, without spectral lines
+  FrfDataset set;                               // a point for each hit; channels hit by hit, their frf empty
   std::vector<std::span<const Complex>> accel;  // [channels of set] spectra of the responses
   std::vector<std::size_t> points;              // [hits] index into FrfDataset::points of the test
 };

@@ -16,7 +16,8 @@ struct HitPole {
   bool known = false;
 };
 
-/// The poles of every hit. fitted_hit_poles() also gives the pole of all hits together, over the same window.
+/// The poles of one mode in every hit. fitted_hit_poles() also gives the pole of all hits together, over the same
+/// window.
 struct HitPoles {
   std::vector<HitPole> hits;
   HitPole together;

@@ -71,6 +71,7 @@ bool overlap(const Pole& a, const Pole& b) {
   return std::abs(a.freq_Hz - b.freq_Hz) < std::max(a.half_power_Hz(), b.half_power_Hz());
 }
 
+// Whether the ratios of the hits scatter significantly, and by more than kMinSpread.
 bool scatter(const std::vector<ResidueRatio>& ratios) {
   ResidueRatio all;
   double chi2 = 0, degrees = -1;
@@ -147,6 +148,7 @@ class HitResidues {
   double freedom_ = 1;
 };
 
+// Whether the hit with the most precise ratio contradicts the mean of the other hits.
 bool disagree(const std::vector<ResidueRatio>& ratios) {
   const auto best =
       std::max_element(ratios.begin(), ratios.end(), [](const auto& a, const auto& b) { return a.weight < b.weight; });

@@ -12,7 +12,7 @@ struct ResidualCorrelation {
   /// [lags] from 1 on, without the correlation that white noise leaves. Ends before the first lag above 3 that is not
   /// positive.
   std::vector<double> at_lag;
-  double deviate = 0;  // of the first lags from white noise, one-sided, as a normal deviate
+  double deviate = 0;  // departure of the first lags from white noise, as a one-sided normal deviate
   double lines = 1;    // lines that count as one independent line: 1 + 2 Σ at_lag
 };
 

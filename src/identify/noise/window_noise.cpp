@@ -20,7 +20,8 @@ double WindowNoise::roughness() const {
 
 double WindowNoise::max_factor() const { return fall_ > 0 ? fall_ / -std::expm1(-fall_) : 1; }
 
-// The window's power, weighted with the mode's decay: ∫w⁴e^(−2σt)/∫w²e^(−2σt).
+// The mean of the window's power w², weighted with the power of the windowed mode, which decays at the rate δ:
+// ∫w⁴e^(−2δt)/∫w²e^(−2δt).
 double WindowNoise::share(const Pole& pole) const {
   const double decay_per_s = pole.damping_ratio * kTwoPi * pole.freq_Hz;
   return (decay_per_s + decay_per_s_) / (decay_per_s + 2 * decay_per_s_);

@@ -8,9 +8,9 @@
 
 namespace percuss::identify {
 
-/// The residual of modes found before a joint search, [channels][lines]: `residual` of a joint fit of these modes
-/// (empty: it is computed). Around a mode with frequency scatter it is scaled down to the rms residual of the mode's
-/// own window, where the mode has its own pole at each point.
+/// The residual of modes found before a joint search, [channels][lines]. `residual` is the residual of a joint fit of
+/// these modes; if it is empty, it is computed. Around a mode with frequency scatter, the result is scaled down to the
+/// rms residual of the mode's own window, where the mode has its own pole at each point.
 std::vector<Eigen::VectorXcd> residual_before(const FrfDataset& set, const std::vector<FittedMode>& modes,
                                               std::vector<Eigen::VectorXcd> residual);
 
@@ -18,8 +18,9 @@ std::vector<Eigen::VectorXcd> residual_before(const FrfDataset& set, const std::
 /// scatter at each point.
 std::size_t unknowns_of(const FrfDataset& set, const std::vector<FittedMode>& modes);
 
-/// The modes of the joint fit that may only describe the scatter of one mode's frequency, beside the strongest mode
-/// there. A drift during the decay makes such a pair fit somewhat better than separate poles. Ascending.
+/// Modes of the joint fit that may only describe the frequency scatter of one mode: the modes near it, except the
+/// strongest. A drift during the decay makes them fit somewhat better than one mode with a pole at each point.
+/// Ascending.
 std::vector<std::size_t> scatter_partners(const FrfDataset& set, const std::vector<FittedMode>& modes,
                                           const JointFit& fit);
 

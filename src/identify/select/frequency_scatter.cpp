@@ -27,7 +27,7 @@ constexpr double kMaxScatterWidthRatio = 6;  // of the half-power bandwidths: be
 constexpr double kMaxPoleDistance = 4;
 constexpr double kMaxPoleOffset = 1;  // bandwidths: a separate pole farther away is another mode
 
-// The FRFs of one point as a data set, without their spectral lines.
+// The FRFs of one point as a dataset. Their values stay empty: the fits take the data of their window.
 struct PointSet {
   FrfDataset set;
   std::vector<std::size_t> channels;  // indices into the whole set

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kMinFitLines = 16;
 
-// The steps of the search, in the order of a round. Close modes are searched when no insignificant mode is left to
-// drop, and the residual when no close mode is found.
+// The steps of the search, in the order of a round. The close-mode search starts when no insignificant mode is left to
+// drop, and the residual-mode search when no close mode is found.
 enum class Step { drop_insignificant, split_close, add_residual };
 constexpr std::array kSteps{Step::drop_insignificant, Step::split_close, Step::add_residual};
 

@@ -12,14 +12,14 @@ namespace {
 
 constexpr double kMixing = 0.1;  // standard deviation of an order's energy, over the total: real shapes mix orders
 constexpr double kMinAxialValue = 0.05;  // of the largest: smaller axial values have no significant sign
-constexpr double kAliasFour = 0.99;      // probability that a pattern is not its alias of n ≥ 4, or of n = 3
-constexpr double kAliasThree = 0.95;
+constexpr double kAliasFour = 0.99;      // probability that a pattern is not its alias, for an alias of n ≥ 4 …
+constexpr double kAliasThree = 0.95;     // … and of n = 3
 
 struct Energy {
   double value = 0, variance = 0;
 };
 
-// The energy over the points of order n, without the noise's energy.
+// The energy of order n, summed over the points, without the noise's energy.
 Energy energy_of(const std::vector<CircumferentialFit>& fits, int n) {
   Energy energy;
   const Eigen::Index first = n == 0 ? 0 : 2 * n - 1, count = n == 0 ? 1 : 2;

@@ -44,7 +44,8 @@ double lost_to_noise(const ShapeValues& shape, double energy) {
   return lost / energy;
 }
 
-// Noise parallel to the other shape raises a MAC of 0. The rise is exponentially distributed: its rms is √2 means.
+// Noise parallel to the other shape raises a MAC of 0. The rise is exponentially distributed: its rms is √2 times its
+// mean.
 double gained_by_noise(const ShapeValues& a, const ShapeValues& b, const Products& p) {
   double gained = 0;
   for (std::size_t i = 0; i < a.value.size(); ++i) {

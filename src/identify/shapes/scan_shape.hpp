@@ -9,7 +9,7 @@ namespace percuss::identify {
 /// A mode's shape along a line of impact points: one real value per point, positive at the first point.
 struct ScanShape {
   std::vector<double> position_m;  // ascending
-  std::vector<double> amplitude;   // 1/kg, on the scale of the channel with the most significant residues
+  std::vector<double> amplitude;   // 1/kg, on the scale of the channel with the largest residues
   std::vector<double> std;
 };
 

@@ -25,7 +25,7 @@ constexpr double kOutOfBandGain = 1000;     // … above the force's bandwidth, 
 constexpr double kModelFloor = 1e-6;        // of the largest line: the residual of a fit to noise-free data
 constexpr double kFlank = 20;               // half-widths of a resonance's flanks on either side …
 constexpr double kFlankGain = 0.1;          // … and the part of its gain that the flanks may show
-constexpr double kMinResonanceLines = 1.5;  // lines
+constexpr double kMinResonanceLines = 1.5;  // half-width of the narrowest resonance searched for
 constexpr double kMaxResidualModeWidth = 0.03;  // half-width over frequency of the broadest mode searched for
 constexpr std::size_t kFlopsPerLevelLine = 20;  // operations of the noise or weight of one line
 

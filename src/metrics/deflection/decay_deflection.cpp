@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMinSamples = 64, kMaxSamples = std::size_t{1} << 15U;
 constexpr double kSafe_s = 20e-3, kSafeShare = 1.0 / 8;  // by then the contact has ended
-constexpr double kLowestLines = 0.7, kAntiAlias = 0.44;
+constexpr double kLowestLines = 0.7, kAntiAlias = 0.44;  // the band: from lines, to part of the sampling rate
 
 }  // namespace
 

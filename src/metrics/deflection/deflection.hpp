@@ -51,7 +51,7 @@ struct Deflection {
 ///   drift_free      subtracts the bias and drift before the impact, integrates without error (integrate_twice),
 ///                   and centres a held structure on its position of rest. Its standard deviation includes the bias and
 ///                   the double integral of white noise, σ_w² = σ_a² Δt t³/3.
-///   small_interval  the source's sums from the impact on, without any correction
+///   small_interval  first-order sums from the impact on (small_interval_sums), without any correction
 ///   frequency       division in the frequency domain, line by line
 ///   modal           the response of the modes to the force
 ///   automatic       modal where force and modes are known and the record does not show the rest before the impact;

@@ -10,10 +10,10 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr double kLowest = 4;          // standard deviations of the noise
-constexpr double kHighest = 0.25;      // of the first extreme
-constexpr double kClearExtreme = 0.2;  // of the largest sample
-constexpr std::array<double, 2> kPowers{1, 1.5};
+constexpr double kLowest = 4;                     // standard deviations of the noise
+constexpr double kHighest = 0.25;                 // of the first extreme
+constexpr double kClearExtreme = 0.2;             // of the largest sample
+constexpr std::array<double, 2> kPowers{1, 1.5};  // p of (1): spring, Hertz contact
 
 struct Intercept {
   double sample = 0, std = 0;
@@ -47,7 +47,7 @@ std::optional<Intercept> intercept(std::span<const double> x, std::size_t from, 
   const double rise = (w * wty - wt * wy) / det, level = (wtt * wy - wt * wty) / det;
   if (!(rise > 0)) return std::nullopt;
   const double at = -level / rise;
-  // Var of −level/rise, with Var = noise² of the weighted fit.
+  // The variance of −level/rise, for samples whose noise has the standard deviation `noise`.
   const double variance = noise * noise * (wtt - 2 * wt * at + w * at * at) / det / (rise * rise);
   return Intercept{.sample = static_cast<double>(from) + at, .std = std::sqrt(std::max(0.0, variance))};
 }

@@ -72,7 +72,7 @@ AbiRun evaluate_abi(const AbiLog& log, const AbiRules& rules = {});
 /// The next depth of the rollers.
 double next_depth_in(const AbiRun& run, const AbiRules& rules = {});
 
-/// The next step as text: "step 4: roll the barrel, rollers about 0.1125 in deep".
+/// The next step as text: "step 4: roll the barrel, rollers about 0.1125 in deep, …".
 std::string next_step_text(const AbiRun& run, const AbiRules& rules = {});
 
 }  // namespace percuss::metrics

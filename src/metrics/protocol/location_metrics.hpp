@@ -13,7 +13,7 @@ struct LocationMetrics {
   std::optional<double> bbcor, swing_mph, bbs_mph;  // (P9), (P4), (P8); none without the bat's moment of inertia
 };
 
-/// The metrics of shots at the location z_in. The speed of the swing is the swing model's.
+/// The metrics of shots at the location z_in. The swing speed follows from the swing model (P4).
 LocationMetrics location_metrics(const Session& session, double z_in, const std::vector<const SessionShot*>& shots,
                                  double correction);
 

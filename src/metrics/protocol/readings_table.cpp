@@ -41,7 +41,7 @@ void read_lists(StrictObject& row, LabReadings& r) {
   }
 }
 
-// Readings of the row that exclude others: those of `common` do not count then.
+// Where the row holds one of several alternative readings, the alternatives from `common` do not count.
 void drop_replaced(StrictObject& row, LabReadings& r) {
   const auto any = [&](std::initializer_list<const char*> keys) {
     for (const char* key : keys) {

@@ -42,8 +42,8 @@ struct TrendLine {
 
 /// The Theil–Sen line: the median of the slopes of all pairs of points, and the median of y − slope x. The interval
 /// ends at these ranks of the N sorted slopes:
-///   up to 12 points: c + 1 and N − c, with c the most inversions of the ranks of y that have a probability of at most
-///   2.5 % (of as many points as there are different x); unbounded where no c has it
+///   up to 12 points: c + 1 and N − c. c is the largest number such that a random order of as many ranks as there are
+///   different x has at most c inversions with a probability of at most 2.5 %; unbounded where there is no such c
 ///   else (N ∓ 1.96 √(n(n−1)(2n+5)/18))/2                                                            (P17)
 /// The line withstands outliers up to 29 % of the points. None for fewer than 3 different values of x.
 /// source  [17]

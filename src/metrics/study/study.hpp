@@ -75,7 +75,8 @@ struct QuantitySummary {
   double mean = 0, std = 0, low = 0, high = 0;
 };
 
-/// The bats of one material and kind. All their states are included, also those that statistics do not count again.
+/// The bats of one material and kind. All their states are included, even the repeated states that statistics do not
+/// count.
 struct StudyGroup {
   BarrelMaterial material = BarrelMaterial::wood;
   std::string kind;     // "all", "new", "broken in"
@@ -102,8 +103,8 @@ struct Study {
 };
 
 /// Computes every figure with at least one bat, its statistics, and every statement. The main program is "besr" where
-/// it has bats, else that with the most bats: [8] states its relations for bats of one program, and shows the others
-/// apart. errors  InputError: a program without bats.
+/// it has bats, else the program with the most bats: [8] states its relations for bats of one program, and shows the
+/// others apart. errors  InputError: a program without bats.
 Study study_of(std::vector<StudyBat> bats, const StudyOptions& options = {});
 
 }  // namespace percuss::metrics

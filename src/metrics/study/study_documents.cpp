@@ -22,7 +22,7 @@ const Json& member(const Json& object, const char* key) {
   return object.is_object() && found != object.end() ? *found : none;
 }
 
-// Sets the column from a member, if that is a word or a number.
+// Sets the column from `value`, if this is a text or a number.
 void take(BatProperties& p, const char* column, const Json& value) {
   if (value.is_string()) p.emplace(column, value.get<std::string>());
   if (value.is_number()) p.emplace(column, fmt::format("{}", value.get<double>()));
@@ -104,7 +104,7 @@ std::vector<BatProperties> broken_in_states(const Json& document, const std::str
     take(p, "z_in", member(cycle, "z_in"));
     out.push_back(std::move(p));
   }
-  if (!out.empty()) {  // all states are those of the first
+  if (!out.empty()) {  // all states belong to the bat of the first one
     for (BatProperties& state : out) state["bat"] = out.front()["id"];
   }
   return out;

@@ -100,9 +100,10 @@ const std::string* finer_of(const std::string& a, const std::string& b) {
   const auto x_decimals = decimals_of(a), y_decimals = decimals_of(b);
   if (x.problem != NumberProblem::none || y.problem != NumberProblem::none || !x_decimals || !y_decimals)
     return nullptr;
-  constexpr double kSlack = 1 + 1e-9, kMostRounding = 0.01;  // of the value: the text "6" may stand for 6.0
+  constexpr double kSlack = 1 + 1e-9;
+  constexpr double kMaxRounding = 0.01;  // of the value, because half a unit is too much where the text "6" means 6.0
   const double half = std::min(0.5 * std::pow(10.0, -std::min(*x_decimals, *y_decimals)),
-                               kMostRounding * std::max(std::abs(x.value), std::abs(y.value)));
+                               kMaxRounding * std::max(std::abs(x.value), std::abs(y.value)));
   if (std::abs(x.value - y.value) > half * kSlack) return nullptr;
   return *x_decimals >= *y_decimals ? &a : &b;
 }

@@ -45,11 +45,11 @@ class StudyRows {
  public:
   /// Adds a table (docs/schema/study-table.schema.json, or the same as CSV; also a table of percuss metrics), a
   /// document with its bat (states_in_document), or the ids and frequencies of a batch.
-  /// errors  InputError: another document, an unknown column, an impossible value, two values for one id, more than
-  /// 2000 bats.
+  /// errors  InputError: another document, an unknown column, a text where a number belongs, a row without an id, two
+  /// values for one id, more than 2000 bats.
   void add(std::string_view text, const std::string& where);
   /// All bats, with drop, BESR, BBS and BBCOR computed where possible ((P1), (P8), (P9), a ball of 145.4 g).
-  /// errors  InputError: no bats, a bat without length or material.
+  /// errors  InputError: no bats, a bat without length or material, an impossible value.
   std::vector<StudyBat> bats() const;
 
  private:

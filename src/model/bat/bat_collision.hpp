@@ -10,7 +10,7 @@ namespace percuss::model {
 /// A ball as a spring with loss. Loading and unloading follow different curves:
 ///   F = k₁ u^α where u is the largest compression so far, else F = k₂ u^β,                             (1)
 ///   β = (1 + α)/e₀² − 1, k₂ such that F is continuous at the largest u                                 (2)
-/// The ball returns e₀² of the energy at any speed. After it leaves the bat it is in its initial state.
+/// The ball returns e₀² of the energy at any speed. After it leaves the bat it has its original shape.
 /// source  [10] in docs/theory/sources.md, after Cross and Nathan
 /// theory (12.3), (12.4)
 struct LossyBall {

@@ -6,7 +6,7 @@
 
 namespace percuss::model {
 
-/// Amplitudes of the two rigid-body modes, then of the first `modes` elastic modes. shape [2 + modes].
+/// One value per mode: of the two rigid-body modes, then of the first `modes` elastic modes. shape [2 + modes].
 Eigen::ArrayXd rigid_and_elastic(const Eigen::Vector2d& rigid, const Eigen::VectorXd& elastic, Eigen::Index modes);
 
 /// A collision of a ball with a bat, step by step, in the frame of the bat's initial motion.

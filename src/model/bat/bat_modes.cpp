@@ -54,7 +54,7 @@ double lowest_square_estimate(const BatModes& modes) {
   return std::min(cantilever, modes.support.torsion_Nmprad / about_support_kgm2(modes));
 }
 
-// The unknowns that remain of a beam when those that are fixed are left out.
+// Converts matrices between all unknowns of a beam and its free ones (not in `fixed`).
 class FreeUnknowns {
  public:
   explicit FreeUnknowns(const TimoshenkoBeam& beam) : reduced_(static_cast<std::size_t>(beam.mass.rows()), 0) {

@@ -26,7 +26,11 @@ constexpr const char* kRemedyForNumbers = "check the units of profile and materi
 class Lanczos {
  public:
   Lanczos(const Factors& factors, const Sparse& mass, const MatrixXd& rigid)
-      : factors_(factors), mass_(mass), rigid_(rigid), mass_rigid_(mass * rigid), most_(mass.rows() - rigid.cols()) {
+      : factors_(factors),
+        mass_(mass),
+        rigid_(rigid),
+        mass_rigid_(mass * rigid),
+        max_vectors_(mass.rows() - rigid.cols()) {
     // The start must not be orthogonal to any mode: this one has no symmetry.
     VectorXd start(mass.rows());
     for (Index i = 0; i < start.size(); ++i) start[i] = 1 + std::sin(1.7 * static_cast<double>(i * i));
@@ -34,11 +38,11 @@ class Lanczos {
     next_ /= std::sqrt(next_.dot(mass_ * next_));
   }
 
-  bool is_complete() const { return size() == most_ || exhausted_; }
+  bool is_complete() const { return size() == max_vectors_ || exhausted_; }
   Index size() const { return vectors_.cols(); }
 
   void grow_to(Index wanted) {
-    wanted = std::min(wanted, most_);
+    wanted = std::min(wanted, max_vectors_);
     Index at = size();
     vectors_.conservativeResize(mass_.rows(), wanted);
     mass_vectors_.conservativeResize(mass_.rows(), wanted);
@@ -93,7 +97,7 @@ class Lanczos {
   const MatrixXd& rigid_;
   MatrixXd mass_rigid_, vectors_, mass_vectors_;
   VectorXd diagonal_, off_diagonal_, next_;
-  Index most_, known_ = 0;
+  Index max_vectors_, known_ = 0;
   bool exhausted_ = false;
 };
 

@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 constexpr LevenbergMarquardtOptions kStructureFitOptions{.max_steps = 100, .max_damping = 1e12, .step_tolerance = 1e-9};
 constexpr double kLogDifference = 1e-4;    // for central differences: their relative error is 1e-8
 constexpr double kMaxLogChange = 25;       // of a parameter from its start
-constexpr double kMinIndependence = 1e-7;  // smallest eigenvalue of the correlation of the columns: about (1e-4)²
+constexpr double kMinIndependence = 1e-7;  // smallest eigenvalue of the columns' correlation: an angle of 4e-4 rad
 constexpr double kMinSensitivity = 1e-6;   // ∂ ln f/∂ ln p: a parameter with less leaves the frequencies unchanged
 constexpr std::array kSpringDecades = {0.0, -2.0, 2.0, -4.0, 4.0};  // from the stated spring
 

@@ -16,7 +16,8 @@ struct LaminateSection {
   double neutral_axis_m = 0;        // above the underside of the first layer
 };
 
-/// Computes the section of bonded layers, the first at the bottom. They bend about a common neutral axis at height z̄:
+/// Computes the section of bonded layers, the first at the bottom. They bend about a common neutral axis at height
+/// z̄; zᵢ is the middle of layer i:
 ///   EI = Σ (EI)ᵢ,  (EI)ᵢ = Eᵢ bᵢ (hᵢ³/12 + hᵢ (zᵢ − z̄)²),  z̄ = Σ Eᵢ bᵢ hᵢ zᵢ / Σ Eᵢ bᵢ hᵢ      (1)
 ///   ρA = Σ ρᵢ bᵢ hᵢ                                                                             (2)
 /// theory (8.11)

@@ -15,7 +15,7 @@ struct ContactChain {
 };
 
 /// Follows the motion from `separated`, `contact_s` after the first touch, until the ball stays away for kFollowUp_s.
-/// The ball is in its initial state at each touch: a dent of a lossy contact counts as lost energy.
+/// The ball has its original shape at each touch: a dent of a lossy contact counts as lost energy.
 ContactChain contact_chain(BallOnBeam& system, const Impact& impact, ImpactMethod method, double step_s,
                            BallOnBeamState separated, double contact_s);
 

@@ -15,10 +15,10 @@
 namespace percuss::model {
 namespace {
 
-constexpr double kFirstPassSteps = 32;        // of the first pass, per Hertz contact time
-constexpr double kMaxImpactError = 5e-10;     // of the coefficient of restitution, and of the energy
-constexpr double kTargetImpactError = 2e-10;  // from which the next shorter step is chosen
-constexpr double kClassicStep_s = 1e-5;
+constexpr double kFirstPassSteps = 32;          // of the first pass, per Hertz contact time
+constexpr double kMaxImpactError = 5e-10;       // of the coefficient of restitution, and of the energy
+constexpr double kTargetImpactError = 2e-10;    // from which the next shorter step is chosen
+constexpr double kSmallIncrementStep_s = 1e-5;  // default
 constexpr std::size_t kSeriesContact = 400, kSeriesFree = 4000;
 
 [[noreturn]] void refuse_values(const char* what) {
@@ -117,7 +117,7 @@ ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options)
   BallOnBeam system(impact);
   const bool controlled = options.method == ImpactMethod::modal && options.step_s == 0;
   double step_s = options.step_s;
-  if (step_s == 0) step_s = controlled ? hertz_contact_s(impact) / kFirstPassSteps : kClassicStep_s;
+  if (step_s == 0) step_s = controlled ? hertz_contact_s(impact) / kFirstPassSteps : kSmallIncrementStep_s;
   ContactPass first(system, impact, options.method, step_s, system.start(impact.speed_mps));
   ImpactResult result = first.run(options.series);
   BallOnBeamState end = first.end();

@@ -31,7 +31,7 @@ struct SectionLayer {
 /// A round section of bonded concentric layers, the outermost first. With the outer diameters D_i and the inner ones
 /// d_i = D_i − 2 t_i, not below 0, and D_(i+1) = d_i:
 ///   EI = Σ E_i π (D_i⁴ − d_i⁴)/64,  κGA = Σ κG_i π (D_i² − d_i²)/4,  ρA and ρI likewise              (1)
-/// What the layers leave is hollow.
+/// The core inside the innermost layer is hollow.
 /// theory (12.6)
 BeamSection round_section(double diameter_m, const std::vector<SectionLayer>& layers, const Material& of_beam);
 

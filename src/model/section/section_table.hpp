@@ -8,8 +8,8 @@ namespace percuss::model {
 
 /// What the rows of a table of sections mean.
 enum class ProfileKind {
-  slices,  // each section extends unchanged from the position before to its own
-  points   // sections at positions, with linear dimensions and constants between them
+  slices,  // each section extends unchanged from the previous position to its own
+  points   // sections at positions; dimensions and constants vary linearly between them
 };
 
 /// The section at one position along a beam.

@@ -10,7 +10,7 @@
 namespace percuss::model {
 namespace {
 
-constexpr double kExponentDifference = 1e-4;  // of an exponent, for central differences: the model's error is 1e-11
+constexpr double kExponentDifference = 1e-4;  // of an exponent, for central differences: the model's error is 1e-10
 constexpr double kReleaseMargin = 1e-6;       // of b below 1 + a, where the dashpot still releases the ball
 constexpr LevenbergMarquardtOptions kExponentFitOptions{.max_damping = 1e12, .step_tolerance = 1e-9};
 

@@ -22,7 +22,7 @@ Trampoline with_exponents(Trampoline model, const Exponents& e);
 /// Fits search 0 ≤ a ≤ kMaxStiffnessExponent: a ball's contact stiffens (Hertz: a = 1/2). With a larger a the contact
 /// would act like a hard stop, as no ball does.
 inline constexpr double kMaxStiffnessExponent = 3;
-inline constexpr double kStartMargin = 1e-3;  // of a start of b below 1 + a
+inline constexpr double kStartMargin = 1e-3;  // of b below 1 + a, where a search starts or ends
 
 /// The weighted misfit of the model's CCOR to measured values, as a function of the exponents.
 /// theory (10.5)
@@ -45,8 +45,9 @@ class CcorMisfit {
   /// errors  InputError: no convergence.
   Exponents minimum(const Exponents& start, const std::array<bool, 2>& free) const;
 
-  /// The pair of the least chi2 with this a. The search starts from the b of `near`, where the dashpot releases the
-  /// ball. errors  InputError: no convergence.
+  /// The pair of the least chi2 with this a. The search starts from the b of `near`, lowered if necessary so that the
+  /// dashpot releases the ball.
+  /// errors  InputError: no convergence.
   Exponents best_with_a(double a, const Exponents& near) const;
 
   /// The values of exponent `varied` for which no residual exceeds 1, with the other exponent of `at`; none if there

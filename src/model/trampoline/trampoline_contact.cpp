@@ -65,7 +65,7 @@ class ContactSolver::Stepper {
 
   struct Moment {
     double s = 0;
-    ContactState y{}, dy{};  // dy per s
+    ContactState y{}, dy{};  // dy: derivatives with respect to s
   };
 
   Moment at(double s, const ContactState& y) {

@@ -108,6 +108,7 @@ bool disordered(const std::vector<ChannelDelay>& delays, std::size_t channel) {
   });
 }
 
+// Removes each channel's delay from its FRFs.
 identify::FrfDataset turned_back(identify::FrfDataset set, const std::vector<double>& delay_s) {
   for (identify::FrfChannel& channel : set.channels) {
     for (std::size_t k = 0; k < channel.frf.size(); ++k)
@@ -165,8 +166,8 @@ std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const 
   const auto again = identify::identify_modes(turned_back(set, late_s), {.effort = identify::Effort::standard});
   for (ChannelDelay delay : delays_of_residues(again, channels)) {
     if (!(late_s[delay.channel] > 0)) continue;
-    // The chance that phases without any order lie so close to a line.
     delay.delay_s += late_s[delay.channel];
+    // The chance that phases without any order lie so close to a line.
     delay.log_chance = static_cast<double>(delay.modes - 1) * std::log(std::max(delay.phase_rms / kDisorder, 1e-12));
     if (!delay.established()) continue;
     std::erase_if(delays, [&](const ChannelDelay& old) { return old.channel == delay.channel; });

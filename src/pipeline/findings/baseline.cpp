@@ -20,7 +20,7 @@ std::optional<BaselineChange> find_step(const RestLevels& levels, double largest
   std::array<double, kStepWindows> shift{};
   for (std::size_t w = 0; w < kStepWindows; ++w) shift[w] = levels.after[w] - *levels.before;
   if (std::abs(shift[0]) < kMinBaselineChange * largest || shift[1] * shift[0] <= 0) return std::nullopt;
-  // Not a number where all shifts cancel: then no window is near what is expected.
+  // NaN where all shifts cancel: then no window is near its expected shift.
   const double ratio = std::clamp((shift[1] + shift[2] + shift[3]) / (shift[0] + shift[1] + shift[2]), 1e-3, 1.0);
   for (std::size_t w = 0; w < kStepWindows; ++w) {
     const double expected = shift[0] * std::pow(ratio, static_cast<double>(w));

@@ -71,6 +71,7 @@ bool is_constant(const SampleFault& fault, Channels channels) {
   });
 }
 
+// Predicts the wrong samples of each channel as the repair. True if the repaired samples follow from their neighbours.
 bool explain_wrong(SampleFault& fault, const SamplePrediction& prediction, Channels channels) {
   double square = 0, freedom = 0;
   fault.repair.resize(static_cast<Index>(fault.count), static_cast<Index>(channels.size()));

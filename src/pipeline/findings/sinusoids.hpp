@@ -21,9 +21,11 @@ Segment early_segment(std::size_t samples);
 /// The end of the row. It begins an eighth of the row after the beginning of the early segment.
 Segment late_segment(std::size_t samples);
 
+/// Spectral lines on either side of the peak of the window's main lobe.
+inline constexpr std::size_t kMainLobe = 4;
+
 /// Blackman–Harris window, 92 dB, scaled to the amplitude of a sinusoid: modes that still ring beside a tone do not
 /// leak into it.
-inline constexpr std::size_t kMainLobe = 4;  // lines on either side of its peak
 std::vector<double> window_of(std::size_t length);
 
 /// Amplitude of a sinusoid in a segment, its phase at sample 0 of the row. The window has the segment's length.

@@ -21,7 +21,7 @@ namespace {
 constexpr double kSafe_s = 20e-3;       // by then no hammer or ball touches the structure any longer
 constexpr double kSafeShare = 1.0 / 8;  // of the record
 constexpr double kAntiAlias = 0.44;     // of fs: above it a recorder's filter shapes the response
-constexpr double kLowestLines = 1.5;    // of the default band
+constexpr double kLowestLines = 1.5;    // lower end of the default band, in spectral lines
 constexpr std::size_t kMinSamples = 64;
 constexpr double kShortest = 0.5;  // of the median length
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;

@@ -19,7 +19,7 @@ struct ResponseHit {
   std::string reason;  // why it is rejected
 };
 
-/// What responses alone tell: modes from free decays, without the force.
+/// The results of a test without a force: modes from free decays.
 struct ResponseTest {
   acquire::Record record;  // with assumed angles, where assumed
   AnalysisOptions options;

@@ -53,7 +53,7 @@ bool is_dropout(const SampleFault& fault) {
 }
 bool is_spike(const SampleFault& fault) { return fault.kind == SampleFault::Kind::wrong && !is_dropout(fault); }
 
-// Largest sample of the accepted hits, m/s².
+// Largest magnitude of all graded responses, m/s².
 double largest_response(const std::vector<AnalysedHit>& hits) {
   double largest = 0;
   for (const AnalysedHit& hit : hits) {

@@ -11,7 +11,7 @@ struct QuantisedCurve {
   std::string u16;
 };
 
-/// `step` is the range over 65534, but at least `min_step`, which is above 0 and below the resolution of the plot.
+/// `step` is the range over 65534, but at least `min_step`, which is 0 or more and below the resolution of the plot.
 QuantisedCurve quantised_curve(std::span<const double> values, double min_step);
 
 }  // namespace percuss::report

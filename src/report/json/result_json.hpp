@@ -14,7 +14,7 @@ std::string hit_json(const acquire::Record& record, std::size_t i, const pipelin
 struct ModeJson {
   double window_decay_per_s = 0;
   const identify::ModeClassification* classification = nullptr;  // nullptr for modes that are not classified
-  std::optional<double> frac{};                                  // over the lines around the mode; of FRFs only
+  std::optional<double> frac{};  // over the lines around the mode; only of modes fitted to FRFs
 };
 std::string mode_json(const identify::Mode& mode, std::size_t m, const ModeJson& of);
 /// Each FRF's agreement with the modes, and its residual terms.

@@ -34,7 +34,7 @@ struct HitCurves {
   HitSamples force_N;        // over seconds from the onset; zero outside
   HitSamples response_mps2;  // of the first accelerometer over seconds from the onset; may be empty
   HitSamples spectrum_dB;    // of the force over Hz, relative to its largest line, to 1.5 times the bandwidth
-  double noise_dB = 0;       // of the first accelerometer before the hit, as decay_dB; NaN: it was not at rest
+  double noise_dB = 0;       // of the first accelerometer before the hit, as decay_dB; NaN: too few samples there
   HitSamples decay_dB;       // of the first accelerometer over seconds from the peak, 0 at its largest; may be empty
 };
 

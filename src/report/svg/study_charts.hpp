@@ -15,7 +15,7 @@ struct StudyFile {
 };
 
 /// Each figure and the history of each bat with several states, as a chart and as a table of its points; then
-/// "figures.csv", the list of them with the numbers of the source.
+/// "figures.csv", which lists the figures with their numbers in the source.
 std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {},
                                    CsvFormulas formulas = CsvFormulas::neutralise);
 

@@ -22,6 +22,7 @@ constexpr double kShapeAmplitude = 0.15;               // of the frame's radius
 constexpr double kCross = 0.02;                        // half the width of a point's cross, of the frame's radius
 constexpr double kLevelFloor = 1e-300;
 
+// Projects a point onto the drawing.
 std::array<double, 2> seen(const std::array<double, 3>& at) {
   const double across = at[0] * std::cos(kTurn_rad) - at[1] * std::sin(kTurn_rad);
   const double away = at[0] * std::sin(kTurn_rad) + at[1] * std::cos(kTurn_rad);

@@ -14,7 +14,7 @@ std::string rounded_frequency_text(double freq_Hz);
 /// A frequency as a number of hertz: four significant digits, whole hertz from 10 kHz, no exponent below 1 MHz.
 std::string hertz_text(double freq_Hz);
 
-/// "232 N", "1750 N": three significant digits, never an exponent.
+/// "232 N", "1750 N": three significant digits, no exponent from 0.0001 N to 1 GN.
 std::string force_text(double force_N);
 
 }  // namespace percuss::report

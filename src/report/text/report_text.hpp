@@ -22,7 +22,8 @@ class ReportText {
   /// Adds a warning: a sentence after an exclamation mark.
   void warn(Message message);
 
-  /// For a terminal of `width` columns. `write` appends the options of warnings; nullptr leaves them out.
+  /// For a terminal of `width` columns. `write` appends the options of sentences and warnings; nullptr leaves
+  /// them out.
   std::string text(std::size_t width, OptionWriter write = nullptr) const;
   /// As elements of HTML: the first line as the verdict, then paragraphs, tables and warnings.
   std::string html() const;

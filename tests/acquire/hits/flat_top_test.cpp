@@ -14,7 +14,7 @@ constexpr double kFs_Hz = 25600;
 constexpr std::size_t kSamples = 6000, kFine = 16, kTaps = 20;
 
 /// A haversine cut off at `level` of its peak, after a recorder's linear-phase anti-alias filter: 16 times oversampled,
-/// filtered by a windowed sinc that ends at 0.45 of the sampling rate, then every 16th sample.
+/// filtered by a windowed sinc with its cut-off at 0.45 of the sampling rate, then every 16th sample.
 std::vector<double> cut_row(double width, double level, double peak_N, std::uint64_t seed) {
   constexpr double kOnset = 500.3;
   const auto fine = [&](double t) {

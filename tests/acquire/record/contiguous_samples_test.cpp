@@ -17,7 +17,7 @@ namespace percuss::acquire::contiguous_samples_test {
 using test::Hdf5Builder;
 using test::Hdf5Storage;
 
-constexpr std::size_t kRows = 3, kChannels = 2, kSamples = 40000;  // more than one piece of a read
+constexpr std::size_t kRows = 3, kChannels = 2, kSamples = 40000;  // a read takes several pieces of 2^14 samples
 
 class ContiguousSamples : public testing::Test {
  protected:

@@ -7,7 +7,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-// Systems that offer only some of the means of confinement.
+// The sandbox on systems without seccomp or without Landlock.
 namespace percuss::acquire::sandbox_layers_test {
 
 using testing::AllOf;

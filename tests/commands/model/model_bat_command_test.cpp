@@ -62,7 +62,7 @@ nlohmann::json document_of(const test::ProcessOutcome& outcome) {
   return document;
 }
 
-// Rows of the wave's table hold the exit speed of an impact there, as the curve does for the same positions.
+// Each row of the wave's table holds the exit speed of an impact at its position, equal to the curve's.
 TEST_F(ModelBatCommand, PutsExitSpeedsBesideTheWave) {
   const auto curve = document_of(run({"--modes", "10", "--at", "0.4:0.1:0.5", "--json"}))["curve"];
   ASSERT_EQ(run({"--modes", "10", "--wave", "0.6", "--wave-times", "0:0.001:0.002", "-o", "w.csv"}).code, 0);
@@ -105,7 +105,7 @@ TEST_F(ModelBatCommand, ListsTheParticipationOfModes) {
   EXPECT_THAT(run({"--modes", "10"}).out, HasSubstr("bending 4  other modes"));
 }
 
-// Long slices: both meanings are computed, and the one that is not taken is named with the difference.
+// Long slices: both meanings of the rows are computed. The document states the frequencies of the other meaning too.
 TEST_F(ModelBatCommand, SaysWhatTheRowsMean) {
   const auto slices = document_of(run({"--modes", "3", "--json"}));
   const auto points = document_of(run({"--modes", "3", "--profile-kind", "points", "--json"}));
@@ -153,7 +153,7 @@ TEST_F(ModelBatCommand, ReadsHollowHeldAndLoadedBats) {
   EXPECT_NEAR(held({"--support", "clamped"})["frequency_hz"][0].get<double>(), 37.09876125, 0.001);
 }
 
-// Layers in the table: the shell alone, with a core, and the constants of the whole from options.
+// Two layers in the table: a shell and its core.
 TEST_F(ModelBatCommand, ReadsLayersFromNamedColumns) {
   test::write_bytes(folder_.file("bat.csv"),
                     "end,diameter,wall,young,shear,density,wall_2,young_2,shear_2,density_2\n"

@@ -171,7 +171,7 @@ TEST(ModelTrampolineCommand, NamesTheInvalidLine) {
   EXPECT_THAT(outcome.err, HasSubstr("ccor.csv: line 2"));
 }
 
-// Bats on the curve itself have no difference from it; another has the difference it was given.
+// A bat on the model's curve has no difference from it. The other bat has the difference of 0.05 that it was given.
 TEST(ModelTrampolineCommand, ComparesMeasuredBats) {
   const test::ScratchFolder folder;
   const auto curve = document_of({"--hoop", "1000:500:2500"})["curve"];

@@ -51,7 +51,7 @@ TEST(Overlay, DoesNotDecideTheType) {
   EXPECT_EQ(classification.family, ModeType::bending);
 }
 
-// 25 Hz are a split mode also where noise adds to them.
+// Modes 25 Hz apart are a split mode, even if noise makes the measured separation larger.
 TEST(SplitMode, AllowsForTheErrorOfTheSeparation) {
   std::vector<Mode> modes{hoop(1900), hoop(1925.01)};
   EXPECT_FALSE(classifications(modes)[0].split_mode);

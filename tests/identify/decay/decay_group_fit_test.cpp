@@ -27,7 +27,7 @@ const std::vector<TrueMode>& truth() {
   return kModes;
 }
 
-// In time, independent of the fit's spectra.
+// The decays, computed in the time domain and so independent of the fit's spectra.
 FreeDecays decays(double noise, std::mt19937& random) {
   std::normal_distribution<double> gauss;
   FreeDecays out{.fs_Hz = kFs_Hz, .hits = kHits, .channels = kChannels, .response = {}};
@@ -45,7 +45,7 @@ FreeDecays decays(double noise, std::mt19937& random) {
   return out;
 }
 
-// Starts half a half-power bandwidth off, with half the damping again.
+// Starts half a half-power bandwidth too high, with 1.5 times the damping.
 DecayGroup start() {
   DecayGroup group{.rates = {}, .windows = {{1, kSamples / 2 - 1}}};
   for (const TrueMode& mode : truth()) {
@@ -63,7 +63,7 @@ DecayGroupFit fit(const FreeDecays& measured) {
   return fit_decay_group(group, spectra, spectra.lines.middleRows(1, kSamples / 2 - 1));
 }
 
-// The Cramér–Rao bound of (Re s, Im s) of each mode, from the derivatives in time by all unknowns.
+// The Cramér–Rao bound of (Re s, Im s) of each mode, from the derivatives of the samples with respect to all unknowns.
 Eigen::MatrixXd bound(double noise) {
   const auto modes = static_cast<Eigen::Index>(truth().size()), count = static_cast<Eigen::Index>(kHits * kChannels);
   const Eigen::Index unknowns = 2 * modes + 2 * modes * count;
@@ -126,7 +126,7 @@ TEST(DecayGroupFit, ReachesTheCramerRaoBoundWithHonestDeviations) {
   }
   for (Eigen::Index u = 0; u < unknowns; ++u) {
     const double crb = std::sqrt(lowest(u, u));
-    // 300 seeds know an RMS to 4 %, a mean to 0.06 standard deviations: four of each.
+    // 300 seeds give an RMS to 4 % and a mean to 0.06 standard deviations. The tolerances are four times as large.
     EXPECT_NEAR(std::sqrt(squares(u) / kSeeds) / crb, 1, 0.16) << u;
     EXPECT_NEAR(sum(u) / kSeeds / crb, 0, 0.24) << u;
     EXPECT_NEAR(std::sqrt(stated(u) / kSeeds) / crb, 1, 0.05) << u;

@@ -68,7 +68,7 @@ TEST(FreeDecays, AreFoundExactlyWithoutNoise) {
   }
 }
 
-// The Cramér–Rao bound of (Re s, Im s) of each mode, from the derivatives in time by all unknowns.
+// The Cramér–Rao bound of (Re s, Im s) of each mode, from the derivatives of the samples with respect to all unknowns.
 Eigen::MatrixXd bound(double noise) {
   const auto modes = static_cast<Eigen::Index>(truth().size()), count = static_cast<Eigen::Index>(kHits * kChannels);
   const Eigen::Index unknowns = 2 * modes + 2 * modes * count;
@@ -128,13 +128,13 @@ TEST(FreeDecays, ReachTheCramerRaoBoundWithHonestDeviations) {
   EXPECT_LE(other_counts, 1U);  // a false decay is expected once in 1000 searches
   const double count = kSeeds - static_cast<double>(other_counts);
   for (std::size_t u = 0; u < of_bound.size(); ++u) {
-    // 60 seeds know an RMS to 9 % and a mean to 0.13 standard deviations: four of each.
+    // 60 seeds give an RMS to 9 % and a mean to 0.13 standard deviations. The tolerances are four times as large.
     EXPECT_NEAR(std::sqrt(of_bound[u] / count), 1, 0.37) << u;
     EXPECT_NEAR(mean[u] / count, 0, 0.52) << u;
     EXPECT_NEAR(std::sqrt(stated[u] / count), 1, 0.1) << u;
   }
   const double covered = static_cast<double>(within) / static_cast<double>(values);
-  EXPECT_GE(covered, 0.92);  // 480 values know the share to 1 %
+  EXPECT_GE(covered, 0.92);  // 480 values give the share to 1 %
   EXPECT_LE(covered, 0.98);
 }
 

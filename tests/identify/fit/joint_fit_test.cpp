@@ -84,7 +84,7 @@ TEST(FitJointly, StatesTrueStandardDeviations) {
 
 TEST(FitJointly, KeepsAllResiduesRealUnlessTheDataContradict) {
   EXPECT_EQ(scatter(1, 0.5, 40).complex_modes, 0);
-  // The pair has complex residues. The third mode's are real, but beside complex ones nothing says so.
+  // The pair has complex residues. The third mode's are real, but one mode with complex residues makes all complex.
   EXPECT_EQ(scatter(Complex(0.8, 0.6), 0.5, 40).complex_modes, 120);
 }
 

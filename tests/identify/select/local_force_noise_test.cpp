@@ -42,7 +42,8 @@ FrfDataset with_a_gain(FrfDataset set, std::uint64_t seed) {
 TEST(LocalForceNoise, EqualsTheScatterOfAModeWithNoiseFreeResponses) {
   constexpr int kTrials = 30;
   const FrfDataset set = noisy_force();
-  double freq = 0, damping = 0, largest_before = 0;  // squares of errors over standard deviations
+  double freq = 0, damping = 0;  // mean squares of errors over standard deviations
+  double largest_before = 0;     // largest ratio of the standard deviations before and after add_force_noise
   for (int trial = 0; trial < kTrials; ++trial) {
     const FrfDataset measured = with_a_gain(set, static_cast<std::uint64_t>(trial));
     auto modes = fit_sequentially(measured);

@@ -43,7 +43,7 @@ TEST(ImpactOnset, LiesBetweenTheSamples) {
       squares += z * z;
       stated += found.std_s * kFs_Hz / kTrials;
     }
-    EXPECT_LE(std::abs(sum / kTrials), 1.1) << power;  // the powers 1 and 3/2 lie one standard deviation off
+    EXPECT_LE(std::abs(sum / kTrials), 1.1) << power;  // one standard deviation for the powers 1 and 3/2
     EXPECT_LE(std::sqrt(squares / kTrials), 1.3) << power;
     EXPECT_LE(stated, 0.75) << power;  // samples
     if (power == 1.25) {

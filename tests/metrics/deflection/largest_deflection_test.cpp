@@ -59,7 +59,7 @@ double largest(const std::vector<double>& x) {
   return most;
 }
 
-// The surest value comes early; the largest comes a quarter of a slow period later.
+// The most significant value comes early; the largest value comes a quarter of a slow period later.
 TEST(LargestDeflection, IsUnbiasedInWeakRecords) {
   const Record clean = record({{6, 0.02, 60}, {41, 0.01, 80}});
   const double true_m = largest(clean.deflection_m);
@@ -81,7 +81,8 @@ TEST(LargestDeflection, IsUnbiasedInWeakRecords) {
     stated += found.peak_std_m / true_m / kTrials;
   }
   EXPECT_GE(stated, 0.01);  // the records are weak
-  // 60 trials know the mean of z to 0.13; the RMS is smaller than 1 where the zero mean of the swing is used.
+  // 60 trials give the mean error to 0.13 standard deviations. The RMS is below 1 where the integration uses that the
+  // beam swings about its rest position, (7.5) of docs/theory/theory.md.
   EXPECT_LE(std::abs(sum / kTrials), 0.5);
   EXPECT_LE(std::abs(relative), 4 * stated / std::sqrt(kTrials));
   EXPECT_LE(std::sqrt(squares / kTrials), 1.35);

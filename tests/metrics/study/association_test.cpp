@@ -129,7 +129,7 @@ TEST(Association, IsNotCertainOfAFewBatsInOrder) {
   EXPECT_NEAR(a->p, 1.0 / 12, kRounding);
   EXPECT_EQ(a->spearman.value, 1);
   EXPECT_EQ(a->spearman.high, 1);
-  EXPECT_LT(a->spearman.low, 0);  // of 24 orders one is this by chance: more than 2.5 %
+  EXPECT_LT(a->spearman.low, 0);  // by chance one of 24 orders is this one: more than 2.5 %
   const auto line = association_of({{{1, 2, 3, 4}, {10, 20, 30, 40}}});
   EXPECT_LT(line->pearson.low, 0);
   const auto many =

@@ -77,7 +77,7 @@ TEST(Study, FindsNoRelationInUnrelatedBats) {
   EXPECT_LE(false_studies, 19);
 }
 
-// Bats of one length whose quantities have nothing to do with each other.
+// Bats of `lengths` different lengths, whose quantities are independent of each other.
 std::vector<StudyBat> unrelated_bats(std::uint64_t seed, std::size_t count, BarrelMaterial material, int lengths) {
   synth::RandomStream random{23, seed};
   std::vector<double> draws(count * kStudyQuantities, 0);

@@ -93,7 +93,8 @@ TEST(BatModes, ConvergeWithTheFourthPowerOfTheElements) {
 
 constexpr double kOrthogonal = 1e-12;
 
-// The modes are orthogonal in the mass matrix with rotary inertia, and not without it. This settles a dispute in [10].
+// The modes are orthogonal in the mass matrix with rotary inertia, and not without it. This settles a dispute in [10]
+// of docs/theory/sources.md.
 TEST(BatModes, AreOrthogonalInTheFullMassMatrix) {
   const BatModes modes = bat_modes(kStepped, {}, {.modes = 200});
   const Eigen::MatrixXd product = modes.shape.transpose() * (modes.beam.mass * modes.shape);

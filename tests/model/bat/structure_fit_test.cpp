@@ -78,7 +78,8 @@ TEST(StructureFit, StatesTheScatterOfItsValues) {
     for (std::size_t i = 0; i < 2; ++i)
       squares[i] += std::pow((fit.parameters[i].value - values[i]) / *fit.parameters[i].std, 2) / kDraws;
   }
-  // The mean of 40 squares has a standard deviation of √(2/40) = 0.22; the bounds are four of them.
+  // The mean of 40 squares has a standard deviation of √(2/40) = 0.22; the bounds are three of them below and four
+  // above.
   for (const double square : squares) {
     EXPECT_GT(square, 0.3);
     EXPECT_LT(square, 1.9);

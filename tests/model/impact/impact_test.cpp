@@ -72,7 +72,7 @@ TEST(BeamImpact, StatesTheLargestDeflectionByMagnitudeWithItsSign) {
     for (const ImpactMoment& moment : r.series) {
       if (std::abs(moment.beam_m) > std::abs(largest)) largest = moment.beam_m;
     }
-    // The series has a point per 0.2 ms; its largest is at most a thousandth short of the true one.
+    // The series has a point per 0.02 ms; its largest is at most a thousandth short of the true one.
     EXPECT_GE(std::abs(r.peak_deflection_m), std::abs(largest) * (1 - 1e-9)) << at_m;
     EXPECT_NEAR(r.peak_deflection_m, largest, 0.02 * std::abs(largest)) << at_m;
     EXPECT_LE(r.forward_deflection_m, std::abs(r.peak_deflection_m));

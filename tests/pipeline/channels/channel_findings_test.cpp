@@ -1,4 +1,4 @@
-// Records with one fault of the channels of exactly known size.
+// Each record has one fault of its channels, whose size is exactly known.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -19,7 +19,7 @@ struct TrueMode {
 };
 const std::vector<TrueMode> kModes{{{169, 0.010}, {1, 0.47}}, {{597, 0.008}, {1, -0.6}}, {{1820, 0.006}, {-0.8, 0.9}}};
 
-// The response of undamped-phase modes to a half sine from `onset_s` on, by the closed form of each mode's convolution.
+// The response of modes with real shapes to a half sine from `onset_s` on, by the closed form of each convolution.
 void add_hit(double onset_s, double scale, std::vector<std::vector<double>>& accel) {
   const double p = std::numbers::pi / kPulse_s;
   for (const TrueMode& mode : kModes) {
@@ -96,7 +96,7 @@ TEST(ResponseTest, StatesHonestDeviationsInNoise) {
   }
 }
 
-// One long row with several blows, as a recorder of sound makes it.
+// One long row with several blows, as an audio recorder writes it.
 TEST(ResponseTest, FindsTheBlowsOfAContinuousRecord) {
   const std::vector<double> onsets_s{0.3, 1.4, 2.2};
   std::vector<std::vector<double>> channels(2, std::vector<double>(static_cast<std::size_t>(3.5 * kFs_Hz)));

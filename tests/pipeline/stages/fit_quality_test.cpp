@@ -9,7 +9,7 @@ namespace percuss::pipeline::fit_quality_test {
 
 const identify::Pole kLow{300, 0.01}, kHigh{700, 0.01};
 
-// Two modes in one FRF, with a mass line of 0.5/kg and a spring of 2e-8 m/N.
+// Two modes in one FRF, with a mass line of 0.5/kg and a residual flexibility of 2e-8 m/N.
 identify::FrfDataset two_modes() {
   identify::FrfDataset set = test::empty_set(4000, 8000, 100, 1000, 1);
   test::add_mode(set, 0, kLow, 2);

@@ -36,7 +36,7 @@ TEST(MainsModes, KeepsModesBesideHarmonicsAndBroadModes) {
   EXPECT_EQ(modes_left(mode_at(240.6, 0.2), 0.4, 5), 1U);  // a multiple of a tone that is not of the mains
 }
 
-// Two hits with independent phases often have a high coherence, and low ones say little.
+// Two hits with independent phases often have a high coherence, and a low coherence of two hits proves little.
 TEST(MainsModes, NeedsThreeHits) {
   EXPECT_EQ(modes_left(mode_at(449.8, 0.2), 0.4, 2), 1U);
   EXPECT_EQ(modes_left(mode_at(449.8, 0.2), 0.4, 3), 0U);

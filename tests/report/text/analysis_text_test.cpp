@@ -97,7 +97,7 @@ TEST(AnalysisText, ObeysTheWidth) {
   }
 }
 
-// The curve is higher at each mode's number than beside it, and the highest dot belongs to the highest mode.
+// Each mode's number stands at its frequency. The top row shows the peak of the hoop mode, and nothing beside it.
 TEST(FrfTerminalPlot, ShowsThePeaksAboveTheirNumbers) {
   const pipeline::Analysis analysis(synth::synthesise(bat()).record,
                                     {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});

@@ -24,36 +24,28 @@ constexpr const char* kProfileForm =
 constexpr const char* kNamesForm =
     "name further columns in the first line: wall, young, shear, density, and wall_2, young_2 … of inner layers";
 
-enum class Quantum {
-  position,
-  diameter,
-  width,
-  thickness,
-  wall,
-  young,
-  shear,
-  density
-};  // from thickness on: of a layer
+// From thickness on, a column belongs to a layer.
+enum class ColumnKind { position, diameter, width, thickness, wall, young, shear, density };
 
 struct ColumnName {
   const char* name;
-  Quantum what;
+  ColumnKind what;
 };
-constexpr std::array<ColumnName, 12> kColumns{{{"position", Quantum::position},
-                                               {"end", Quantum::position},
-                                               {"x", Quantum::position},
-                                               {"z", Quantum::position},
-                                               {"diameter", Quantum::diameter},
-                                               {"d", Quantum::diameter},
-                                               {"width", Quantum::width},
-                                               {"thickness", Quantum::thickness},
-                                               {"wall", Quantum::wall},
-                                               {"young", Quantum::young},
-                                               {"shear", Quantum::shear},
-                                               {"density", Quantum::density}}};
+constexpr std::array<ColumnName, 12> kColumns{{{"position", ColumnKind::position},
+                                               {"end", ColumnKind::position},
+                                               {"x", ColumnKind::position},
+                                               {"z", ColumnKind::position},
+                                               {"diameter", ColumnKind::diameter},
+                                               {"d", ColumnKind::diameter},
+                                               {"width", ColumnKind::width},
+                                               {"thickness", ColumnKind::thickness},
+                                               {"wall", ColumnKind::wall},
+                                               {"young", ColumnKind::young},
+                                               {"shear", ColumnKind::shear},
+                                               {"density", ColumnKind::density}}};
 
 struct ProfileColumn {
-  Quantum what = Quantum::position;
+  ColumnKind what = ColumnKind::position;
   std::size_t layer = 0;
   std::string unit;  // as stated in the header, in lower case
 };
@@ -67,7 +59,7 @@ std::optional<ProfileColumn> column_named(const std::string& text) {
     base.resize(base.size() - 2);
   }
   for (const ColumnName& one : kColumns) {
-    const bool of_layer = one.what >= Quantum::thickness;
+    const bool of_layer = one.what >= ColumnKind::thickness;
     if (base == one.name && (layer == 0 || of_layer))
       return ProfileColumn{.what = one.what, .layer = layer, .unit = lower_case(unit)};
   }
@@ -127,36 +119,36 @@ std::vector<ProfileColumn> columns_of(const NumberTable& table, const SectionTab
   return columns;
 }
 
-const ProfileColumn* column_for(const std::vector<ProfileColumn>& columns, Quantum what, std::size_t layer = 0) {
+const ProfileColumn* column_for(const std::vector<ProfileColumn>& columns, ColumnKind what, std::size_t layer = 0) {
   const auto found = std::find_if(columns.begin(), columns.end(),
                                   [&](const auto& one) { return one.what == what && one.layer == layer; });
   return found == columns.end() ? nullptr : &*found;
 }
 
-// Refuses columns that give no section, and units in the header that differ from the profile's.
 // Whether the unit that the header states for a column is the one in which the column is read.
 bool is_expected(const ProfileColumn& column, const LengthUnits& units) {
   const std::string& unit = column.unit;
-  if (column.what == Quantum::density) return unit == "kg/m3" || unit == "kg/m^3" || unit == "kg/m³";
-  if (column.what == Quantum::young || column.what == Quantum::shear)
+  if (column.what == ColumnKind::density) return unit == "kg/m3" || unit == "kg/m^3" || unit == "kg/m³";
+  if (column.what == ColumnKind::young || column.what == ColumnKind::shear)
     return unit == "pa" || unit == "n/m2" || unit == "n/m^2" || unit == "n/m²";
   const auto stated = parse_unit(unit);
-  const double wanted_m = column.what == Quantum::position ? units.position_m : units.size_m;
+  const double wanted_m = column.what == ColumnKind::position ? units.position_m : units.size_m;
   return stated && stated->quantity == Quantity::length && stated->to_SI == wanted_m;
 }
 
+// Refuses columns that give no section, and units in the header that differ from the profile's.
 void check_columns(const std::vector<ProfileColumn>& columns, std::size_t layers, const LengthUnits& units,
                    const std::string& place) {
   const auto refuse = [&](const std::string& problem, const char* remedy) {
     return InputError(problem, place, remedy, {"profile_unit"});
   };
-  const bool round = column_for(columns, Quantum::diameter) != nullptr;
-  if (!column_for(columns, Quantum::position)) throw refuse("there is no column of positions", kProfileForm);
-  if (round == (column_for(columns, Quantum::width) != nullptr))
+  const bool round = column_for(columns, ColumnKind::diameter) != nullptr;
+  if (!column_for(columns, ColumnKind::position)) throw refuse("there is no column of positions", kProfileForm);
+  if (round == (column_for(columns, ColumnKind::width) != nullptr))
     throw refuse("either a diameter or a width must be given", kProfileForm);
   for (std::size_t layer = 0; layer < layers; ++layer) {
-    const bool wall = column_for(columns, Quantum::wall, layer) != nullptr;
-    const bool thickness = column_for(columns, Quantum::thickness, layer) != nullptr;
+    const bool wall = column_for(columns, ColumnKind::wall, layer) != nullptr;
+    const bool thickness = column_for(columns, ColumnKind::thickness, layer) != nullptr;
     if (round ? thickness : wall)
       throw refuse("a round section has walls, a rectangular one thicknesses", kProfileForm);
     if (round ? !wall && layer + 1 < layers : !thickness)
@@ -190,29 +182,29 @@ model::SectionStation station_of(const NumberTableRow& row, const std::vector<Pr
       return value;
     };
     switch (columns[i].what) {
-      case Quantum::position:
+      case ColumnKind::position:
         station.at_m = value * units.position_m;
         break;
-      case Quantum::diameter:
+      case ColumnKind::diameter:
         station.width_m = checked_size("a diameter");
         break;
-      case Quantum::width:
+      case ColumnKind::width:
         station.width_m = checked_size("a width");
         break;
-      case Quantum::thickness:
+      case ColumnKind::thickness:
         layer.thickness_m = checked_size("a thickness");
         break;
-      case Quantum::wall:
+      case ColumnKind::wall:
         if (!(size_m > 0 && size_m <= kMaxDiameter_m)) throw refuse(fmt::format("a wall of {:g} m", size_m));
         layer.thickness_m = size_m;
         break;
-      case Quantum::young:
+      case ColumnKind::young:
         layer.young_Pa = checked_constant("Young's modulus");
         break;
-      case Quantum::shear:
+      case ColumnKind::shear:
         layer.shear_Pa = checked_constant("a shear modulus");
         break;
-      case Quantum::density:
+      case ColumnKind::density:
         layer.density_kgpm3 = checked_constant("a density");
         break;
     }
@@ -231,7 +223,7 @@ model::SectionTable read_section_table(const std::string& path, const SectionTab
   for (const ProfileColumn& one : columns) layers = std::max(layers, one.layer + 1);
   check_columns(columns, layers, units, table.rows.front().place);
   model::SectionTable out{
-      .kind = form.kind, .round = column_for(columns, Quantum::diameter) != nullptr, .stations = {}};
+      .kind = form.kind, .round = column_for(columns, ColumnKind::diameter) != nullptr, .stations = {}};
   const bool from_zero = form.kind == model::ProfileKind::points;
   for (const NumberTableRow& row : table.rows) {
     out.stations.push_back(station_of(row, columns, layers, units));

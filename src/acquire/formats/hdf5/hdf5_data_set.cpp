@@ -60,7 +60,7 @@ std::string member_name(hid_t type, unsigned member) {
   return copy;
 }
 
-/// The members of a complex number: real part, then imaginary.
+/// The names of the members of a complex number: r and i, re and im, or real and imag.
 std::optional<std::array<std::string, 2>> complex_members(hid_t type) {
   if (H5Tget_class(type) != H5T_COMPOUND || H5Tget_nmembers(type) != 2) return std::nullopt;
   std::array<std::string, 2> names;
@@ -115,8 +115,9 @@ void InputDataSet::check_type(Elements elements) const {
   const Handle type(H5Dget_type(set_.get()));
   if (elements == Elements::complex) {
     if (complex_members(type.get())) return;
-    throw InputError("not an array of complex numbers", where_,
-                     "store compounds of two floats r and i, as h5py does with complex128");
+    throw InputError(
+        "not an array of complex numbers", where_,
+        "store compounds of two floats r and i (as h5py does with complex128), re and im, or real and imag");
   }
   if (!is_plain_number(type.get())) {
     throw InputError("not an array of integers or floats of 32 or 64 bits", where_, "store float32 or float64");

@@ -36,8 +36,8 @@ class InputHdf5 {
   Handle file_;
 };
 
-/// The required elements of a data set: integers and floats, or complex numbers as h5py writes them (a compound of two
-/// floats, r and i).
+/// The required elements of a data set: integers and floats, or complex numbers: compounds of two numbers named r and
+/// i (as h5py writes them), re and im, or real and imag.
 enum class Elements { real, complex };
 
 /// A numeric data set of the root group, checked to lie within its file before any sample is read.

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kWorkingBytes = std::size_t{4} << 20U;  // upper estimate for one call of the library
 
-// HDF5 crashes when memory runs out while it writes.
+// Locks the library, and checks that memory for one call is available: HDF5 crashes when memory runs out while it
+// writes.
 struct WriteLock {
   Lock lock{};
   LibraryCall call{kWorkingBytes};

@@ -11,7 +11,8 @@ struct matvar_t;  // of matio
 namespace percuss::acquire {
 
 /// Turns the variables of a MAT file, with the fields and cells in them, into variables of `out`.
-/// errors  InputError: more than 10000 variables, 4096 elements or 8 levels; numbers that the file lacks.
+/// errors  InputError: more than 10000 variables, 4096 elements or 8 levels; more numbers than the file can hold; a
+/// variable that cannot be read.
 class MatFlattener {
  public:
   static constexpr std::size_t kNameShown = 63;  // characters of a name in a message

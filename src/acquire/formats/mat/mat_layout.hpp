@@ -13,7 +13,7 @@ struct MatSignal {
 
 struct MatLayout {
   std::size_t rows = 1, samples = 0;
-  bool time_last = false;  // [hits, samples], else [samples, hits]
+  bool time_last = false;  // true: [hits, samples]; false: [samples, hits]
   MatSignal signal;
 };
 

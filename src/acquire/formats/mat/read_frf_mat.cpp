@@ -90,7 +90,8 @@ LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size
   return out;
 }
 
-// A real array of the FRFs' shape (standard deviations, coherence), else nullptr and a note.
+// A real array of the FRFs' shape (standard deviations, coherence). nullptr if it is absent or unsuitable; a note names
+// an unsuitable one.
 const MatVariable* companion_of(const MatFile& file, const MatVariable& frf, const char* name, StoredFrfs& out) {
   const MatVariable* const found = find_variable(file, name);
   if (found == nullptr) return nullptr;

@@ -8,7 +8,7 @@ namespace percuss::acquire {
 
 /// The FRFs of a text of columns (docs/reference/formats.md): frequency, then real and imaginary part, or magnitude and
 /// phase, of each FRF. Nothing when the column names are different: then the text is a time record. With `forced`,
-/// three or more columns without names are frequency, real, imaginary, …
+/// three or more columns with other names or none are frequency, real, imaginary, …
 /// errors  InputError with file, line and column: a column without its partner, uneven frequencies, gaps, texts that
 /// are not numbers.
 std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced);

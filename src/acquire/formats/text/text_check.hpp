@@ -23,7 +23,7 @@ class LineLengthCheck {
 
  private:
   std::string name_;
-  std::size_t checked_ = 0;  // bytes of the text without long lines; 0, or after a line end
+  std::size_t checked_ = 0;  // bytes already checked: 0, or up to the end of a line
 };
 
 }  // namespace percuss::acquire

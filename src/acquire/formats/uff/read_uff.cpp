@@ -59,7 +59,7 @@ int point_of_row(const UffRow& row, bool sensor_roves, const FileBytes& file) {
   const int offset = uff_annotation(*row.front()).node_offset;
   const UffFunction& last = *row.back();
   const int struck = last.reference.node != 0 ? last.reference.node : row.front()->response.node;
-  // Node 0 is not stated: the first point.
+  // Node 0 means that no node is stated: the row then belongs to the first point.
   const int point = (sensor_roves ? last.response.node : struck == 0 ? offset : struck) - offset;
   require_point_number(point, uff_location(file, row.front()->at));
   return point;

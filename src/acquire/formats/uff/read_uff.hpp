@@ -5,16 +5,16 @@
 
 namespace percuss::acquire {
 
-/// The time record in a universal file: its functions 58 of type 1 (docs/reference/formats.md, "UFF"). A row is a force
-/// with the responses that belong to it (uff_rows).
+/// The time record in a universal file: its functions 58 for which is_time_record holds (docs/reference/formats.md,
+/// "UFF"). A row is a force with the responses that belong to it (uff_rows).
 /// errors  InputError with file and line: damaged sets, no time records, functions of one row with different lengths
 /// or rates; AmbiguousColumns: no function is recognisable as the force.
 Record open_uff(const FileBytes& file, const ReadOptions& options = {});
 Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& options);
 
-/// Whether a function is a time record.
+/// Whether a function is a time record: real values of type 1, or of type 0 over time.
 bool is_time_record(const UffFunction& function);
-/// Whether a function is an FRF.
+/// Whether a function is an FRF: type 4, or complex values of type 0 over frequency.
 bool is_uff_frf(const UffFunction& function);
 
 /// "data sets 15 (1), 58 (3)", for messages.

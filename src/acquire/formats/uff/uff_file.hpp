@@ -12,7 +12,7 @@ namespace percuss::acquire {
 /// One data set of a universal file, still as text or bytes.
 struct UffSet {
   int number = 0;
-  std::string_view text;  // the lines after the set's number; in a binary set up to the bytes
+  std::string_view text;  // the lines after the set's number; of a binary set, only its header
   std::string_view data;  // the bytes of a binary set
   bool unread = false;    // `data` is not loaded yet (FileBytes::lazy)
   bool binary = false;

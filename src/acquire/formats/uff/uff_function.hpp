@@ -34,7 +34,7 @@ struct UffDof {
   int node = 0;
   int direction = 0;  // ±1 … ±3 along, ±4 … ±6 around x, y, z; 0 none
   friend bool operator==(const UffDof&, const UffDof&) = default;
-  friend auto operator<=>(const UffDof&, const UffDof&) = default;  // NOLINT(modernize-use-nullptr): not one
+  friend auto operator<=>(const UffDof&, const UffDof&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 struct UffAxis {

@@ -16,11 +16,12 @@ std::optional<Quantity> quantity_of_axis(const UffAxis& axis);
 /// [functions] whether a time record is a force. The first of these rules that finds one applies:
 ///   the name that the options or the set-up give, in any letter case;
 ///   the axis (quantity_of_axis);
-///   a word for a force in the name of functions without a quantity, if it is one name.
+///   a word for a force in the name of functions without a quantity, if all these functions have the same name.
 std::vector<bool> force_functions(const std::vector<const UffFunction*>& functions, const ReadOptions& options);
 
-/// The options with names in place of numbers, where each force must be known before functions make rows: no unit or
-/// type states the force, and the name of the numbered function occurs once per row.
+/// The options with the names of functions in place of their numbers. Rows are made from the names of the forces, so a
+/// force given by its number needs its name first. Changes nothing if a unit or a type states the forces, for a single
+/// row, or if the name of the numbered force does not occur once per row.
 ReadOptions with_names(const ReadOptions& options, const std::vector<const UffFunction*>& functions);
 
 /// The name of a degree of freedom: "force", "accel 1"; if it is unnamed, its node and direction: "12+Z".

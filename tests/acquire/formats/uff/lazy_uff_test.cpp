@@ -42,7 +42,7 @@ class LazyUff : public testing::Test {
     record_ = record_in_memory(25600, force, accel);
     write_uff(path_, record_, false);
   }
-  /// The same bytes, all of them in memory.
+  /// Opens these bytes in memory, without a file.
   Record in_memory(const std::string& bytes) const { return open_uff(test::csv_bytes(bytes)); }
 
   test::ScratchFolder folder_;
