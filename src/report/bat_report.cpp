@@ -7,9 +7,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "core/math/roots.hpp"
 #include "core/units.hpp"
-#include "report/text/text_table.hpp"
+#include "report/bat_curve.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::report {
@@ -17,42 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr Eigen::Index kModesShown = 8;  // whose shares of the energy are listed
 constexpr std::size_t kModesInText = 5;
-constexpr Eigen::Index kModesInTable = 4;
-constexpr std::size_t kRowsInTable = 13;
-
-// Exit speeds over the position of impact, each with its energy balance.
-struct BatCurve {
-  std::vector<double> z_m;
-  std::vector<model::BatRebound> flexible;
-  NumericColumn exit{.name = "exit_speed_mps", .values = {}}, rigid{.name = "rigid_exit_speed_mps", .values = {}},
-      half{.name = "half_modes_exit_speed_mps", .values = {}}, contact{.name = "contact_s", .values = {}},
-      contacts{.name = "contacts", .values = {}}, ball{.name = "ball_share", .values = {}},
-      vibration{.name = "vibration_share", .values = {}};
-  MaximumPoint best, best_rigid;
-};
-
-BatCurve curve_of(const model::BatModes& bat, const model::BatCollision& collision, const std::vector<double>& z_m) {
-  const auto modes = static_cast<std::size_t>(bat.freq_Hz.size());
-  BatCurve curve{.z_m = z_m, .flexible = model::bat_sweep(bat, modes, collision, z_m), .best = {}, .best_rigid = {}};
-  for (const model::BatRebound& half : model::bat_sweep(bat, modes / 2, collision, z_m))
-    curve.half.values.push_back(half.exit_speed_mps);
-  for (std::size_t i = 0; i < z_m.size(); ++i) {
-    const model::BatRebound& r = curve.flexible[i];
-    curve.exit.values.push_back(r.exit_speed_mps);
-    curve.rigid.values.push_back(model::rigid_exit_speed_mps(bat, collision, z_m[i]));
-    curve.contact.values.push_back(r.contact_s);
-    curve.contacts.values.push_back(static_cast<double>(r.contacts));
-    curve.ball.values.push_back(r.ball_share);
-    curve.vibration.values.push_back(r.mode_share.sum());
-  }
-  curve.best = bracketed_maximum([&](double z) { return model::bat_rebound(bat, modes, collision, z).exit_speed_mps; },
-                                 z_m, curve.exit.values);
-  curve.best_rigid = bracketed_maximum([&](double z) { return model::rigid_exit_speed_mps(bat, collision, z); }, z_m,
-                                       curve.rigid.values);
-  return curve;
-}
 
 Json modes_json(const model::BatModes& bat) {
   Json json{{"frequency_hz", Json::array()}, {"node_m", Json::array()}};
@@ -64,24 +28,6 @@ Json modes_json(const model::BatModes& bat) {
   json["cm_m"] = bat.inertia.cm_m;
   json["inertia_kgm2"] = bat.inertia.inertia_kgm2;
   json["length_m"] = bat.length_m;
-  return json;
-}
-
-Json curve_json(const BatCurve& curve) {
-  Json json = Json::array();
-  for (std::size_t i = 0; i < curve.z_m.size(); ++i) {
-    const model::BatRebound& r = curve.flexible[i];
-    const Eigen::VectorXd share = r.mode_share.head(std::min(kModesShown, r.mode_share.size()));
-    json.push_back({{"z_m", curve.z_m[i]},
-                    {curve.exit.name, r.exit_speed_mps},
-                    {curve.rigid.name, curve.rigid.values[i]},
-                    {curve.half.name, curve.half.values[i]},
-                    {curve.contact.name, r.contact_s},
-                    {curve.contacts.name, r.contacts},
-                    {curve.ball.name, r.ball_share},
-                    {curve.vibration.name, curve.vibration.values[i]},
-                    {"mode_share", std::vector<double>(share.begin(), share.end())}});
-  }
   return json;
 }
 
@@ -116,38 +62,6 @@ std::string curve_text(const model::BatModes& bat, const BatCurve& curve) {
       1000 * curve.best_rigid.x, bat.freq_Hz.size(), most, 1000 * most_at);
 }
 
-// The share of the energy in mode `m` for each impact.
-NumericColumn participation_column(const BatCurve& curve, Eigen::Index m) {
-  NumericColumn column{.name = fmt::format("mode_share_{}", m + 1), .values = {}};
-  column.values.reserve(curve.flexible.size());
-  for (const model::BatRebound& r : curve.flexible) column.values.push_back(r.mode_share[m]);
-  return column;
-}
-
-// Exit speeds and the shares of the energy, for some of the impacts.
-TextTable participation_table(const BatCurve& curve, Eigen::Index modes) {
-  const Eigen::Index shown = std::min(modes, kModesInTable);
-  std::vector<TextTable::Column> heads{{"impact, mm", TextTable::Align::right},
-                                       {"exit speed", TextTable::Align::right},
-                                       {"rigid bat", TextTable::Align::right},
-                                       {"lost in ball", TextTable::Align::right}};
-  for (Eigen::Index m = 0; m < shown; ++m) heads.push_back({fmt::format("bending {}", m + 1), TextTable::Align::right});
-  heads.push_back({"other modes", TextTable::Align::right});
-  TextTable table(std::move(heads));
-  const auto percent = [](double share) { return fmt::format("{:.2f} %", 100 * share); };
-  const std::size_t every = std::max<std::size_t>(1, (curve.z_m.size() + kRowsInTable - 2) / (kRowsInTable - 1));
-  for (std::size_t i = 0; i < curve.z_m.size(); i += every) {
-    const model::BatRebound& r = curve.flexible[i];
-    std::vector<std::string> cells{fmt::format("{:.1f}", 1000 * curve.z_m[i]),
-                                   fmt::format("{:.2f} m/s", r.exit_speed_mps),
-                                   fmt::format("{:.2f} m/s", curve.rigid.values[i]), percent(r.ball_share)};
-    for (Eigen::Index m = 0; m < shown; ++m) cells.push_back(percent(r.mode_share[m]));
-    cells.push_back(percent(r.mode_share.tail(r.mode_share.size() - shown).sum()));
-    table.add(std::move(cells));
-  }
-  return table;
-}
-
 // The deflections replace the table and precede the chart.
 Json show_wave(const model::BatModes& bat, const model::BatCollision& collision, const BatWaveRequest& wanted,
                CommandReport& report) {
@@ -172,13 +86,19 @@ Json show_wave(const model::BatModes& bat, const model::BatCollision& collision,
     report.columns.push_back({fmt::format("deflection_m_{:g}_s", time_s), w_m});
     chart.curves.push_back({fmt::format("{:g} ms", 1000 * time_s), at_m, w_mm});
   }
-  NumericColumn exit{.name = "exit_speed_mps", .values = {}}, rigid{.name = "rigid_exit_speed_mps", .values = {}};
-  for (const model::BatRebound& r :
-       model::bat_sweep(bat, static_cast<std::size_t>(bat.freq_Hz.size()), collision, at_m))
-    exit.values.push_back(r.exit_speed_mps);
-  for (const double z_m : at_m) rigid.values.push_back(model::rigid_exit_speed_mps(bat, collision, z_m));
+  NumericColumn exit{.name = "exit_speed_mps", .values = {}}, rigid{.name = "rigid_exit_speed_mps", .values = {}},
+      mass{.name = "effective_mass_kg", .values = {}};
+  const std::vector<model::BatRebound> rebounds =
+      model::bat_sweep(bat, static_cast<std::size_t>(bat.freq_Hz.size()), collision, at_m);
+  for (std::size_t i = 0; i < at_m.size(); ++i) {
+    exit.values.push_back(rebounds[i].exit_speed_mps);
+    rigid.values.push_back(model::rigid_exit_speed_mps(bat, collision, at_m[i]));
+    mass.values.push_back(effective_mass_kg(bat, at_m[i]));
+  }
   report.columns.push_back(std::move(exit));
   report.columns.push_back(std::move(rigid));
+  add_participation(rebounds, report.columns);
+  report.columns.push_back(std::move(mass));
   report.charts.insert(report.charts.begin(), std::move(chart));
   return json;
 }
@@ -218,22 +138,21 @@ BendingPlot bending_of(const model::BatModes& bat, const model::SectionTable& ta
 CommandReport bat_report(const model::BatModes& bat, const model::BeamStructure& structure,
                          const model::BatCollision& collision, const std::vector<double>& z_m,
                          const StructureOrigin& origin, const std::optional<BatWaveRequest>& wave) {
-  const BatCurve curve = curve_of(bat, collision, z_m);
+  const BatCurve curve = bat_curve(bat, collision, z_m);
   const std::vector<double> freq_Hz(bat.freq_Hz.begin(), bat.freq_Hz.end());
   Json json{{"schema", "percuss/model-bat/1"}, {"version", version()}};
   json.update(modes_json(bat));
   json["best"] = {{"z_m", curve.best.x}, {curve.exit.name, curve.best.y}};
-  json["curve"] = curve_json(curve);
+  json["curve"] = bat_curve_json(curve);
   add_structure_json(structure, origin, freq_Hz, json);
   CommandReport report;
   report.charts = {{.title = "Flexible bat",
                     .x = {.label = "impact from the knob, m"},
                     .y = {.label = "exit speed, m/s"},
                     .curves = {{"bending", z_m, curve.exit.values}, {"rigid", z_m, curve.rigid.values}}}};
-  report.columns = {{"z_m", z_m},  curve.exit,     curve.rigid, curve.half,
-                    curve.contact, curve.contacts, curve.ball,  curve.vibration};
-  for (Eigen::Index m = 0; m < std::min(kModesShown, bat.freq_Hz.size()); ++m)
-    report.columns.push_back(participation_column(curve, m));
+  report.columns = {{"z_m", z_m}, curve.exit, curve.rigid, curve.half, curve.contact, curve.contacts};
+  add_participation(curve.flexible, report.columns);
+  report.columns.push_back(curve.mass);
   if (wave) json["wave"] = show_wave(bat, collision, *wave, report);
   report.bending = bending_of(bat, structure.table);
   report.text = inertia_text(bat);

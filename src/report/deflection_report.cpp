@@ -12,13 +12,15 @@
 namespace percuss::report {
 
 std::string deflection_csv(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
-  std::string text = "hit,channel,t_s,velocity_mps,deflection_m,deflection_std_m\n";
+  std::string text = "hit,channel,t_s,velocity_mps,deflection_m,deflection_std_m,point,position_m\n";
   for (const pipeline::DeflectedHit& hit : test.hits) {
     const metrics::Deflection& d = hit.deflection;
     for (std::size_t i = 0; i < d.deflection_m.size(); ++i) {
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},", hit.hit, hit.channel, sample_time_s(analysis, hit, i),
                      d.velocity_mps[i], d.deflection_m[i]);
       if (!d.std_m.empty()) fmt::format_to(std::back_inserter(text), "{}", d.std_m[i]);
+      fmt::format_to(std::back_inserter(text), ",{},", hit.point);
+      if (hit.position_m) fmt::format_to(std::back_inserter(text), "{}", *hit.position_m);
       text += '\n';
     }
   }

@@ -2,33 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/units.hpp"
-#include "report/text/text_table.hpp"
+#include "report/impact_sweep_report.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct SweptName {
-  const char *key, *label;
-};
-constexpr std::array<SweptName, 5> kSwept{{{"ei", "EI, N·m²"},
-                                           {"torsion", "torsion spring, N·m/rad"},
-                                           {"rho_a", "mass per length, kg/m"},
-                                           {"at", "impact from the spring's end, m"},
-                                           {"speed", "ball speed, m/s"}}};
-
-constexpr double kEmptyField = std::numeric_limits<double>::quiet_NaN();  // an empty field of the table
 
 Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
@@ -73,10 +58,6 @@ Json document(double speed_mps, const model::ImpactResult& result, const std::ve
   return json;
 }
 
-std::string recontact_text(const model::ImpactResult& r) {
-  return r.recontact_s ? fmt::format("after {:.1f} ms", 1000 * *r.recontact_s) : "none";
-}
-
 // The ball's speed after a contact. Says so where the ball keeps its direction.
 std::string speed_text(double cor, double speed_mps) {
   return fmt::format("{:.4g} m/s{}", std::abs(cor) * speed_mps, cor < 0 ? " in the same direction" : "");
@@ -114,50 +95,6 @@ std::string result_text(const model::Impact& impact, const model::ImpactResult& 
   return text + "\n";
 }
 
-TextTable sweep_table(const ImpactSweep& sweep) {
-  const bool several =
-      std::any_of(sweep.results.begin(), sweep.results.end(), [](const auto& r) { return r.contacts > 1; });
-  std::vector<TextTable::Column> heads{
-      {sweep.parameter, TextTable::Align::right}, {"restitution", TextTable::Align::right},
-      {"contact", TextTable::Align::right},       {"force", TextTable::Align::right},
-      {"deflection", TextTable::Align::right},    {"second contact"}};
-  if (several) heads.push_back({"restitution at last", TextTable::Align::right});
-  TextTable table(std::move(heads));
-  for (std::size_t i = 0; i < sweep.values.size(); ++i) {
-    const model::ImpactResult& r = sweep.results[i];
-    std::vector<std::string> cells{
-        fmt::format("{:.6g}", sweep.values[i]),
-        fmt::format("{:.4f}", r.cor),
-        fmt::format("{:.3f} ms", 1000 * r.contact_s),
-        fmt::format("{:.4g} N", r.peak_force_N),
-        r.flies_off ? "flies off" : fmt::format("{:.3f} mm", 1000 * std::abs(r.peak_deflection_m)),
-        recontact_text(r)};
-    if (several) cells.push_back(r.final_cor ? fmt::format("{:.4f}", *r.final_cor) : "not known");
-    table.add(std::move(cells));
-  }
-  return table;
-}
-
-std::vector<NumericColumn> series_columns(const std::vector<model::ImpactMoment>& series) {
-  std::vector<NumericColumn> columns{
-      {"time_s", {}}, {"deflection_m", {}}, {"force_n", {}}, {"ball_speed_mps", {}}, {"ball_m", {}}};
-  for (NumericColumn& column : columns) column.values.reserve(series.size());
-  for (const model::ImpactMoment& moment : series) {
-    columns[0].values.push_back(moment.time_s);
-    columns[1].values.push_back(moment.beam_m);
-    columns[2].values.push_back(moment.force_N);
-    columns[3].values.push_back(moment.ball_speed_mps);
-    columns[4].values.push_back(moment.ball_m);
-  }
-  return columns;
-}
-
-std::vector<double> scaled(const std::vector<double>& values, double factor) {
-  std::vector<double> out = values;
-  for (double& value : out) value *= factor;
-  return out;
-}
-
 LineChart series_chart(const std::vector<NumericColumn>& columns) {
   const std::vector<double> time_ms = scaled(columns[0].values, 1000);
   return {.title = "Ball on beam",
@@ -168,71 +105,7 @@ LineChart series_chart(const std::vector<NumericColumn>& columns) {
                      {"ball, m/s", time_ms, columns[3].values}}};
 }
 
-// A row per impact of all sweeps; parameters that a sweep does not vary keep their value.
-std::vector<NumericColumn> sweep_columns(const model::Impact& impact, const std::vector<ImpactSweep>& sweeps) {
-  std::vector<NumericColumn> columns;
-  columns.reserve(kSwept.size() + 8);
-  for (const SweptName& name : kSwept) columns.push_back({name.key, {}});
-  for (const char* name : {"cor", "contact_s", "peak_force_n", "peak_deflection_m", "peak_deflection_time_s",
-                           "recontact_time_s", "final_cor", "contacts"})
-    columns.push_back({name, {}});
-  for (const ImpactSweep& sweep : sweeps) {
-    for (std::size_t i = 0; i < sweep.values.size(); ++i) {
-      model::Impact varied = impact;
-      *swept_value(varied, sweep.parameter) = sweep.values[i];
-      std::size_t c = 0;
-      for (const SweptName& name : kSwept) columns[c++].values.push_back(*swept_value(varied, name.key));
-      const model::ImpactResult& r = sweep.results[i];
-      for (const double value :
-           {r.cor, r.contact_s, r.peak_force_N, std::abs(r.peak_deflection_m), r.peak_deflection_time_s,
-            r.recontact_s.value_or(kEmptyField), r.final_cor.value_or(kEmptyField), static_cast<double>(r.contacts)})
-        columns[c++].values.push_back(value);
-    }
-  }
-  return columns;
-}
-
-// Each sweep as a curve of the value `of` a result.
-LineChart sweep_chart(const model::Impact& impact, const std::vector<ImpactSweep>& sweeps, LineChart chart,
-                      const std::function<double(const model::ImpactResult&)>& of) {
-  model::Impact base = impact;
-  for (const ImpactSweep& sweep : sweeps) {
-    ChartCurve curve{.name = sweep.parameter, .x = sweep.values, .marks = true};
-    if (sweeps.size() > 1) curve.x = scaled(sweep.values, 1 / *swept_value(base, sweep.parameter));
-    curve.y.reserve(sweep.results.size());
-    for (const model::ImpactResult& result : sweep.results) curve.y.push_back(of(result));
-    chart.curves.push_back(std::move(curve));
-  }
-  chart.x.label = "parameter over its value without a sweep";
-  for (const SweptName& name : kSwept) {
-    if (sweeps.size() == 1 && sweeps.front().parameter == name.key) chart.x.label = name.label;
-  }
-  return chart;
-}
-
-// Restitution and, unless the beam flies off, deflection over the parameters.
-std::vector<LineChart> sweep_charts(const model::Impact& impact, const std::vector<ImpactSweep>& sweeps,
-                                    bool flies_off) {
-  std::vector<LineChart> charts{sweep_chart(impact, sweeps,
-                                            {.title = "Ball on beam", .y = {.label = "coefficient of restitution"}},
-                                            [](const model::ImpactResult& r) { return r.cor; })};
-  if (!flies_off) {
-    charts.push_back(sweep_chart(impact, sweeps,
-                                 {.title = "Deflection of the struck point", .y = {.label = "largest deflection, mm"}},
-                                 [](const model::ImpactResult& r) { return 1000 * std::abs(r.peak_deflection_m); }));
-  }
-  return charts;
-}
-
 }  // namespace
-
-double* swept_value(model::Impact& impact, const std::string& parameter) {
-  if (parameter == "ei") return &impact.beam.stiffness_Nm2;
-  if (parameter == "torsion") return &impact.beam.torsion_Nmprad;
-  if (parameter == "rho_a") return &impact.beam.mass_per_length_kgpm;
-  if (parameter == "at") return &impact.at_m;
-  return parameter == "speed" ? &impact.speed_mps : nullptr;
-}
 
 CommandReport impact_report(const model::Impact& impact, const model::ImpactResult& result,
                             const std::vector<ImpactSweep>& sweeps, const model::BeamStructure* shaped,
@@ -253,9 +126,9 @@ CommandReport impact_report(const model::Impact& impact, const model::ImpactResu
     report.text += "\n";
     report.text += sweep_table(sweep);
   }
-  report.columns = sweeps.empty() ? series_columns(result.series) : sweep_columns(impact, sweeps);
+  report.columns = sweeps.empty() ? series_columns(result.series) : impact_sweep_columns(impact, sweeps);
   report.charts = sweeps.empty() ? std::vector<LineChart>{series_chart(report.columns)}
-                                 : sweep_charts(impact, sweeps, result.flies_off);
+                                 : impact_sweep_charts(impact, sweeps, result.flies_off);
   return report;
 }
 

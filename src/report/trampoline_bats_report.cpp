@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "report/text/text_table.hpp"
 
@@ -16,10 +18,10 @@ constexpr std::size_t kMaxRows = 40;  // of the text; the document has all
 }  // namespace
 
 BatsBesideModel bats_beside_model(const model::Trampoline& model, const std::vector<MeasuredBat>& bats) {
-  BatsBesideModel out{.bats = bats, .model_cor = {}};
+  BatsBesideModel out{.bats = bats, .rebounds = {}};
   std::vector<double> hoop_Hz;
   for (const MeasuredBat& bat : bats) hoop_Hz.push_back(bat.hoop_Hz);
-  for (const model::Rebound& rebound : model::hoop_sweep(model, hoop_Hz)) out.model_cor.push_back(rebound.cor);
+  out.rebounds = model::hoop_sweep(model, hoop_Hz);
   return out;
 }
 
@@ -29,7 +31,7 @@ nlohmann::ordered_json trampoline_bats_json(const BatsBesideModel& beside) {
     out.push_back({{"id", beside.bats[i].id},
                    {"hoop_hz", beside.bats[i].hoop_Hz},
                    {"bbcor", beside.bats[i].bbcor},
-                   {"cor", beside.model_cor[i]},
+                   {"cor", beside.rebounds[i].cor},
                    {"difference", beside.difference(i)}});
   }
   return out;
@@ -47,7 +49,7 @@ ReportText trampoline_bats_text(const BatsBesideModel& beside) {
     sum += beside.difference(i);
     if (i >= shown) continue;
     table.add({beside.bats[i].id, fmt::format("{:.1f} Hz", beside.bats[i].hoop_Hz),
-               fmt::format("{:.4f}", beside.bats[i].bbcor), fmt::format("{:.4f}", beside.model_cor[i]),
+               fmt::format("{:.4f}", beside.bats[i].bbcor), fmt::format("{:.4f}", beside.rebounds[i].cor),
                fmt::format("{:+.4f}", beside.difference(i))});
   }
   const auto count = static_cast<double>(beside.bats.size());
@@ -69,6 +71,36 @@ ChartCurve trampoline_bats_curve(const BatsBesideModel& beside) {
     out.x.push_back(bat.hoop_Hz);
     out.y.push_back(bat.bbcor);
     out.labels.push_back(beside.bats.size() <= 12 ? bat.id : "");
+  }
+  return out;
+}
+
+std::string trampoline_bats_csv(const std::vector<NumericColumn>& curve, const std::vector<NumericColumn>& at_bats,
+                                const BatsBesideModel& beside, CsvFormulas formulas) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t points = curve.front().values.size(), bats = beside.bats.size();
+  std::vector<NumericColumn> columns = curve;
+  for (NumericColumn& column : columns) {
+    const auto same =
+        std::find_if(at_bats.begin(), at_bats.end(), [&](const auto& c) { return c.name == column.name; });
+    for (std::size_t i = 0; i < bats; ++i) column.values.push_back(same == at_bats.end() ? kNone : same->values[i]);
+  }
+  NumericColumn bbcor{.name = "bbcor", .values = std::vector<double>(points, kNone)}, difference = bbcor;
+  difference.name = "difference";
+  for (std::size_t i = 0; i < bats; ++i) {
+    bbcor.values.push_back(beside.bats[i].bbcor);
+    difference.values.push_back(beside.difference(i));
+  }
+  columns.push_back(std::move(bbcor));
+  columns.push_back(std::move(difference));
+  const std::string numbers = numeric_csv(columns);
+  std::string out;
+  for (std::size_t row = 0, from = 0; from < numbers.size(); ++row) {
+    const std::size_t end = numbers.find('\n', from);
+    out += numbers.substr(from, end - from);
+    out += row == 0 ? ",bat" : row <= points ? "," : "," + csv_cell(beside.bats[row - 1 - points].id, formulas);
+    out += '\n';
+    from = end + 1;
   }
   return out;
 }

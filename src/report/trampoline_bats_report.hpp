@@ -1,19 +1,22 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <vector>
 
+#include "core/io/csv_cell.hpp"
 #include "report/svg/line_chart.hpp"
+#include "report/text/numeric_csv.hpp"
 #include "report/text/report_text.hpp"
 #include "report/trampoline_report.hpp"
 
 namespace percuss::report {
 
-/// Bats beside the model: its COR at each bat's hoop frequency.
+/// Bats beside the model: its rebound at each bat's hoop frequency.
 struct BatsBesideModel {
   std::vector<MeasuredBat> bats;
-  std::vector<double> model_cor;
+  std::vector<model::Rebound> rebounds;
 
-  double difference(std::size_t i) const { return bats[i].bbcor - model_cor[i]; }
+  double difference(std::size_t i) const { return bats[i].bbcor - rebounds[i].cor; }
 };
 BatsBesideModel bats_beside_model(const model::Trampoline& model, const std::vector<MeasuredBat>& bats);
 
@@ -21,5 +24,10 @@ BatsBesideModel bats_beside_model(const model::Trampoline& model, const std::vec
 nlohmann::ordered_json trampoline_bats_json(const BatsBesideModel& beside);
 ReportText trampoline_bats_text(const BatsBesideModel& beside);
 ChartCurve trampoline_bats_curve(const BatsBesideModel& beside);
+
+/// The curve as CSV with the columns bbcor, difference and bat at the end, and a row per bat after its rows. The row of
+/// a bat has the values of `curve` at its hoop frequency, which `at_bats` holds.
+std::string trampoline_bats_csv(const std::vector<NumericColumn>& curve, const std::vector<NumericColumn>& at_bats,
+                                const BatsBesideModel& beside, CsvFormulas formulas);
 
 }  // namespace percuss::report

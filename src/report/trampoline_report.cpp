@@ -87,6 +87,22 @@ void add_warnings(const std::vector<model::TrampolineWarning>& warnings, Json& j
   }
 }
 
+// A row per rebound.
+std::vector<NumericColumn> curve_columns(const model::Trampoline& model, const std::vector<double>& hoop_Hz,
+                                         const std::vector<model::Rebound>& sweep, double wall, double reference) {
+  NumericColumn cor{.name = "cor"}, over_wall{.name = "cor_over_wall"}, over_10kHz{.name = "cor_over_10khz"},
+      loaded{.name = "loaded_hoop_hz"}, contact{.name = "contact_s"}, contacts{.name = "contacts"};
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    cor.values.push_back(sweep[i].cor);
+    over_wall.values.push_back(sweep[i].cor / wall);
+    over_10kHz.values.push_back(sweep[i].cor / reference);
+    loaded.values.push_back(model::loaded_hoop_Hz(model, hoop_Hz[i]));
+    contact.values.push_back(sweep[i].contact_s);
+    contacts.values.push_back(static_cast<double>(sweep[i].contacts));
+  }
+  return {{"hoop_hz", hoop_Hz}, cor, loaded, contact, contacts, over_wall, over_10kHz};
+}
+
 }  // namespace
 
 CommandReport trampoline_report(const model::Trampoline& model, const std::vector<double>& hoop_Hz,
@@ -99,8 +115,6 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
     fitted->range = model::sweep_range(model, fitted->fit, hoop_Hz, sweep);
     fitted->family = model::exponent_family(model, fitted->measured, fitted->fit, hoop_Hz);
   }
-  NumericColumn cor{.name = "cor"}, over_wall{.name = "cor_over_wall"}, over_10kHz{.name = "cor_over_10khz"},
-      loaded{.name = "loaded_hoop_hz"}, contact{.name = "contact_s"}, contacts{.name = "contacts"};
   Json json{{"schema", "percuss/model-trampoline/1"},
             {"version", version()},
             {"constants", constants_json(model)},
@@ -109,17 +123,11 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
             {"peak", peak_json(peak, fitted)},
             {"curve", Json::array()}};
   for (std::size_t i = 0; i < sweep.size(); ++i) {
-    cor.values.push_back(sweep[i].cor);
-    over_wall.values.push_back(sweep[i].cor / wall);
-    over_10kHz.values.push_back(sweep[i].cor / reference);
-    loaded.values.push_back(model::loaded_hoop_Hz(model, hoop_Hz[i]));
-    contact.values.push_back(sweep[i].contact_s);
-    contacts.values.push_back(static_cast<double>(sweep[i].contacts));
     json["curve"].push_back({{"hoop_hz", hoop_Hz[i]},
-                             {cor.name, sweep[i].cor},
-                             {loaded.name, loaded.values.back()},
-                             {contact.name, sweep[i].contact_s},
-                             {contacts.name, sweep[i].contacts}});
+                             {"cor", sweep[i].cor},
+                             {"loaded_hoop_hz", model::loaded_hoop_Hz(model, hoop_Hz[i])},
+                             {"contact_s", sweep[i].contact_s},
+                             {"contacts", sweep[i].contacts}});
     if (!fitted) continue;
     json["curve"].back()["cor_low"] = fitted->range.cor_low[i];
     json["curve"].back()["cor_high"] = fitted->range.cor_high[i];
@@ -131,6 +139,12 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
     json["fit"] = trampoline_fit_json(*fitted, ccor);
   }
   CommandReport report;
+  report.columns = curve_columns(model, hoop_Hz, sweep, wall, reference);
+  const std::vector<double> cor = report.columns[1].values;
+  if (fitted) {  // before the ratios
+    report.columns.insert(report.columns.end() - 2, {"cor_low", fitted->range.cor_low});
+    report.columns.insert(report.columns.end() - 2, {"cor_high", fitted->range.cor_high});
+  }
   std::optional<ChartCurve> bats;
   report.text = peak_text(hoop_Hz, peak, wall, reference, fitted) + extras_text(model, peak, extras);
   if (fitted) report.text += trampoline_fit_text(*fitted);
@@ -139,6 +153,10 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
     json["bats"] = trampoline_bats_json(beside);
     report.text += trampoline_bats_text(beside);
     bats = trampoline_bats_curve(beside);
+    std::vector<double> bats_Hz;
+    for (const MeasuredBat& bat : beside.bats) bats_Hz.push_back(bat.hoop_Hz);
+    report.table = trampoline_bats_csv(report.columns, curve_columns(model, bats_Hz, beside.rebounds, wall, reference),
+                                       beside, extras.formulas);
   }
   add_warnings(model::trampoline_warnings(model, peak, fitted), json, report.text);
   report.json = json.dump(2) + "\n";
@@ -146,17 +164,12 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
       {.title = "Ball and hollow barrel",
        .x = {.label = "hoop frequency, Hz"},
        .y = {.label = "coefficient of restitution"},
-       .curves = {{"barrel", hoop_Hz, cor.values}, {"rigid wall", {hoop_Hz.front(), hoop_Hz.back()}, {wall, wall}}}}};
+       .curves = {{"barrel", hoop_Hz, cor}, {"rigid wall", {hoop_Hz.front(), hoop_Hz.back()}, {wall, wall}}}}};
   if (bats) report.charts[0].curves.push_back(std::move(*bats));
-  report.columns = {{"hoop_hz", hoop_Hz}, cor, loaded, contact, contacts};
   if (fitted) {
     report.charts[0].bands = {{.x = hoop_Hz, .low = fitted->range.cor_low, .high = fitted->range.cor_high}};
     report.charts.push_back(ccor_chart(*fitted, std::move(ccor)));
-    report.columns.push_back({"cor_low", fitted->range.cor_low});
-    report.columns.push_back({"cor_high", fitted->range.cor_high});
   }
-  report.columns.push_back(over_wall);
-  report.columns.push_back(over_10kHz);
   return report;
 }
 

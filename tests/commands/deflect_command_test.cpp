@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -9,6 +10,7 @@
 #include "acquire/formats/hdf5/write_hdf5.hpp"
 #include "acquire/open_measurement.hpp"
 #include "model/impact/ball_on_beam.hpp"
+#include "support/csv_columns.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/rejection.hpp"
@@ -168,6 +170,32 @@ TEST_F(DeflectCommand, WritesEverySample) {
   EXPECT_EQ(test::lines_of(test::bytes_of(out.file("d.csv"))).size(), 1 + 8 * kLength_s * kFs_Hz);
   EXPECT_EQ(test::bytes_of(out.file("d.HDF5")), test::bytes_of(out.file("d.h5")));
   EXPECT_THAT(test::bytes_of(out.file("d.svg")), HasSubstr("deflection, mm"));
+}
+
+// A curve over time for each struck point, and the largest deflection over position: of the test, or beside a model.
+TEST_F(DeflectCommand, DrawsEveryStruckPoint) {
+  const test::ScratchFolder out;
+  const std::vector<std::string> words{"deflect", file("bat.h5"), "--positions", "0.155:0.13:0.545"};
+  std::vector<std::string> alone = words, beside = words;
+  alone.insert(alone.end(), {"-o", "a.svg", "-o", "a.csv"});
+  beside.insert(beside.end(), {"--beam", "speed=5", "--band", "5:3000", "-o", "b.svg"});
+  ASSERT_EQ(run_percuss(alone, {.folder = out.path()}).code, 0);
+  ASSERT_EQ(run_percuss(beside, {.folder = out.path()}).code, 0);
+  for (const char* name : {"a.svg", "b.svg"}) {
+    const std::string svg = test::bytes_of(out.file(name));
+    EXPECT_THAT(svg, HasSubstr("Deflection at the struck points"));
+    for (const char* place : {"0.155 m", "0.285 m", "0.415 m", "0.545 m"}) EXPECT_THAT(svg, HasSubstr(place));
+  }
+  EXPECT_THAT(test::bytes_of(out.file("a.svg")), HasSubstr("Largest deflection of the struck points"));
+  EXPECT_THAT(test::bytes_of(out.file("b.svg")), HasSubstr("model beam"));
+  auto curves = test::csv_columns(out.file("a.csv"));
+  for (std::size_t point = 0; point < kPlaces_m.size(); ++point) {
+    const auto row =
+        static_cast<std::size_t>(std::find(curves["point"].begin(), curves["point"].end(), static_cast<double>(point)) -
+                                 curves["point"].begin());
+    ASSERT_LT(row, curves["point"].size());
+    EXPECT_NEAR(curves["position_m"][row], kPlaces_m[point], 1e-12);
+  }
 }
 
 TEST_F(DeflectCommand, NamesTheInvalidOption) {

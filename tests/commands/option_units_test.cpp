@@ -27,9 +27,42 @@ TEST(OptionUnits, ConvertToTheUnitOfTheOption) {
   EXPECT_EQ(document_of({"metrics", "--length-in", "34in", "--weight-oz", "31oz"})["drop"], inches["drop"]);
 }
 
+TEST(OptionUnits, HoldForEachValueOfAListAndForARange) {
+  const auto rings = document_of({"metrics", "--diameter-in", "63.5mm,2.5,6.35 cm"})["profile"]["rings"];
+  for (const auto& ring : rings) EXPECT_NEAR(ring["diameter_in"].get<double>(), 2.5, 1e-12);
+  EXPECT_EQ(rings.size(), 3U);
+  const auto in = document_of({"model", "rigid", "--at", "0:1:12in"})["curve"];
+  const auto m = document_of({"model", "rigid", "--at", "0:0.0254:0.3048"})["curve"];
+  ASSERT_EQ(in.size(), m.size());
+  for (std::size_t i = 0; i < m.size(); ++i) EXPECT_NEAR(in[i]["z_m"].get<double>(), m[i]["z_m"].get<double>(), 1e-12);
+  const auto sweep =
+      document_of({"model", "impact", "--sweep", "at=10:5:20in", "--sweep", "speed=10:10:20mph"})["sweep"];
+  ASSERT_EQ(sweep.size(), 5U);
+  EXPECT_NEAR(sweep[0]["at"].get<double>(), 0.254, 1e-12);
+  EXPECT_NEAR(sweep[4]["speed"].get<double>(), 20 * 0.44704, 1e-12);
+  const std::vector<std::string> pendulum{"metrics", "--length-in", "34",         "--weight-oz", "31",
+                                          "--cg-in", "12.5",        "--period-s", "1.42"};
+  std::vector<std::string> standard = pendulum, inches = pendulum;
+  standard.insert(standard.end(), {"--gravity-in-s2", "9.80665 m/s2"});
+  inches.insert(inches.end(), {"--gravity-in-s2", "386.08858267716535"});
+  EXPECT_NEAR(document_of(standard)["moi_oz_in2"].get<double>(), document_of(inches)["moi_oz_in2"].get<double>(), 1e-8);
+}
+
+TEST(OptionUnits, HoldForTheSpeedsOfMeasuredCcor) {
+  const auto of_speeds = [](const std::string& speeds) {
+    return document_of({"model", "trampoline", "--hoop", "1000:500:2000", "--hold", "a=0.6495", "--fit-ccor", speeds});
+  };
+  const auto mph = of_speeds("60mph:0.519:0.004,100mph:0.497:0.004");
+  const auto si = of_speeds("26.8224:0.519:0.004,44.704:0.497:0.004");
+  EXPECT_NEAR(mph["fit"]["b"].get<double>(), si["fit"]["b"].get<double>(), 1e-9);
+}
+
 TEST(OptionUnits, RefuseUnitsOfAnotherKindAndValuesOutsideTheLimits) {
   for (const char* length : {"34kg", "34 furlongs", "-34cm", "cm", "34in ch", "in2"})
     EXPECT_EQ(run_percuss({"metrics", "--length-in", length}).code, 2) << length;
+  for (const char* range : {"0:1:12kg", "0:1:12 furlongs", "0in:1in:12in"})
+    EXPECT_EQ(run_percuss({"model", "rigid", "--at", range}).code, 2) << range;
+  EXPECT_EQ(run_percuss({"model", "trampoline", "--hoop", "100:100:1000in"}).code, 2);
 }
 
 }  // namespace percuss::option_units_test

@@ -117,6 +117,9 @@ TEST(Tutorial, OfABatPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tu
 TEST(Tutorial, OfASurveyPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/survey.md", 6); }
 TEST(Tutorial, OfADeflectionPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/deflection.md", 8); }
 TEST(Tutorial, OfACertificationPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/certify.md", 8); }
+TEST(Tutorial, OfTheSourcesPrintsWhatItShows) {
+  expect_page_to_print_as_shown("docs/project/sources-reproduced.md", 47);
+}
 TEST(Tutorial, OfThreeBatsPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/three-bats.md", 22); }
 TEST(Tutorial, OfABatchPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/batch.md", 20); }
 TEST(Tutorial, ReadmePrintsWhatItShows) { expect_page_to_print_as_shown("README.md", 2); }

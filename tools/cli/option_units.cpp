@@ -11,7 +11,7 @@
 namespace percuss::tools {
 namespace {
 
-enum class Dimension { length, mass, speed, inertia };
+enum class Dimension { length, mass, speed, acceleration, inertia };
 
 struct UnitOfValue {
   std::string_view name;
@@ -19,7 +19,7 @@ struct UnitOfValue {
   double si;
 };
 constexpr double kFoot_m = 12 * kInch_m;
-constexpr std::array<UnitOfValue, 15> kUnits{{{"m", Dimension::length, 1},
+constexpr std::array<UnitOfValue, 18> kUnits{{{"m", Dimension::length, 1},
                                               {"cm", Dimension::length, 0.01},
                                               {"mm", Dimension::length, 0.001},
                                               {"in", Dimension::length, kInch_m},
@@ -32,21 +32,25 @@ constexpr std::array<UnitOfValue, 15> kUnits{{{"m", Dimension::length, 1},
                                               {"km/h", Dimension::speed, 1 / 3.6},
                                               {"mph", Dimension::speed, kMilePerHour_mps},
                                               {"ft/s", Dimension::speed, kFoot_m},
+                                              {"m/s2", Dimension::acceleration, 1},
+                                              {"in/s2", Dimension::acceleration, kInch_m},
+                                              {"ft/s2", Dimension::acceleration, kFoot_m},
                                               {"kgm2", Dimension::inertia, 1},
                                               {"ozin2", Dimension::inertia, kOunce_kg* kInch_m* kInch_m}}};
 
 struct Placeholder {
   std::string_view shown, unit;
 };
-constexpr std::array<Placeholder, 9> kPlaceholders{{{"M", "m"},
-                                                    {"IN", "in"},
-                                                    {"KG", "kg"},
-                                                    {"OZ", "oz"},
-                                                    {"G", "g"},
-                                                    {"M/S", "m/s"},
-                                                    {"MPH", "mph"},
-                                                    {"KG*M2", "kgm2"},
-                                                    {"OZIN2", "ozin2"}}};
+constexpr std::array<Placeholder, 10> kPlaceholders{{{"M", "m"},
+                                                     {"IN", "in"},
+                                                     {"KG", "kg"},
+                                                     {"OZ", "oz"},
+                                                     {"G", "g"},
+                                                     {"M/S", "m/s"},
+                                                     {"MPH", "mph"},
+                                                     {"IN/S2", "in/s2"},
+                                                     {"KG*M2", "kgm2"},
+                                                     {"OZIN2", "ozin2"}}};
 
 const UnitOfValue* unit_named(std::string_view name) {
   const auto* const at =
@@ -55,6 +59,8 @@ const UnitOfValue* unit_named(std::string_view name) {
 }
 
 const UnitOfValue* unit_of_option(std::string_view placeholder) {
+  constexpr std::string_view kList = ",...";  // each value of a list has a unit of its own
+  if (placeholder.ends_with(kList)) placeholder.remove_suffix(kList.size());
   for (const Placeholder& p : kPlaceholders) {
     if (p.shown == placeholder) return unit_named(p.unit);
   }

@@ -5,8 +5,9 @@
 namespace percuss::tools {
 
 /// A value with a unit, such as "136mph" for an option in M/S, as the number in the option's unit. Lengths (m, cm, mm,
-/// in, ft), masses (kg, g, oz, lb), speeds (m/s, km/h, mph, ft/s) and moments of inertia (kgm2, ozin2) have units; the
-/// option's are those of its placeholder: M, IN, KG, OZ, G, M/S, MPH, KG*M2, OZIN2. Any other text stays as it is.
+/// in, ft), masses (kg, g, oz, lb), speeds (m/s, km/h, mph, ft/s), accelerations (m/s2, in/s2, ft/s2) and moments of
+/// inertia (kgm2, ozin2) have units; the option's are those of its placeholder: M, IN, KG, OZ, G, M/S, MPH, IN/S2,
+/// KG*M2, OZIN2, or lists of them such as IN,... . Any other text stays as it is.
 std::string in_option_unit(const std::string& text, std::string_view placeholder);
 
 /// Whether a placeholder names such a unit.

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "cli/option_error.hpp"
+#include "cli/option_units.hpp"
 #include "core/error.hpp"
+#include "core/io/parse_number.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -45,9 +47,14 @@ RangeText parse_range_with_unit(const OptionId& option, const std::string& text,
           .unit = {at, static_cast<std::size_t>(end - at)}};
 }
 
-Range parse_range(const OptionId& option, const std::string& text, RangeForm form) {
-  const auto [range, unit] = parse_range_with_unit(option, text, kForm, form);
-  if (!unit.empty()) throw OptionError::wrong_value(option, text, kForm, "something follows the numbers");
+Range parse_range(const OptionId& option, const std::string& text, RangeForm form, std::string_view placeholder) {
+  auto [range, unit] = parse_range_with_unit(option, text, kForm, form);
+  if (unit.empty()) return range;
+  const ParsedNumber factor = parse_number(in_option_unit("1" + std::string(unit), placeholder), false);
+  if (factor.problem != NumberProblem::none)
+    throw OptionError::wrong_value(option, text, kForm, "something follows the numbers");
+  range.low *= factor.value;
+  range.step *= factor.value;
   return range;
 }
 

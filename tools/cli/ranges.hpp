@@ -32,7 +32,9 @@ enum class RangeForm { several_values, single_value_allowed };
 RangeText parse_range_with_unit(const OptionId& option, const std::string& text, const char* remedy,
                                 RangeForm form = RangeForm::several_values);
 
-/// Reads a range that has no unit.
-Range parse_range(const OptionId& option, const std::string& text, RangeForm form = RangeForm::several_values);
+/// Reads a range. With `placeholder` (M, M/S), a unit of in_option_unit may follow, which holds for all three numbers:
+/// "3:0.25:9in"; the result is in the unit of the placeholder. Otherwise the range has no unit.
+Range parse_range(const OptionId& option, const std::string& text, RangeForm form = RangeForm::several_values,
+                  std::string_view placeholder = {});
 
 }  // namespace percuss::tools

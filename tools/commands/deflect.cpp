@@ -1,4 +1,6 @@
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
@@ -13,6 +15,7 @@
 #include "core/io/atomic_file.hpp"
 #include "pipeline/impact_test.hpp"
 #include "report/deflection_report.hpp"
+#include "report/svg/deflection_chart.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -50,9 +53,20 @@ void check_deflection_outputs(const OutputFlags& output) {
   check_outputs(output, {".json", ".csv", ".h5", ".hdf5", ".svg", ".html"});
 }
 
+// Deflection over time; then the comparison with a model or another test, or else deflection over position.
+void add_charts(report::CommandReport& report, const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
+  std::vector<report::LineChart> compared = std::move(report.charts);
+  report.charts = {report::deflection_chart(analysis, test)};
+  if (!compared.empty()) {
+    report.charts.insert(report.charts.end(), compared.begin(), compared.end());
+  } else if (auto positions = report::deflection_over_position(analysis, test)) {
+    report.charts.push_back(std::move(*positions));
+  }
+}
+
 void write_deflection(const OutputFlags& output, report::CommandReport report, const pipeline::Analysis& analysis,
                       const pipeline::ImpactTest& test) {
-  if (writes_charts(output)) report.charts = {report::deflection_chart(analysis, test)};
+  if (writes_charts(output)) add_charts(report, analysis, test);
   OutputGroup outputs;
   for (const std::string& path : output.paths) {
     const std::string kind = extension_of(path);
@@ -72,7 +86,7 @@ int deflect_files(const DeflectFlags& flags) {
   pipeline::ImpactTestOptions options = flags.options;
   options.deflection.method = method_named(flags.method);
   if (!flags.positions.empty())
-    options.position_m = parse_range("positions", flags.positions, RangeForm::single_value_allowed).values();
+    options.position_m = parse_range("positions", flags.positions, RangeForm::single_value_allowed, "M").values();
   const Progress progress("integrating", flags.output.quiet);
   const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags);
   const auto deflected = std::make_shared<const pipeline::ImpactTest>(pipeline::deflect(*shared_analysis, options));
@@ -88,6 +102,7 @@ int deflect_files(const DeflectFlags& flags) {
     report.json = report::with_comparison(report.json, modes.modes, compared.json);
     report.text += std::string("\n");
     report.text += compared.text;
+    report.charts = compared.charts;
   }
   write_deflection(flags.output, report, analysis, test);
   print_report(report, flags.output);

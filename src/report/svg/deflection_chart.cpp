@@ -4,39 +4,101 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "report/text/deflection_text.hpp"
 
 namespace percuss::report {
 namespace {
 
-constexpr std::size_t kMaxHitsDrawn = 12;
+constexpr std::size_t kMaxHitsDrawn = 12, kMaxPointsDrawn = 24;
 
 double measured_peak_m(const pipeline::DeflectedHit& hit) {
   return hit.deflection.has_peak() ? std::abs(hit.deflection.peak_m) : 0;
 }
 
+std::vector<const pipeline::DeflectedHit*> largest_hits(const pipeline::ImpactTest& test) {
+  std::vector<const pipeline::DeflectedHit*> out;
+  out.reserve(test.hits.size());
+  for (const pipeline::DeflectedHit& hit : test.hits) out.push_back(&hit);
+  std::stable_sort(out.begin(), out.end(),
+                   [](const auto* a, const auto* b) { return measured_peak_m(*a) > measured_peak_m(*b); });
+  out.resize(std::min(out.size(), kMaxHitsDrawn));
+  return out;
+}
+
+// The hit of each point whose peak is nearest to the mean of its hits, in the order of the points.
+std::vector<const pipeline::DeflectedHit*> hits_of_points(const pipeline::ImpactTest& test) {
+  std::vector<const pipeline::DeflectedHit*> out;
+  for (const pipeline::PointDeflection& point : test.points) {
+    if (out.size() == kMaxPointsDrawn) break;
+    const pipeline::DeflectedHit* nearest = nullptr;
+    const auto distance = [&](const pipeline::DeflectedHit& hit) {
+      return std::isnan(point.peak_m) ? 0 : std::abs(measured_peak_m(hit) - point.peak_m);
+    };
+    for (const pipeline::DeflectedHit& hit : test.hits) {
+      if (hit.point != point.point || hit.channel != point.channel) continue;
+      if (nearest == nullptr || distance(hit) < distance(*nearest)) nearest = &hit;
+    }
+    if (nearest != nullptr) out.push_back(nearest);
+  }
+  return out;
+}
+
+std::string place_of(const pipeline::DeflectedHit& hit) {
+  return hit.position_m ? fmt::format("{:g} m", *hit.position_m) : fmt::format("point {}", hit.point);
+}
+
 }  // namespace
 
 LineChart deflection_chart(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
-  std::vector<const pipeline::DeflectedHit*> largest;
-  largest.reserve(test.hits.size());
-  for (const pipeline::DeflectedHit& hit : test.hits) largest.push_back(&hit);
-  std::stable_sort(largest.begin(), largest.end(),
-                   [](const pipeline::DeflectedHit* a, const pipeline::DeflectedHit* b) {
-                     return measured_peak_m(*a) > measured_peak_m(*b);
-                   });
-  largest.resize(std::min(largest.size(), kMaxHitsDrawn));
-  LineChart chart{
-      .title = "Deflection at the accelerometer", .x = {.label = "time, s"}, .y = {.label = "deflection, mm"}};
-  for (const pipeline::DeflectedHit* hit : largest) {
-    ChartCurve curve{.name = fmt::format("hit {}, {}", hit->hit, channel_name(analysis, hit->channel))};
+  const bool several = std::any_of(test.points.begin(), test.points.end(), [&](const pipeline::PointDeflection& p) {
+    return p.point != test.points.front().point;
+  });
+  const bool one_channel = analysis.record().accel.size() == 1;
+  LineChart chart{.title = several ? "Deflection at the struck points" : "Deflection at the accelerometer",
+                  .x = {.label = "time, s"},
+                  .y = {.label = "deflection, mm"},
+                  .curves = {}};
+  for (const pipeline::DeflectedHit* hit : several ? hits_of_points(test) : largest_hits(test)) {
+    const std::string sensor = channel_name(analysis, hit->channel);
+    ChartCurve curve{.name = !several      ? fmt::format("hit {}, {}", hit->hit, sensor)
+                             : one_channel ? place_of(*hit)
+                                           : fmt::format("{}, {}", place_of(*hit), sensor)};
     for (std::size_t i = 0; i < hit->deflection.deflection_m.size(); ++i) {
       curve.x.push_back(sample_time_s(analysis, *hit, i));
       curve.y.push_back(1000 * hit->deflection.deflection_m[i]);
     }
     chart.curves.push_back(std::move(curve));
   }
+  return chart;
+}
+
+std::optional<LineChart> deflection_over_position(const pipeline::Analysis& analysis,
+                                                  const pipeline::ImpactTest& test) {
+  LineChart chart{.title = "Largest deflection of the struck points",
+                  .x = {.label = "position, m"},
+                  .y = {.label = "largest deflection, mm"},
+                  .curves = {}};
+  for (std::size_t channel = 0; channel < analysis.record().accel.size(); ++channel) {
+    ChartCurve mean{.name = channel_name(analysis, channel), .marks = true};
+    ChartBand band{.style = channel};
+    for (const pipeline::PointDeflection& point : test.points) {
+      if (point.channel != channel || !point.position_m || std::isnan(point.peak_m)) continue;
+      mean.x.push_back(*point.position_m);
+      mean.y.push_back(1000 * point.peak_m);
+      band.low.push_back(1000 * (point.peak_m - point.std_m));
+      band.high.push_back(1000 * (point.peak_m + point.std_m));
+    }
+    band.x = mean.x;
+    if (mean.x.size() < 2) continue;
+    const bool known = std::all_of(band.low.begin(), band.low.end(), [](double y) { return std::isfinite(y); });
+    if (known) chart.bands.push_back(std::move(band));
+    chart.curves.push_back(std::move(mean));
+  }
+  if (chart.curves.empty()) return {};
   return chart;
 }
 

@@ -1,6 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "support/csv_columns.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -45,7 +50,9 @@ TEST_F(ModelBatCommand, WritesTableAndPictureOfSpeedsOrWave) {
   EXPECT_THAT(test::bytes_of(folder_.file("a.svg")), testing::StartsWith("<svg "));
   ASSERT_EQ(run({"--modes", "10", "--wave", "0.6", "--wave-times", "0:0.001:0.002", "-o", "w.csv"}).code, 0);
   EXPECT_EQ(test::lines_of(test::bytes_of(folder_.file("w.csv")))[0],
-            "z_m,deflection_m_0_s,deflection_m_0.001_s,deflection_m_0.002_s,exit_speed_mps,rigid_exit_speed_mps");
+            "z_m,deflection_m_0_s,deflection_m_0.001_s,deflection_m_0.002_s,exit_speed_mps,rigid_exit_speed_mps,"
+            "ball_share,vibration_share,mode_share_1,mode_share_2,mode_share_3,mode_share_4,mode_share_5,mode_share_6,"
+            "mode_share_7,mode_share_8,effective_mass_kg");
 }
 
 nlohmann::json document_of(const test::ProcessOutcome& outcome) {
@@ -59,22 +66,42 @@ nlohmann::json document_of(const test::ProcessOutcome& outcome) {
 TEST_F(ModelBatCommand, PutsExitSpeedsBesideTheWave) {
   const auto curve = document_of(run({"--modes", "10", "--at", "0.4:0.1:0.5", "--json"}))["curve"];
   ASSERT_EQ(run({"--modes", "10", "--wave", "0.6", "--wave-times", "0:0.001:0.002", "-o", "w.csv"}).code, 0);
-  bool found = false;
-  for (const std::string& line : test::lines_of(test::bytes_of(folder_.file("w.csv")))) {
-    if (!line.starts_with("0.4,")) continue;  // the end of a slice is an element's node
-    found = true;
-    const std::size_t last = line.rfind(','), before = line.rfind(',', last - 1);
-    EXPECT_NEAR(std::stod(line.substr(before + 1)), curve[0]["exit_speed_mps"].get<double>(), 1e-9);
-    EXPECT_NEAR(std::stod(line.substr(last + 1)), curve[0]["rigid_exit_speed_mps"].get<double>(), 1e-9);
+  auto wave = test::csv_columns(folder_.file("w.csv"));
+  const auto at = std::find(wave["z_m"].begin(), wave["z_m"].end(), 0.4);  // the end of a slice is an element's node
+  ASSERT_NE(at, wave["z_m"].end());
+  const auto row = static_cast<std::size_t>(at - wave["z_m"].begin());
+  for (const char* name :
+       {"exit_speed_mps", "rigid_exit_speed_mps", "ball_share", "vibration_share", "effective_mass_kg"})
+    EXPECT_NEAR(wave[name][row], curve[0][name].get<double>(), 1e-9) << name;
+  for (std::size_t m = 0; m < 8; ++m)
+    EXPECT_NEAR(wave["mode_share_" + std::to_string(m + 1)][row], curve[0]["mode_share"][m].get<double>(), 1e-9) << m;
+}
+
+// 1/(1/M + z²/I) of a free bat, z from its centre of mass; I/d² of a bat on a pin; none at the clamp.
+TEST_F(ModelBatCommand, StatesTheEffectiveMassOfTheRigidBat) {
+  constexpr double kPin_m = 0.1524;
+  const auto with = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--modes", "4", "--at", "0.2:0.2:0.8", "--json"});
+    return document_of(run(std::move(options)));
+  };
+  const auto free = with({}), pinned = with({"--support", "pinned"}), clamped = with({"--support", "clamped"});
+  const double mass_kg = free["mass_kg"], cm_m = free["cm_m"], inertia_kgm2 = free["inertia_kgm2"];
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double z_m = free["curve"][i]["z_m"], arm_m = z_m - cm_m, lever_m = z_m - kPin_m;
+    EXPECT_NEAR(free["curve"][i]["effective_mass_kg"].get<double>(), 1 / (1 / mass_kg + arm_m * arm_m / inertia_kgm2),
+                1e-9);
+    const double about_pin_kgm2 = inertia_kgm2 + mass_kg * std::pow(cm_m - kPin_m, 2);
+    EXPECT_NEAR(pinned["curve"][i]["effective_mass_kg"].get<double>() * lever_m * lever_m / about_pin_kgm2, 1, 1e-9);
+    EXPECT_TRUE(clamped["curve"][i]["effective_mass_kg"].is_null());
   }
-  EXPECT_TRUE(found);
 }
 
 TEST_F(ModelBatCommand, ListsTheParticipationOfModes) {
   ASSERT_EQ(run({"--modes", "10", "--at", "0.5:0.1:0.8", "-o", "a.csv"}).code, 0);
-  EXPECT_THAT(test::lines_of(test::bytes_of(folder_.file("a.csv")))[0],
-              testing::EndsWith("vibration_share,mode_share_1,mode_share_2,mode_share_3,mode_share_4,mode_share_5,"
-                                "mode_share_6,mode_share_7,mode_share_8"));
+  EXPECT_THAT(
+      test::lines_of(test::bytes_of(folder_.file("a.csv")))[0],
+      testing::EndsWith("ball_share,vibration_share,mode_share_1,mode_share_2,mode_share_3,mode_share_4,mode_share_5,"
+                        "mode_share_6,mode_share_7,mode_share_8,effective_mass_kg"));
   EXPECT_THAT(run({"--modes", "10"}).out, HasSubstr("bending 4  other modes"));
 }
 

@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "support/csv_columns.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -176,6 +180,39 @@ TEST(ModelImpactCommand, WritesSeriesAndCurves) {
   ASSERT_EQ(sweep.size(), 6U);
   EXPECT_THAT(sweep[1], testing::StartsWith("4000,1200,2.24,0.1,5,"));
   EXPECT_THAT(test::bytes_of(folder.file("b.svg")), HasSubstr("coefficient of restitution"));
+}
+
+// The largest value of each curve is the largest deflection that the sweep states.
+TEST(ModelImpactCommand, WritesTheMotionOfEachImpactOfASweep) {
+  const test::ScratchFolder folder;
+  constexpr double kSampling = 1e-3;  // a curve is sampled beside its maximum
+  const std::vector<std::string> words{"model",   "impact",        "--sweep", "at=0.025:0.13:0.545",
+                                       "--sweep", "ei=3e3:1e3:4e3"};
+  std::vector<std::string> curves = words, rows = words;
+  curves.insert(curves.end(), {"--curves", "-o", "c.csv", "-o", "c.svg"});
+  rows.insert(rows.end(), {"-o", "r.csv"});
+  ASSERT_EQ(run_percuss(curves, {.folder = folder.path()}).code, 0);
+  ASSERT_EQ(run_percuss(rows, {.folder = folder.path()}).code, 0);
+  auto motion = test::csv_columns(folder.file("c.csv")), impact = test::csv_columns(folder.file("r.csv"));
+  ASSERT_EQ(impact["at"].size(), 7U);
+  for (std::size_t i = 0; i < impact["at"].size(); ++i) {
+    double largest_m = 0;
+    for (std::size_t row = 0; row < motion["at"].size(); ++row) {
+      if (motion["at"][row] == impact["at"][i] && motion["ei"][row] == impact["ei"][i])
+        largest_m = std::max(largest_m, std::abs(motion["deflection_m"][row]));
+    }
+    EXPECT_NEAR(largest_m / impact["peak_deflection_m"][i], 1, kSampling) << i;
+  }
+  EXPECT_THAT(test::bytes_of(folder.file("c.svg")),
+              testing::AllOf(HasSubstr("Deflection of the struck point"), HasSubstr("at 0.545"), HasSubstr("ei 4000")));
+  for (const auto& invalid :
+       std::vector<std::vector<std::string>>{{"--curves"}, {"--curves", "--sweep", "at=0.1:0.001:0.4"}}) {
+    std::vector<std::string> arguments{"model", "impact"};
+    arguments.insert(arguments.end(), invalid.begin(), invalid.end());
+    const auto outcome = run_percuss(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("--curves"));
+  }
 }
 
 TEST(ModelImpactCommand, NamesTheInvalidOption) {

@@ -1,8 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <algorithm>
 
+#include "support/csv_columns.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -187,6 +190,17 @@ TEST(ModelTrampolineCommand, ComparesMeasuredBats) {
   EXPECT_THAT(test::bytes_of(folder.file("t.svg")), HasSubstr("BBCOR of bats"));
   EXPECT_THAT(test::bytes_of(folder.file("t.csv")), testing::StartsWith("hoop_hz,cor,loaded_hoop_hz,contact_s,contacts,"
                                                                         "cor_over_wall,cor_over_10khz"));
+  // The rows of the bats follow those of the curve, with the model at their hoop frequency.
+  auto table = test::csv_columns(folder.file("t.csv"));
+  ASSERT_EQ(table["hoop_hz"].size(), 6U);
+  EXPECT_TRUE(std::isnan(table["bbcor"][3]));
+  EXPECT_EQ(table["hoop_hz"][4], 2000);
+  EXPECT_EQ(table["cor"][4], table["cor"][2]);
+  EXPECT_EQ(table["bbcor"][4], table["cor"][2]);
+  EXPECT_NEAR(table["difference"][5], -0.05, 1e-6);
+  for (const char* name : {"contact_s", "contacts", "cor_over_wall", "cor_over_10khz", "loaded_hoop_hz"})
+    EXPECT_EQ(table[name][5], table[name][0]) << name;
+  EXPECT_THAT(test::lines_of(test::bytes_of(folder.file("t.csv")))[6], testing::EndsWith(",b"));
   test::write_bytes(folder.file("none.csv"), "id,length_in,material,bbcor\nc,33,wood,0.48\n");
   EXPECT_EQ(run_percuss({"model", "trampoline", "--bats", folder.file("none.csv")}).code, 3);
 }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "cli/option_error.hpp"
+#include "cli/option_units.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/number_table.hpp"
@@ -15,7 +17,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr const char* kCcorForm = "give SPEED:COR:STD in m/s, such as 26.8:0.519:0.004,35.8:0.507:0.004, or a file";
+constexpr const char* kCcorForm = "give SPEED:COR:STD, such as 26.8:0.519:0.004,80mph:0.507:0.004, or a file";
 constexpr std::uint64_t kMaxFile_bytes = std::uint64_t{1} << 20U;
 constexpr std::size_t kMaxPoints = 10'000;
 
@@ -26,12 +28,13 @@ model::MeasuredCor checked(const std::vector<double>& values, const std::string&
   return m;
 }
 
-// The numbers of "26.8:0.519:0.004"; none for another text.
+// The numbers of "26.8:0.519:0.004" or "60mph:0.519:0.004", the speed in m/s; none for another text.
 std::optional<std::vector<double>> triple_of(std::string_view text) {
   std::vector<double> values;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find(':', from), text.size());
-    const ParsedNumber number = parse_number(text.substr(from, to - from), false);
+    const std::string word(text.substr(from, to - from));
+    const ParsedNumber number = parse_number(values.empty() ? in_option_unit(word, "M/S") : word, false);
     if (number.problem != NumberProblem::none) return std::nullopt;
     values.push_back(number.value);
     from = to + 1;

@@ -35,7 +35,7 @@ struct BatFlags {
 std::vector<double> impact_positions_m(const BatFlags& flags, double length_m) {
   if (flags.at.empty())
     return Range{.low = 0, .step = length_m / static_cast<double>(kBatSteps), .count = kBatSteps + 1}.values();
-  const Range range = parse_range("at", flags.at);
+  const Range range = parse_range("at", flags.at, RangeForm::several_values, "M");
   const double rounding_m = 1e-9 * length_m;  // tolerance for rounding
   if (range.low < 0 || range.high() > length_m + rounding_m)
     throw OptionError::wrong_value("at", flags.at, "give positions from the knob in m", "a position is off the bat");

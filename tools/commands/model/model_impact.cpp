@@ -20,7 +20,7 @@ namespace percuss::tools {
 namespace {
 
 constexpr std::size_t kMaxImpactModes = 100;
-constexpr std::size_t kMaxSwept = 10000;
+constexpr std::size_t kMaxSwept = 10000, kMaxCurves = 200;
 constexpr double kMinStep = 1e-6, kMaxStep = 0.1;  // relative to the contact time with a wall
 constexpr const char* kSweepForm = "give NAME=LO:STEP:HI with one of ei, torsion, rho-a, at, speed";
 
@@ -31,6 +31,7 @@ struct ModelImpactFlags {
   std::string method = "modal";
   std::optional<double> step_s;
   std::vector<std::string> sweeps;
+  bool curves = false;
   std::size_t threads = 0;
   std::vector<double> budget;
   OutputFlags output;
@@ -84,7 +85,8 @@ report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& im
     throw OptionError::wrong_value("sweep", text, "choose the torsion support", "the beam has no torsion spring",
                                    {"support"});
   }
-  const Range range = parse_range("sweep", text.substr(equals + 1));
+  const char* const unit = sweep.parameter == "at" ? "M" : sweep.parameter == "speed" ? "M/S" : "";
+  const Range range = parse_range("sweep", text.substr(equals + 1), RangeForm::several_values, unit);
   const bool from_zero = sweep.parameter == "at" || sweep.parameter == "torsion";
   if (range.low < 0 || (range.low == 0 && !from_zero))
     throw OptionError::wrong_value("sweep", text, kSweepForm, "the values must be above zero");
@@ -118,8 +120,9 @@ model::ImpactOptions impact_options(const ModelImpactFlags& flags, const model::
     }
     options.step_s = *flags.step_s;
   }
+  options.series = flags.curves && flags.output.host != nullptr;  // whose caller may read the table
   for (const std::string& path : flags.output.paths)
-    options.series = options.series || (flags.sweeps.empty() && extension_of(path) != ".json");
+    options.series = options.series || ((flags.sweeps.empty() || flags.curves) && extension_of(path) != ".json");
   return options;
 }
 
@@ -145,6 +148,10 @@ int model_impact(const ModelImpactFlags& flags) {
     swept += sweeps.back().values.size();
   }
   if (swept > kMaxSwept) throw OptionError({"sweep"}, "has more than 10000 values in all", "give fewer values");
+  if (flags.curves && (swept == 0 || swept > kMaxCurves)) {
+    throw OptionError({"curves"}, fmt::format("shows the impacts of a sweep, up to {}", kMaxCurves),
+                      "sweep 1 to 200 values", {"sweep"});
+  }
   const model::ImpactOptions options = impact_options(flags, impact);
   const model::ImpactResult result = model::simulate_impact(impact, options);
   for (report::ImpactSweep& sweep : sweeps) run_sweep(impact, shaped, options, flags.threads, sweep);
@@ -175,6 +182,8 @@ void add_model_impact(CommandLine& line) {
   command.example("percuss model impact --at 0.5 --speed 6", "Simulate one impact, 0.5 m from the spring at 6 m/s");
   command.example("percuss model impact --sweep ei=1000:1000:6000 --sweep rho-a=0.6:0.2:3 -o curves.svg",
                   "Draw the COR against stiffness and mass");
+  command.example("percuss model impact --sweep at=0.025:0.065:0.545 --curves -o curves.svg -o curves.csv",
+                  "Draw the deflection over time at nine struck points, and write it as a table");
   add_beam_flags(command, flags->beam);
   model::Impact& impact = flags->impact;
   command.value("--at", impact.at_m, "Set the impact position, from x = 0").not_negative().type("M").show_default();
@@ -210,6 +219,8 @@ void add_model_impact(CommandLine& line) {
           "--sweep", flags->sweeps,
           "Vary ei, torsion, rho-a, at or speed, in the unit of the option, with the others constant (repeatable)")
       .type("NAME=LO:STEP:HI");
+  command.flag("--curves", flags->curves,
+               "Write and draw the motion over time of each impact of the sweep, in place of one row each");
   command.value("--threads", flags->threads, "Use this many threads (default: all; the result is the same)")
       .within(0, 1024)
       .type("N");

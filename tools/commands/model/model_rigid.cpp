@@ -20,7 +20,7 @@ struct RigidFlags {
 };
 
 std::vector<double> positions(const RigidFlags& flags) {
-  if (!flags.at.empty()) return parse_range("at", flags.at).values();
+  if (!flags.at.empty()) return parse_range("at", flags.at, RangeForm::several_values, "M").values();
   return Range{.low = 0, .step = flags.length_m / 2 / kSteps, .count = kSteps + 1}.values();
 }
 

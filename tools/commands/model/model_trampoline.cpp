@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/option_error.hpp"
+#include "cli/output.hpp"
 #include "cli/ranges.hpp"
 #include "cli/report_output.hpp"
 #include "commands/model/measured_ccor.hpp"
@@ -28,6 +29,7 @@ struct TrampolineFlags {
   std::vector<std::string> ccor, hold, bats;
   std::vector<double> budget;
   OutputFlags output;
+  bool keep_formulas = false;
 };
 
 model::Trampoline model_of(const TrampolineFlags& flags) {
@@ -105,8 +107,10 @@ int model_trampoline(TrampolineFlags flags) {
   model::Trampoline model = model_of(flags);
   const Range hoop = parse_range("hoop", flags.hoop);
   if (!(hoop.low >= 1)) throw OptionError({"hoop"}, "starts below 1 Hz", "give LO:STEP:HI, such as 100:25:10000");
-  report::TrampolineExtras extras{
-      .fitted = {}, .modal_mass_kg = mass_from_shift(flags), .bats = measured_bats(flags.bats)};
+  report::TrampolineExtras extras{.fitted = {},
+                                  .modal_mass_kg = mass_from_shift(flags),
+                                  .bats = measured_bats(flags.bats),
+                                  .formulas = csv_formulas(flags.keep_formulas)};
   if (!flags.ccor.empty()) {
     model::FittedExponents fitted{.measured = measured_ccor(flags.ccor), .fit = {}};
     fitted.fit = model::fit_exponents(model, fitted.measured, held);
@@ -151,7 +155,7 @@ void add_model_trampoline(CommandLine& line) {
       "percuss model trampoline --fit-ccor 26.8:0.519:0.004,40.2:0.502:0.004,51.4:0.491:0.004 --hold a=0.6495",
       "Fit b to measured CCOR for a known a");
   command.example("percuss study --example > bats.csv; percuss model trampoline --bats bats.csv -o cor.svg -o cor.csv",
-                  "Draw measured bats beside the curve, and write the curve as a table");
+                  "Draw measured bats beside the curve, and write the curve and the bats as a table");
   command.value("--ball", flags->ball, "Use the constants of this ball")
       .one_of({"baseball", "softball"})
       .show_default();
@@ -190,6 +194,7 @@ void add_model_trampoline(CommandLine& line) {
   add_constants(command, *flags);
   add_model_budget(command, flags->budget);
   add_output_flags(command, flags->output, kReportKinds);
+  add_formula_flag(command, flags->keep_formulas);
 }
 
 }  // namespace percuss::tools

@@ -1,0 +1,134 @@
+"""Sections, commands and rows of the page, and how their differences read."""
+import csv
+import json
+import os
+import re
+import subprocess
+import textwrap
+
+MADE = '| from | what | source | percuss | difference | commands |\n|---|---|---:|---:|---|---|\n'
+NOT_MADE = '| from | shows | why not, and what percuss makes instead |\n|---|---|---|\n'
+
+
+class Section:
+    """A source: its commands, which run in order, and rows that read the files that they write."""
+
+    def __init__(self, title, about, expected):
+        self.title, self.about, self.expected = title, about, expected
+        self.commands, self.rows, self.reasons, self.named = [], [], [], set()
+
+    def command(self, text):
+        """Adds a command of the shell; returns its number."""
+        self.commands.append(text)
+        return len(self.commands)
+
+    def row(self, place, what, source, value, difference, commands):
+        self.named |= set(places_in(place))
+        numbers = ', '.join(str(n) for n in commands)
+        self.rows.append('| %s | %s | %s | %s | %s | %s |' % (place, what, source, value, difference, numbers))
+
+    def number(self, place, what, source, value, commands, unit='', digits=4):
+        """A number of the source beside one of percuss."""
+        change = value - source
+        if change == 0:
+            return self.row(place, what, '%g%s' % (source, unit), '%g%s' % (value, unit), 'none', commands)
+        text = signed(change, digits) + unit
+        if source:
+            text += ' (%s %%)' % signed(100 * change / source, 2)
+        return self.row(place, what, '%g%s' % (source, unit), '%.*f%s' % (digits, value, unit), text, commands)
+
+    def within(self, place, what, low, high, value, commands, unit='', digits=4):
+        """A range of the source and a number of percuss."""
+        beyond = value - high if value > high else min(0, value - low)
+        text = '%s%s outside' % (signed(beyond, digits), unit) if beyond else 'inside'
+        self.row(place, what, '%g to %g%s' % (low, high, unit), '%.*f%s' % (digits, value, unit), text, commands)
+
+    def agrees(self, place, what, source, value, agrees, commands):
+        """A statement of the source, and what percuss finds."""
+        self.row(place, what, source, value, 'agrees' if agrees else 'differs', commands)
+
+    def not_made(self, place, shows, reason):
+        self.named |= set(places_in(place))
+        self.reasons.append('| %s | %s | %s |' % (place, shows, reason))
+
+    def run(self, folder, tool):
+        """Runs the commands in a folder, after those of earlier sections."""
+        self.folder = folder
+        path = os.path.dirname(os.path.abspath(tool)) + os.pathsep + os.environ['PATH']
+        for text in self.commands:
+            done = subprocess.run(['sh', '-c', text], cwd=folder, capture_output=True, text=True, check=False,
+                                  env={**os.environ, 'PATH': path})
+            if done.returncode or done.stdout or done.stderr:
+                raise SystemExit('%s\n%s%sexit code %d' % (text, done.stdout, done.stderr, done.returncode))
+
+    def document(self, name):
+        with open(os.path.join(self.folder, name), encoding='utf-8') as file:
+            return json.load(file)
+
+    def table(self, name):
+        """The rows of a CSV file by column; numbers where they are numbers."""
+        with open(os.path.join(self.folder, name), encoding='utf-8') as file:
+            return [{k: number_or_text(v) for k, v in row.items()} for row in csv.DictReader(file)]
+
+    def has(self, name):
+        return os.path.getsize(os.path.join(self.folder, name)) > 0
+
+    def text(self):
+        missing = sorted(set(places_in(self.expected)) - self.named)
+        if missing:
+            raise SystemExit('%s: nothing is said about %s' % (self.title, ', '.join(missing)))
+        out = '## %s\n\n%s\n\n' % (self.title, wrapped(self.about))
+        out += MADE + '\n'.join(self.rows) + '\n\n```console\n'
+        for n, text in enumerate(self.commands, 1):
+            first, *rest = text.split('\n')
+            out += '$ %s  # %d\n' % (first, n) + ''.join('> %s\n' % line for line in rest)
+        out += '```\n'
+        if self.reasons:
+            out += '\nNot made, with the reason:\n\n' + NOT_MADE + '\n'.join(self.reasons) + '\n'
+        return out
+
+
+def signed(value, digits):
+    """With its sign; without one where it rounds to zero."""
+    text = '%+.*f' % (digits, value)
+    return text[1:] if float(text) == 0 else text
+
+
+def number_or_text(cell):
+    try:
+        return float(cell)
+    except ValueError:
+        return cell
+
+
+def places_in(text):
+    """'figures 13 to 15, B1; table 2' as ['figure 13', 'figure 14', 'figure 15', 'figure B1', 'table 2']."""
+    out, kind = [], ''
+    for part in re.split(r'[,;]', text):
+        found = re.match(r'\s*(figure|table)?s?\s*([A-Z]?)(\d+)(?: to [A-Z]?(\d+))?', part)
+        if not found:
+            continue
+        kind = found[1] or kind
+        last = int(found[4] or found[3])
+        out += ['%s %s%d' % (kind, found[2], n) for n in range(int(found[3]), last + 1)]
+    return out
+
+
+def wrapped(text):
+    return '\n\n'.join(textwrap.fill(' '.join(part.split()), 120, break_on_hyphens=False, break_long_words=False)
+                       for part in text.split('\n\n'))
+
+
+NUMBER = re.compile(r'(?<![\w.])[+-]?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w.])')
+
+
+def same_line(one, other):
+    """Whether lines agree; a number with decimals may be rounded otherwise in its last digit."""
+    if NUMBER.split(one) != NUMBER.split(other):
+        return False
+    for a, b in zip(NUMBER.findall(one), NUMBER.findall(other)):
+        decimals = [len(x.partition('.')[2]) for x in (a, b)]
+        if a != b and ('e' in a + b or decimals[0] != decimals[1] or not decimals[0] or
+                       abs(float(a) - float(b)) > 1.01 * 10 ** -decimals[0]):
+            return False
+    return True
