@@ -63,6 +63,7 @@ def impact(
     method: Literal['modal', 'small-increment'] | None = ...,
     step: float | None = ...,
     sweep: _Text | None = ...,
+    curves: bool = ...,
     threads: int | None = ...,
     budget: _Numbers | None = ...,
 ) -> Result: ...
@@ -100,6 +101,7 @@ def trampoline(
     m2: float | None = ...,
     c2: float | None = ...,
     budget: _Numbers | None = ...,
+    keep_formulas: bool = ...,
 ) -> Result: ...
 
 def bat(

@@ -67,6 +67,10 @@ constexpr std::array kNames = {
     Name{"kg", {Quantity::mass, 1}},
     Name{"lb", {Quantity::mass, kPound_kg}},
     Name{"oz", {Quantity::mass, kOunce_kg}},
+    Name{"Pa", {Quantity::pressure, 1}},
+    Name{"kPa", {Quantity::pressure, 1e3}},
+    Name{"mPa", {Quantity::pressure, 1e-3}},
+    Name{"uPa", {Quantity::pressure, 1e-6}},
 };
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
@@ -117,6 +121,8 @@ std::string quantity_name(Quantity quantity) {
       return "a length";
     case Quantity::mass:
       return "a mass";
+    case Quantity::pressure:
+      return "a pressure";
   }
   return "nothing";
 }
@@ -137,6 +143,8 @@ std::string examples(Quantity quantity) {
       return "m, mm, cm, in or ft";
     case Quantity::mass:
       return "kg, lb or oz";
+    case Quantity::pressure:
+      return "Pa or kPa";
   }
   return "SI";
 }
@@ -181,6 +189,8 @@ std::string si_name(Quantity quantity) {
       return "m";
     case Quantity::mass:
       return "kg";
+    case Quantity::pressure:
+      return "Pa";
   }
   return {};
 }

@@ -29,7 +29,6 @@ struct ComparedDeflection {
   std::optional<int> point;          // of a test
   std::optional<double> position_m;  // along the structure
   double peak_m = 0, std_m = 0;
-  double forward_m = 0, forward_std_m = 0;  // largest in the direction of the first motion; 0: not stated
 };
 
 /// The contents of a document that can be compared.

@@ -170,6 +170,12 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
                      "choose another method and leave out the effective mass, or name the force's channel",
                      {"method", "effective_mass", "force_channel"});
   }
+  for (const acquire::SignalInfo& signal : record.accel) {
+    const auto unit = parse_unit(signal.unit);
+    if (unit && unit->quantity == Quantity::pressure)
+      throw InputError(one_line(signal.name, 40) + " is a pressure: it has no deflection", record.source(),
+                       "name the accelerations, or find the modes alone", {"accel_channel"});
+  }
   const std::vector<AnalysedHit> impacts = record.has_force ? analysis.force_hits() : impacts_without_force(record);
   std::vector<std::size_t> hits;
   for (std::size_t h = 0; h < impacts.size(); ++h) {

@@ -119,10 +119,10 @@ std::vector<MetricLine> metric_lines(const metrics::BatReadings& r, const metric
           {"k", "", "k", m.k, "(P10)"}};
 }
 
-Json metrics_json(const metrics::BatReadings& readings, const metrics::BatMetrics& metrics,
-                  const BatProfileReadings& profile) {
+Json metrics_json(const metrics::BatMetrics& metrics, const std::vector<MetricLine>& lines,
+                  const std::vector<metrics::MetricsWarning>& warnings, const BatProfileReadings& profile) {
   Json json = Json::object(), uncertainty = Json::object(), equation = Json::object();
-  for (const MetricLine& line : metric_lines(readings, metrics)) {
+  for (const MetricLine& line : lines) {
     json[line.key] = line.value ? Json(line.value->value()) : Json();
     if (!line.value) continue;
     uncertainty[line.key] = uncertainty_of(*line.value);
@@ -132,8 +132,7 @@ Json metrics_json(const metrics::BatReadings& readings, const metrics::BatMetric
   json["equation"] = std::move(equation);
   json["profile"] = profile_json(profile, metrics);
   json["warnings"] = Json::array();
-  for (const metrics::MetricsWarning& warning : metrics_warnings(readings, metrics))
-    json["warnings"].push_back(metrics_warning_json(warning));
+  for (const metrics::MetricsWarning& warning : warnings) json["warnings"].push_back(metrics_warning_json(warning));
   return json;
 }
 
@@ -141,9 +140,10 @@ CommandReport metrics_report(const metrics::BatReadings& readings, const BatProf
                              const std::optional<BatLabel>& bat) {
   const metrics::BatMetrics metrics = metrics::bat_metrics(readings);
   const auto lines = metric_lines(readings, metrics);
+  const auto warnings = metrics::metrics_warnings(readings, metrics);
   Json json{{"schema", "percuss/metrics/1"}, {"version", version()}};
   if (bat) json["bat"] = bat_json(*bat);
-  json.update(metrics_json(readings, metrics, profile));
+  json.update(metrics_json(metrics, lines, warnings, profile));
   CommandReport report;
   report.table = "number,value,std,equation\n";
   for (const MetricLine& line : lines) {
@@ -152,7 +152,7 @@ CommandReport metrics_report(const metrics::BatReadings& readings, const BatProf
           fmt::format("{},{},{},{}\n", line.key, line.value->value(), std_without_rounding(*line.value), line.equation);
   }
   report.json = indented_text(json) + "\n";
-  report.text = text_of_metrics(lines, metrics, metrics::metrics_warnings(readings, metrics));
+  report.text = text_of_metrics(lines, metrics, warnings);
   return report;
 }
 

@@ -54,8 +54,9 @@ inline double std_without_rounding(const metrics::UncertainValue& value) {
 /// All metrics in the order of the reports.
 std::vector<MetricLine> metric_lines(const metrics::BatReadings& readings, const metrics::BatMetrics& metrics);
 
-/// The members of a document of one bat, without schema and version.
-nlohmann::ordered_json metrics_json(const metrics::BatReadings& readings, const metrics::BatMetrics& metrics,
+/// The members of a document of one bat, without schema and version. `lines` and `warnings` belong to `metrics`.
+nlohmann::ordered_json metrics_json(const metrics::BatMetrics& metrics, const std::vector<MetricLine>& lines,
+                                    const std::vector<metrics::MetricsWarning>& warnings,
                                     const BatProfileReadings& profile);
 
 }  // namespace percuss::report

@@ -30,8 +30,9 @@ std::string table_header() {
   std::string out = "id";
   for (const std::string& column : metrics::passed_columns()) out += "," + column;
   out += ",length_in,weight_oz,z_in";
-  for (const MetricLine& line : metric_lines({}, {})) out += fmt::format(",{}", line.key);
-  for (const MetricLine& line : metric_lines({}, {})) out += fmt::format(",{}_std", line.key);
+  const std::vector<MetricLine> lines = metric_lines({}, {});
+  for (const MetricLine& line : lines) out += fmt::format(",{}", line.key);
+  for (const MetricLine& line : lines) out += fmt::format(",{}_std", line.key);
   return out + "\n";
 }
 
@@ -119,9 +120,10 @@ CommandReport metrics_table_report(const std::vector<NamedMetrics>& bats, CsvFor
     all_lines.push_back(lines);
     report.table += table_row(bat, lines, formulas);
     Json one{{"bat", bat_json(bat.label)}};
-    one.update(metrics_json(bat.readings, computed, bat.profile));
+    const std::vector<metrics::MetricsWarning> own = metrics::metrics_warnings(bat.readings, computed);
+    one.update(metrics_json(computed, lines, own, bat.profile));
     json["bats"].push_back(std::move(one));
-    collect(warnings, metrics::metrics_warnings(bat.readings, computed), bat.label.id);
+    collect(warnings, own, bat.label.id);
   }
   report.json = indented_text(json) + "\n";
   report.text += table_of_bats(bats, all_lines);

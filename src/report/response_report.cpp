@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "core/units.hpp"
 #include "report/json/response_json.hpp"
+#include "report/svg/response_spectra.hpp"
+#include "report/text/analysis_tables.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
@@ -20,10 +23,6 @@ namespace {
 
 constexpr std::size_t kMaxShapeColumns = 6;
 constexpr auto kRight = TextTable::Align::right;
-
-std::string channel_label(const pipeline::ResponseTest& test, std::size_t channel) {
-  return one_line(test.record.accel[channel].name, 24);
-}
 
 std::string heading(const pipeline::ResponseTest& test) {
   const acquire::Record& record = test.record;
@@ -78,19 +77,13 @@ TextTable modes_table(const pipeline::ResponseTest& test) {
   for (std::size_t m = 0; m < test.found.modes.size(); ++m) {
     const identify::Mode& mode = test.found.modes[m].mode;
     std::vector<std::string> cells{fmt::format("{}", m)};
-    const identify::ModeClassification& type = test.classifications[m];
-    if (named)
-      cells.push_back(type.order > 0 ? fmt::format("{} {}", name_of(type.family), type.order) : name_of(type.family));
+    if (named) cells.push_back(mode_type_of(test.classifications[m]));
     cells.push_back(value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz");
     cells.push_back(value_with_std(100 * mode.pole.damping_ratio, 100 * mode.damping_std) + " %");
     for (std::size_t c = 0; c < shown; ++c) {
       if (c != test.found.reference) cells.push_back(shape_text(mode.residues[c]));
     }
-    std::string note;
-    if (mode.freq_std_parts_Hz.hits > mode.freq_std_parts_Hz.noise) note = "± from the scatter of the hits";
-    if (mode.freq_std_parts_Hz.misfit > mode.freq_std_parts_Hz.noise)
-      note += note.empty() ? "± from the misfit" : " and the misfit";
-    cells.push_back(note);
+    cells.push_back(source_of_std(mode));
     table.add(std::move(cells));
   }
   return table;
@@ -127,7 +120,8 @@ std::vector<NumericColumn> columns_of(const pipeline::ResponseTest& test) {
 
 }  // namespace
 
-CommandReport response_report(const std::vector<pipeline::ResponseTest>& tests, const std::optional<BatLabel>& bat) {
+CommandReport response_report(const std::vector<pipeline::ResponseTest>& tests, const std::optional<BatLabel>& bat,
+                              bool charts) {
   CommandReport report;
   report.json = responses_json(tests, bat);
   for (std::size_t t = 0; t < tests.size(); ++t) {
@@ -135,6 +129,12 @@ CommandReport response_report(const std::vector<pipeline::ResponseTest>& tests, 
     report.text += text_of(tests[t]);
   }
   if (tests.size() == 1) report.columns = columns_of(tests.front());
+  for (std::size_t t = 0; t < tests.size() && charts; ++t) {
+    for (LineChart& chart : response_spectra(tests[t])) {
+      if (tests.size() > 1) chart.title = fmt::format("test {}: {}", t, chart.title);
+      report.charts.push_back(std::move(chart));
+    }
+  }
   return report;
 }
 

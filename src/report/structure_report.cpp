@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/section/profile_warnings.hpp"
 #include "report/beam_report.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
@@ -55,31 +56,11 @@ Json structure_fit_json(const StructureOrigin& origin) {
   return {{"parameters", parameters}, {"frequencies", frequencies}};
 }
 
-// The largest relative difference between the frequencies of the two kinds, and the index of its mode.
-struct KindDifference {
-  double relative = 0;
-  std::size_t mode = 0;
-};
-KindDifference largest_difference(const std::vector<double>& freq_Hz, const OtherProfileKind& other) {
-  KindDifference largest;
-  for (std::size_t i = 0; i < std::min(freq_Hz.size(), other.freq_Hz.size()); ++i) {
-    const double relative = other.freq_Hz[i] / freq_Hz[i] - 1;
-    if (std::abs(relative) > std::abs(largest.relative)) largest = {.relative = relative, .mode = i};
-  }
-  return largest;
-}
-
-// A warning where the table was read as slices and they are long.
-std::optional<Message> kind_warning(const model::BeamStructure& structure, const StructureOrigin& origin,
-                                    const std::vector<double>& freq_Hz) {
-  if (!origin.other || freq_Hz.empty() || structure.table.kind != model::ProfileKind::slices) return {};
-  const KindDifference worst = largest_difference(freq_Hz, *origin.other);
-  return Message{
-      fmt::format("slices are up to {:.1f} % of the length long; with linear dimensions between the positions mode {} "
-                  "would be {:.1f} Hz, not {:.1f} Hz ({:+.1f} %); if the table holds measured points, say so",
-                  100 * structure.table.longest_fraction(), origin.first_mode + worst.mode,
-                  origin.other->freq_Hz[worst.mode], freq_Hz[worst.mode], 100 * worst.relative),
-      {"profile_kind"}};
+// Where the table was read as slices and they are long.
+std::optional<model::ProfileWarning> warning_of(const model::BeamStructure& structure, const StructureOrigin& origin,
+                                                const std::vector<double>& freq_Hz) {
+  if (!origin.other) return {};
+  return model::profile_warning(structure.table, freq_Hz, origin.other->freq_Hz, origin.first_mode);
 }
 
 std::string support_text(const model::StructureSupport& support, const std::string& from) {
@@ -145,12 +126,12 @@ void add_structure_json(const model::BeamStructure& structure, const StructureOr
     json["added_mass"].push_back({{"mass_kg", one.mass_kg}, {"from_m", one.from_m}, {"to_m", one.to_m}});
   json["fit"] = structure_fit_json(origin);
   json["warnings"] = Json::array();
-  if (const auto warning = kind_warning(structure, origin, freq_Hz)) {
-    json["warnings"].push_back({{"code", "long_slices"},
+  if (const auto warning = warning_of(structure, origin, freq_Hz)) {
+    json["warnings"].push_back({{"code", warning->code},
                                 {"severity", "warn"},
-                                {"message", warning->text},
-                                {"value", largest_difference(freq_Hz, *origin.other).relative},
-                                {"remedy", "if the table holds measured points, say so"}});
+                                {"message", warning->message},
+                                {"value", warning->value},
+                                {"remedy", warning->remedy}});
   }
 }
 
@@ -168,7 +149,7 @@ void add_structure_text(const model::BeamStructure& structure, const StructureOr
   }
   text.say({line, {}});
   if (origin.fit) add_fit_text(origin, text);
-  if (const auto warning = kind_warning(structure, origin, freq_Hz)) text.warn(*warning);
+  if (const auto warning = warning_of(structure, origin, freq_Hz)) text.warn({warning->message, warning->options});
 }
 
 }  // namespace percuss::report

@@ -57,6 +57,52 @@ TEST_F(AnalyzeResponses, SaysWhatNeedsAForceAndWritesFiles) {
   EXPECT_THAT(test::bytes_of(folder_.file("m.html")), HasSubstr("1732"));
 }
 
+// Spectrum and fit; the heading of a channel without a name; one heading per section of the page.
+TEST_F(AnalyzeResponses, DrawsTheDecaysWithTheirFit) {
+  const auto outcome = run_percuss({"analyze", "ping.wav", "-o", "m.svg", "-o", "m.html"}, {.folder = folder_.path()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* file : {"m.svg", "m.html"}) {
+    EXPECT_THAT(test::bytes_of(folder_.file(file)),
+                testing::AllOf(HasSubstr("Free decays of "), HasSubstr("measured"), HasSubstr("fit")));
+  }
+  const std::string page = test::bytes_of(folder_.file("m.html"));
+  const std::size_t heading = page.find("Method and provenance");
+  ASSERT_NE(heading, std::string::npos);
+  EXPECT_EQ(page.find("Method and provenance", heading + 1), std::string::npos);
+}
+
+// A microphone measures a pressure, which has modes, but no deflection and no FRF in percuss's units.
+TEST_F(AnalyzeResponses, TakesSoundPressures) {
+  const auto unit_of = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "analyze");
+    arguments.emplace_back("--json");
+    const auto outcome = run_percuss(arguments, {.folder = folder_.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const json document = test::parse_json(outcome.out);
+    EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty());
+    return document;
+  };
+  const json pressure = unit_of({"ping.wav", "--unit", "Pa"}), milli = unit_of({"ping.wav", "--unit", "mPa"});
+  EXPECT_EQ(pressure["decay"]["unit"], "Pa");
+  EXPECT_EQ(unit_of({"ping.wav", "--unit", "g"})["decay"]["unit"], "m/s^2");
+  const double amplitude_Pa = pressure["modes"][0]["hit_amplitudes"][0]["re"];
+  EXPECT_NEAR(milli["modes"][0]["hit_amplitudes"][0]["re"].get<double>(), 1e-3 * amplitude_Pa, 1e-9);
+  std::string text = "mic1_Pa,mic2_Pa\n", with_force = "force_N,mic1_Pa\n";
+  for (const double x : test::ping(1e-3)) {
+    text += std::to_string(x) + "," + std::to_string(0.5 * x) + "\n";
+    with_force += "0," + std::to_string(x) + "\n";
+  }
+  test::write_bytes(folder_.file("mics.csv"), text);
+  test::write_bytes(folder_.file("force.csv"), with_force);
+  const json both = unit_of({"mics.csv", "--fs", "44100"});
+  EXPECT_EQ(both["decay"]["unit"], "Pa");
+  EXPECT_EQ(both["modes"][0]["residues"].size(), 2U);
+  EXPECT_THAT(test::rejection_of({"deflect", folder_.file("mics.csv"), "--fs", "44100"}, {".json"}, "mics.csv"),
+              HasSubstr("has no deflection"));
+  EXPECT_THAT(run_percuss({"analyze", folder_.file("force.csv"), "--fs", "44100", "--accel-channel", "mic1_Pa"}).err,
+              HasSubstr("measures a pressure, not an acceleration"));
+}
+
 TEST_F(AnalyzeResponses, RefusesWhatNeedsAForce) {
   for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
            {"--estimator", "h2"}, {"--only", "frf"}, {"--per-hit"}, {"--delay", "auto"}}) {

@@ -6,8 +6,10 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "metrics/protocol/bat_metrics.hpp"
+#include "model/section/profile_warnings.hpp"
 #include "model/trampoline/trampoline_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "support/percuss_process.hpp"
@@ -60,6 +62,7 @@ std::map<std::string, std::string> ranked_severities() {
     out[std::string(ranked.code)] = name_of(ranked.severity);
   for (const model::RankedTrampolineCode& ranked : model::ranked_trampoline_codes())
     out[std::string(ranked.code)] = name_of(ranked.severity);
+  for (const std::string_view code : model::kProfileWarningCodes) out[std::string(code)] = "warn";
   return out;
 }
 

@@ -18,10 +18,12 @@ namespace {
 
 constexpr double kMilli = 1e-3;
 
-void require_unit_or_volts(const std::string& name, Quantity wanted, const OptionId& option) {
+// `pressures`: a pressure will do as well.
+void require_unit_or_volts(const std::string& name, Quantity wanted, const OptionId& option, bool pressures = false) {
   const auto unit = parse_unit(name);
-  const bool volts = unit && unit->quantity == Quantity::voltage;
-  if (name.empty() || volts) return;
+  const bool other =
+      unit && (unit->quantity == Quantity::voltage || (pressures && unit->quantity == Quantity::pressure));
+  if (name.empty() || other) return;
   try {
     require_unit(name, wanted, "options");
   } catch (const InputError& error) {
@@ -79,7 +81,9 @@ void add_reading_options(Command& command, ReadFlags& flags) {
       .list("--accel-channel", options.accel_channels,
             "Select the accelerations, in this order, by name or number (repeatable, or a list)")
       .type("NAME,...");
-  command.value("--unit", options.accel_unit, "Set the unit of the stored accelerations: m/s^2, g, cm/s^2, V, ...")
+  command
+      .value("--unit", options.accel_unit,
+             "Set the unit of the stored accelerations: m/s^2, g, cm/s^2, V, ...; without a force also Pa")
       .type("UNIT");
   command.value("--force-unit", options.force_unit, "Set the unit of the stored forces: N, lbf, V, ...").type("UNIT");
   command.list("--force-scale", options.force_scale, "Set the force in N per stored unit; one value, or one per file")
@@ -165,7 +169,7 @@ acquire::ReadOptions options_of(const ReadFlags& flags) {
   for (const double mV_per_g : flags.accel_sensitivity_mV_per_g) {
     options.accel_sensitivity_V_per_mps2.push_back(mV_per_g * kMilli / kStandardGravity_mps2);
   }
-  require_unit_or_volts(options.accel_unit, Quantity::acceleration, "unit");
+  require_unit_or_volts(options.accel_unit, Quantity::acceleration, "unit", options.force_optional);
   require_unit_or_volts(options.force_unit, Quantity::force, "force_unit");
   options.accel_channels = rejoined_names(options.accel_channels);
   if (!flags.setup_path.empty()) options.setup = acquire::read_channel_setup(flags.setup_path);

@@ -78,7 +78,7 @@ int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> re
     for (const acquire::InputFile& file : record.files) inputs.push_back(file.path);
   }
   const std::vector<pipeline::ResponseTest> tests = tests_of(flags, std::move(records));
-  report::CommandReport report = report::response_report(tests, bat);
+  report::CommandReport report = report::response_report(tests, bat, writes_charts(flags.output));
   if (!flags.compared.empty()) {
     report.text += "\n";
     report.text += comparison_of(flags, report.json, inputs.front()).text;

@@ -86,12 +86,8 @@ metrics::ComparedDocument document_of(const pipeline::Analysis& analysis, const 
     out.modes.push_back({.freq_Hz = mode.pole.freq_Hz, .freq_std_Hz = mode.freq_std_Hz, .family = "", .shape = {}});
   for (const pipeline::PointDeflection& point : test.points) {
     if (point.channel != 0 || std::isnan(point.peak_m)) continue;
-    out.deflections.push_back({.point = point.point,
-                               .position_m = point.position_m,
-                               .peak_m = point.peak_m,
-                               .std_m = point.std_m,
-                               .forward_m = point.forward_m,
-                               .forward_std_m = point.forward_std_m});
+    out.deflections.push_back(
+        {.point = point.point, .position_m = point.position_m, .peak_m = point.peak_m, .std_m = point.std_m});
   }
   return out;
 }

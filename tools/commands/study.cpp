@@ -54,7 +54,8 @@ int run_study(const StudyFlags& flags) {
     return kOk;
   }
   if (flags.inputs.empty()) {
-    throw OptionError({}, "no table is given", "name a table of bats, or analyses that name their bat",
+    throw OptionError({}, "no table is given",
+                      "name a table of bats, or documents of analyze, metrics, certify or abi that name their bat",
                       {"analyze.bat_id"});
   }
   if (!flags.curve.empty() && flags.figures.empty() && !writes_charts(flags.output)) {

@@ -207,12 +207,16 @@ class Finder {
                            "name the accelerations", header_, {"accel_channel"});
   }
 
-  // A file with one signal and no force holds a response, such as a microphone's.
+  // A file without force and accelerations holds the responses of microphones: sound pressures, or one signal of no
+  // stated quantity.
   void find_only_response() {
     std::vector<CsvColumn> signals;
     for (const CsvColumn& column : header_.columns) {
-      if (column.has_numbers && !is_helper(column) && role_of(column) != "ignore") signals.push_back(column);
+      if (!column.has_numbers || is_helper(column) || role_of(column) == "ignore") continue;
+      signals.push_back(column);
+      if (quantity_of(column) == Quantity::pressure) columns_.accel.push_back(column);
     }
+    if (!columns_.accel.empty()) return;
     if (signals.size() == 1 && (!quantity_of(signals.front()) || *quantity_of(signals.front()) == Quantity::voltage))
       columns_.accel = std::move(signals);
   }

@@ -89,6 +89,12 @@ SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* 
   return choice;
 }
 
+Quantity response_quantity(const SignalInfo& signal, const SignalOverrides& choice, bool has_force) {
+  const auto unit = parse_unit(choice.unit.empty() ? signal.unit : choice.unit);
+  const bool pressure = !has_force && unit && unit->quantity == Quantity::pressure;
+  return pressure ? Quantity::pressure : Quantity::acceleration;
+}
+
 void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity measures, const std::string& where) {
   if (!choice.unit.empty()) signal.unit = choice.unit;
   if (choice.scale) {

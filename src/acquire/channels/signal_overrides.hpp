@@ -27,6 +27,10 @@ SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* 
 SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
                                 std::size_t count);
 
+/// What a response measures: a pressure, if its unit says so and no force was recorded (a microphone); else an
+/// acceleration. FRFs of a pressure have other units than percuss states.
+Quantity response_quantity(const SignalInfo& signal, const SignalOverrides& choice, bool has_force);
+
 /// Applies the statements: sets the signal's unit, to_SI, angle_rad and position_m. Where neither the file
 /// (signal.unit) nor the user states a unit, it is V with a sensitivity, else the SI unit of `measures`.
 /// errors  InputError at `where`: unknown unit, a unit of another quantity, volts without sensitivity, a sensitivity

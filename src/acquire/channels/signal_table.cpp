@@ -90,7 +90,7 @@ void describe_table(ScaledTable& open, const ReadOptions& options, Record& recor
     SignalInfo signal = described_signal(table, index);
     SignalOverrides choice = accel_overrides(options, setup_of(column_of(table, index), options), c, count);
     complete_unit(signal, table.signals[index], choice, "m/s^2", record.notes);
-    apply_overrides(signal, choice, Quantity::acceleration, place(signal));
+    apply_overrides(signal, choice, response_quantity(signal, choice, record.has_force), place(signal));
     open.accel_to_mps2.push_back(signal.to_SI);
     record.accel.push_back(std::move(signal));
   }

@@ -97,7 +97,7 @@ struct ReadOptions {
   std::string force_unit, accel_unit;                // of the stored numbers
   std::vector<double> angle_rad, position_m;         // per acceleration channel
   std::vector<ChannelSetup> setup;
-  bool force_optional = false;  // accept a file without a force (except MAT files)
+  bool force_optional = false;  // accept a file without a force
   bool sandboxed = false;       // decode foreign binary files in a child process (sandbox_process.hpp)
 };
 

@@ -86,10 +86,13 @@ std::optional<LowNoiseCurve> low_noise_curve(const ImpactSignal& signal, const D
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = decay->first + i;
     const double apart = std::abs(decay->deflection_m[i] - d.deflection_m[at]);
+    // Where the integral is surer, the decays must agree with it as closely. A spurious decay of hardly any amplitude,
+    // whose rate is not determined, gives the decays a large standard deviation, but correct values.
+    const double std_m = std::min(decay->std_m[i], d.std_m[at]);
     // A structure that does not swing about its position of rest contradicts the decays.
-    if (i % step == 0 && apart > kCurvesDisagree * std::hypot(d.std_m[at], decay->std_m[i])) return std::nullopt;
+    if (i % step == 0 && apart > kCurvesDisagree * std::hypot(d.std_m[at], std_m)) return std::nullopt;
     out.value_m[at] = decay->deflection_m[i];
-    out.std_m[at] = decay->std_m[i];
+    out.std_m[at] = std_m;
   }
   return out;
 }

@@ -87,7 +87,7 @@ std::string page_provenance(const std::vector<acquire::InputFile>& inputs, const
   TextTable files({{"input"}, {"bytes", TextTable::Align::right}, {"SHA-256"}});
   for (const acquire::InputFile& file : inputs)
     files.add({one_line(input_name(file.path), 400), fmt::format("{}", file.bytes), digest_of(file)});
-  return "<details>\n<summary>Method and provenance</summary>\n" +
+  return "<details>\n<summary>Version, command and input files</summary>\n" +
          page_paragraph(fmt::format("percuss {}, {} UTC", version(), provenance.made_at)) + "<pre>" +
          html_escape(one_line(provenance.command, 4000)) + "</pre>\n" + (inputs.empty() ? "" : files.html()) +
          "</details>\n";

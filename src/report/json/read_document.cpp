@@ -18,15 +18,13 @@ constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20U;
 constexpr int kMaxDepth = 16;
 
 // All keys that are read below.
-constexpr std::array<std::string_view, 25> kWantedKeys = {"schema",
+constexpr std::array<std::string_view, 23> kWantedKeys = {"schema",
                                                           "runs",
                                                           "deflection",
                                                           "points",
                                                           "point",
                                                           "peak_m",
                                                           "peak_std_m",
-                                                          "forward_m",
-                                                          "forward_std_m",
                                                           "position_m",
                                                           "modes",
                                                           "frequency_hz",
@@ -106,9 +104,7 @@ void add_deflections(const Part& part, metrics::ComparedDocument& document) {
     if (!point.has("peak_m")) return;  // no deflection above the noise
     metrics::ComparedDeflection d{.point = whole(point.at("point").number()),
                                   .peak_m = point.at("peak_m").number(),
-                                  .std_m = point.number_or("peak_std_m", 0),
-                                  .forward_m = point.number_or("forward_m", 0),
-                                  .forward_std_m = point.number_or("forward_std_m", 0)};
+                                  .std_m = point.number_or("peak_std_m", 0)};
     if (point.has("position_m")) d.position_m = point.at("position_m").number();
     document.deflections.push_back(d);
   });

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/units.hpp"
 #include "report/json/analysis_options_json.hpp"
 #include "report/json/bat_label.hpp"
 #include "report/json/json_document.hpp"
@@ -41,6 +42,12 @@ Json mode_of(const pipeline::ResponseTest& test, std::size_t m) {
   return json;
 }
 
+std::string unit_of(const acquire::SignalInfo& signal) {
+  const auto stated = parse_unit(signal.unit);
+  const bool pressure = stated && stated->quantity == Quantity::pressure;
+  return si_name(pressure ? Quantity::pressure : Quantity::acceleration);
+}
+
 Json document_of(const pipeline::ResponseTest& test, const std::optional<BatLabel>& bat) {
   Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"inputs", Json::array()}};
   for (const acquire::InputFile& file : test.record.files)
@@ -56,7 +63,8 @@ Json document_of(const pipeline::ResponseTest& test, const std::optional<BatLabe
   if (test.possible()) {
     json["decay"] = {{"start_s", test.start_s},
                      {"end_s", static_cast<double>(test.samples) / test.record.fs_Hz},
-                     {"reference_channel", test.found.reference}};
+                     {"reference_channel", test.found.reference},
+                     {"unit", unit_of(test.record.accel[test.found.reference])}};
   }
   json["modes"] = Json::array();
   for (std::size_t m = 0; m < test.found.modes.size(); ++m) json["modes"].push_back(mode_of(test, m));

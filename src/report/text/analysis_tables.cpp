@@ -83,9 +83,6 @@ HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipel
   return {std::move(table), left_out};
 }
 
-namespace {
-
-// Names the parts of the frequency's or the damping ratio's standard deviation that exceed the noise; empty for none.
 std::string source_of_std(const identify::Mode& mode) {
   const auto exceeds = [&](double identify::StdParts::*part) {
     return mode.freq_std_parts_Hz.*part > mode.freq_std_parts_Hz.noise ||
@@ -96,6 +93,8 @@ std::string source_of_std(const identify::Mode& mode) {
   return std::string("± from ") + (hits ? "the scatter of the hits" : "") + (hits && misfit ? " and " : "") +
          (misfit ? "the misfit" : "");
 }
+
+namespace {
 
 // The note of a mode that shares its order with another mode, without being a split mode; empty for others.
 std::string shared_order_note(const pipeline::Analysis& analysis, std::size_t m) {

@@ -27,6 +27,10 @@ bool is_quoted(const identify::ModeClassification& classification);
 
 /// "hoop 1"; "bending" or "unknown" without an order.
 std::string mode_type_of(const identify::ModeClassification& classification);
+/// Names the parts of the frequency's or the damping ratio's standard deviation that exceed the noise, such as "± from
+/// the misfit"; empty for none.
+std::string source_of_std(const identify::Mode& mode);
+
 /// "hoop 1"; "mode 3", by its number, for a mode without an order.
 std::string mode_name(const identify::ModeClassification& classification, std::size_t number);
 

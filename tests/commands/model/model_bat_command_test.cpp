@@ -148,7 +148,7 @@ TEST_F(ModelBatCommand, ReadsHollowHeldAndLoadedBats) {
   EXPECT_EQ(free["added_mass"].size(), 2U);
   const auto spring = held({"--support", "torsion", "--torsion", "1500"});
   EXPECT_NEAR(spring["frequency_hz"][1].get<double>(), 258.0186204, 0.001);
-  EXPECT_EQ(spring["support"]["at_m"], 0.1524);
+  EXPECT_DOUBLE_EQ(spring["support"]["at_m"].get<double>(), 0.1524);
   EXPECT_NEAR(held({"--support", "pinned"})["frequency_hz"][0].get<double>(), 244.6183874, 0.001);
   EXPECT_NEAR(held({"--support", "clamped"})["frequency_hz"][0].get<double>(), 37.09876125, 0.001);
 }

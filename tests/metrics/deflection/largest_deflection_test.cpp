@@ -4,50 +4,53 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <numeric>
 #include <random>
 #include <vector>
 
+#include "core/math/statistics.hpp"
 #include "core/units.hpp"
 
 namespace percuss::metrics::largest_deflection_test {
 
-constexpr double kFs_Hz = 2048, kRest_s = 0.1, kLength_s = 1.1;
-
-constexpr double kPulse_s = 0.006;
+// The pulse is long enough, in samples, that the record has hardly any aliasing: 10⁻⁵ of the deflection.
+constexpr double kFs_Hz = 1024, kPulse_s = 0.024;
 
 struct Swing {
   double freq_Hz, damping, force_per_kg;
 };
 
-// x'' + 2ζωx' + ω²x = F sin(πt/T), started at t = 0, in closed form. Two such sines, T apart, add up to a half sine.
-void add_started_sine(const Swing& mode, double t_s, double& x, double& a) {
+// x'' + 2ζωx' + ω²x = F (1 − cos(2πt/T))/2, started at t = 0, in closed form. The same T later, subtracted, ends the
+// pulse.
+void add_started(const Swing& mode, double sign, double t_s, double& x, double& a) {
   if (t_s <= 0) return;
   const double w = kTwoPi * mode.freq_Hz, d = mode.damping * w, wd = std::sqrt(w * w - d * d);
-  const double p = std::numbers::pi / kPulse_s, re = w * w - p * p, im = 2 * d * p, norm = re * re + im * im;
-  const double sa = mode.force_per_kg * re / norm, sb = -mode.force_per_kg * im / norm;  // of sin pt and cos pt
-  const double c1 = -sb, c2 = (-sa * p + d * c1) / wd;
+  const double p = kTwoPi / kPulse_s, re = w * w - p * p, im = 2 * d * p, norm = re * re + im * im;
+  const double constant = 0.5 / (w * w), of_cosine = 0.5 * re / norm, of_sine = 0.5 * im / norm;
+  const double c1 = of_cosine - constant, c2 = (of_sine * p + d * c1) / wd;
   const double e = std::exp(-d * t_s), sine = std::sin(wd * t_s), cosine = std::cos(wd * t_s);
-  const double here = sa * std::sin(p * t_s) + sb * std::cos(p * t_s) + e * (c1 * cosine + c2 * sine);
-  const double rate = p * (sa * std::cos(p * t_s) - sb * std::sin(p * t_s)) +
+  const double here =
+      constant - of_cosine * std::cos(p * t_s) - of_sine * std::sin(p * t_s) + e * (c1 * cosine + c2 * sine);
+  const double rate = p * (of_cosine * std::sin(p * t_s) - of_sine * std::cos(p * t_s)) +
                       e * ((-d * c1 + wd * c2) * cosine + (-d * c2 - wd * c1) * sine);
-  x += here;
-  a += mode.force_per_kg * std::sin(p * t_s) - 2 * d * rate - w * w * here;
+  const double force = sign * mode.force_per_kg;
+  x += force * here;
+  a += force * ((1 - std::cos(p * t_s)) / 2 - 2 * d * rate - w * w * here);
 }
 
-// A held beam that a half sine sets swinging. The second mode makes the largest deflection later or earlier.
+// A held beam that one pulse sets swinging.
 struct Record {
   std::vector<double> accel_mps2, deflection_m;
 };
-Record record(const std::vector<Swing>& swings) {
+Record record(const std::vector<Swing>& swings, double rest_s, double length_s) {
   Record out;
-  for (std::size_t n = 0; n < static_cast<std::size_t>(kLength_s * kFs_Hz); ++n) {
-    const double t = static_cast<double>(n) / kFs_Hz - kRest_s;
+  for (std::size_t n = 0; n < static_cast<std::size_t>(length_s * kFs_Hz); ++n) {
+    const double t = static_cast<double>(n) / kFs_Hz - rest_s;
     double& a = out.accel_mps2.emplace_back();
     double& x = out.deflection_m.emplace_back();
     for (const Swing& one : swings) {
-      add_started_sine(one, t, x, a);
-      add_started_sine(one, t - kPulse_s, x, a);
+      add_started(one, 1, t, x, a);
+      add_started(one, -1, t - kPulse_s, x, a);
     }
   }
   return out;
@@ -59,37 +62,74 @@ double largest(const std::vector<double>& x) {
   return most;
 }
 
-// The most significant value comes early; the largest value comes a quarter of a slow period later.
-TEST(LargestDeflection, IsUnbiasedInWeakRecords) {
-  const Record clean = record({{6, 0.02, 60}, {41, 0.01, 80}});
+struct WeakRecords {
+  const char* name;
+  std::vector<Swing> swings;
+  double rest_s, length_s;
+  double noise;  // over the RMS of the acceleration
+};
+
+// The errors of the largest deflections of many noisy records with an unknown bias.
+struct Errors {
+  std::vector<double> relative, in_stds;  // of the true largest deflection; in stated standard deviations
+  double stated = 0;                      // mean of the stated standard deviation, relative
+
+  double count() const { return static_cast<double>(relative.size()); }
+  double mean() const { return std::accumulate(relative.begin(), relative.end(), 0.0) / count(); }
+  double std_of_mean() const {
+    double squares = 0;
+    for (const double one : relative) squares += std::pow(one - mean(), 2);
+    return std::sqrt(squares / (count() - 1) / count());
+  }
+  double rms_in_stds() const {
+    return std::sqrt(std::inner_product(in_stds.begin(), in_stds.end(), in_stds.begin(), 0.0) / count());
+  }
+};
+
+Errors errors_of(const WeakRecords& of, unsigned seed) {
+  constexpr int kTrials = 200;
+  const Record clean = record(of.swings, of.rest_s, of.length_s);
   const double true_m = largest(clean.deflection_m);
-  std::mt19937 random(3);
+  std::mt19937 random(seed);
   std::normal_distribution<double> gauss;
-  constexpr int kTrials = 60;
-  constexpr double kNoise_mps2 = 1;
-  double sum = 0, squares = 0, relative = 0, stated = 0;
+  Errors out;
   for (int trial = 0; trial < kTrials; ++trial) {
     std::vector<double> accel = clean.accel_mps2;
-    for (double& a : accel) a += kNoise_mps2 * gauss(random);
+    for (double& a : accel) a += 0.3 + of.noise * rms(clean.accel_mps2) * gauss(random);
     const Deflection found =
-        deflection_of({.fs_Hz = kFs_Hz, .accel_mps2 = accel, .onset_s = kRest_s, .force_N = {}, .modes = {}});
-    ASSERT_TRUE(found.has_peak()) << trial;
+        deflection_of({.fs_Hz = kFs_Hz, .accel_mps2 = accel, .onset_s = of.rest_s, .force_N = {}, .modes = {}});
+    EXPECT_TRUE(found.has_peak()) << of.name << ", " << trial;
     const double error_m = std::abs(found.peak_m) - true_m;
-    sum += error_m / found.peak_std_m;
-    squares += std::pow(error_m / found.peak_std_m, 2);
-    relative += error_m / true_m / kTrials;
-    stated += found.peak_std_m / true_m / kTrials;
+    out.relative.push_back(error_m / true_m);
+    out.in_stds.push_back(error_m / found.peak_std_m);
+    out.stated += found.peak_std_m / true_m / kTrials;
   }
-  EXPECT_GE(stated, 0.01);  // the records are weak
-  // 60 trials give the mean error to 0.13 standard deviations. The RMS is below 1 where the integration also uses
-  // the constraint that the beam swings about its rest position, (7.5) of docs/theory/theory.md.
-  EXPECT_LE(std::abs(sum / kTrials), 0.5);
-  EXPECT_LE(std::abs(relative), 4 * stated / std::sqrt(kTrials));
-  EXPECT_LE(std::sqrt(squares / kTrials), 1.35);
+  return out;
+}
+
+// The most significant value comes early; the largest comes a quarter of a slow period later. The largest excess over four
+// standard deviations was 6.4 % low in the mean, and up to 5.3 standard deviations.
+TEST(LargestDeflection, IsUnbiasedInWeakRecords) {
+  constexpr double kMeanError = 3.3;  // standard errors: exceeded by one of four means once in 250 such tests
+  constexpr double kMaxRms = 1.2;     // an RMS of 200 errors varies by 0.05; it is below 1 where (7.5) helps
+  constexpr double kFurthest = 4.6;   // standard deviations: exceeded by one of 800 errors once in 250 such tests
+  const std::vector<Swing> two{{6, 0.02, 60}, {41, 0.01, 80}}, quicker{{8, 0.02, 60}, {41, 0.01, 80}};
+  unsigned seed = 3;
+  for (const WeakRecords& of : std::vector<WeakRecords>{{"two modes", two, 0.1, 1.1, 0.05},
+                                                        {"three swings", quicker, 0.1, 0.4, 0.002},
+                                                        {"three swings, noisy", quicker, 0.1, 0.4, 0.02},
+                                                        {"three slower swings", two, 0.1, 0.6, 0.003}}) {
+    const Errors errors = errors_of(of, ++seed);
+    EXPECT_GE(errors.stated, 0.001) << of.name;  // the ± decides which sample counts as the largest
+    EXPECT_LE(std::abs(errors.mean()), kMeanError * errors.std_of_mean()) << of.name;
+    EXPECT_LE(errors.rms_in_stds(), kMaxRms) << of.name;
+    for (const double z : errors.in_stds) EXPECT_LE(std::abs(z), kFurthest) << of.name;
+  }
 }
 
 TEST(LargestDeflection, IsTheLargestSampleOfAClearRecord) {
-  const Record clean = record({{6, 0.02, 60}, {41, 0.01, 80}});
+  constexpr double kRest_s = 0.1;
+  const Record clean = record({{6, 0.02, 60}, {41, 0.01, 80}}, kRest_s, 1.1);
   std::mt19937 random(4);
   std::normal_distribution<double> gauss;
   std::vector<double> accel = clean.accel_mps2;

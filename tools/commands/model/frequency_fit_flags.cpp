@@ -8,7 +8,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMaxFittedMode = 200;
+constexpr std::size_t kMaxFittedModes = 200;
 
 struct StructureParameterName {
   const char* name;
@@ -62,8 +62,8 @@ std::vector<model::MeasuredMode> measured_modes(const FrequencyFitFlags& flags, 
   measured.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t mode = flags.measured_modes.empty() ? first + i : flags.measured_modes[i];
-    if (mode < first || mode >= kMaxFittedMode) {
-      throw OptionError({"measured_modes"}, "names a mode that is not elastic, or one not below 200",
+    if (mode < first || mode - first >= kMaxFittedModes) {
+      throw OptionError({"measured_modes"}, "names a mode that is not elastic, or one after the first 200 elastic ones",
                         "use the numbers of the table");
     }
     if (i > 0 && !(flags.measured_Hz[i] > flags.measured_Hz[i - 1] && mode - first > measured.back().elastic))

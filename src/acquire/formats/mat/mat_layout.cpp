@@ -44,11 +44,33 @@ MatLayout force_layout(const MatVariable& variable, const std::string& file) {
   return {.rows = rows.size, .samples = time.size, .time_last = last, .signal = {0, rows.stride, time.stride}};
 }
 
+MatLayout response_layout(const MatVariable& variable, std::size_t hits, const std::string& file) {
+  const auto axes = axes_of(variable);
+  if (axes.empty() || variable.shape.size() > 3) refuse_shape(variable, file, "a response has up to three dimensions");
+  const auto longest =
+      std::max_element(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.size < b.size; });
+  const auto as_long = [&](const Axis& axis) { return axis.size == longest->size; };
+  if (std::count_if(axes.begin(), axes.end(), as_long) > 1)
+    refuse_shape(variable, file, "two sides are equally long, so that time is unclear");
+  MatLayout out{
+      .samples = longest->size, .time_last = variable.shape.back() == longest->size, .of_force = false, .signal = {}};
+  if (variable.shape.size() == 3) {
+    if (!out.time_last && variable.shape.front() != longest->size)
+      refuse_shape(variable, file, "time is neither the first dimension nor the last");
+    out.rows = out.time_last ? variable.shape.front() : variable.shape.back();
+  } else if (axes.size() == 2 && axes[out.time_last ? 0 : 1].size == hits) {
+    out.rows = hits;
+  }
+  return out;
+}
+
 std::vector<MatSignal> accel_layout(const MatVariable& variable, const MatLayout& force, const std::string& file) {
   std::vector<Axis> axes = axes_of(variable);
   const auto is_time = [&](const Axis& axis) { return axis.size == force.samples; };
   const auto disagree = [&] {
-    refuse_shape(variable, file, fmt::format("the force has {} hits of {} samples", force.rows, force.samples));
+    refuse_shape(variable, file,
+                 fmt::format("{} has {} hits of {} samples", force.of_force ? "the force" : "the first response",
+                             force.rows, force.samples));
   };
   // Where two dimensions are equally long, time is the same dimension as in the force.
   auto time = force.time_last ? std::find_if(axes.rbegin(), axes.rend(), is_time).base()

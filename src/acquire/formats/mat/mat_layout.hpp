@@ -14,6 +14,7 @@ struct MatSignal {
 struct MatLayout {
   std::size_t rows = 1, samples = 0;
   bool time_last = false;  // true: [hits, samples]; false: [samples, hits]
+  bool of_force = true;    // false: of the first response, where no force was recorded
   MatSignal signal;
 };
 
@@ -21,7 +22,13 @@ struct MatLayout {
 /// errors  InputError: another shape, or a square.
 MatLayout force_layout(const MatVariable& variable, const std::string& file);
 
-/// The channels of an acceleration sampled with a force of layout `force`.
+/// The layout of a response where no force was recorded: its rows and samples, and whether time is last. Its longest
+/// side is time. Three dimensions are [hits, channels, samples] or [samples, channels, hits]. Two are channels of one
+/// row, or hits if `hits` (the size of a variable with a number per hit) is the number of them.
+/// errors  InputError: another shape, or no longest side.
+MatLayout response_layout(const MatVariable& variable, std::size_t hits, const std::string& file);
+
+/// The channels of an acceleration sampled with a force (or first response) of layout `force`.
 /// errors  InputError: the sizes disagree.
 std::vector<MatSignal> accel_layout(const MatVariable& variable, const MatLayout& force, const std::string& file);
 

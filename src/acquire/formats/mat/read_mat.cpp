@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/channels/signal_table.hpp"
+#include "acquire/formats/mat/mat_description.hpp"
 #include "acquire/formats/mat/mat_layout.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
 #include "acquire/record/point_number.hpp"
@@ -78,7 +77,6 @@ void add_named_columns(MatFile& file, const ReadOptions& options) {
 // The options with the names of variables only. Other names are channels of a variable; chosen_roles applies them.
 ReadOptions variable_options(const MatFile& file, const ReadOptions& options) {
   ReadOptions out = options;
-  out.force_optional = false;  // the dimensions of the other arrays follow from the force's
   std::erase_if(out.accel_channels, [&](const auto& name) { return find_variable(file, name) == nullptr; });
   return out;
 }
@@ -92,65 +90,50 @@ struct OpenMat {
   std::vector<Source> sources;  // [signals]
 };
 
-std::vector<std::optional<double>> per_channel(const MatFile& file, const char* name, std::size_t count) {
-  std::vector<std::optional<double>> out(count);
-  const MatVariable* const given = find_variable(file, name);
-  if (given == nullptr || given->size() != count || given->is_complex()) return out;
-  for (std::size_t c = 0; c < count; ++c) {
-    if (std::isfinite(given->real[c])) out[c] = given->real[c];
-  }
-  return out;
-}
-
-int whole_number(const MatFile& file, const char* name, std::size_t row, std::size_t rows) {
-  const MatVariable* const given = find_variable(file, name);
-  if (given == nullptr || given->is_text) return 0;
-  const auto is_whole = [](double x) { return std::abs(x) <= std::numeric_limits<int>::max() && std::rint(x) == x; };
-  if (given->size() != rows || given->is_complex() || !is_whole(given->real[row])) {
-    throw InputError(fmt::format("not one whole number for each of {} hits", rows), file.path + ": " + name,
-                     "store one per hit");
-  }
-  return static_cast<int>(given->real[row]);
-}
-
-std::vector<std::vector<double>> geometry_in(const MatFile& file) {
-  const MatVariable* const given = real_matrix(file, "geometry");
-  if (given == nullptr || given->shape[1] < 2 || given->shape[1] > 3) return {};
-  std::vector<std::vector<double>> out(given->shape[0]);
-  for (std::size_t i = 0; i < given->size(); ++i) out[i % out.size()].push_back(given->real[i]);
-  return out;
-}
-
-std::vector<TraceLine> trace_lines_in(const MatFile& file, std::size_t points) {
-  const MatVariable* const given = real_matrix(file, "trace_lines");
-  if (given == nullptr || given->shape[1] != 2) return {};
-  std::vector<double> numbers;
-  const std::size_t lines = given->shape[0];
-  for (std::size_t i = 0; i < lines; ++i) numbers.insert(numbers.end(), {given->real[i], given->real[lines + i]});
-  return trace_lines_of(numbers, points, file.path + ": trace_lines");
-}
-
-// Unreadable trace lines do not make the file an error: another program may use the name for something else.
-void take_trace_lines(const MatFile& file, SignalTable& table) {
-  try {
-    table.trace_lines = trace_lines_in(file, table.geometry.size());
-  } catch (const InputError&) {
-    table.notes.emplace_back("trace_lines is not used: it refers to points without geometry");
-  }
-}
-
 void require_real(const MatVariable& variable, const std::string& file) {
   if (variable.is_complex())
     throw InputError(one_line(variable.name, 63) + " is complex", file, "save the samples of a record as real numbers");
 }
 
-// Signal 0 is the force; the channels of each acceleration follow.
-void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index, SignalTable& table) {
-  const MatVariable& force = open.file.variables[index[roles.force]];
-  require_real(force, open.file.path);
-  const MatLayout layout = force_layout(force, open.file.path);
-  std::vector<TableSignal> signals{table.signals[roles.force]};
-  open.sources.push_back({index[roles.force], layout.signal});
+// The layout of a record without a force. One of several channels without a name that says what they measure could be
+// the force.
+MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index,
+                               const ReadOptions& options, SignalTable& table) {
+  const MatVariable& first = open.file.variables[index[roles.accel.front()]];
+  const TableSignal& signal = table.signals[roles.accel.front()];
+  const MatLayout layout = response_layout(first, stated_hits(open.file), open.file.path);
+  const bool one_row = first.shape.size() == 2 && layout.rows == 1 && first.size() > layout.samples;
+  if (!one_row) return layout;
+  const auto unit = parse_unit(signal.unit.empty() ? split_name(signal.name).unit : signal.unit);
+  const bool measures_response =
+      unit && (unit->quantity == Quantity::acceleration || unit->quantity == Quantity::pressure);
+  const bool named = !options.accel_channels.empty() || !options.setup.empty();
+  if (!named && !measures_response && quantity_named(signal.name) != Quantity::acceleration) {
+    throw InputError(fmt::format("one of the channels of {} ({}) could be the force", one_line(first.name, 40),
+                                 shape_name(first.shape)),
+                     open.file.path, "name the force, such as " + one_line(first.name, 40) + "(:,1), or the accelerations",
+                     {"force_channel", "accel_channel"});
+  }
+  table.notes.emplace_back(fmt::format("{} is {}: taken as {} channels of one row", one_line(first.name, 40),
+                                       shape_name(first.shape), first.size() / layout.samples));
+  return layout;
+}
+
+// Signal 0 is the force, if there is one; the channels of each acceleration follow.
+void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index, const ReadOptions& options,
+             SignalTable& table) {
+  std::vector<TableSignal> signals;
+  MatLayout layout;
+  if (roles.has_force) {
+    const MatVariable& force = open.file.variables[index[roles.force]];
+    require_real(force, open.file.path);
+    layout = force_layout(force, open.file.path);
+    signals.push_back(table.signals[roles.force]);
+    open.sources.push_back({index[roles.force], layout.signal});
+  } else {
+    layout = layout_without_force(open, roles, index, options, table);
+  }
+  const std::size_t first_accel = signals.size();
   for (const std::size_t role : roles.accel) {
     const MatVariable& variable = open.file.variables[index[role]];
     require_real(variable, open.file.path);
@@ -164,12 +147,12 @@ void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::siz
       open.sources.push_back({index[role], channels[c]});
     }
   }
-  const std::size_t accels = signals.size() - 1;
+  const std::size_t accels = signals.size() - first_accel;
   const auto angle_deg = per_channel(open.file, "angle_deg", accels);
   const auto position_m = per_channel(open.file, "position_m", accels);
   for (std::size_t c = 0; c < accels; ++c) {
-    if (angle_deg[c]) signals[c + 1].angle_rad = *angle_deg[c] * kDegree_rad;
-    signals[c + 1].position_m = position_m[c];
+    if (angle_deg[c]) signals[first_accel + c].angle_rad = *angle_deg[c] * kDegree_rad;
+    signals[first_accel + c].position_m = position_m[c];
   }
   table.signals = std::move(signals);
   for (std::size_t row = 0; row < layout.rows; ++row) {
@@ -183,11 +166,12 @@ void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::siz
 
 // The accelerations to read: the channels that the options name or number ("accel 2", "2"). If the options name
 // nothing, or only variables: all channels that the set-up does not ignore.
-SignalRoles chosen_roles(const SignalTable& table, const MatFile& file, const ReadOptions& options) {
-  SignalRoles roles;
+SignalRoles chosen_roles(const SignalTable& table, const MatFile& file, const ReadOptions& options, bool has_force) {
+  SignalRoles roles{.has_force = has_force, .accel = {}};
+  const std::size_t first = has_force ? 1 : 0;
   const bool variables_only = std::all_of(options.accel_channels.begin(), options.accel_channels.end(),
                                           [&](const auto& name) { return find_variable(file, name) != nullptr; });
-  for (std::size_t i = 1; i < table.signals.size(); ++i) {
+  for (std::size_t i = first; i < table.signals.size(); ++i) {
     const auto ignored = [&](const ChannelSetup& s) {
       return s.role == "ignore" && lower_case(s.name) == lower_case(table.signals[i].name);
     };
@@ -196,13 +180,14 @@ SignalRoles chosen_roles(const SignalTable& table, const MatFile& file, const Re
   }
   for (const std::string& name : options.accel_channels) {
     if (variables_only) break;
-    std::size_t found = 0;
-    for (std::size_t i = 1; i < table.signals.size(); ++i) {
-      if (lower_case(table.signals[i].name) == lower_case(name) || name == std::to_string(i)) found = i;
+    std::size_t found = table.signals.size();
+    for (std::size_t i = first; i < table.signals.size(); ++i) {
+      if (lower_case(table.signals[i].name) == lower_case(name) || name == std::to_string(i + 1 - first)) found = i;
     }
-    if (found == 0 || std::find(roles.accel.begin(), roles.accel.end(), found) != roles.accel.end()) {
+    if (found == table.signals.size() ||
+        std::find(roles.accel.begin(), roles.accel.end(), found) != roles.accel.end()) {
       throw InputError(fmt::format("channel \"{}\" does not exist or is requested twice, among {} channels",
-                                   one_line(name, 40), table.signals.size() - 1),
+                                   one_line(name, 40), table.signals.size() - first),
                        file.path, "give 1 for the first channel, or a channel's name");
     }
     roles.accel.push_back(found);
@@ -229,10 +214,10 @@ Record open_mat(MatFile file, const ReadOptions& options) {
     throw InputError("no sampling rate among the variables", open->file.path, "state it in Hz, or name its variable",
                      {"fs"});
   }
-  lay_out(*open, variables, index, table);
+  lay_out(*open, variables, index, options, table);
   table.geometry = geometry_in(open->file);
   take_trace_lines(open->file, table);
-  const SignalRoles roles = chosen_roles(table, open->file, options);
+  const SignalRoles roles = chosen_roles(table, open->file, options, variables.has_force);
   std::vector<bool> used(open->file.variables.size(), false);
   for (const auto& source : open->sources) used[source.variable] = true;
   for (std::size_t v = 0; v < used.size(); ++v) {

@@ -44,12 +44,15 @@ SignalInfo describe_force(const CsvColumn& column, const ReadOptions& options, c
   return signal;
 }
 
-SignalInfo describe_accel(const CsvColumn& column, const ReadOptions& options, std::size_t index, std::size_t count,
+SignalInfo describe_accel(const CsvColumns& columns, const ReadOptions& options, std::size_t index,
                           const std::string& file, std::vector<Message>& notes) {
+  const CsvColumn& column = columns.accel[index];
+  const std::size_t count = columns.accel.size();
   SignalInfo signal{.name = column.name, .unit = column.unit};
   const SignalOverrides choice = accel_overrides(options, setup_of(column, options), index, count);
   const bool assumed = column.unit.empty() && choice.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI;
-  apply_overrides(signal, choice, Quantity::acceleration, file + ": column " + column.name);
+  apply_overrides(signal, choice, response_quantity(signal, choice, columns.has_force),
+                  file + ": column " + column.name);
   if (assumed) {
     signal.unit = "m/s^2";
     signal.unit_assumed = true;
@@ -68,7 +71,7 @@ void describe_signals(const CsvColumns& columns, const ReadOptions& options, Ope
     open.force_to_N = record.force.to_SI;
   }
   for (std::size_t c = 0; c < columns.accel.size(); ++c) {
-    record.accel.push_back(describe_accel(columns.accel[c], options, c, columns.accel.size(), file, record.notes));
+    record.accel.push_back(describe_accel(columns, options, c, file, record.notes));
     open.accel_columns.push_back(columns.accel[c].index);
     open.accel_to_mps2.push_back(record.accel.back().to_SI);
   }

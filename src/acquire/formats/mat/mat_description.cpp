@@ -1,0 +1,71 @@
+#include "acquire/formats/mat/mat_description.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "acquire/formats/mat/mat_rate.hpp"
+#include "core/error.hpp"
+
+namespace percuss::acquire {
+
+std::vector<std::optional<double>> per_channel(const MatFile& file, const char* name, std::size_t count) {
+  std::vector<std::optional<double>> out(count);
+  const MatVariable* const given = find_variable(file, name);
+  if (given == nullptr || given->size() != count || given->is_complex()) return out;
+  for (std::size_t c = 0; c < count; ++c) {
+    if (std::isfinite(given->real[c])) out[c] = given->real[c];
+  }
+  return out;
+}
+
+int whole_number(const MatFile& file, const char* name, std::size_t row, std::size_t rows) {
+  const MatVariable* const given = find_variable(file, name);
+  if (given == nullptr || given->is_text) return 0;
+  const auto is_whole = [](double x) { return std::abs(x) <= std::numeric_limits<int>::max() && std::rint(x) == x; };
+  if (given->size() != rows || given->is_complex() || !is_whole(given->real[row])) {
+    throw InputError(fmt::format("not one whole number for each of {} hits", rows), file.path + ": " + name,
+                     "store one per hit");
+  }
+  return static_cast<int>(given->real[row]);
+}
+
+std::vector<std::vector<double>> geometry_in(const MatFile& file) {
+  const MatVariable* const given = real_matrix(file, "geometry");
+  if (given == nullptr || given->shape[1] < 2 || given->shape[1] > 3) return {};
+  std::vector<std::vector<double>> out(given->shape[0]);
+  for (std::size_t i = 0; i < given->size(); ++i) out[i % out.size()].push_back(given->real[i]);
+  return out;
+}
+
+namespace {
+
+std::vector<TraceLine> trace_lines_in(const MatFile& file, std::size_t points) {
+  const MatVariable* const given = real_matrix(file, "trace_lines");
+  if (given == nullptr || given->shape[1] != 2) return {};
+  std::vector<double> numbers;
+  const std::size_t lines = given->shape[0];
+  for (std::size_t i = 0; i < lines; ++i) numbers.insert(numbers.end(), {given->real[i], given->real[lines + i]});
+  return trace_lines_of(numbers, points, file.path + ": trace_lines");
+}
+
+}  // namespace
+
+void take_trace_lines(const MatFile& file, SignalTable& table) {
+  try {
+    table.trace_lines = trace_lines_in(file, table.geometry.size());
+  } catch (const InputError&) {
+    table.notes.emplace_back("trace_lines is not used: it refers to points without geometry");
+  }
+}
+
+std::size_t stated_hits(const MatFile& file) {
+  for (const char* name : {"point", "run"}) {
+    const MatVariable* const given = find_variable(file, name);
+    if (given != nullptr && !given->is_text) return given->size();
+  }
+  return 0;
+}
+
+}  // namespace percuss::acquire

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "acquire/channels/signal_table.hpp"
+#include "acquire/formats/mat/mat_file.hpp"
+
+namespace percuss::acquire {
+
+/// The numbers of a variable with one per channel; nothing for others.
+std::vector<std::optional<double>> per_channel(const MatFile& file, const char* name, std::size_t count);
+
+/// The row's number in a variable with a whole number per hit; 0 where there is none.
+/// errors  InputError: another number of values, or one that is not whole.
+int whole_number(const MatFile& file, const char* name, std::size_t row, std::size_t rows);
+
+/// The hits that a variable with a number per hit states; 0 for none.
+std::size_t stated_hits(const MatFile& file);
+
+std::vector<std::vector<double>> geometry_in(const MatFile& file);
+
+/// Takes the lines between points. Unreadable ones do not make the file an error: another program may use the name for
+/// something else.
+void take_trace_lines(const MatFile& file, SignalTable& table);
+
+}  // namespace percuss::acquire

@@ -1,0 +1,30 @@
+#include "model/section/profile_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace percuss::model {
+
+std::optional<ProfileWarning> profile_warning(const SectionTable& table, const std::vector<double>& freq_Hz,
+                                              const std::vector<double>& other_Hz, std::size_t first_mode) {
+  if (freq_Hz.empty() || table.kind != ProfileKind::slices) return {};
+  double largest = 0;
+  std::size_t mode = 0;
+  for (std::size_t i = 0; i < std::min(freq_Hz.size(), other_Hz.size()); ++i) {
+    const double relative = other_Hz[i] / freq_Hz[i] - 1;
+    if (std::abs(relative) <= std::abs(largest)) continue;
+    largest = relative;
+    mode = i;
+  }
+  const std::string remedy = "if the table holds measured points, say so";
+  const std::string message = fmt::format(
+      "slices are up to {:.1f} % of the length long; with linear dimensions between the positions mode {} "
+      "would be {:.1f} Hz, not {:.1f} Hz ({:+.1f} %); {}",
+      100 * table.longest_fraction(), first_mode + mode, other_Hz[mode], freq_Hz[mode], 100 * largest, remedy);
+  return ProfileWarning{
+      .code = "long_slices", .message = message, .remedy = remedy, .options = {"profile_kind"}, .value = largest};
+}
+
+}  // namespace percuss::model

@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+#include "model/section/section_table.hpp"
+
+namespace percuss::model {
+
+/// A limit of a model's frequencies: how its table of sections was read.
+struct ProfileWarning {
+  std::string code, message;  // the message ends with the remedy
+  std::string remedy;
+  std::vector<OptionId> options;
+  double value = 0;  // largest relative difference of a frequency
+};
+
+/// The codes of profile warnings, all with the severity warn. docs/reference/warnings.md has a row for each.
+inline constexpr std::string_view kProfileWarningCodes[] = {"long_slices"};
+
+/// A table was read as slices, and reading it as points changes its frequencies: `other_Hz` in place of `freq_Hz`, of
+/// elastic modes, the first numbered `first_mode`. Nothing for a table of points.
+std::optional<ProfileWarning> profile_warning(const SectionTable& table, const std::vector<double>& freq_Hz,
+                                              const std::vector<double>& other_Hz, std::size_t first_mode);
+
+}  // namespace percuss::model
