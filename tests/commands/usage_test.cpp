@@ -148,7 +148,8 @@ TEST(Usage, NamesTheOptionsOfTheRemedy) {
         "with a unit (in, m, mm, cm, ft), such as 3:0.25:9in; without a unit, inches"},
        {{"synth"}, "no spec is given; name a JSON file, a preset, or - for standard input (see percuss synth --list)"},
        {{"study"},
-        "no table is given; name a table of bats, or analyses that name their bat (see percuss analyze --bat-id)"}});
+        "no table is given; name a table of bats, or documents of analyze, metrics, certify or abi that name their bat "
+        "(see percuss analyze --bat-id)"}});
 }
 
 // "--" ends the options, so that the name of a file may look like one.
