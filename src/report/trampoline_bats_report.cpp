@@ -77,15 +77,15 @@ ChartCurve trampoline_bats_curve(const BatsBesideModel& beside) {
 
 std::string trampoline_bats_csv(const std::vector<NumericColumn>& curve, const std::vector<NumericColumn>& at_bats,
                                 const BatsBesideModel& beside, CsvFormulas formulas) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
   const std::size_t points = curve.front().values.size(), bats = beside.bats.size();
   std::vector<NumericColumn> columns = curve;
   for (NumericColumn& column : columns) {
     const auto same =
         std::find_if(at_bats.begin(), at_bats.end(), [&](const auto& c) { return c.name == column.name; });
-    for (std::size_t i = 0; i < bats; ++i) column.values.push_back(same == at_bats.end() ? kNone : same->values[i]);
+    for (std::size_t i = 0; i < bats; ++i) column.values.push_back(same == at_bats.end() ? kAbsent : same->values[i]);
   }
-  NumericColumn bbcor{.name = "bbcor", .values = std::vector<double>(points, kNone)}, difference = bbcor;
+  NumericColumn bbcor{.name = "bbcor", .values = std::vector<double>(points, kAbsent)}, difference = bbcor;
   difference.name = "difference";
   for (std::size_t i = 0; i < bats; ++i) {
     bbcor.values.push_back(beside.bats[i].bbcor);
