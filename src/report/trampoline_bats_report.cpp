@@ -96,7 +96,7 @@ std::string trampoline_bats_csv(const std::vector<NumericColumn>& curve, const s
   const std::string numbers = numeric_csv(columns);
   std::string out;
   for (std::size_t row = 0, from = 0; from < numbers.size(); ++row) {
-    const std::size_t end = numbers.find('\n', from);
+    const std::size_t end = std::min(numbers.find('\n', from), numbers.size());
     out += numbers.substr(from, end - from);
     out += row == 0 ? ",bat" : row <= points ? "," : "," + csv_cell(beside.bats[row - 1 - points].id, formulas);
     out += '\n';

@@ -62,7 +62,8 @@ TEST(OptionUnits, RefuseUnitsOfAnotherKindAndValuesOutsideTheLimits) {
     EXPECT_EQ(run_percuss({"metrics", "--length-in", length}).code, 2) << length;
   for (const char* range : {"0:1:12kg", "0:1:12 furlongs", "0in:1in:12in"})
     EXPECT_EQ(run_percuss({"model", "rigid", "--at", range}).code, 2) << range;
-  EXPECT_EQ(run_percuss({"model", "trampoline", "--hoop", "100:100:1000in"}).code, 2);
+  for (const char* hoop : {"100:100:1000in", "1000:500:2000.0.5", "100:100:300d1", "100:100:1000 "})
+    EXPECT_EQ(run_percuss({"model", "trampoline", "--hoop", hoop}).code, 2) << hoop;
 }
 
 }  // namespace percuss::option_units_test

@@ -50,8 +50,9 @@ RangeText parse_range_with_unit(const OptionId& option, const std::string& text,
 Range parse_range(const OptionId& option, const std::string& text, RangeForm form, std::string_view placeholder) {
   auto [range, unit] = parse_range_with_unit(option, text, kForm, form);
   if (unit.empty()) return range;
-  const ParsedNumber factor = parse_number(in_option_unit("1" + std::string(unit), placeholder), false);
-  if (factor.problem != NumberProblem::none)
+  const std::string one = "1" + std::string(unit), converted = in_option_unit(one, placeholder);
+  const ParsedNumber factor = parse_number(converted, false);
+  if (converted == one || factor.problem != NumberProblem::none)
     throw OptionError::wrong_value(option, text, kForm, "something follows the numbers");
   range.low *= factor.value;
   range.step *= factor.value;

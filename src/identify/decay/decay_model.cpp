@@ -103,7 +103,11 @@ void DecayModel::unsettle_near(const DecayRate& rate) {
   const auto [first, last] = window_of(rate, *measured_, {});
   for (FittedDecay& mode : modes_) {
     const auto [low, high] = window_of(mode.rate, *measured_, {});
-    if (low < last && first < high) mode.settled.reset();
+    if (low < last && first < high) {
+      mode.settled.reset();
+    } else if (mode.settled) {
+      mode.settled = DecayAccuracy::rough;  // the final fit follows even the changes far away
+    }
   }
 }
 
@@ -200,8 +204,11 @@ bool DecayModel::fit_unsettled(const std::vector<std::size_t>& members, const De
     for (const DecayRate& rate : before) unsettle_near(rate);
     for (const std::size_t m : members) unsettle_near(modes_[m].rate);
   }
-  for (const std::size_t m : members) modes_[m].settled = windows.accuracy;
-  return still;
+  const bool converged = modes_[members.front()].converged;
+  for (const std::size_t m : members) {
+    if (converged) modes_[m].settled = windows.accuracy;
+  }
+  return still && converged;
 }
 
 void DecayModel::fit(int sweeps, const DecayWindows& windows) {

@@ -12,7 +12,7 @@
 namespace percuss::identify {
 namespace {
 
-constexpr int kMaxSearches = 40;
+constexpr int kMaxSearches = 40, kMaxRounds = 4;
 constexpr std::size_t kMaxDecays = 200;
 constexpr DecayWindows kSearchWindows{
     .half_power_bandwidths = 8, .lines = 30, .max_lines = 1000, .accuracy = DecayAccuracy::rough};
@@ -169,21 +169,31 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
   for (const DecayRate& rate : options.initial) model.add(rate);
   model.fit(kSearchSweeps, kSearchWindows);
   if (!options.initial.empty()) drop_unconfirmed();
-  const int searches = options.search ? kMaxSearches : 0;
-  for (int search = 0; search < searches && model.modes().size() < kMaxDecays; ++search) {
-    const auto found = strongest_decays(model.residual(), out.noise, limits);
-    if (found.empty()) break;
-    for (const DecayCandidate& one : found) model.add(one.rate);
-    model.fit(kSearchSweeps, kSearchWindows);
-    const std::size_t before = model.modes().size() - found.size();
-    drop_unconfirmed();
-    if (model.modes().size() > before) limits.refused.clear();  // a better model may confirm them
-    for (const DecayCandidate& one : found) {
-      if (!is_modelled(one.rate, model, measured)) limits.refused.push_back(one.rate);
+  const auto search_residual = [&] {
+    for (int search = 0; search < kMaxSearches && model.modes().size() < kMaxDecays; ++search) {
+      const auto found = strongest_decays(model.residual(), out.noise, limits);
+      if (found.empty()) break;
+      for (const DecayCandidate& one : found) model.add(one.rate);
+      model.fit(kSearchSweeps, kSearchWindows);
+      const std::size_t before = model.modes().size() - found.size();
+      drop_unconfirmed();
+      if (model.modes().size() > before) limits.refused.clear();  // a better model may confirm them
+      for (const DecayCandidate& one : found) {
+        if (!is_modelled(one.rate, model, measured)) limits.refused.push_back(one.rate);
+      }
     }
+  };
+  // The rough fits of a search refuse some decays that a full fit of the others reveals: the residual is searched
+  // again.
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const std::size_t before = model.modes().size();
+    if (options.search) search_residual();
+    if (round > 0 && model.modes().size() <= before) break;
+    model.fit(kFinalSweeps, {});
+    drop_unconfirmed();
+    limits.refused.clear();
+    if (!options.search) break;
   }
-  model.fit(kFinalSweeps, {});
-  drop_unconfirmed();
   for (std::size_t m = 0; options.search && measured.hits > 1 && m < model.modes().size(); ++m) {
     if (auto alone = without_imitations(model, m, measured, out.noise, energies(model, measured, out.noise)))
       model = std::move(*alone);

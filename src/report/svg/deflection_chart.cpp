@@ -84,7 +84,7 @@ std::optional<LineChart> deflection_over_position(const pipeline::Analysis& anal
                   .curves = {}};
   for (std::size_t channel = 0; channel < analysis.record().accel.size(); ++channel) {
     ChartCurve mean{.name = channel_name(analysis, channel), .marks = true};
-    ChartBand band{.style = channel};
+    ChartBand band{.style = chart.curves.size()};
     for (const pipeline::PointDeflection& point : test.points) {
       if (point.channel != channel || !point.position_m || std::isnan(point.peak_m)) continue;
       mean.x.push_back(*point.position_m);

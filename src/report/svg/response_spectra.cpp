@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "core/error.hpp"
+#include "core/math/complex.hpp"
 #include "core/math/fft.hpp"
-#include "core/units.hpp"
+#include "identify/decay/decay_spectra.hpp"
 
 namespace percuss::report {
 namespace {
@@ -37,33 +38,6 @@ DecayLines lines_of(const pipeline::ResponseTest& test) {
   return out;
 }
 
-// Σ z^n over the samples of a decay, for the ratio z of one sample to the one before.
-Complex geometric_sum(Complex ratio, std::size_t samples) {
-  const Complex rest = 1.0 - ratio;
-  if (std::abs(rest) < 1e-12) return static_cast<double>(samples);
-  return (1.0 - std::pow(ratio, static_cast<double>(samples))) / rest;
-}
-
-// The transforms of Re exp(st) and Re j exp(st), sampled from t = 0 on: those of a decay with amplitude a + jb are
-// a times the first plus b times the second.
-struct DecayColumns {
-  std::vector<Complex> of_real, of_imaginary;
-};
-
-DecayColumns columns_of(const identify::Pole& pole, double fs_Hz, const DecayLines& lines) {
-  const double omega = kTwoPi * pole.freq_Hz, zeta = pole.damping_ratio;
-  const Complex s(-zeta * omega, omega * std::sqrt(std::max(0.0, 1 - zeta * zeta)));
-  DecayColumns out;
-  for (std::size_t i = 0; i < lines.count; ++i) {
-    const Complex line(0, kTwoPi * lines.freq_Hz(i));
-    const Complex here = geometric_sum(std::exp((s - line) / fs_Hz), lines.samples);
-    const Complex mirrored = geometric_sum(std::exp((std::conj(s) - line) / fs_Hz), lines.samples);
-    out.of_real.push_back((here + mirrored) / 2.0);
-    out.of_imaginary.push_back(Complex(0, 0.5) * (here - mirrored));
-  }
-  return out;
-}
-
 std::vector<double> decibels(const std::vector<double>& power, double largest) {
   std::vector<double> out;
   for (const double one : power) out.push_back(std::max(kFloor_dB, 10 * std::log10(std::max(one / largest, 1e-300))));
@@ -82,19 +56,23 @@ std::vector<double> measured_power(const pipeline::ResponseTest& test, const Dec
   return out;
 }
 
-std::vector<double> fitted_power(const std::vector<const identify::DecayMode*>& modes,
-                                 const std::vector<DecayColumns>& columns, std::size_t lines, std::size_t channel) {
-  std::vector<double> out(lines, 0);
-  for (std::size_t h = 0; h < modes.front()->hits.size(); ++h) {
-    std::vector<Complex> sum(lines, 0.0);
-    for (std::size_t m = 0; m < modes.size(); ++m) {
-      const Complex amplitude = modes[m]->hits[h].value * modes[m]->mode.residues[channel].value;
-      for (std::size_t i = 0; i < lines; ++i)
-        sum[i] += amplitude.real() * columns[m].of_real[i] + amplitude.imag() * columns[m].of_imaginary[i];
+// Σ|X|² of the fitted modes over the hits. One mode at a time, since all columns of many modes would not fit in memory.
+std::vector<double> fitted_power(const std::vector<const identify::DecayMode*>& modes, double fs_Hz,
+                                 const DecayLines& lines, std::size_t channel) {
+  const identify::DecaySpectra spectra{.fs_Hz = fs_Hz, .samples = lines.samples, .lines = {}};
+  const auto count = static_cast<Eigen::Index>(lines.count);
+  const auto hits = static_cast<Eigen::Index>(modes.front()->hits.size());
+  Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(count, hits);
+  for (const identify::DecayMode* one : modes) {
+    const auto columns =
+        identify::decay_values(identify::decay_rate_of(one->mode.pole), spectra, lines.first, lines.count);
+    for (Eigen::Index h = 0; h < hits; ++h) {
+      const Complex amplitude = one->hits[static_cast<std::size_t>(h)].value * one->mode.residues[channel].value;
+      sum.col(h) += amplitude.real() * columns.col(0) + amplitude.imag() * columns.col(1);
     }
-    for (std::size_t i = 0; i < lines; ++i) out[i] += std::norm(sum[i]);
   }
-  return out;
+  const Eigen::VectorXd power = sum.rowwise().squaredNorm();
+  return {power.data(), power.data() + power.size()};
 }
 
 }  // namespace
@@ -111,8 +89,6 @@ std::vector<LineChart> response_spectra(const pipeline::ResponseTest& test) {
   std::vector<const identify::DecayMode*> modes;
   for (const auto* found : {&test.found.modes, &test.found.tones})
     for (const identify::DecayMode& one : *found) modes.push_back(&one);
-  std::vector<DecayColumns> columns;
-  for (const identify::DecayMode* one : modes) columns.push_back(columns_of(one->mode.pole, test.record.fs_Hz, lines));
   std::vector<double> freq_Hz;
   for (std::size_t i = 0; i < lines.count; ++i) freq_Hz.push_back(lines.freq_Hz(i));
   std::vector<LineChart> out;
@@ -125,7 +101,7 @@ std::vector<LineChart> response_spectra(const pipeline::ResponseTest& test) {
                     .y = {.label = "spectrum, dB below its largest line"},
                     .curves = {}};
     chart.curves.push_back({"measured", freq_Hz, decibels(measured, largest)});
-    chart.curves.push_back({"fit", freq_Hz, decibels(fitted_power(modes, columns, lines.count, c), largest)});
+    chart.curves.push_back({"fit", freq_Hz, decibels(fitted_power(modes, test.record.fs_Hz, lines, c), largest)});
     out.push_back(std::move(chart));
   }
   return out;

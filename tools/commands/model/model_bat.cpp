@@ -8,12 +8,13 @@
 #include "commands/model/model_commands.hpp"
 #include "commands/model/structure_flags.hpp"
 #include "core/error.hpp"
-#include "metrics/protocol/performance.hpp"
 #include "report/bat_report.hpp"
 #include "report/beam_report.hpp"
 
 namespace percuss::tools {
 namespace {
+
+constexpr double kHeldAt_m = 0.1524;  // 6 in: the pivot of bat tests, and the default of percuss::BatProfile
 
 constexpr std::size_t kBatSteps = 60;
 constexpr std::size_t kMaxBatModes = 200;
@@ -59,7 +60,7 @@ model::StructureSupport support_of_bat(const BatFlags& flags, double length_m) {
     if (flags.support_m)
       throw OptionError({"support_at"}, "needs a support, and the bat is free", "choose one", {"support"});
   } else {
-    support.at_m = flags.support_m.value_or(metrics::kPivot_m);
+    support.at_m = flags.support_m.value_or(kHeldAt_m);
     if (!(support.at_m <= length_m))
       throw OptionError({"support_at"}, "is off the bat", "give a position from the knob in m");
   }

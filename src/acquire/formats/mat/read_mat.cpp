@@ -111,7 +111,7 @@ MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const st
   if (!named && !measures_response && quantity_named(signal.name) != Quantity::acceleration) {
     throw InputError(fmt::format("one of the channels of {} ({}) could be the force", one_line(first.name, 40),
                                  shape_name(first.shape)),
-                     open.file.path, "name the force, such as " + one_line(first.name, 40) + "(:,1), or the accelerations",
+                     open.file.path, "name all of it as accelerations, or save the force as a variable of its own",
                      {"force_channel", "accel_channel"});
   }
   table.notes.emplace_back(fmt::format("{} is {}: taken as {} channels of one row", one_line(first.name, 40),
