@@ -1,6 +1,6 @@
 # Runs after the tests are linked. Writes LIST, in which every suite of EXECUTABLE is one test of CTest. The limit of a
-# suite is twenty minutes. The longest suite takes under a minute alone, and twenty times as long with the thread sanitizer on a busy
-# machine.
+# suite is twenty minutes. The longest suite takes about a minute alone, and ten times as long with the address sanitizer
+# on a busy machine.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${EXECUTABLE} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "\n[^ \n]+\\.[^\n]*" suites "${listed}")  # a suite ends in a dot; its tests are indented

@@ -106,7 +106,7 @@ void DecayModel::unsettle_near(const DecayRate& rate) {
     if (low < last && first < high) {
       mode.settled.reset();
     } else if (mode.settled) {
-      mode.settled = DecayAccuracy::rough;  // the final fit follows even the changes far away
+      mode.settled = DecayAccuracy::rough;  // a full fit must follow even a change far away
     }
   }
 }
@@ -196,8 +196,8 @@ bool DecayModel::fit_unsettled(const std::vector<std::size_t>& members, const De
     const FittedDecay& mode = modes_[members[i]];
     still = still && is_still(mode, mode.rate.rate_radps - before[i].rate_radps);
   }
-  // The other groups are fitted after subtraction of these modes, so they must be fitted again. A search only repeats
-  // the fits nearby.
+  // These modes are subtracted from the data of the other groups, which must be fitted again. A search repeats only the
+  // fits nearby.
   if (!still && windows.accuracy == DecayAccuracy::full) {
     for (FittedDecay& mode : modes_) mode.settled.reset();
   } else if (!still) {
@@ -205,9 +205,7 @@ bool DecayModel::fit_unsettled(const std::vector<std::size_t>& members, const De
     for (const std::size_t m : members) unsettle_near(modes_[m].rate);
   }
   const bool converged = modes_[members.front()].converged;
-  for (const std::size_t m : members) {
-    if (converged) modes_[m].settled = windows.accuracy;
-  }
+  for (const std::size_t m : members) modes_[m].settled = converged ? std::optional(windows.accuracy) : std::nullopt;
   return still && converged;
 }
 

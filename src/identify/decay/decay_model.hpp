@@ -28,7 +28,7 @@ struct FittedDecay {
   std::vector<Eigen::Matrix2d> hit_covariance;
   double misfit = 1;
   bool converged = false;
-  std::optional<DecayAccuracy> settled;  // of the fit after which nothing changed nearby
+  std::optional<DecayAccuracy> settled;  // accuracy of the last fit; none: a mode nearby changed since, or it failed
 };
 
 /// Decays fitted to spectra, group by group: modes whose windows overlap are fitted together, at most eight, and the
@@ -47,7 +47,7 @@ class DecayModel {
   DecaySpectra residual() const;
 
  private:
-  /// Whether the group's rates stood still.
+  /// Fits a group. Returns whether the fit converged and the rates stood still.
   bool fit_unsettled(const std::vector<std::size_t>& members, const DecayWindows& windows);
   void unsettle_near(const DecayRate& rate);
   bool is_settled(const std::vector<std::size_t>& members, DecayAccuracy accuracy) const;

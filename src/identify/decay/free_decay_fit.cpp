@@ -24,8 +24,10 @@ constexpr double kScatterShare = 0.9;  // of what a second pole explains
 constexpr std::size_t kPairPlaces = 10;
 constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
 // Energy over the energy of a decay within its bandwidth: a weaker one is misfit. In a single spectrum no other shape
-// tells a weak mode from a stronger one whose frequency or damping changes while it decays.
+// tells a weak mode from a stronger one whose frequency or damping changes while it decays. The misfit is about as wide
+// as the mode: a peak far narrower is no misfit of a broad background.
 constexpr double kMimics = 1e-3, kMimicsAlone = 0.1;
+constexpr double kNarrowest = 0.1;  // decay rate of a misfit over that of the mode
 
 std::size_t line_of(const FittedDecay& mode, const DecaySpectra& of) {
   const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz());
@@ -51,13 +53,18 @@ std::vector<double> energies(const DecayModel& model, const DecaySpectra& of, co
   return out;
 }
 
+// Whether a weak decay may be the misfit of a stronger one.
+bool may_be_misfit(const DecayRate& weak, const DecayRate& strong) {
+  return overlap(weak, strong) && weak.rate_radps.real() < kNarrowest * strong.rate_radps.real();
+}
+
 // The index of a decay to leave out; the number of decays where all stay.
 std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& energy, double threshold, double mimics) {
   const auto& modes = model.modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (!(energy[m] >= threshold)) return m;
     for (std::size_t other = 0; other < modes.size(); ++other) {
-      if (other != m && energy[m] < mimics * energy[other] && overlap(modes[m].rate, modes[other].rate)) return m;
+      if (other != m && energy[m] < mimics * energy[other] && may_be_misfit(modes[m].rate, modes[other].rate)) return m;
     }
   }
   return modes.size();
