@@ -12,11 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/sanitized.hpp"
+
 namespace percuss {
 inline namespace core {
 namespace {
 
-constexpr double kMinTime_s = 120, kTimePerByte_s = 2e-6;
+constexpr double kMinTime_s = 120 * kSlowness, kTimePerByte_s = 2e-6 * kSlowness;
 constexpr std::uint64_t kMinMemory_bytes = std::uint64_t{2} << 30U, kMemoryPerByte = 16;
 constexpr std::uint64_t kMaxMemory_bytes = std::uint64_t{1} << 48U;  // a larger budget means no limit
 constexpr double kMemoryInterval_s = 0.01;                           // one measurement takes about 2 µs

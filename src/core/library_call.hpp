@@ -8,7 +8,8 @@ inline namespace core {
 /// command-line tool turns such a crash into its message for missing memory.
 class LibraryCall {
  public:
-  /// Checks that `bytes` are available on this thread's heap, so that the library hardly ever runs out.
+  /// Checks that `bytes` are available on this thread's heap, so that the library hardly ever runs out. Checks nothing
+  /// where the system refuses no allocation.
   /// errors  std::bad_alloc
   explicit LibraryCall(std::size_t bytes);
   LibraryCall() noexcept;  // without the check, for destructors

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/parallel/parallel.hpp"
+#include "core/sanitized.hpp"
 
 namespace percuss::budget_test {
 
@@ -26,9 +27,9 @@ Resource spent_by(BudgetMeter& meter, const Work& work) {
 }
 
 TEST(Budget, IsAtLeastTwoMinutesAndTwoGibibytesAndGrowsWithTheInput) {
-  EXPECT_EQ(default_budget(0).time_s, 120);
+  EXPECT_EQ(default_budget(0).time_s, 120 * kSlowness);
   EXPECT_EQ(default_budget(0).memory_bytes, std::uint64_t{1} << 31U);
-  EXPECT_EQ(default_budget(100'000'000).time_s, 320);
+  EXPECT_EQ(default_budget(100'000'000).time_s, 320 * kSlowness);
   EXPECT_EQ(default_budget(100'000'000).memory_bytes, (std::uint64_t{1} << 31U) + 1'600'000'000);
 }
 

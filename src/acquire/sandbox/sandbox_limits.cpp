@@ -9,15 +9,7 @@
 #include <fstream>
 
 #include "acquire/record/sample_limits.hpp"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define PERCUSS_SANITIZED_READER 1
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define PERCUSS_SANITIZED_READER 1
-#endif
+#include "core/sanitized.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -25,13 +17,6 @@ namespace {
 constexpr std::uint64_t kLibraries_bytes = std::uint64_t{192} << 20U;  // buffers, besides the numbers
 constexpr std::uint64_t kMinTime_s = 2, kBytesPerSecond = 5'000'000, kMaxTime_s = 1'000'000;
 constexpr rlim_t kTotalTime_s = 3600;  // of all answers
-#if defined(PERCUSS_SANITIZED_READER)
-constexpr bool kSanitized = true;
-constexpr std::uint64_t kSlowness = 20;
-#else
-constexpr bool kSanitized = false;
-constexpr std::uint64_t kSlowness = 1;
-#endif
 
 void limit(__rlimit_resource resource, std::uint64_t value) {
   rlimit present{RLIM_INFINITY, RLIM_INFINITY};

@@ -41,7 +41,7 @@ class DecayProblem : public LeastSquaresProblem {
  public:
   DecayProblem(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data)
       : windows_(group.windows), of_(of), data_(stacked(data)), weight_(Eigen::VectorXd::Ones(data.cols())) {
-    now_ = solved(group.rates);
+    solve(group.rates, now_);
   }
 
   const State& state() const { return now_; }
@@ -89,7 +89,7 @@ class DecayProblem : public LeastSquaresProblem {
           s.real() * static_cast<double>(of_.samples) / of_.fs_Hz > 1)
         return std::nullopt;
     }
-    trial_ = solved(rates);
+    solve(rates, trial_);
     return cost_of(trial_);
   }
   void accept() override { std::swap(now_, trial_); }
@@ -97,29 +97,40 @@ class DecayProblem : public LeastSquaresProblem {
  private:
   double cost_of(const State& state) const { return state.residual.colwise().squaredNorm().transpose().dot(weight_); }
 
-  State solved(const std::vector<DecayRate>& rates) const {
-    const auto modes = static_cast<Index>(rates.size());
+  // Writes a mode's columns and their derivatives, stacked, into two columns from `column` on.
+  void write_columns(const DecayRate& rate, Index column, Eigen::MatrixXd& values, Eigen::MatrixXd& slopes) const {
     const Index lines = data_.rows() / 2;
-    Eigen::MatrixXcd columns(lines, 2 * modes), slopes(lines, 2 * modes);
-    for (Index m = 0; m < modes; ++m) {
-      Index row = 0;
-      for (const auto& [first, count] : windows_) {
-        const DecayColumns part = decay_columns(rates[static_cast<std::size_t>(m)], of_, first, count);
-        columns.block(row, 2 * m, part.value.rows(), 2) = part.value;
-        slopes.block(row, 2 * m, part.value.rows(), 2) = part.slope;
-        row += part.value.rows();
+    Index row = 0;
+    for (const auto& [first, count] : windows_) {
+      for (std::size_t at = 0; at < count; at += kDecayBlock_lines) {
+        const DecayColumns part = decay_columns(rate, of_, first + at, std::min(kDecayBlock_lines, count - at));
+        const Index rows = part.value.rows();
+        values.block(row, column, rows, 2) = part.value.real();
+        values.block(lines + row, column, rows, 2) = part.value.imag();
+        slopes.block(row, column, rows, 2) = part.slope.real();
+        slopes.block(lines + row, column, rows, 2) = part.slope.imag();
+        row += rows;
       }
     }
-    State state{.rates = rates, .q = {}, .r = {}, .slope = {}, .amplitude = {}, .residual = {}};
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(stacked(columns));
-    state.q = qr.householderQ() * Eigen::MatrixXd::Identity(2 * lines, 2 * modes);
-    state.r = qr.matrixQR().topRows(2 * modes).triangularView<Eigen::Upper>();
-    const Eigen::MatrixXd along = state.q.transpose() * data_;
-    state.amplitude = state.r.triangularView<Eigen::Upper>().solve(along);
-    state.residual = data_ - state.q * along;
-    const Eigen::MatrixXd slope = stacked(slopes);
-    state.slope = slope - state.q * (state.q.transpose() * slope);
-    return state;
+  }
+
+  // Solves into `state`, whose matrices are used again where their sizes fit.
+  void solve(const std::vector<DecayRate>& rates, State& state) {
+    const auto modes = static_cast<Index>(rates.size());
+    state.rates = rates;
+    columns_.resize(data_.rows(), 2 * modes);
+    state.slope.resize(data_.rows(), 2 * modes);
+    for (Index m = 0; m < modes; ++m) write_columns(rates[static_cast<std::size_t>(m)], 2 * m, columns_, state.slope);
+    qr_.compute(columns_);
+    state.q.setIdentity(data_.rows(), 2 * modes);
+    state.q.applyOnTheLeft(qr_.householderQ());
+    state.r = qr_.matrixQR().topRows(2 * modes).triangularView<Eigen::Upper>();
+    along_.noalias() = state.q.transpose() * data_;
+    state.amplitude = state.r.triangularView<Eigen::Upper>().solve(along_);
+    state.residual = data_;
+    state.residual.noalias() -= state.q * along_;
+    along_.noalias() = state.q.transpose() * state.slope;
+    state.slope.noalias() -= state.q * along_;
   }
 
   template <class Keep>
@@ -145,6 +156,8 @@ class DecayProblem : public LeastSquaresProblem {
   Eigen::MatrixXd data_;
   Eigen::VectorXd weight_;  // [hits × channels]
   State now_, trial_;
+  Eigen::MatrixXd columns_, along_;
+  Eigen::HouseholderQR<Eigen::MatrixXd> qr_;
   NormalEquations equations_;
 };
 

@@ -120,9 +120,15 @@ bool DecayModel::is_settled(const std::vector<std::size_t>& members, DecayAccura
 
 void DecayModel::subtract(const FittedDecay& mode, std::size_t first, Eigen::Ref<Eigen::MatrixXcd> lines) const {
   if (mode.amplitude.isZero(0)) return;
-  const Eigen::MatrixX2cd columns = decay_values(mode.rate, *measured_, first, static_cast<std::size_t>(lines.rows()));
-  lines -= columns.col(0) * mode.amplitude.real().cast<Complex>();
-  lines -= columns.col(1) * mode.amplitude.imag().cast<Complex>();
+  const auto count = static_cast<std::size_t>(lines.rows());
+  for (std::size_t at = 0; at < count; at += kDecayBlock_lines) {
+    const std::size_t rows = std::min(kDecayBlock_lines, count - at);
+    const Eigen::MatrixX2cd columns = decay_values(mode.rate, *measured_, first + at, rows);
+    for (Index i = 0; i < lines.cols(); ++i) {
+      lines.col(i).segment(static_cast<Index>(at), static_cast<Index>(rows)) -=
+          columns.col(0) * mode.amplitude(i).real() + columns.col(1) * mode.amplitude(i).imag();
+    }
+  }
 }
 
 DecaySpectra DecayModel::residual() const {

@@ -5,6 +5,7 @@
 
 #include "core/math/fft.hpp"
 #include "core/parallel/parallel.hpp"
+#include "core/parallel/per_thread.hpp"
 #include "core/units.hpp"
 
 namespace percuss::identify {
@@ -50,12 +51,14 @@ FilterBank matched_filters(const DecaySpectra& residual, const Eigen::MatrixXd& 
   std::vector<std::vector<double>> x(static_cast<std::size_t>(residual.lines.cols()));
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = whitened(residual, noise, static_cast<Index>(i));
   plan_real_dft(padded);
-  std::vector<Eigen::ArrayXd> energy(rates.size());
+  Eigen::ArrayXXd energy = Eigen::ArrayXXd::Zero(lines, static_cast<Index>(rates.size()));
+  static const PerThread<std::vector<double>> scratch;
   constexpr std::size_t kFlopsPerSample = 100;
   parallel_for_cost(rates.size(), kFlopsPerSample * padded * x.size(), [&](std::size_t r) {
     const double decay = std::exp(-rates[r] / residual.fs_Hz);
-    std::vector<double> windowed(padded);
-    energy[r] = Eigen::ArrayXd::Zero(lines);
+    std::vector<double>& windowed = scratch.local();
+    windowed.assign(padded, 0);
+    auto of_rate = energy.col(static_cast<Index>(r));
     for (const std::vector<double>& one : x) {
       double weight = 1, sum = 0;
       for (std::size_t n = 0; n < one.size(); ++n) {
@@ -64,15 +67,18 @@ FilterBank matched_filters(const DecaySpectra& residual, const Eigen::MatrixXd& 
         weight *= decay;
       }
       const auto transform = real_dft_in_scratch(windowed);
-      for (Index k = 0; k < lines; ++k) energy[r](k) += std::norm(transform[static_cast<std::size_t>(k)]) / sum;
+      for (Index k = 0; k < lines; ++k) of_rate(k) += std::norm(transform[static_cast<std::size_t>(k)]) / sum;
     }
   });
-  FilterBank out{.energy = energy[0],
+  FilterBank out{.energy = energy.col(0),
                  .rate_per_s = Eigen::ArrayXd::Constant(lines, rates[0]),
                  .line_Hz = residual.fs_Hz / static_cast<double>(padded)};
   for (std::size_t r = 1; r < rates.size(); ++r) {
-    out.rate_per_s = (energy[r] > out.energy).select(rates[r], out.rate_per_s);
-    out.energy = out.energy.max(energy[r]);
+    for (Index k = 0; k < lines; ++k) {
+      const double e = energy(k, static_cast<Index>(r));
+      if (e > out.energy(k)) out.rate_per_s(k) = rates[r];
+      out.energy(k) = std::max(out.energy(k), e);
+    }
   }
   return out;
 }

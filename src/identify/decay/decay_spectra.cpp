@@ -22,8 +22,8 @@ std::vector<Complex> phasors(std::size_t first, std::size_t count, std::size_t s
 class LinePhasors {
  public:
   LinePhasors(const DecaySpectra& of, std::size_t first, std::size_t count) {
-    if (of.phasors.empty()) own_ = phasors(first, count, of.samples);
-    at_ = of.phasors.empty() ? own_.data() : of.phasors.data() + first;
+    if (!of.phasors) own_ = phasors(first, count, of.samples);
+    at_ = of.phasors ? of.phasors->data() + first : own_.data();
   }
   const Complex& operator[](Eigen::Index i) const { return at_[i]; }
 
@@ -37,12 +37,13 @@ Complex inverse(const Complex& z) { return std::conj(z) / std::norm(z); }
 }  // namespace
 
 DecaySpectra decay_spectra(const FreeDecays& decays) {
-  DecaySpectra out{.fs_Hz = decays.fs_Hz,
-                   .samples = decays.samples(),
-                   .hits = decays.hits,
-                   .channels = decays.channels,
-                   .lines = {},
-                   .phasors = phasors(0, decays.samples() / 2 + 1, decays.samples())};
+  DecaySpectra out{
+      .fs_Hz = decays.fs_Hz,
+      .samples = decays.samples(),
+      .hits = decays.hits,
+      .channels = decays.channels,
+      .lines = {},
+      .phasors = std::make_shared<const std::vector<Complex>>(phasors(0, decays.samples() / 2 + 1, decays.samples()))};
   out.lines.resize(static_cast<Eigen::Index>(out.samples / 2 + 1), static_cast<Eigen::Index>(decays.response.size()));
   for (std::size_t i = 0; i < decays.response.size(); ++i) {
     auto column = out.lines.col(static_cast<Eigen::Index>(i));

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct FreeDecays {
 struct DecaySpectra {
   double fs_Hz = 0;
   std::size_t samples = 0, hits = 0, channels = 0;
-  Eigen::MatrixXcd lines;          // [samples/2 + 1, hits × channels]
-  std::vector<Complex> phasors{};  // exp(−jω_kΔ) of the lines; computed where they are needed if empty
+  Eigen::MatrixXcd lines;  // [samples/2 + 1, hits × channels]
+  // exp(−jω_kΔ) of the lines, shared by copies; computed where they are needed if null.
+  std::shared_ptr<const std::vector<Complex>> phasors{};
 
   double line_Hz() const { return fs_Hz / static_cast<double>(samples); }
 };
@@ -49,6 +51,8 @@ struct DecayColumns {
   Eigen::MatrixX2cd value, slope;  // slope: the columns (1) of t·exp(st)
 };
 DecayColumns decay_columns(const DecayRate& rate, const DecaySpectra& of, std::size_t first, std::size_t count);
+/// Lines for which callers compute the columns at a time, so that the columns stay in the cache.
+constexpr std::size_t kDecayBlock_lines = 256;
 /// Only the values of decay_columns.
 Eigen::MatrixX2cd decay_values(const DecayRate& rate, const DecaySpectra& of, std::size_t first, std::size_t count);
 
