@@ -13,7 +13,4 @@ namespace percuss::report {
 CommandReport study_report(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {},
                            CsvFormulas formulas = CsvFormulas::neutralise);
 
-/// The descriptive numbers of the groups, a row for each quantity.
-std::string study_groups_csv(const metrics::Study& study, CsvFormulas formulas = CsvFormulas::neutralise);
-
 }  // namespace percuss::report

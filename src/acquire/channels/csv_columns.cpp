@@ -3,31 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
+#include "acquire/channels/column_words.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
 namespace percuss::acquire {
 namespace {
-
-using Words = std::vector<std::string_view>;
-
-const Words kTimeWords = {"time",         "t",       "times", "timestamp", "time stamp", "elapsed",
-                          "elapsed time", "x_value", "zeit",  "temps"};
-const Words kCountWords = {"index", "sample", "samples", "n",   "no",   "no.",     "nr",
-                           "nr.",   "#",      "i",       "row", "line", "point no"};
-const Words kForceWords = {"force", "hammer", "impact", "kraft"};
-const Words kAccelWords = {"acc", "beschl"};
-
-bool is_one_of(const std::string& name, const Words& words) {
-  return std::find(words.begin(), words.end(), name) != words.end();
-}
-
-bool has_one_of(const std::string& name, const Words& words) {
-  return std::any_of(words.begin(), words.end(), [&](auto word) { return name.find(word) != std::string::npos; });
-}
 
 std::optional<Quantity> quantity_of(const CsvColumn& column) {
   const auto unit = parse_unit(column.unit);
@@ -143,7 +126,7 @@ class Finder {
     return setup == nullptr ? "" : setup->role;
   }
 
-  bool could_be(const CsvColumn& column, Quantity quantity, const Words& words) const {
+  bool could_be(const CsvColumn& column, Quantity quantity, Words words) const {
     if (!column.has_numbers || is_helper(column)) return false;
     if (const auto measured = quantity_of(column)) {
       if (*measured == quantity) return true;
@@ -151,11 +134,11 @@ class Finder {
     }
     // A word counts only in a file with names. A force word counts only without an acceleration word in the same name.
     const std::string name = lower_case(column.base);
-    const Words& other = quantity == Quantity::force ? kAccelWords : Words{};
+    const Words other = quantity == Quantity::force ? Words(kAccelWords) : Words();
     return header_.named && has_one_of(name, words) && !has_one_of(name, other);
   }
 
-  std::vector<CsvColumn> candidates(Quantity quantity, const Words& words, const std::string& role) const {
+  std::vector<CsvColumn> candidates(Quantity quantity, Words words, const std::string& role) const {
     std::vector<CsvColumn> by_role, by_header;
     for (const auto& column : header_.columns) {
       const std::string given = role_of(column);
@@ -241,12 +224,6 @@ const ChannelSetup* setup_of(const CsvColumn& column, const ReadOptions& options
     if (is_number_of(column, entry.name)) return &entry;
   }
   return nullptr;
-}
-
-std::optional<Quantity> quantity_named(std::string_view name) {
-  const std::string lower = lower_case(name);
-  if (has_one_of(lower, kAccelWords)) return Quantity::acceleration;
-  return has_one_of(lower, kForceWords) ? std::optional(Quantity::force) : std::nullopt;
 }
 
 bool may_be_time(const CsvColumn& column, const CsvColumns& columns) {

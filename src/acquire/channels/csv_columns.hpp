@@ -44,9 +44,6 @@ CsvColumns find_csv_columns(const CsvHeader& header, const ReadOptions& options,
 /// The set-up's entry for a column, or nullptr.
 const ChannelSetup* setup_of(const CsvColumn& column, const ReadOptions& options);
 
-/// Force or acceleration, by the words in a name, letter case aside; nothing without such a word.
-std::optional<Quantity> quantity_named(std::string_view name);
-
 /// Whether a first column may be the time although neither its name nor its unit says so: it is neither a count of
 /// samples nor a signal.
 bool may_be_time(const CsvColumn& column, const CsvColumns& columns);

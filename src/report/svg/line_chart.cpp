@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "report/svg/chart_mark.hpp"
+#include "report/svg/chart_path.hpp"
 #include "report/svg/chart_scale.hpp"
 #include "report/svg/extreme_samples.hpp"
 #include "report/text/text_table.hpp"
@@ -121,61 +122,15 @@ class Drawing {
         svg_escape(chart_.y.label));
   }
 
-  // SVG path through x and y, interrupted at gaps.
-  std::string path_through(const std::vector<double>& x, const std::vector<double>& y) const {
-    std::string path;
-    bool pen = false;
-    for (const std::size_t i : extreme_samples(y)) {
-      const bool drawn = is_drawn(x[i], y[i]);
-      if (drawn) path += vertex(pen, x[i], y[i]);
-      pen = drawn;
-    }
-    return path;
-  }
-
-  bool is_drawn(double x, double y) const { return std::isfinite(x_.pixel(x)) && !std::isnan(y_.pixel(y)); }
-
-  std::string vertex(bool pen, double x, double y) const {
-    return fmt::format("{}{:.1f} {:.1f}", pen ? "L" : "M", x_.pixel(x), std::clamp(y_.pixel(y), kTop, kBottom));
-  }
-
-  // SVG path around the area between the curves. Gaps of either curve divide it into parts, each closed.
-  std::string path_around(const ChartBand& one) const {
-    std::vector<std::size_t> part(one.x.size());  // the number of gaps up to each sample
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const bool drawn = is_drawn(one.x[i], one.low[i]) && is_drawn(one.x[i], one.high[i]);
-      part[i] = (i == 0 ? 0 : part[i - 1]) + (drawn ? 0 : 1);
-    }
-    const auto in_gap = [&](std::size_t i) { return part[i] > (i == 0 ? 0 : part[i - 1]); };
-    std::vector<std::size_t> upper = extreme_samples(one.high), lower = extreme_samples(one.low);
-    std::erase_if(upper, in_gap);
-    std::erase_if(lower, in_gap);
-    std::string path;
-    for (auto high = upper.begin(), low = lower.begin(); high != upper.end();) {
-      const std::size_t here = part[*high];
-      bool pen = false;
-      for (; high != upper.end() && part[*high] == here; pen = true, ++high)
-        path += vertex(pen, one.x[*high], one.high[*high]);
-      low = std::find_if(low, lower.end(), [&](std::size_t i) { return part[i] >= here; });
-      const auto end = std::find_if(low, lower.end(), [&](std::size_t i) { return part[i] > here; });
-      for (auto back = end; back != low;) {
-        --back;
-        path += vertex(true, one.x[*back], one.low[*back]);
-      }
-      path += 'Z';
-      low = end;
-    }
-    return path;
-  }
-
   void line(const ChartCurve& curve, std::size_t style) {
     add("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\"/>\n",
-        path_through(curve.x, curve.y), curve.thin ? ink() : colour(style), curve.thin ? 0.8 : 1.8,
+        path_through({x_, y_}, curve.x, curve.y), curve.thin ? ink() : colour(style), curve.thin ? 0.8 : 1.8,
         curve.thin ? "none" : kDashes.at(style));
   }
 
   void band(const ChartBand& one) {
-    add("<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.2\"/>\n", path_around(one), colour(one.style % kColours.size()));
+    add("<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.2\"/>\n", path_around({x_, y_}, one),
+        colour(one.style % kColours.size()));
   }
 
   void points(const ChartCurve& curve, std::size_t style) {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "acquire/channels/csv_columns.hpp"
+#include "acquire/channels/column_words.hpp"
 #include "acquire/channels/signal_table.hpp"
 #include "acquire/formats/mat/mat_description.hpp"
 #include "acquire/formats/mat/mat_layout.hpp"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "acquire/channels/csv_columns.hpp"
+#include "acquire/channels/column_words.hpp"
 
 namespace percuss::acquire {
 namespace {

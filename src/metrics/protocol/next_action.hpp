@@ -1,0 +1,17 @@
+#pragma once
+#include "metrics/protocol/certify.hpp"
+
+namespace percuss::metrics {
+
+inline constexpr double kLotSpeed_mph = 136;  // of the balls that hit the standard bat
+
+/// The speed of the ball at which a location is tested. (P5)
+double contact_mph(const Session& s, double z_in);
+
+/// Whether a reading stated that the bat is damaged.
+bool damaged(const Certification& c);
+
+/// What the laboratory does next: the verdict, the search and all other fields of the certification are known.
+NextAction next_action(const Session& s, const Certification& c, const ProtocolLimits& limits);
+
+}  // namespace percuss::metrics
