@@ -68,7 +68,7 @@ TEST(FreeDecays, AreFoundExactlyWithoutNoise) {
   }
 }
 
-// A broad background of a hundred times the energy spans a narrow mode, in one spectrum.
+// A broad background of five hundred times the energy spans a narrow mode, in one spectrum.
 TEST(FreeDecays, KeepANarrowModeOnABroadBackground) {
   const DecayRate narrow = decay_rate_of({900, 0.0005}), broad = decay_rate_of({1000, 0.15});
   std::mt19937 random(4);
@@ -86,9 +86,10 @@ TEST(FreeDecays, KeepANarrowModeOnABroadBackground) {
   EXPECT_NEAR(found.decays[0].rate.pole().freq_Hz, 900, 0.01);  // a hundredth of the bandwidth
 }
 
-// 31 modes over five octaves, two of them half a bandwidth apart, and two that hold far more energy than the others. A
-// search whose first rough fits refuse a mode has to find it again: of records like these, one in six lost a mode of a
-// thousand times the threshold, and all others of its group had too large a standard deviation.
+// 31 modes over five octaves, two of them half a bandwidth apart, and two that hold far more energy than the others.
+// The first, rough fits of a search refuse some modes, which must be found again later. Without that, one record in six
+// lost a mode of a thousand times the search's threshold, and the other modes of its group had too large a standard
+// deviation.
 TEST(FreeDecays, AreAllFoundAmongMany) {
   constexpr double kRate_Hz = 16000, kNoise = 1e-3;
   constexpr std::size_t kLength = 15840;

@@ -58,7 +58,7 @@ TEST(StructureFit, StatesTheClosedFormOfAStandardDeviation) {
   }
 }
 
-// Scatter of the fitted values over noisy frequencies against the stated standard deviations, and its mean.
+// Noisy frequencies scatter the fitted values as widely as their stated standard deviations say.
 TEST(StructureFit, StatesTheScatterOfItsValues) {
   const BeamStructure truth = held_bat();
   const auto exact = measured_on(truth, 4, 1e-3);
