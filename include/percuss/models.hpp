@@ -114,8 +114,7 @@ struct BatMass {
   double from_m = 0, to_m = 0;
 };
 
-/// A round bat from the knob on. shapes  end_m, diameter_m and, for a hollow bat, wall_m of equal length; end_m
-/// ascends.
+/// A round bat from the knob on. end_m, diameter_m and, for a hollow bat, wall_m have equal lengths; end_m ascends.
 struct BatProfile {
   std::vector<double> end_m, diameter_m;
   double density_kgpm3 = 649, young_Pa = 1.814e10;

@@ -160,7 +160,7 @@ def test_missing_rows_and_points_are_rejected(signals):
         percuss.metrics.mac(np.ones((2, 3)), np.ones((2, 4)))
 
 
-def test_records_go_through_every_format(tmp_path, signals):
+def test_records_go_through_formats_of_arrays(tmp_path, signals):
     record = percuss.Record(*signals, FS)
     for kind in ("h5", "csv", "mat", "uff"):
         path = tmp_path / f"bat.{kind}"

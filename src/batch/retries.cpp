@@ -11,7 +11,7 @@ void Retries::run(const std::function<void()>& work) {
     try {
       return work();
     } catch (const MachineFault&) {
-      // Another thread may clear lasts_ at any time, so lasts_ alone does not keep `wait` from passing the last wait.
+      // Another thread may clear lasts_ at any time: only the comparison with the end keeps `wait` within waits_.
       const bool last_attempt = wait == waits_.end();
       if (last_attempt) lasts_ = true;
       if (last_attempt || lasts_) throw;

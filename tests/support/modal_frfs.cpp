@@ -1,8 +1,11 @@
 #include "support/modal_frfs.hpp"
 
+#include <cmath>
 #include <map>
+#include <numeric>
 
 #include "core/units.hpp"
+#include "identify/noise/force_noise.hpp"
 #include "synth/random_stream.hpp"
 
 namespace percuss::test {
@@ -73,6 +76,25 @@ void add_frf_noise(identify::FrfDataset& set, double deviation, std::uint64_t se
     std::vector<double> noise(2 * set.lines.count);
     synth::RandomStream({seed, o}).add_normal(deviation, noise);
     for (std::size_t k = 0; k < set.lines.count; ++k) set.channels[o].frf[k] += Complex(noise[2 * k], noise[2 * k + 1]);
+  }
+}
+
+void set_gated_pulse(identify::FrfDataset& set, double noise_N) {
+  frf::ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
+  for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
+  const frf::Spectrum spectrum = frf::shared(frf::force_spectrum(block, set.lines));
+  set.points[0] = identify::point_force({block}, {spectrum}, set.lines, noise_N);
+}
+
+void add_random_gain(identify::FrfDataset& set, std::uint64_t seed) {
+  std::vector<std::size_t> lines(set.lines.count);
+  std::iota(lines.begin(), lines.end(), std::size_t{0});
+  const Eigen::MatrixXcd errors = identify::gain_errors(set, 0, lines);
+  std::vector<double> draw(static_cast<std::size_t>(errors.cols()));
+  synth::RandomStream({seed, 1}).add_normal(1, draw);
+  const Eigen::VectorXcd gain = errors * Eigen::Map<const Eigen::VectorXd>(draw.data(), errors.cols());
+  for (identify::FrfChannel& channel : set.channels) {
+    for (const std::size_t k : lines) channel.frf[k] *= 1.0 + gain(static_cast<Eigen::Index>(k));
   }
 }
 

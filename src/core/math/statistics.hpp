@@ -10,7 +10,8 @@ inline namespace core {
 double median(std::vector<double> values);
 
 /// Standard deviation of Gaussian noise from the median absolute deviation (× 1.4826, [2] in docs/theory/sources.md).
-/// Pulses in less than half of the samples do not change it. 0 for none.
+/// Pulses in a few per cent of the samples hardly raise it; in less than half of them, they raise it by a factor that
+/// does not depend on their size. 0 for none.
 /// theory (1.1)
 double robust_std(std::vector<double> values);
 

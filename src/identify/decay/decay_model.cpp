@@ -106,7 +106,7 @@ void DecayModel::unsettle_near(const DecayRate& rate) {
     if (low < last && first < high) {
       mode.settled.reset();
     } else if (mode.settled) {
-      mode.settled = DecayAccuracy::rough;  // a full fit must follow even a change far away
+      mode.settled = DecayAccuracy::rough;  // the next full fit includes it again, even if the change is far away
     }
   }
 }

@@ -23,9 +23,10 @@ constexpr int kPairSweeps = 3;
 constexpr double kScatterShare = 0.9;  // of what a second pole explains
 constexpr std::size_t kPairPlaces = 10;
 constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
-// Energy over the energy of a decay within its bandwidth: a weaker one is misfit. In a single spectrum no other shape
-// tells a weak mode from a stronger one whose frequency or damping changes while it decays. The misfit is about as wide
-// as the mode: a peak far narrower is no misfit of a broad background.
+// A decay within the bandwidth of a stronger one is misfit if its energy over that of the stronger one is below this
+// limit. In a single spectrum, no amplitudes at other hits or channels distinguish a weak mode from a stronger one
+// whose frequency or damping changes while it decays. The misfit is about as wide as the mode: a peak far narrower is
+// no misfit of a broad background.
 constexpr double kMimics = 1e-3, kMimicsAlone = 0.1;
 constexpr double kNarrowest = 0.1;  // decay rate of a misfit over that of the mode
 
@@ -89,7 +90,7 @@ double gain_of_hits(const FittedDecay& mode, const DecaySpectra& of, const Eigen
     const double gain = step.dot(mode.hit_covariance[h].inverse() * step);
     if (std::isfinite(gain)) sum += gain;
   }
-  return scale * sum / 2;  // a line of χ² 1 has a variance of 1/2 in each part
+  return scale * sum / 2;  // χ² is 1 per line, and thus 1/2 for its real and for its imaginary part
 }
 
 // Whether frequencies that differ between the hits explain most of what a second pole would.

@@ -20,6 +20,7 @@ constexpr double kOutOfBandFactor =
     12;  // above the force's bandwidth: small peaks in the side lobes of its spectrum are not modes
 constexpr double kMaxModeWidth = 0.25;  // of the band: a wider resonance cannot be distinguished from the background
 constexpr double kForceNoise = 8;       // standard deviations of the gain error from the force's noise
+constexpr std::size_t kGainLines = 64;  // lines at most at which the error is computed
 constexpr double kUnknownGain =
     1e-3;  // gain error assumed for an unknown force: typical of a good hammer near its bandwidth
 constexpr double kDynamicRange = 1e-5;      // of the largest line: smaller peaks are within the polynomial's error
@@ -76,6 +77,27 @@ double largest_within(const std::vector<Complex>& frf, const acquire::LineRange&
   return std::sqrt(largest);
 }
 
+// The largest error of an FRF within `reach` lines of a frequency, where the gain's error changes over these lines. A
+// gain common to all of them only scales the modes: it is taken out at the largest |H|, so that the noise at a strong
+// mode does not hide a weak one beside it.
+double changing_gain_error(const FrfDataset& set, const FrfChannel& channel, double freq_Hz, double reach) {
+  const double at = set.lines.position(freq_Hz);
+  const std::size_t first = set.lines.at(at - reach), last = set.lines.at(at + reach);
+  const std::size_t step = 1 + (last - first) / kGainLines;
+  std::vector<std::size_t> lines;
+  for (std::size_t k = first; k <= last; k += step) lines.push_back(k);
+  const auto size = [&](std::size_t i) { return std::abs(channel.frf[lines[i]]); };
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < lines.size(); ++i) largest = size(i) > size(largest) ? i : largest;
+  const Eigen::MatrixXcd errors = gain_errors(set, channel.point, lines);
+  double most = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const double change = (errors.row(static_cast<Index>(i)) - errors.row(static_cast<Index>(largest))).norm();
+    most = std::max(most, std::sqrt(0.5) * change * size(i));
+  }
+  return most;
+}
+
 // True where the mode's peak in some FRF is above the error from the force channel's noise, a gain that varies with
 // frequency.
 bool above_force_noise(const WindowedFit& all, const FitGroup& group, std::size_t mode) {
@@ -89,6 +111,7 @@ bool above_force_noise(const WindowedFit& all, const FitGroup& group, std::size_
     // A varying gain can turn the flank of a strong mode into a broad peak.
     const double reach = pole.half_power_Hz() / set.lines.df_Hz();
     if (peak > kForceNoise * gain * largest_within(channel.frf, set.lines, pole.freq_Hz, reach)) return true;
+    if (known && peak > kForceNoise * changing_gain_error(set, channel, pole.freq_Hz, reach)) return true;
   }
   return false;
 }

@@ -42,8 +42,8 @@ struct Deflection {
   double peak_m = 0;          // signed; NaN, like peak_std_m and forward_m, where no deflection is significant
   double peak_std_m = 0;
   double forward_m = 0, forward_std_m = 0;  // the peak in the direction of the first motion; signed
-  // Of bias and drift at the last sample: for drift_free the standard deviation, for small_interval the deflection that
-  // they cause; 0 for the other methods.
+  // The deflection at the last sample that bias and drift cause: for drift_free its standard deviation, for
+  // small_interval its value; 0 for the other methods.
   double drift_m = 0;
 
   bool has_peak() const { return !std::isnan(peak_m); }

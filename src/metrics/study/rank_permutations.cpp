@@ -47,8 +47,8 @@ struct LatticeDistribution {
   std::vector<double> probability;
 };
 
-// The distribution of Σ x_i y_π(i) for lattice values. The states are the counts of used values in each group of equal
-// y, as digits of a number: each row of x raises it.
+// The distribution of Σ x_i y_π(i) for lattice values. A state is how many values of each group of equal y are used
+// already, written as the digits of one number. Each x_i uses one more value, and so leads to states of larger numbers.
 std::vector<double> product_distribution(std::vector<int> x, const std::vector<int>& y) {
   std::map<int, std::size_t> groups;
   for (const int v : y) ++groups[v];

@@ -39,7 +39,7 @@ bool holds(const Hit& hit, const std::vector<double>& row, std::size_t sample) {
          std::abs(hit.gated_N[sample - hit.gate_first] - (row[sample] - hit.baseline_N)) < 1e-9;
 }
 
-TEST(FurtherForce, TakesRingingOfTheHammerForNoSecondHitAndKeepsIt) {
+TEST(FurtherForce, DoesNotTakeRingingOfTheHammerForASecondHitAndKeepsIt) {
   for (const double period : {3.7, 6.4, 17.0, 30.0}) {
     for (const double size : {0.02, 0.08, 0.5}) {
       auto row = pulse_row();

@@ -4,38 +4,24 @@
 
 #include <cmath>
 
-#include "identify/noise/force_noise.hpp"
 #include "support/modal_frfs.hpp"
-#include "synth/random_stream.hpp"
 
 namespace percuss::identify::local_force_noise_test {
 
 constexpr double kNoise_N = 1e-3;  // of a pulse of 1 N
 const Pole kPole{500, 0.05};
 
-// A pulse of 9 samples in a gate of 90, and a mode in two FRFs.
+// The force of a hit, and a mode in two FRFs.
 FrfDataset noisy_force() {
   FrfDataset set = test::empty_set(8192, 8192, 60, 2400, 2);
-  frf::ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
-  for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
-  const frf::Spectrum spectrum = frf::shared(frf::force_spectrum(block, set.lines));
-  set.points[0] = point_force({block}, {spectrum}, set.lines, kNoise_N);
+  test::set_gated_pulse(set, kNoise_N);
   test::add_mode(set, 0, kPole, 1);
   test::add_mode(set, 1, kPole, -0.4);
   return set;
 }
 
-// The same set with a random gain from the force's errors.
 FrfDataset with_a_gain(FrfDataset set, std::uint64_t seed) {
-  std::vector<std::size_t> lines(set.lines.count);
-  for (std::size_t k = 0; k < lines.size(); ++k) lines[k] = k;
-  const Eigen::MatrixXcd errors = gain_errors(set, 0, lines);
-  std::vector<double> draw(static_cast<std::size_t>(errors.cols()));
-  synth::RandomStream({seed, 1}).add_normal(1, draw);
-  const Eigen::VectorXcd gain = errors * Eigen::Map<const Eigen::VectorXd>(draw.data(), errors.cols());
-  for (FrfChannel& channel : set.channels) {
-    for (std::size_t k = 0; k < lines.size(); ++k) channel.frf[k] *= 1.0 + gain(static_cast<Eigen::Index>(k));
-  }
+  test::add_random_gain(set, seed);
   return set;
 }
 

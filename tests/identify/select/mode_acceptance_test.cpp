@@ -1,0 +1,49 @@
+#include "identify/select/mode_acceptance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "identify/noise/force_noise.hpp"
+#include "identify/select/sequential_fit.hpp"
+#include "support/modal_frfs.hpp"
+
+namespace percuss::identify::mode_acceptance_test {
+
+constexpr double kNoise_N = 1e-3;  // of a pulse of 1 N
+constexpr int kTrials = 20;
+const Pole kStrong{500, 0.003}, kWeak{503.6, 0.003};
+
+// A strong mode, and a weak one 1.2 bandwidths beside it.
+FrfDataset measured(double weak, std::uint64_t seed) {
+  FrfDataset set = test::empty_set(8192, 8192, 60, 2400, 2);
+  test::set_gated_pulse(set, kNoise_N);
+  for (std::size_t channel = 0; channel < 2; ++channel) {
+    const double sign = channel == 0 ? 1 : -0.8;
+    test::add_mode(set, channel, kStrong, sign);
+    test::add_mode(set, channel, kWeak, sign * weak);
+  }
+  test::add_random_gain(set, seed);
+  test::add_frf_noise(set, 0.01, seed + 1000);  // a fiftieth of the weak peak
+  return set;
+}
+
+// The force's noise changes the gain of both modes alike: it cannot make the weak mode.
+TEST(ModeAcceptance, KeepsAWeakModeBelowTheForceNoiseOfAStrongOne) {
+  constexpr double kPart = 1.0 / 250;
+  for (std::uint64_t seed = 0; seed < kTrials; ++seed) {
+    const FrfDataset set = measured(kPart, seed);
+    EXPECT_LT(kPart, 8 * gain_std(set, 0, kWeak.freq_Hz));
+    const auto modes = fit_sequentially(set);
+    ASSERT_EQ(modes.size(), 2U) << seed;
+    EXPECT_NEAR(modes[1].mode.pole.freq_Hz, kWeak.freq_Hz, 4.5 * modes[1].mode.freq_std_Hz) << seed;
+  }
+}
+
+TEST(ModeAcceptance, TakesNoModeFromTheForceNoise) {
+  for (std::uint64_t seed = 0; seed < kTrials; ++seed)
+    EXPECT_EQ(fit_sequentially(measured(0, seed)).size(), 1U) << seed;
+}
+
+}  // namespace percuss::identify::mode_acceptance_test
