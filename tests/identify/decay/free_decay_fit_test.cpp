@@ -86,7 +86,7 @@ TEST(FreeDecays, KeepANarrowModeOnABroadBackground) {
   EXPECT_NEAR(found.decays[0].rate.pole().freq_Hz, 900, 0.01);  // a hundredth of the bandwidth
 }
 
-// 31 modes over five octaves, two of them half a bandwidth apart, and two that hold far more energy than the others.
+// 31 modes over five octaves, two of them half a bandwidth apart, and three that hold far more energy than the others.
 // The first, rough fits of a search refuse some modes, which must be found again later. Without that, one record in six
 // lost a mode of a thousand times the search's threshold, and the other modes of its group had too large a standard
 // deviation.
