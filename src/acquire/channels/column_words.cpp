@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/io/csv_header.hpp"
+
 namespace percuss::acquire {
 
 bool is_one_of(const std::string& name, Words words) {
