@@ -3,7 +3,7 @@ from sources.page import Section
 from sources.sweet_spot import PROFILE
 
 SPEEDS_MPH = (60, 80, 90, 100, 115)
-# Rings of points around a barrel: their number, the points of each, and the distance between rings in m.
+# Rings of points around a barrel: their number, and the points of each.
 SURVEYS = {'cylinder': (4, 8), 'barrel': (12, 10)}
 GRID = """awk 'BEGIN {
   print "{\\"fs_hz\\": 25600, \\"duration_s\\": 0.5, \\"hits\\": 1, \\"structure\\": {\\"length_m\\": 0.84, \\"barrel_m\\": 0.3302,"

@@ -15,7 +15,7 @@ struct FittedShell {
   model::ShellFit fit;
 };
 
-/// JSON: percuss/model-shell/1. Hoop frequencies of a tube with n waves around it: of a ring, by Rayleigh and Love, and
+/// JSON: percuss/model-shell/1. Hoop frequencies of a tube with n waves around it: of a ring; by Rayleigh; by Love; and
 /// by Flügge for each number of half-waves along the tube, 1 … `modes`.
 CommandReport shell_report(const model::TubeShell& shell, std::size_t n, std::size_t modes,
                            const std::optional<FittedShell>& fitted = {});

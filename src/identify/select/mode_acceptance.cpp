@@ -77,9 +77,10 @@ double largest_within(const std::vector<Complex>& frf, const acquire::LineRange&
   return std::sqrt(largest);
 }
 
-// The largest error of an FRF within `reach` lines of a frequency, where the gain's error changes over these lines. A
-// gain common to all of them only scales the modes: it is taken out at the largest |H|, so that the noise at a strong
-// mode does not hide a weak one beside it.
+// The largest standard deviation of an FRF within `reach` lines of a frequency, from a gain error that changes over
+// these lines. A gain error common to all of them only scales the modes. So the gain error at the largest |H| is
+// subtracted: the force's noise at a strong mode then does not hide a weak mode beside it. 0 where that noise is
+// unknown.
 double changing_gain_error(const FrfDataset& set, const FrfChannel& channel, double freq_Hz, double reach) {
   const double at = set.lines.position(freq_Hz);
   const std::size_t first = set.lines.at(at - reach), last = set.lines.at(at + reach);
@@ -90,11 +91,11 @@ double changing_gain_error(const FrfDataset& set, const FrfChannel& channel, dou
   std::size_t largest = 0;
   for (std::size_t i = 1; i < lines.size(); ++i) largest = size(i) > size(largest) ? i : largest;
   const Eigen::MatrixXcd errors = gain_errors(set, channel.point, lines);
+  if (errors.size() == 0) return 0;
+  const Eigen::VectorXd change = (errors.rowwise() - errors.row(static_cast<Index>(largest))).rowwise().norm();
   double most = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const double change = (errors.row(static_cast<Index>(i)) - errors.row(static_cast<Index>(largest))).norm();
-    most = std::max(most, std::sqrt(0.5) * change * size(i));
-  }
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    most = std::max(most, std::sqrt(0.5) * change(static_cast<Index>(i)) * size(i));
   return most;
 }
 

@@ -10,8 +10,8 @@ namespace percuss::metrics {
 namespace {
 
 constexpr std::size_t kMinSamples = 64, kMaxSamples = std::size_t{1} << 15U;
-constexpr double kLowestLines = 0.7,
-                 kAntiAlias = 0.44;  // ends of the band: in spectral lines; as part of the sampling rate
+constexpr double kLowestLines = 0.7;  // lower end of the band, in spectral lines
+constexpr double kAntiAlias = 0.44;   // upper end, as part of the sampling rate
 
 }  // namespace
 

@@ -13,13 +13,9 @@ namespace percuss::identify::force_noise_test {
 
 constexpr double kNoise_N = 0.02;
 
-// One hit: a pulse of 9 samples in a gate of 90. All other samples are zero.
 FrfDataset gated_hit() {
   FrfDataset set = test::empty_set(8192, 16384, 40, 2400, 1);
-  frf::ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
-  for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
-  const frf::Spectrum spectrum = frf::shared(frf::force_spectrum(block, set.lines));
-  set.points[0] = point_force({block}, {spectrum}, set.lines, kNoise_N);
+  test::set_gated_pulse(set, kNoise_N);
   return set;
 }
 

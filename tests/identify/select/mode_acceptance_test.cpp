@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "identify/noise/force_noise.hpp"
 #include "identify/select/sequential_fit.hpp"
 #include "support/modal_frfs.hpp"
@@ -29,7 +26,7 @@ FrfDataset measured(double weak, std::uint64_t seed) {
   return set;
 }
 
-// The force's noise changes the gain of both modes alike: it cannot make the weak mode.
+// The force's noise scales both modes alike, so that it cannot cause the weak peak.
 TEST(ModeAcceptance, KeepsAWeakModeBelowTheForceNoiseOfAStrongOne) {
   constexpr double kPart = 1.0 / 250;
   for (std::uint64_t seed = 0; seed < kTrials; ++seed) {
