@@ -12,6 +12,7 @@
 #include "pipeline/source/record_source.hpp"
 #include "pipeline/stages/hit_scatter.hpp"
 #include "pipeline/stages/mains_modes.hpp"
+#include "pipeline/stages/single_hits.hpp"
 
 namespace percuss::pipeline {
 
@@ -166,16 +167,16 @@ const std::vector<identify::Mode>& Analysis::modes() const {
   return within_budget(budget_, modes_, [&] {
     const identify::FrfDataset& set = fitted_frfs();
     const TestSpectra from = spectra();
-    const bool hums = std::any_of(from.responses.tones.begin(), from.responses.tones.end(),
-                                  [](const Tone& tone) { return may_be_mains(tone.freq_Hz); });
-    const std::vector<acquire::PointFrf>* const averages = hums ? &frfs() : nullptr;
+    const std::vector<Tone>& tones = from.responses.tones;
+    const bool hums =
+        std::any_of(tones.begin(), tones.end(), [](const Tone& tone) { return may_be_mains(tone.freq_Hz); });
     const ThreadLimit limit(options_.threads);
     return trace_.run("modes", [&] {
       identify::IdentifyOptions all = options_.modes;
       all.modes.reset();  // the number limits the modes within the band, not the modes of its margin
       std::vector<identify::Mode> found = identify::identify_modes(set, all);
       add_scatter_between_hits(set, from, options_.modes, found);
-      if (hums) remove_mains_modes(found, from.responses.tones, set.lines, *averages);
+      if (hums) remove_mains_modes(found, tones, set, single_hits(set, from, comparable_hits(from)));
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
       if (options_.modes.modes) identify::keep_clearest(split.within, *options_.modes.modes);

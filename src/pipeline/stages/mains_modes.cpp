@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/hits/residue_coherence.hpp"
+
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kChance = 1e-3;         // that independent phases give a higher coherence
-constexpr double kMaxOff = 4e-4;         // error of the fundamental, as part of its frequency
-constexpr std::size_t kMinAverages = 3;  // fewer hits do not show whether the phases are independent
+constexpr double kChance = 1e-3;     // that independent phases give a higher coherence
+constexpr double kMaxOff = 4e-4;     // error of the fundamental, as part of its frequency
+constexpr std::size_t kMinHits = 3;  // of a point: fewer do not show whether the phases are independent
 
-// Whether the motion at a line follows the force. The coherence of n hits with independent phases exceeds c with the
-// probability (1 − c)^(n − 1).
-bool follows_force(const acquire::Frf& frf, std::size_t line) {
-  if (frf.averages < kMinAverages || line >= frf.coherence.size()) return true;
-  return frf.coherence[line] > 1 - std::pow(kChance, 1 / static_cast<double>(frf.averages - 1));
+// Whether the residues follow the force. The coherence of n hits with independent phases exceeds c with the probability
+// (1 − c)^(n − 1).
+bool follows_force(const identify::ResidueCoherence& point) {
+  return point.hits < kMinHits || point.coherence > 1 - std::pow(kChance, 1 / static_cast<double>(point.hits - 1));
 }
 
 bool is_harmonic(double freq_Hz, const std::vector<Tone>& tones, double line_Hz) {
@@ -28,13 +29,22 @@ bool is_harmonic(double freq_Hz, const std::vector<Tone>& tones, double line_Hz)
 }  // namespace
 
 void remove_mains_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
-                        const acquire::LineRange& lines, const std::vector<acquire::PointFrf>& frfs) {
-  std::erase_if(modes, [&](const identify::Mode& mode) {
-    const double freq_Hz = mode.pole.freq_Hz;
-    if (mode.pole.half_power_Hz() > lines.df_Hz() || !is_harmonic(freq_Hz, tones, lines.df_Hz())) return false;
-    return std::none_of(frfs.begin(), frfs.end(),
-                        [&](const acquire::PointFrf& one) { return follows_force(one.frf, lines.nearest(freq_Hz)); });
-  });
+                        const identify::FrfDataset& set, const identify::HitFrfs& hits) {
+  const double line_Hz = set.lines.df_Hz();
+  const auto may_be_hum = [&](const identify::Mode& mode) {
+    return mode.pole.half_power_Hz() <= line_Hz && is_harmonic(mode.pole.freq_Hz, tones, line_Hz);
+  };
+  if (std::none_of(modes.begin(), modes.end(), may_be_hum)) return;
+  std::vector<bool> hum(modes.size());
+  for (const identify::ModeWindow& window : identify::mode_windows(set, modes)) {
+    for (std::size_t i = 0; i < window.modes.size(); ++i) {
+      if (!may_be_hum(modes[window.modes[i]])) continue;
+      const auto points = identify::residue_coherence(set, hits, modes, window, i);
+      hum[window.modes[i]] = std::none_of(points.begin(), points.end(), follows_force);
+    }
+  }
+  std::size_t m = 0;
+  std::erase_if(modes, [&](const identify::Mode&) { return hum[m++]; });
 }
 
 }  // namespace percuss::pipeline
