@@ -22,7 +22,7 @@ constexpr double kSpill = 0.1;  // of the largest statistic: the misfit of its m
 constexpr int kMaxRounds = 8;   // of releasing real residues
 
 constexpr LevenbergMarquardtOptions kJointSearch{
-    .max_rejections = 8, .initial_damping = 1e-6, .min_damping_outside = 1e-3, .max_step_size = 1e2};
+    .max_rejections = 14, .initial_damping = 1e-6, .min_damping_outside = 1e-3, .max_step_size = 1e2};
 
 // The poles of the state are the unknowns; residues and background follow from them.
 class JointProblem : public LeastSquaresProblem {

@@ -78,9 +78,10 @@ std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const st
   for (std::size_t m = 0; m < fit.poles.size(); ++m) {
     if (!std::binary_search(partners.begin(), partners.end(), m)) kept.push_back(fit.poles[m]);
   }
-  JointFit fewer = fit_jointly(set, kept, final_fit_options(false));
-  if (!fewer.converged) return std::nullopt;
-  return with_tested_residues(set, fewer);
+  JointFitBudget budget(set);
+  std::optional<JointFit> fewer = settled_fit(set, std::move(kept), budget);
+  if (!fewer || fewer->poles.size() <= known.size()) return std::nullopt;
+  return with_tested_residues(set, *fewer);
 }
 
 }  // namespace
