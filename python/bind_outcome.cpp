@@ -99,6 +99,11 @@ py::dict columns_of(const SharedResult& held) {
   py::dict out;
   for (const report::NumericColumn& column : held->outcome.columns)
     out[py::str(column.name)] = view_of(std::span<const double>(column.values), held);
+  for (const report::WordColumn& column : held->outcome.words) {
+    const py::object words = py::module_::import("numpy").attr("array")(py::cast(column.values));
+    words.attr("setflags")(py::arg("write") = false);
+    out[py::str(column.name)] = words;
+  }
   return out;
 }
 

@@ -199,3 +199,15 @@ def test_overwriting_errors_name_the_keyword(bat, tmp_path):
     for call in (lambda: bat.save(tmp_path / "bat.h5"), lambda: percuss.write(tmp_path / "bat.h5", bat)):
         with pytest.raises(percuss.InputError, match=r"file exists.*\(force=True\)"):
             call()
+
+
+def test_tables_hold_the_rows_of_bats(tmp_path):
+    (tmp_path / "bats.csv").write_text("id,length_in,material,hoop1_hz,bbcor\n=a,33,composite,2000,0.55\nb,33,composite,1000,0.5\n")
+    model = percuss.models.trampoline(hoop=(1000, 500, 2500), bats=tmp_path / "bats.csv")
+    assert [one["id"] for one in model.bats] == ["=a", "b"]
+    assert model.table["bat"].tolist() == ["", "", "", "", "=a", "b"]
+    assert model.table["hoop_hz"].tolist() == [1000, 1500, 2000, 2500, 2000, 1000]
+    assert model.table["bbcor"][4:].tolist() == [0.55, 0.5] and np.isnan(model.table["bbcor"][:4]).all()
+    assert model.table["difference"][4:].tolist() == [one["difference"] for one in model.bats]
+    assert not model.table["bat"].flags.writeable
+    assert pickle.loads(pickle.dumps(model)).table["bat"].tolist() == model.table["bat"].tolist()

@@ -13,7 +13,7 @@ struct FieldName {
   std::string_view aggregate, field;
 };
 
-constexpr std::array<FieldName, 54> kFields{{
+constexpr std::array<FieldName, 55> kFields{{
     {"ReadOptions", "fs_Hz"},
     {"ReadOptions", "df_Hz"},
     {"ReadOptions", "force_channel"},
@@ -24,6 +24,7 @@ constexpr std::array<FieldName, 54> kFields{{
     {"ReadOptions", "accel_scale"},
     {"ReadOptions", "force_sensitivity_VpN"},
     {"ReadOptions", "accel_sensitivity_Vpmps2"},
+    {"ReadOptions", "pressure_sensitivity_VpPa"},
     {"ReadOptions", "angle_rad"},
     {"ReadOptions", "position_m"},
     {"ReadOptions", "setup"},
@@ -70,7 +71,7 @@ constexpr std::array<FieldName, 54> kFields{{
     {"BatReadings", "bbcor"},
 }};
 
-constexpr std::array<std::string_view, 8> kUnits{"Hz", "VpN", "Vpmps2", "rad", "m", "s", "N", "kg"};
+constexpr std::array<std::string_view, 9> kUnits{"Hz", "VpN", "Vpmps2", "VpPa", "rad", "m", "s", "N", "kg"};
 
 // Whether an identifier names a field: "fs" names fs_Hz. There are two exceptions. "overlay_db" contains its unit, and
 // "force" names the field `overwrite`, because "force" means a signal in the C++ interface.

@@ -37,6 +37,7 @@ acquire::ReadOptions read_options(const ReadOptions& options) {
   out.accel_scale = options.accel_scale;
   out.force_sensitivity_V_per_N = options.force_sensitivity_VpN;
   out.accel_sensitivity_V_per_mps2 = options.accel_sensitivity_Vpmps2;
+  out.pressure_sensitivity_V_per_Pa = options.pressure_sensitivity_VpPa;
   out.angle_rad = options.angle_rad;
   out.position_m = options.position_m;
   if (!options.setup.empty()) out.setup = acquire::read_channel_setup(options.setup);

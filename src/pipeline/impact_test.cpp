@@ -171,8 +171,7 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
                      {"method", "effective_mass", "force_channel"});
   }
   for (const acquire::SignalInfo& signal : record.accel) {
-    const auto unit = parse_unit(signal.unit);
-    if (unit && unit->quantity == Quantity::pressure)
+    if (signal.measures == Quantity::pressure)
       throw InputError(one_line(signal.name, 40) + " is a pressure: it has no deflection", record.source(),
                        "name the accelerations, or find the modes alone", {"accel_channel"});
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -102,18 +103,29 @@ ReportText text_of(const pipeline::ResponseTest& test) {
   return text;
 }
 
-std::vector<NumericColumn> columns_of(const pipeline::ResponseTest& test) {
-  std::vector<NumericColumn> out{
-      {"mode"}, {"frequency_hz"}, {"frequency_std_hz"}, {"damping_ratio"}, {"damping_ratio_std"}};
-  for (std::size_t c = 0; c < test.record.accel.size(); ++c) {
+// A row per mode. With several tests, the first column is the number of the test, and a test with fewer channels than
+// others leaves fields empty.
+std::vector<NumericColumn> columns_of(const std::vector<pipeline::ResponseTest>& tests) {
+  std::vector<NumericColumn> out;
+  if (tests.size() > 1) out.push_back({"test", {}});
+  for (const char* name : {"mode", "frequency_hz", "frequency_std_hz", "damping_ratio", "damping_ratio_std"})
+    out.push_back({name, {}});
+  std::size_t channels = 0;
+  for (const pipeline::ResponseTest& test : tests) channels = std::max(channels, test.record.accel.size());
+  for (std::size_t c = 0; c < channels; ++c) {
     for (const char* part : {"re", "im", "std"}) out.push_back({fmt::format("channel_{}_{}", c, part), {}});
   }
-  for (std::size_t m = 0; m < test.found.modes.size(); ++m) {
-    const identify::Mode& mode = test.found.modes[m].mode;
-    std::vector<double> row{static_cast<double>(m), mode.pole.freq_Hz, mode.freq_std_Hz, mode.pole.damping_ratio,
-                            mode.damping_std};
-    for (const identify::Residue& r : mode.residues) row.insert(row.end(), {r.value.real(), r.value.imag(), r.std});
-    for (std::size_t i = 0; i < row.size(); ++i) out[i].values.push_back(row[i]);
+  for (std::size_t t = 0; t < tests.size(); ++t) {
+    for (std::size_t m = 0; m < tests[t].found.modes.size(); ++m) {
+      const identify::Mode& mode = tests[t].found.modes[m].mode;
+      std::vector<double> row;
+      if (tests.size() > 1) row.push_back(static_cast<double>(t));
+      row.insert(row.end(), {static_cast<double>(m), mode.pole.freq_Hz, mode.freq_std_Hz, mode.pole.damping_ratio,
+                             mode.damping_std});
+      for (const identify::Residue& r : mode.residues) row.insert(row.end(), {r.value.real(), r.value.imag(), r.std});
+      row.resize(out.size(), std::numeric_limits<double>::quiet_NaN());
+      for (std::size_t i = 0; i < row.size(); ++i) out[i].values.push_back(row[i]);
+    }
   }
   return out;
 }
@@ -128,7 +140,7 @@ CommandReport response_report(const std::vector<pipeline::ResponseTest>& tests, 
     if (tests.size() > 1) report.text += fmt::format("{}test {}\n", t == 0 ? "" : "\n", t);
     report.text += text_of(tests[t]);
   }
-  if (tests.size() == 1) report.columns = columns_of(tests.front());
+  report.columns = columns_of(tests);
   for (std::size_t t = 0; t < tests.size() && charts; ++t) {
     for (LineChart& chart : response_spectra(tests[t])) {
       if (tests.size() > 1) chart.title = fmt::format("test {}: {}", t, chart.title);

@@ -75,34 +75,25 @@ ChartCurve trampoline_bats_curve(const BatsBesideModel& beside) {
   return out;
 }
 
-std::string trampoline_bats_csv(const std::vector<NumericColumn>& curve, const std::vector<NumericColumn>& at_bats,
-                                const BatsBesideModel& beside, CsvFormulas formulas) {
+void add_bats_rows(const std::vector<NumericColumn>& at_bats, const BatsBesideModel& beside, CommandReport& report) {
   constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
-  const std::size_t points = curve.front().values.size(), bats = beside.bats.size();
-  std::vector<NumericColumn> columns = curve;
-  for (NumericColumn& column : columns) {
+  const std::size_t points = report.columns.front().values.size(), bats = beside.bats.size();
+  for (NumericColumn& column : report.columns) {
     const auto same =
         std::find_if(at_bats.begin(), at_bats.end(), [&](const auto& c) { return c.name == column.name; });
     for (std::size_t i = 0; i < bats; ++i) column.values.push_back(same == at_bats.end() ? kAbsent : same->values[i]);
   }
   NumericColumn bbcor{.name = "bbcor", .values = std::vector<double>(points, kAbsent)}, difference = bbcor;
   difference.name = "difference";
+  WordColumn ids{.name = "bat", .values = std::vector<std::string>(points)};
   for (std::size_t i = 0; i < bats; ++i) {
     bbcor.values.push_back(beside.bats[i].bbcor);
     difference.values.push_back(beside.difference(i));
+    ids.values.push_back(beside.bats[i].id);
   }
-  columns.push_back(std::move(bbcor));
-  columns.push_back(std::move(difference));
-  const std::string numbers = numeric_csv(columns);
-  std::string out;
-  for (std::size_t row = 0, from = 0; from < numbers.size(); ++row) {
-    const std::size_t end = std::min(numbers.find('\n', from), numbers.size());
-    out += numbers.substr(from, end - from);
-    out += row == 0 ? ",bat" : row <= points ? "," : "," + csv_cell(beside.bats[row - 1 - points].id, formulas);
-    out += '\n';
-    from = end + 1;
-  }
-  return out;
+  report.columns.push_back(std::move(bbcor));
+  report.columns.push_back(std::move(difference));
+  report.words.push_back(std::move(ids));
 }
 
 }  // namespace percuss::report

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/csv_cell.hpp"
+#include "report/html/command_report.hpp"
 #include "report/svg/line_chart.hpp"
 #include "report/text/numeric_csv.hpp"
 #include "report/text/report_text.hpp"
@@ -25,9 +25,8 @@ nlohmann::ordered_json trampoline_bats_json(const BatsBesideModel& beside);
 ReportText trampoline_bats_text(const BatsBesideModel& beside);
 ChartCurve trampoline_bats_curve(const BatsBesideModel& beside);
 
-/// The curve as CSV with the columns bbcor, difference and bat at the end, and a row per bat after its rows. The row of
-/// a bat has the values of `curve` at its hoop frequency, which `at_bats` holds.
-std::string trampoline_bats_csv(const std::vector<NumericColumn>& curve, const std::vector<NumericColumn>& at_bats,
-                                const BatsBesideModel& beside, CsvFormulas formulas);
+/// Adds the columns bbcor, difference and bat to the table of the curve, and a row per bat after its rows. The row of a
+/// bat has the values of the curve at its hoop frequency, which `at_bats` holds.
+void add_bats_rows(const std::vector<NumericColumn>& at_bats, const BatsBesideModel& beside, CommandReport& report);
 
 }  // namespace percuss::report

@@ -155,8 +155,8 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
     bats = trampoline_bats_curve(beside);
     std::vector<double> bats_Hz;
     for (const MeasuredBat& bat : beside.bats) bats_Hz.push_back(bat.hoop_Hz);
-    report.table = trampoline_bats_csv(report.columns, curve_columns(model, bats_Hz, beside.rebounds, wall, reference),
-                                       beside, extras.formulas);
+    report.formulas = extras.formulas;
+    add_bats_rows(curve_columns(model, bats_Hz, beside.rebounds, wall, reference), beside, report);
   }
   add_warnings(model::trampoline_warnings(model, peak, fitted), json, report.text);
   report.json = json.dump(2) + "\n";

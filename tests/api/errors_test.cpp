@@ -48,6 +48,7 @@ TEST(OptionFields, AreTheIdentifierAndItsUnit) {
       {"driving_point", "SurveyOptions::driving_point"},
       {"force", "WriteOptions::overwrite"},
       {"force_sensitivity", "ReadOptions::force_sensitivity_VpN"},
+      {"pressure_sensitivity", "ReadOptions::pressure_sensitivity_VpPa"},
       {"lowest", "DeflectionOptions::lowest_Hz"},
       {"survey.example", "survey.example"}};
   for (const auto& [id, field] : expected) EXPECT_EQ(option_field(id), field);

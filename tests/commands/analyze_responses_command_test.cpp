@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "support/csv_columns.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/ping_file.hpp"
@@ -101,6 +102,73 @@ TEST_F(AnalyzeResponses, TakesSoundPressures) {
               HasSubstr("has no deflection"));
   EXPECT_THAT(run_percuss({"analyze", folder_.file("force.csv"), "--fs", "44100", "--accel-channel", "mic1_Pa"}).err,
               HasSubstr("measures a pressure, not an acceleration"));
+}
+
+// Volts and a sensitivity in mV/Pa give the same pressures as a record in Pa, as option and as set-up, for text, sound
+// and MAT files, which a sandbox decodes.
+TEST_F(AnalyzeResponses, TakesSensitivitiesOfMicrophones) {
+  std::string pascals = "mic_Pa\n", volts = "mic_V\n";
+  for (const double x : test::ping(1e-3)) {
+    pascals += std::to_string(x) + "\n";
+    volts += std::to_string(0.05 * x) + "\n";
+  }
+  test::write_bytes(folder_.file("pa.csv"), pascals);
+  test::write_bytes(folder_.file("volts.csv"), volts);
+  test::write_bytes(folder_.file("setup.json"),
+                    R"([{"name": "mic_V", "role": "acceleration", "sensitivity": 50, "sensitivity_unit": "mV/Pa"}])");
+  const auto document_of = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "analyze");
+    arguments.insert(arguments.end(), {"--json", "--quiet"});
+    const auto outcome = run_percuss(arguments, {.folder = folder_.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return test::parse_json(outcome.out);
+  };
+  const json expected = document_of({"pa.csv", "--fs", "44100"});
+  ASSERT_EQ(expected["decay"]["unit"], "Pa");
+  const double amplitude_Pa = expected["modes"][0]["hit_amplitudes"][0]["re"];
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"volts.csv", "--fs", "44100", "--pressure-sensitivity", "50"},
+                                             {"volts.csv", "--fs", "44100", "--setup", "setup.json"}}) {
+    const json found = document_of(words);
+    EXPECT_EQ(found["decay"]["unit"], "Pa");
+    // The texts hold six decimals.
+    EXPECT_NEAR(found["modes"][0]["hit_amplitudes"][0]["re"].get<double>(), amplitude_Pa,
+                1e-4 * std::abs(amplitude_Pa));
+  }
+  const json sound = document_of({"ping.wav", "--pressure-sensitivity", "50"});  // full scale taken as 1 V
+  EXPECT_EQ(sound["decay"]["unit"], "Pa");
+  EXPECT_EQ(document_of({"ping.wav", "--accel-sensitivity", "50"})["decay"]["unit"], "m/s^2");
+  EXPECT_THAT(
+      test::rejection_of({"deflect", folder_.file("volts.csv"), "--fs", "44100", "--pressure-sensitivity", "50"},
+                         {".json"}, "volts.csv"),
+      HasSubstr("has no deflection"));
+}
+
+// The table of several tests names the test of each mode. A test with fewer channels leaves fields empty.
+TEST_F(AnalyzeResponses, WritesATableOfSeveralTests) {
+  std::string two = "mic1_Pa,mic2_Pa\n";
+  for (const double x : test::ping(1e-3)) two += std::to_string(x) + "," + std::to_string(0.5 * x) + "\n";
+  test::write_bytes(folder_.file("two.csv"), two);
+  const auto outcome = run_percuss(
+      {"analyze", "two.csv", "ping.wav", "--fs", "44100", "--files", "tests", "-o", "m.csv", "-o", "m.json"},
+      {.folder = folder_.path()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  auto table = test::csv_columns(folder_.file("m.csv"));
+  const json runs = test::parse_json(test::bytes_of(folder_.file("m.json")))["runs"];
+  ASSERT_EQ(runs.size(), 2U);
+  std::size_t row = 0;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    const json& modes = runs[run]["modes"];
+    ASSERT_GE(table["test"].size(), row + modes.size());
+    for (std::size_t m = 0; m < modes.size(); ++m, ++row) {
+      EXPECT_EQ(table["test"][row], static_cast<double>(run));
+      EXPECT_EQ(table["mode"][row], static_cast<double>(m));
+      EXPECT_EQ(table["frequency_hz"][row], modes[m]["frequency_hz"].get<double>());
+      EXPECT_EQ(std::isnan(table["channel_1_re"][row]), run == 1);
+    }
+  }
+  EXPECT_EQ(table["test"].size(), row);
+  EXPECT_GE(row, 2 * test::kPing.size());
 }
 
 TEST_F(AnalyzeResponses, RefusesWhatNeedsAForce) {

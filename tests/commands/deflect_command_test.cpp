@@ -138,6 +138,14 @@ TEST_F(DeflectCommand, ComparesItsModesAndDeflectionsWithABeam) {
   for (const json& pair : model["deflections"])
     EXPECT_NEAR(pair["ratio"].get<double>(), 1 / kSensor, 0.02) << pair;  // both without second contacts
   EXPECT_THAT(run_percuss({"deflect", file("bat.h5"), "--beam", "colour=3"}).err, HasSubstr("not a known name"));
+  const auto in_lab_units =
+      run_percuss({"deflect", file("bat.h5"), "--positions", "0.155:0.13:0.545", "--beam",
+                   "speed=11.184681460272mph,length=57cm,ball_mass=160g", "--band", "5:3000", "--json"});
+  ASSERT_EQ(in_lab_units.code, 0) << in_lab_units.err;
+  const json other = test::parse_json(in_lab_units.out)["comparison"]["deflections"];
+  ASSERT_EQ(other.size(), model["deflections"].size());
+  for (std::size_t i = 0; i < other.size(); ++i)
+    EXPECT_NEAR(other[i]["ratio"].get<double>(), model["deflections"][i]["ratio"].get<double>(), 1e-9);
 }
 
 TEST_F(DeflectCommand, WorksWithoutAForce) {

@@ -34,6 +34,7 @@ struct CommandResult {
   std::shared_ptr<const synth::SyntheticTest> synthetic;
   std::vector<std::variant<acquire::Record, acquire::FrfRecord>> opened;
   std::vector<report::NumericColumn> columns;
+  std::vector<report::WordColumn> words;
 };
 
 /// A program that calls a command as a function: its inputs, and the result.

@@ -101,6 +101,12 @@ void add_reading_options(Command& command, ReadFlags& flags) {
           "--accel-sensitivity", flags.accel_sensitivity_mV_per_g,
           "Set the sensitivity of the accelerometers, for accelerations stored in volts; one value, or one per channel")
       .type("mV/g,...");
+  command
+      .list(
+          "--pressure-sensitivity", flags.pressure_sensitivity_mV_per_Pa,
+          "Set the sensitivity of the microphones, for sound pressures stored in volts, without a force; one value, or "
+          "one per channel")
+      .type("mV/Pa,...");
   command.list("--angle", flags.angle_deg, "Set the angle of each accelerometer around the barrel")
       .type("DEG,...")
       .finite();
@@ -169,6 +175,8 @@ acquire::ReadOptions options_of(const ReadFlags& flags) {
   for (const double mV_per_g : flags.accel_sensitivity_mV_per_g) {
     options.accel_sensitivity_V_per_mps2.push_back(mV_per_g * kMilli / kStandardGravity_mps2);
   }
+  for (const double mV_per_Pa : flags.pressure_sensitivity_mV_per_Pa)
+    options.pressure_sensitivity_V_per_Pa.push_back(mV_per_Pa * kMilli);
   require_unit_or_volts(options.accel_unit, Quantity::acceleration, "unit", options.force_optional);
   require_unit_or_volts(options.force_unit, Quantity::force, "force_unit");
   options.accel_channels = rejoined_names(options.accel_channels);

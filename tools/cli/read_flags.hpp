@@ -23,7 +23,7 @@ struct ReadFlags {
   std::vector<double> angle_deg;
   std::vector<double> position_m;
   std::optional<double> force_sensitivity_mV_per_N;
-  std::vector<double> accel_sensitivity_mV_per_g;
+  std::vector<double> accel_sensitivity_mV_per_g, pressure_sensitivity_mV_per_Pa;
   Host* host = nullptr;  // may provide data in place of paths
 };
 

@@ -29,6 +29,7 @@ void print_report(const report::CommandReport& report, const OutputFlags& flags)
   if (flags.host != nullptr) {
     CommandResult& outcome = flags.host->outcome;
     outcome.columns = report.columns;
+    outcome.words = report.words;
     outcome.text = [text = report.text](std::size_t width, OptionWriter write_option) {
       return text.text(width, write_option);
     };

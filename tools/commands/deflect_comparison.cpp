@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cli/option_error.hpp"
+#include "cli/option_units.hpp"
 #include "core/io/parse_number.hpp"
 #include "model/beam/beam.hpp"
 #include "model/impact/impact.hpp"
@@ -32,13 +33,17 @@ double positive(const std::string& entry, const std::string& text) {
 
 ModelBeam beam_of(const std::vector<std::string>& entries) {
   ModelBeam out;
-  const std::map<std::string, double*> numbers{{"ei", &out.impact.beam.stiffness_Nm2},
-                                               {"rho_a", &out.impact.beam.mass_per_length_kgpm},
-                                               {"torsion", &out.impact.beam.torsion_Nmprad},
-                                               {"length", &out.impact.beam.length_m},
-                                               {"ball_mass", &out.impact.ball_mass_kg},
-                                               {"speed", &out.impact.speed_mps},
-                                               {"hertz", &out.impact.hertz_Npm15}};
+  struct Number {
+    double* value;
+    const char* unit;  // as a placeholder of an option
+  };
+  const std::map<std::string, Number> numbers{{"ei", {&out.impact.beam.stiffness_Nm2, ""}},
+                                              {"rho_a", {&out.impact.beam.mass_per_length_kgpm, ""}},
+                                              {"torsion", {&out.impact.beam.torsion_Nmprad, ""}},
+                                              {"length", {&out.impact.beam.length_m, "M"}},
+                                              {"ball_mass", {&out.impact.ball_mass_kg, "KG"}},
+                                              {"speed", {&out.impact.speed_mps, "M/S"}},
+                                              {"hertz", {&out.impact.hertz_Npm15, ""}}};
   for (const std::string& entry : entries) {
     const std::size_t equals = entry.find('=');
     const std::string key = entry.substr(0, equals), text = equals == std::string::npos ? "" : entry.substr(equals + 1);
@@ -50,7 +55,7 @@ ModelBeam beam_of(const std::vector<std::string>& entries) {
     }
     const auto number = numbers.find(key);
     if (number == numbers.end()) throw OptionError::wrong_value("beam", entry, kKeys, "it is not a known name");
-    *number->second = positive(entry, text);
+    *number->second.value = positive(entry, in_option_unit(text, number->second.unit));
     out.speed_known = out.speed_known || key == "speed";
   }
   return out;

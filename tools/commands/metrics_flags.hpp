@@ -18,7 +18,8 @@ struct MetricsFlags : metrics::LabReadings {
   std::size_t crossings_per_period = 2;
   metrics::ProtocolSteps steps;
   double period_step_s = 0, moi_step_ozin2 = 0, z_step_in = 0, speed_step_mph = 0;
-  double v0_mph = 60, pitch_mph = 70, nominal_mph = 136, swing_length_in = 28, swing_moi_ozin2 = 15000;
+  double v0_mph = 60, pitch_mph = 70, nominal_mph = metrics::kNominalSpeed_mph, swing_length_in = 28,
+         swing_moi_ozin2 = 15000;
   double gravity_inps2 = 386.4;
   metrics::BatReadings readings;
   bool rounded = false, example = false, keep_formulas = false;

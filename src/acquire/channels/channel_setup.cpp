@@ -98,8 +98,15 @@ double read_sign(const Entry& entry) {
   throw InputError(fmt::format("{:g} is not a sign", sign), entry.where("sign"), "give 1 or -1");
 }
 
-// "mV/N" → 1e-3 V/N; "V/(m/s^2)", "mV/g". Charge is refused: its amplifier's gain is not in the sensor's data sheet.
-double volts_per_SI(const std::string& unit, const std::string& role, const std::string& where) {
+// Volts per SI unit, and the quantity of that unit.
+struct Sensitivity {
+  double V_per_SI = 0;
+  Quantity to = Quantity::acceleration;
+};
+
+// "mV/N" → 1e-3 V/N; "V/(m/s^2)", "mV/g", "mV/Pa". Charge is refused: its amplifier's gain is not in the sensor's data
+// sheet.
+Sensitivity volts_per_SI(const std::string& unit, const std::string& role, const std::string& where) {
   if (unit.substr(0, 2) == "pC") {
     throw InputError("a sensitivity in charge, but samples are volts", where,
                      "give the sensitivity at the amplifier's output, such as mV/N");
@@ -110,16 +117,17 @@ double volts_per_SI(const std::string& unit, const std::string& role, const std:
   const Unit volts = parse_unit(unit.substr(0, slash)).value_or(none);
   const Unit per = parse_unit(unit.substr(std::min(slash + 1, unit.size()))).value_or(none);
   const bool force = per.quantity == Quantity::force;
-  if (volts.quantity != Quantity::voltage || (!force && per.quantity != Quantity::acceleration)) {
-    throw InputError("unknown sensitivity unit " + shown, where, "use mV/N, mV/lbf, mV/g or V/(m/s^2)");
+  const bool response = per.quantity == Quantity::acceleration || per.quantity == Quantity::pressure;
+  if (volts.quantity != Quantity::voltage || (!force && !response)) {
+    throw InputError("unknown sensitivity unit " + shown, where, "use mV/N, mV/lbf, mV/g, V/(m/s^2) or mV/Pa");
   }
   if ((role == "force" && !force) || (role == "acceleration" && force)) {
-    throw InputError(shown + " does not fit the role " + role, where, force ? "use mV/g" : "use mV/N");
+    throw InputError(shown + " does not fit the role " + role, where, force ? "use mV/g or mV/Pa" : "use mV/N");
   }
-  return volts.to_SI / per.to_SI;
+  return {.V_per_SI = volts.to_SI / per.to_SI, .to = per.quantity};
 }
 
-std::optional<double> read_sensitivity(const Entry& entry, const std::string& role) {
+std::optional<Sensitivity> read_sensitivity(const Entry& entry, const std::string& role) {
   constexpr double kMaxValue = 1e9;
   const auto value = entry.number("sensitivity", -kMaxValue, kMaxValue);
   const auto unit = entry.text("sensitivity_unit");
@@ -128,7 +136,9 @@ std::optional<double> read_sensitivity(const Entry& entry, const std::string& ro
     throw InputError("only one of sensitivity and sensitivity_unit is given", entry.where(), "give both");
   if (std::abs(*value) < 1 / kMaxValue)
     throw InputError("a sensitivity of zero", entry.where("sensitivity"), "see the sensor's data sheet");
-  return *value * volts_per_SI(*unit, role, entry.where("sensitivity_unit"));
+  Sensitivity out = volts_per_SI(*unit, role, entry.where("sensitivity_unit"));
+  out.V_per_SI *= *value;
+  return out;
 }
 
 ChannelSetup read_entry(const Json& json, std::size_t index, const std::string& file) {
@@ -142,7 +152,10 @@ ChannelSetup read_entry(const Json& json, std::size_t index, const std::string& 
   setup.sign = read_sign(entry);
   if (const auto angle_deg = entry.number("angle_deg", -360, 360)) setup.angle_rad = *angle_deg * kDegree_rad;
   setup.position_m = entry.number("position_m", -1000, 1000);
-  setup.sensitivity_V_per_SI = read_sensitivity(entry, setup.role);
+  if (const auto sensitivity = read_sensitivity(entry, setup.role)) {
+    setup.sensitivity_V_per_SI = sensitivity->V_per_SI;
+    setup.sensitivity_to = sensitivity->to;
+  }
   setup.unit = entry.text("unit");
   if (setup.unit && !parse_unit(*setup.unit)) {
     throw InputError("unknown unit \"" + one_line(*setup.unit, 40) + "\"", entry.where("unit"),

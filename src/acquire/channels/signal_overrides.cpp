@@ -29,6 +29,7 @@ SignalOverrides from_setup(const ChannelSetup* setup) {
   if (setup == nullptr) return {};
   return {.scale = std::nullopt,
           .sensitivity_V_per_SI = setup->sensitivity_V_per_SI,
+          .sensitivity_to = setup->sensitivity_to,
           .unit = setup->unit.value_or(""),
           .sign = setup->sign,
           .angle_rad = setup->angle_rad,
@@ -81,8 +82,19 @@ SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* 
                                 std::size_t count) {
   SignalOverrides choice = from_setup(setup);
   choice.scale = entry(options.accel_scale, index, count, "accel_scale");
-  override_value(choice.sensitivity_V_per_SI,
-                 entry(options.accel_sensitivity_V_per_mps2, index, count, "accel_sensitivity"));
+  if (!options.accel_sensitivity_V_per_mps2.empty() && !options.pressure_sensitivity_V_per_Pa.empty()) {
+    throw InputError("sensitivities to accelerations and to pressures are both given", "pressure_sensitivity",
+                     "give one of them, or describe the channels in a set-up file",
+                     {"pressure_sensitivity", "accel_sensitivity", "setup"});
+  }
+  if (const auto accel = entry(options.accel_sensitivity_V_per_mps2, index, count, "accel_sensitivity")) {
+    choice.sensitivity_V_per_SI = accel;
+    choice.sensitivity_to = Quantity::acceleration;
+  }
+  if (const auto pressure = entry(options.pressure_sensitivity_V_per_Pa, index, count, "pressure_sensitivity")) {
+    choice.sensitivity_V_per_SI = pressure;
+    choice.sensitivity_to = Quantity::pressure;
+  }
   if (!options.accel_unit.empty()) choice.unit = options.accel_unit;
   override_value(choice.angle_rad, entry_of_each(options.angle_rad, index, count, "angle"));
   override_value(choice.position_m, entry(options.position_m, index, count, "position"));
@@ -91,8 +103,9 @@ SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* 
 
 Quantity response_quantity(const SignalInfo& signal, const SignalOverrides& choice, bool has_force) {
   const auto unit = parse_unit(choice.unit.empty() ? signal.unit : choice.unit);
-  const bool pressure = !has_force && unit && unit->quantity == Quantity::pressure;
-  return pressure ? Quantity::pressure : Quantity::acceleration;
+  const bool by_unit = unit && unit->quantity == Quantity::pressure;
+  const bool by_sensitivity = choice.sensitivity_V_per_SI && choice.sensitivity_to == Quantity::pressure;
+  return !has_force && (by_unit || by_sensitivity) ? Quantity::pressure : Quantity::acceleration;
 }
 
 void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity measures, const std::string& where) {
@@ -100,11 +113,16 @@ void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity
   if (choice.scale) {
     signal.to_SI = usable_factor(*choice.scale, "scale", where);
   } else if (choice.sensitivity_V_per_SI) {
+    if ((choice.sensitivity_to == Quantity::pressure) != (measures == Quantity::pressure)) {
+      throw InputError("a sensitivity to pressure, but beside a force, responses are accelerations", where,
+                       "give the sensitivity in mV/g, or read the file without its force");
+    }
     signal.to_SI = volts_to_SI(signal.unit, *choice.sensitivity_V_per_SI, where);
   } else {
     signal.to_SI = unit_to_SI(signal.unit, measures, where);
   }
   signal.to_SI *= choice.sign;
+  signal.measures = measures;
   if (choice.angle_rad) signal.angle_rad = choice.angle_rad;
   if (choice.position_m) signal.position_m = choice.position_m;
 }

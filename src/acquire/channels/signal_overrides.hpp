@@ -13,7 +13,8 @@ namespace percuss::acquire {
 struct SignalOverrides {
   std::optional<double> scale;                 // SI value per stored number, whatever its unit
   std::optional<double> sensitivity_V_per_SI;  // the stored numbers are volts
-  std::string unit;                            // of the stored numbers
+  Quantity sensitivity_to = Quantity::acceleration;
+  std::string unit;  // of the stored numbers
   double sign = 1;
   std::optional<double> angle_rad, position_m;
 };
@@ -22,19 +23,19 @@ struct SignalOverrides {
 SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* setup);
 
 /// For acceleration channel `index` of the `count` that are read.
-/// errors  InputError: an option's list has neither one value (for all channels) nor `count` values. Angles need
-/// `count`.
+/// errors  InputError: an option's list has neither one value (for all channels) nor `count` values, or sensitivities
+/// to accelerations and to pressures are both given. Angles need `count`.
 SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
                                 std::size_t count);
 
-/// What a response measures: a pressure, if its unit says so and no force was recorded (a microphone); else an
-/// acceleration. FRFs of a pressure have other units than percuss states.
+/// What a response measures: a pressure, if its unit or its sensitivity says so and no force was recorded (a
+/// microphone); else an acceleration. FRFs of a pressure have other units than percuss states.
 Quantity response_quantity(const SignalInfo& signal, const SignalOverrides& choice, bool has_force);
 
-/// Applies the statements: sets the signal's unit, to_SI, angle_rad and position_m. Where neither the file
+/// Applies the statements: sets the signal's unit, to_SI, angle_rad, position_m and measures. Where neither the file
 /// (signal.unit) nor the user states a unit, it is V with a sensitivity, else the SI unit of `measures`.
 /// errors  InputError at `where`: unknown unit, a unit of another quantity, volts without sensitivity, a sensitivity
-/// for another unit than volts, a scale or sensitivity that is zero or not finite.
+/// for another unit than volts or to another quantity, a scale or sensitivity that is zero or not finite.
 void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity measures, const std::string& where);
 
 /// apply_overrides for the force. Volts without sensitivity or scale are kept, with a note that FRFs are per volt:

@@ -21,7 +21,8 @@ void refuse_inapplicable_options(const ReadOptions& options, const std::string& 
     throw InputError("a sampling rate does not apply to FRFs, whose frequencies are stored", where, "leave it out",
                      {"fs"});
   }
-  if (options.force_sensitivity_V_per_N || !options.accel_sensitivity_V_per_mps2.empty()) {
+  if (options.force_sensitivity_V_per_N || !options.accel_sensitivity_V_per_mps2.empty() ||
+      !options.pressure_sensitivity_V_per_Pa.empty()) {
     throw InputError("a sensitivity does not apply to FRFs, which are not volts", where, "give scales instead",
                      {"accel_scale", "force_scale"});
   }

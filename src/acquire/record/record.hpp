@@ -11,6 +11,7 @@
 
 #include "acquire/record/sample_reader.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 
 namespace percuss::acquire {
 
@@ -24,9 +25,10 @@ struct SignalInfo {
   std::string name;                  // of the column, the data set or the channel set-up's entry
   std::string unit;                  // as stored, for people ("g", "cm/s2"); empty: not stated
   bool unit_assumed = false;         // `unit` is not stated in the file
-  double to_SI = 1;                  // stored value × to_SI = value in N or m/s²; carries sign and calibration
+  double to_SI = 1;                  // stored value × to_SI = value in N, m/s² or Pa; carries sign and calibration
   std::optional<double> angle_rad;   // around the barrel
   std::optional<double> position_m;  // from the barrel's end
+  Quantity measures = Quantity::acceleration;  // force, acceleration, or the pressure at a microphone
 };
 
 /// A range of time that all signals were sampled in without a gap.
@@ -79,8 +81,9 @@ struct ChannelSetup {
   std::string role;  // "force", "acceleration" or "ignore"
   double sign = 1;   // −1 when the sensor points against its axis
   std::optional<double> angle_rad, position_m;
-  std::optional<double> sensitivity_V_per_SI;  // volts per N or per m/s²
-  std::optional<std::string> unit;             // of the stored numbers
+  std::optional<double> sensitivity_V_per_SI;        // volts per N, m/s² or Pa
+  Quantity sensitivity_to = Quantity::acceleration;  // what these volts measure
+  std::optional<std::string> unit;                   // of the stored numbers
 };
 
 /// The user's statements about a file. Each is optional and overrides the file's own.
@@ -92,10 +95,11 @@ struct ReadOptions {
   std::vector<std::string> accel_channels;  // likewise, in the order wanted
   std::vector<double> force_scale;          // N per stored unit; one for all files or one per file
   std::vector<double> accel_scale;          // m/s² per stored unit; one for all or one per channel
-  std::optional<double> force_sensitivity_V_per_N;   // stored numbers are V (or mV by their unit)
-  std::vector<double> accel_sensitivity_V_per_mps2;  // one for all or one per channel
-  std::string force_unit, accel_unit;                // of the stored numbers
-  std::vector<double> angle_rad, position_m;         // per acceleration channel
+  std::optional<double> force_sensitivity_V_per_N;    // stored numbers are V (or mV by their unit)
+  std::vector<double> accel_sensitivity_V_per_mps2;   // one for all or one per channel
+  std::vector<double> pressure_sensitivity_V_per_Pa;  // likewise, of microphones
+  std::string force_unit, accel_unit;                 // of the stored numbers
+  std::vector<double> angle_rad, position_m;          // per acceleration channel
   std::vector<ChannelSetup> setup;
   bool force_optional = false;  // accept a file without a force
   bool sandboxed = false;       // decode foreign binary files in a child process (sandbox_process.hpp)

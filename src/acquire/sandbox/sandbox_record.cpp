@@ -104,6 +104,7 @@ void serialize_signal(Serializer& out, const SignalInfo& signal) {
   out.put(signal.to_SI);
   out.put(signal.angle_rad.value_or(kUnknown));
   out.put(signal.position_m.value_or(kUnknown));
+  out.put(static_cast<std::uint64_t>(signal.measures == Quantity::pressure));
 }
 
 SignalInfo deserialize_signal(Deserializer& in) {
@@ -113,6 +114,7 @@ SignalInfo deserialize_signal(Deserializer& in) {
   signal.to_SI = in.get<double>();
   signal.angle_rad = if_known(in.get<double>());
   signal.position_m = if_known(in.get<double>());
+  if (in.get<std::uint64_t>() != 0) signal.measures = Quantity::pressure;
   return signal;
 }
 

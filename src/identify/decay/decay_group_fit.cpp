@@ -40,23 +40,31 @@ Eigen::Matrix2d rotation(double re, double im) { return Eigen::Matrix2d{{re, -im
 class DecayProblem : public LeastSquaresProblem {
  public:
   DecayProblem(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data)
-      : windows_(group.windows), of_(of), data_(stacked(data)), weight_(Eigen::VectorXd::Ones(data.cols())) {
+      : windows_(group.windows),
+        of_(of),
+        data_(stacked(data)),
+        level_(group.level.size() == data.cols() ? group.level : Eigen::VectorXd::Ones(data.cols())),
+        weight_(Eigen::VectorXd::Ones(data.cols())) {
     solve(group.rates, now_);
   }
 
   const State& state() const { return now_; }
   double cost() const override { return cost_of(now_); }
 
-  // The variance of a line's real and imaginary part, per channel, from the residual. Sets the weights.
+  // The variance of a line's real and imaginary part, per hit and channel: one per channel from the residual, times the
+  // levels of the hits. A variance per hit from its residual would give hits less weight whose frequency differs from
+  // the others', and would understate the scatter. Sets the weights.
   Eigen::VectorXd set_weights_from_residual() {
     const auto channels = static_cast<Index>(of_.channels), hits = static_cast<Index>(of_.hits);
     const auto modes = static_cast<double>(now_.rates.size());
     const double shared = 2 * modes / static_cast<double>(data_.cols());  // unknowns of the rates, per FRF
     const double freedom = std::max(1.0, static_cast<double>(data_.rows()) - 2 * modes - shared);
-    Eigen::VectorXd noise = Eigen::VectorXd::Zero(channels);
-    for (Index i = 0; i < data_.cols(); ++i)
-      noise(i % channels) += now_.residual.col(i).squaredNorm() / freedom / static_cast<double>(hits);
-    for (Index i = 0; i < data_.cols(); ++i) weight_(i) = 1 / std::max(noise(i % channels), kSmallest);
+    Eigen::VectorXd of_channel = Eigen::VectorXd::Zero(channels), noise(data_.cols());
+    for (Index i = 0; i < data_.cols(); ++i) {
+      of_channel(i % channels) += now_.residual.col(i).squaredNorm() / level_(i) / freedom / static_cast<double>(hits);
+    }
+    for (Index i = 0; i < data_.cols(); ++i) noise(i) = of_channel(i % channels) * level_(i);
+    weight_ = noise.cwiseMax(kSmallest).cwiseInverse();
     return noise;
   }
 
@@ -154,7 +162,7 @@ class DecayProblem : public LeastSquaresProblem {
   std::vector<std::pair<std::size_t, std::size_t>> windows_;
   const DecaySpectra& of_;
   Eigen::MatrixXd data_;
-  Eigen::VectorXd weight_;  // [hits × channels]
+  Eigen::VectorXd level_, weight_;  // [hits × channels]
   State now_, trial_;
   Eigen::MatrixXd columns_, along_;
   Eigen::HouseholderQR<Eigen::MatrixXd> qr_;

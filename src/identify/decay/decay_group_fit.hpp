@@ -12,13 +12,14 @@ namespace percuss::identify {
 struct DecayGroup {
   std::vector<DecayRate> rates;
   std::vector<std::pair<std::size_t, std::size_t>> windows;  // first line and count; ascending, disjoint
+  Eigen::VectorXd level{};  // [hits × channels] noise power of each hit over its channel's; empty: all equal
 };
 
 struct DecayGroupFit {
   std::vector<DecayRate> rates;  // in the order of the group
   Eigen::MatrixXcd amplitude;    // [modes, hits × channels] at the first sample
   Eigen::MatrixXd covariance;    // of (Re s, Im s) of each mode, [2 modes, 2 modes]
-  Eigen::VectorXd noise;         // [channels] variance of the real and of the imaginary part of a line
+  Eigen::VectorXd noise;         // [hits × channels] variance of the real and of the imaginary part of a line
   Eigen::MatrixXd inverse_gram;  // [2 modes, 2 modes] of the columns: times `noise` the covariance of an amplitude
   /// The step of the rates by each hit alone, and its normal matrix, [hits].
   std::vector<Eigen::VectorXd> hit_step;

@@ -14,6 +14,7 @@ using Eigen::Index;
 constexpr std::size_t kMaxTogether = 8;
 constexpr double kStill = 1e-11;     // relative change of a rate in one sweep, below which the fit ends
 constexpr double kStillStds = 1e-3;  // the same in standard deviations of the rate
+constexpr double kOtherLevel = 0.1;  // relative change of a hit's noise level that calls for a new fit
 
 double frequency_Hz(const FittedDecay& mode) { return mode.rate.rate_radps.imag() / kTwoPi; }
 
@@ -111,6 +112,19 @@ void DecayModel::unsettle_near(const DecayRate& rate) {
   }
 }
 
+void DecayModel::set_levels(const Eigen::MatrixXd& noise) {
+  const auto channels = static_cast<Index>(measured_->channels), hits = static_cast<Index>(measured_->hits);
+  const Eigen::VectorXd log_power = noise.row(0).transpose().array().log();
+  const Eigen::Map<const Eigen::MatrixXd> table(log_power.data(), channels, hits);
+  const Eigen::MatrixXd above = (table.colwise() - table.rowwise().mean()).array().exp();
+  const Eigen::VectorXd level = above.reshaped();
+  const bool changed = level_.size() == 0 ? !level.isOnes(kOtherLevel)
+                                          : ((level - level_).array().abs() > kOtherLevel * level_.array()).any();
+  if (!changed) return;
+  level_ = level;
+  for (FittedDecay& mode : modes_) mode.settled.reset();
+}
+
 bool DecayModel::is_settled(const std::vector<std::size_t>& members, DecayAccuracy accuracy) const {
   return std::all_of(members.begin(), members.end(), [&](std::size_t m) {
     const auto& settled = modes_[m].settled;
@@ -138,7 +152,7 @@ DecaySpectra DecayModel::residual() const {
 }
 
 void DecayModel::fit_group(const std::vector<std::size_t>& members, const DecayWindows& windows) {
-  DecayGroup group;
+  DecayGroup group{.rates = {}, .windows = {}, .level = level_};
   std::vector<std::pair<std::size_t, std::size_t>> ranges;  // first, one past the last
   for (const std::size_t m : members) {
     group.rates.push_back(modes_[m].rate);

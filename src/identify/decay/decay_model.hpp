@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "identify/decay/decay_group_fit.hpp"
@@ -23,12 +24,14 @@ struct FittedDecay {
   Eigen::RowVectorXcd amplitude;          // [hits × channels] at the first sample
   Eigen::Matrix2d covariance;             // of (Re s, Im s)
   Eigen::Matrix2d inverse_gram;           // covariance of an amplitude's (Re, Im), divided by `noise`
-  Eigen::VectorXd noise;                  // [channels] variance of a line's real and imaginary part
+  Eigen::VectorXd noise;                  // [hits × channels] variance of a line's real and imaginary part
   std::vector<Eigen::Vector2d> hit_step;  // [hits] of (Re s, Im s), by each hit alone
   std::vector<Eigen::Matrix2d> hit_covariance;
   double misfit = 1;
   bool converged = false;
   std::optional<DecayAccuracy> settled;  // accuracy of the last fit; none: a mode nearby changed since, or it failed
+  /// Two modes at these frequencies fit about as well as this one with a frequency that differs between the hits.
+  std::optional<std::pair<double, double>> rivals_Hz{};
 };
 
 /// Decays fitted to spectra, group by group: modes whose windows overlap are fitted together, at most eight, and the
@@ -41,6 +44,10 @@ class DecayModel {
   const std::vector<FittedDecay>& modes() const { return modes_; }  // ascending in frequency
   void add(const DecayRate& rate);
   void remove(std::size_t mode);
+  void set_rivals(std::size_t mode, const std::pair<double, double>& rivals_Hz) { modes_[mode].rivals_Hz = rivals_Hz; }
+  /// Sets the noise power of each hit over its channel's, from the noise of the lines of a residual. Where it changes
+  /// much, all groups are fitted again.
+  void set_levels(const Eigen::MatrixXd& noise);
   /// Fits all groups in turn, `sweeps` times at most.
   void fit(int sweeps, const DecayWindows& windows);
   /// The measured spectra minus all modes.
@@ -56,6 +63,7 @@ class DecayModel {
 
   const DecaySpectra* measured_;
   std::vector<FittedDecay> modes_;
+  Eigen::VectorXd level_;  // DecayGroup::level
 };
 
 }  // namespace percuss::identify

@@ -65,23 +65,29 @@ void add_scatter(const FittedDecay& decay, Mode& mode) {
 
 // Rank one of the amplitudes over their noise: value(h, c) ≈ hit(h) channel(c).
 struct RankOne {
-  Eigen::VectorXcd hit;      // [hits], of unit length
+  Eigen::VectorXcd hit;      // [hits]
   Eigen::VectorXcd channel;  // [channels]
+  Eigen::VectorXd hit_std;   // [hits] of the real and of the imaginary part of a hit's amplitude in a channel, over std
   Eigen::VectorXd std;       // [channels] of the real and of the imaginary part
   double excess = 1;         // of the standard deviations: the residual's RMS over the noise, at least 1
 };
 
 RankOne rank_one(const FittedDecay& decay, Index channels) {
   const Index hits = decay.amplitude.size() / channels;
-  const Eigen::VectorXd noise = (decay.noise * decay.inverse_gram.trace() / 2).cwiseSqrt().cwiseMax(1e-290);
+  // The standard deviations as a product of one per hit and one per channel: their geometric means.
+  const Eigen::VectorXd log_std = (decay.noise * decay.inverse_gram.trace() / 2).cwiseMax(1e-290).array().log() / 2;
+  const Eigen::Map<const Eigen::MatrixXd> table(log_std.data(), channels, hits);
+  const Eigen::VectorXd noise = table.rowwise().mean().array().exp();
+  const Eigen::VectorXd of_hit = (table.colwise().mean().array() - table.mean()).exp().transpose();
   Eigen::MatrixXcd weighted(hits, channels);
   for (Index h = 0; h < hits; ++h) {
-    for (Index c = 0; c < channels; ++c) weighted(h, c) = decay.amplitude(h * channels + c) / noise(c);
+    for (Index c = 0; c < channels; ++c) weighted(h, c) = decay.amplitude(h * channels + c) / (of_hit(h) * noise(c));
   }
   const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(weighted, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::VectorXd& values = svd.singularValues();
-  RankOne out{.hit = svd.matrixU().col(0),
+  RankOne out{.hit = svd.matrixU().col(0).cwiseProduct(of_hit.cast<Complex>()),
               .channel = (values(0) * svd.matrixV().col(0).conjugate()).cwiseProduct(noise.cast<Complex>()),
+              .hit_std = of_hit,
               .std = noise};
   const auto freedom = static_cast<double>(2 * (hits - 1) * (channels - 1));
   if (freedom > 0) {
@@ -117,7 +123,8 @@ void add_shape(const RankOne& shape, std::size_t reference, DecayMode& out) {
     out.mode.residues.push_back(
         {.point = 0, .channel = static_cast<std::size_t>(c), .value = ratio, .std = std, .own_pole = {}});
   }
-  for (Index h = 0; h < shape.hit.size(); ++h) out.hits.push_back({.value = shape.hit(h) * unit, .std = shape.std(at)});
+  for (Index h = 0; h < shape.hit.size(); ++h)
+    out.hits.push_back({.value = shape.hit(h) * unit, .std = shape.hit_std(h) * shape.std(at)});
 }
 
 Mode mode_of(const FittedDecay& decay) {
@@ -148,7 +155,8 @@ DecayResults modes_of_decays(const FreeDecayFit& fit, std::size_t channels, std:
     if (mode.pole.damping_ratio > kMaxDampingRatio) continue;
     const bool decays = mode.pole.damping_ratio > kDecays * mode.damping_std;
     (decays ? shapes : tone_shapes).push_back(rank_one(fit.decays[d], static_cast<Index>(channels)));
-    (decays ? out.modes : out.tones).push_back({.mode = mode, .hits = {}, .energy = fit.energy[d]});
+    (decays ? out.modes : out.tones)
+        .push_back({.mode = mode, .hits = {}, .energy = fit.energy[d], .rivals_Hz = fit.decays[d].rivals_Hz});
   }
   out.reference = reference_channel(shapes, channels);
   for (std::size_t m = 0; m < shapes.size(); ++m) add_shape(shapes[m], out.reference, out.modes[m]);

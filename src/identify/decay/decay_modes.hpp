@@ -1,5 +1,7 @@
 #pragma once
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "identify/decay/free_decay_fit.hpp"
@@ -19,7 +21,8 @@ struct DecayMode {
   /// standard deviations include the reference's.
   Mode mode;
   std::vector<HitAmplitude> hits;
-  double energy = 0;  // over the noise
+  double energy = 0;                                     // over the noise
+  std::optional<std::pair<double, double>> rivals_Hz{};  // FittedDecay::rivals_Hz
 };
 
 /// The modes of a test without a force, and the sinusoids among its decays.

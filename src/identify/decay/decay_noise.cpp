@@ -17,44 +17,87 @@ constexpr double kColumnAccuracy = 1e-10;      // of a column of the model, rela
 // The median of a mean of `hits` exponential variables, over its expectation (Wilson and Hilferty).
 double median_of_mean(double hits) { return hits == 1 ? std::log(2.0) : std::pow(1 - 1 / (9 * hits), 3); }
 
+// Blocks of lines, and where their centres lie.
+struct Blocks {
+  explicit Blocks(Index all)
+      : lines(all), size(std::clamp<Index>(all / kMinBlocks, std::min<Index>(16, all), kBlock)) {}
+  Index count() const { return (lines + size - 1) / size; }
+  Index first(Index block) const { return block * size; }
+  Index length(Index block) const { return std::min(size, lines - first(block)); }
+  double centre(Index block) const {
+    return static_cast<double>(first(block)) + static_cast<double>(length(block) - 1) / 2;
+  }
+  Index lines, size;
+};
+
+// The logarithm of the mean power in each block, from the median of the lines. `averages`: exponential variables in a
+// line's power.
+std::vector<double> block_levels(const Eigen::VectorXd& power, const Blocks& blocks, double averages, double floor) {
+  std::vector<double> out;
+  for (Index b = 0; b < blocks.count(); ++b) {
+    const double* const first = power.data() + blocks.first(b);
+    const std::vector<double> values(first, first + blocks.length(b));
+    out.push_back(std::log(std::max({median(values) / median_of_mean(averages), floor, 1e-290})));
+  }
+  return out;
+}
+
+// The level of each hit relative to the hits' typical level in the same block, which may differ from block to block:
+// the median over the blocks, as a factor of the power.
+std::vector<double> hit_levels(const std::vector<std::vector<double>>& levels) {
+  const std::size_t hits = levels.size(), blocks = levels.front().size();
+  std::vector<std::vector<double>> above(hits);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    std::vector<double> of_block;
+    for (std::size_t h = 0; h < hits; ++h) of_block.push_back(levels[h][b]);
+    const double typical = median(of_block);
+    for (std::size_t h = 0; h < hits; ++h) above[h].push_back(levels[h][b] - typical);
+  }
+  std::vector<double> out;
+  for (const std::vector<double>& one : above) out.push_back(std::exp(median(one)));
+  return out;
+}
+
 }  // namespace
 
 Eigen::MatrixXd decay_line_noise(const DecaySpectra& residual, const Eigen::VectorXd& floor) {
-  const Index lines = residual.lines.rows();
   const auto channels = static_cast<Index>(residual.channels), hits = static_cast<Index>(residual.hits);
-  const Index block = std::clamp<Index>(lines / kMinBlocks, std::min<Index>(16, lines), kBlock);
-  const Index blocks = (lines + block - 1) / block;
-  Eigen::MatrixXd out(lines, channels);
+  const Blocks blocks(residual.lines.rows());
+  Eigen::MatrixXd out(blocks.lines, residual.lines.cols());
   for (Index c = 0; c < channels; ++c) {
-    Eigen::VectorXd power = Eigen::VectorXd::Zero(lines);
-    for (Index h = 0; h < hits; ++h)
-      power += residual.lines.col(h * channels + c).cwiseAbs2() / static_cast<double>(hits);
-    std::vector<double> level, centre;
-    for (Index b = 0; b < blocks; ++b) {
-      const Index first = b * block, count = std::min(block, lines - first);
-      const std::vector<double> values(power.data() + first, power.data() + first + count);
-      const double mean = median(values) / median_of_mean(static_cast<double>(hits));
-      level.push_back(std::log(std::max({mean, floor(c), 1e-290})));
-      centre.push_back(static_cast<double>(first) + static_cast<double>(count - 1) / 2);
+    std::vector<std::vector<double>> levels;
+    for (Index h = 0; h < hits && hits > 1; ++h) {
+      const Index i = h * channels + c;
+      levels.push_back(block_levels(residual.lines.col(i).cwiseAbs2(), blocks, 1, floor(i)));
     }
-    std::size_t b = 0;
-    for (Index k = 0; k < lines; ++k) {
+    const std::vector<double> of_hit = hits > 1 ? hit_levels(levels) : std::vector<double>{1};
+    Eigen::VectorXd power = Eigen::VectorXd::Zero(blocks.lines);
+    double lowest = 0;  // rounding, as a power over the level of its hit
+    for (Index h = 0; h < hits; ++h) {
+      const Index i = h * channels + c;
+      const double level = of_hit[static_cast<std::size_t>(h)];
+      power += residual.lines.col(i).cwiseAbs2() / level / static_cast<double>(hits);
+      lowest = std::max(lowest, floor(i) / level);
+    }
+    const std::vector<double> level = block_levels(power, blocks, static_cast<double>(hits), lowest);
+    Index b = 0;
+    for (Index k = 0; k < blocks.lines; ++k) {
       const auto at = static_cast<double>(k);
-      while (b + 2 < centre.size() && at > centre[b + 1]) ++b;
-      const double part = centre.size() < 2 ? 0 : std::clamp((at - centre[b]) / (centre[b + 1] - centre[b]), 0.0, 1.0);
-      out(k, c) = std::exp(centre.size() < 2 ? level[0] : (1 - part) * level[b] + part * level[b + 1]);
+      while (b + 2 < blocks.count() && at > blocks.centre(b + 1)) ++b;
+      const auto left = static_cast<std::size_t>(b);
+      const bool alone = level.size() < 2;
+      const double width = alone ? 1 : blocks.centre(b + 1) - blocks.centre(b);
+      const double part = alone ? 0 : std::clamp((at - blocks.centre(b)) / width, 0.0, 1.0);
+      const double value = std::exp(alone ? level[0] : (1 - part) * level[left] + part * level[left + 1]);
+      for (Index h = 0; h < hits; ++h) out(k, h * channels + c) = of_hit[static_cast<std::size_t>(h)] * value;
     }
   }
   return out;
 }
 
 Eigen::VectorXd decay_rounding(const DecaySpectra& measured) {
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Index>(measured.channels));
-  for (Index i = 0; i < measured.lines.cols(); ++i) {
-    out(i % out.size()) += kColumnAccuracy * kColumnAccuracy * measured.lines.col(i).squaredNorm() /
-                           static_cast<double>(measured.lines.rows()) / static_cast<double>(measured.hits);
-  }
-  return out;
+  return kColumnAccuracy * kColumnAccuracy / static_cast<double>(measured.lines.rows()) *
+         measured.lines.colwise().squaredNorm().transpose();
 }
 
 }  // namespace percuss::identify

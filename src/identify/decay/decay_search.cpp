@@ -35,8 +35,7 @@ struct FilterBank {
 };
 
 std::vector<double> whitened(const DecaySpectra& residual, const Eigen::MatrixXd& noise, Index i) {
-  const Eigen::VectorXcd lines =
-      residual.lines.col(i).array() / noise.col(i % noise.cols()).array().sqrt().cast<Complex>();
+  const Eigen::VectorXcd lines = residual.lines.col(i).array() / noise.col(i).array().sqrt().cast<Complex>();
   std::vector<Complex> copy(lines.data(), lines.data() + lines.size());
   copy.front() = 0;  // a constant is no decay
   std::vector<double> x = inverse_real_dft(copy, residual.samples);

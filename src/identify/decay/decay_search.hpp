@@ -28,7 +28,7 @@ double decay_threshold(std::size_t spectra, std::size_t places);
 /// residual is whitened by its noise, and each decay rate of a geometric series is a matched filter:
 ///   T(ω, σ) = Σ_i |Σ_n x_i[n] exp(−(σ + jω) nΔ)|² / Σ_n exp(−2σ nΔ)                     (1)
 /// with x of unit variance. theory (4.24)
-/// shapes  noise [lines, channels] of decay_line_noise.
+/// shapes  noise [lines, hits × channels] of decay_line_noise.
 std::vector<DecayCandidate> strongest_decays(const DecaySpectra& residual, const Eigen::MatrixXd& noise,
                                              const DecaySearchLimits& limits);
 

@@ -9,19 +9,21 @@ namespace percuss::identify {
 namespace {
 
 constexpr double kSafe_s = 20e-3, kSafeShare = 1.0 / 8;  // of safe_start()
+constexpr double kLeastSafe_s = 5e-3;                    // longer than the contact of a ball
 constexpr std::size_t kBackBlock = 8;                    // samples
 constexpr double kAlarm = 4;                             // standard deviations of a block's mean square
 constexpr int kMaxMoves = 4;
 constexpr double kWorthwhile = 0.05;  // of the start: a smaller move changes nothing
 
-// Per channel: a sample's variance in the residual, and the decays' own uncertainty at time t before their start.
+// Per hit and channel: a sample's variance in the residual, and the decays' own uncertainty at time t before their
+// start.
 struct Expected {
   Eigen::VectorXd noise;
   const FreeDecayFit* fit = nullptr;
-  double variance(Eigen::Index channel, double before_s) const {
-    double sum = noise(channel);
+  double variance(Eigen::Index signal, double before_s) const {
+    double sum = noise(signal);
     for (const FittedDecay& decay : fit->decays) {
-      sum += decay.noise(channel) * decay.inverse_gram.trace() / 2 *
+      sum += decay.noise(signal) * decay.inverse_gram.trace() / 2 *
              std::exp(std::min(200.0, -2 * decay.rate.rate_radps.real() * before_s));
     }
     return sum;
@@ -72,7 +74,7 @@ std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std
         double rest = whole.response[i][n] - bias[i];
         for (const FittedDecay& decay : fit.decays)
           rest -= (decay.amplitude(static_cast<Eigen::Index>(i)) * std::exp(decay.rate.rate_radps * t_s)).real();
-        square += rest * rest / expected.variance(static_cast<Eigen::Index>(i % whole.channels), -t_s);
+        square += rest * rest / expected.variance(static_cast<Eigen::Index>(i), -t_s);
       }
     }
     const auto count = static_cast<double>(kBackBlock * whole.response.size());
@@ -89,6 +91,9 @@ StartedFit fit_from_earliest_start(const FreeDecays& whole, std::size_t safe, co
     return fit_free_decays(decay_spectra(decays_from(whole, first)), begun);
   };
   StartedFit out{.fit = fit_from(safe), .start = safe};
+  // Fast decays of weak records may have gone by then.
+  while (out.fit.decays.empty() && static_cast<double>(out.start / 2) >= kLeastSafe_s * whole.fs_Hz)
+    out = {.fit = fit_from(out.start / 2), .start = out.start / 2};
   for (int move = 0; move < kMaxMoves; ++move) {
     const std::size_t first = earliest_start(whole, out.fit, out.start);
     if (static_cast<double>(out.start - first) <= kWorthwhile * static_cast<double>(out.start)) break;

@@ -44,7 +44,7 @@ double energy_of(const FittedDecay& mode, const DecaySpectra& of, const Eigen::M
   double energy = 0;
   // A line's variance is N times a sample's. The matched filter passes only half of the amplitude of a real decay.
   for (Eigen::Index i = 0; i < mode.amplitude.size(); ++i)
-    energy += std::norm(mode.amplitude(i)) * sum / 4 * n / noise(line, i % noise.cols());
+    energy += std::norm(mode.amplitude(i)) * sum / 4 * n / noise(line, i);
   return energy;
 }
 
@@ -75,22 +75,29 @@ std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& ener
 double chi2(const DecaySpectra& residual, const Eigen::MatrixXd& noise) {
   double sum = 0;
   for (Eigen::Index i = 0; i < residual.lines.cols(); ++i)
-    sum += (residual.lines.col(i).cwiseAbs2().array() / noise.col(i % noise.cols()).array()).sum();
+    sum += (residual.lines.col(i).cwiseAbs2().array() / noise.col(i).array()).sum();
   return sum;
 }
 
 // How much χ² (as of chi2) falls where each hit has a pole of its own, to first order. The mode's own noise contains
 // its misfit, so that its covariance is scaled to `noise`.
 double gain_of_hits(const FittedDecay& mode, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
-  const Eigen::VectorXd lines = noise.row(static_cast<Eigen::Index>(line_of(mode, of))).transpose();
-  const double scale = (2 * mode.noise.array() / lines.array()).mean();
+  const auto line = static_cast<Eigen::Index>(line_of(mode, of)), channels = static_cast<Eigen::Index>(of.channels);
   double sum = 0;
   for (std::size_t h = 0; h < mode.hit_step.size(); ++h) {
     const Eigen::Vector2d& step = mode.hit_step[h];
-    const double gain = step.dot(mode.hit_covariance[h].inverse() * step);
+    const Eigen::Index first = static_cast<Eigen::Index>(h) * channels;
+    const double scale =
+        (2 * mode.noise.segment(first, channels).array() / noise.row(line).segment(first, channels).transpose().array())
+            .mean();
+    const double gain = scale * step.dot(mode.hit_covariance[h].inverse() * step);
     if (std::isfinite(gain)) sum += gain;
   }
-  return scale * sum / 2;  // χ² is 1 per line, and thus 1/2 for its real and for its imaginary part
+  return sum / 2;  // χ² is 1 per line, and thus 1/2 for its real and for its imaginary part
+}
+
+std::pair<double, double> frequencies_Hz(const DecayRate& a, const DecayRate& b) {
+  return std::minmax({a.pole().freq_Hz, b.pole().freq_Hz});
 }
 
 // Whether frequencies that differ between the hits explain most of what a second pole would.
@@ -116,13 +123,15 @@ std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_
   trial.fit(kPairSweeps, {});
   const double gain = chi2(trial.residual(), noise) - chi2(model.residual(), noise);
   if (!scatter_explains(trial.modes()[m], gain, of, noise)) return std::nullopt;
+  trial.set_rivals(m, frequencies_Hz(modes[m].rate, modes[last].rate));
   return trial;
 }
 
 // The model with mode m split into two, half a half-power bandwidth apart at the start, where this lowers χ² by more
 // than noise would. The search cannot find such a pair: one fitted mode leaves no clear peak of the other. But the
-// shapes of the two modes differ. `left`: χ² of the model's residual.
-std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, double left, const DecaySpectra& of,
+// shapes of the two modes differ. Where frequencies that differ between the hits fit about as well, the mode stays one,
+// and `model` remembers the pair. `left`: χ² of the model's residual.
+std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double left, const DecaySpectra& of,
                                     const Eigen::MatrixXd& noise) {
   const Complex s = model.modes()[m].rate.rate_radps, apart(0, kPairApart * s.real());
   DecayModel trial = model;
@@ -133,14 +142,16 @@ std::optional<DecayModel> with_pair(const DecayModel& model, std::size_t m, doub
   const double gain = left - chi2(trial.residual(), noise);
   const auto spectra = static_cast<std::size_t>(of.lines.cols());
   if (!(gain > decay_threshold(spectra + 1, kPairPlaces * model.modes().size()))) return std::nullopt;
-  if (scatter_explains(model.modes()[m], gain, of, noise)) return std::nullopt;
+  const bool scatters = scatter_explains(model.modes()[m], gain, of, noise);
   const std::vector<double> energy = energies(trial, of, noise);
   for (std::size_t i = 0; i + 1 < energy.size(); ++i) {
     const bool pair = std::abs(trial.modes()[i].rate.rate_radps - s) < kPairReach * -s.real() &&
                       std::abs(trial.modes()[i + 1].rate.rate_radps - s) < kPairReach * -s.real();
-    if (pair && std::min(energy[i], energy[i + 1]) >
-                    std::max(kPairLevel, of.lines.cols() > 1 ? 0 : kMimicsAlone) * std::max(energy[i], energy[i + 1]))
-      return trial;
+    const double least = std::max(kPairLevel, of.lines.cols() > 1 ? 0 : kMimicsAlone);
+    if (!pair || !(std::min(energy[i], energy[i + 1]) > least * std::max(energy[i], energy[i + 1]))) continue;
+    if (!scatters) return trial;
+    model.set_rivals(m, frequencies_Hz(trial.modes()[i].rate, trial.modes()[i + 1].rate));
+    break;
   }
   return std::nullopt;
 }
@@ -197,6 +208,7 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
     const std::size_t before = model.modes().size();
     if (options.search) search_residual();
     if (round > 0 && model.modes().size() <= before) break;
+    model.set_levels(out.noise);
     model.fit(kFinalSweeps, {});
     drop_unconfirmed();
     limits.refused.clear();
@@ -206,6 +218,7 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
     if (auto alone = without_imitations(model, m, measured, out.noise, energies(model, measured, out.noise)))
       model = std::move(*alone);
   }
+  model.set_levels(out.noise);
   double left = options.search ? chi2(model.residual(), out.noise) : 0;
   for (std::size_t m = 0; options.search && m < model.modes().size(); ++m) {
     if (auto pair = with_pair(model, m, left, measured, out.noise)) {

@@ -20,7 +20,7 @@ struct FreeDecayFit {
   std::vector<FittedDecay> decays;  // ascending in frequency
   std::vector<double> energy;       // [decays] over the noise, as DecayCandidate::energy
   double threshold = 0;             // the energy that noise exceeds once in 1000 searches
-  Eigen::MatrixXd noise;            // [lines, channels] E|R|² of the residual
+  Eigen::MatrixXd noise;            // [lines, hits × channels] E|R|² of the residual
 };
 
 /// Finds the decays in the order of their energy, and fits them all together by maximum likelihood. Stops when the

@@ -25,7 +25,7 @@ double inertia_ratio(const Session& s, double z_in, double ball_g) {
 void judge_lot(const Session& s, const ProtocolLimits& limits, Certification& out) {
   std::vector<double> ratios;
   for (const SessionShot& hit : s.lot.hits) {
-    JudgedShot judged = judge_shot(s, hit, kLotSpeed_mph, out.balls[hit.ball], limits);
+    JudgedShot judged = judge_shot(s, hit, kNominalSpeed_mph, out.balls[hit.ball], limits);
     if (judged.valid()) ratios.push_back(limits.lot_ratio - hit.out_mph / hit.in_mph);
     judged.counted = judged.valid();
     out.lot_hits.push_back(std::move(judged));

@@ -75,9 +75,9 @@ NextAction next_action(const Session& s, const Certification& c, const ProtocolL
   if (!c.correction) {
     next.left = limits.lot_hits - c.valid_lot_hits;
     next.z_in = 6;
-    next.target_mph = kLotSpeed_mph;
+    next.target_mph = kNominalSpeed_mph;
     next.message = fmt::format("lot: {} more valid hits on the standard bat, 6 in from its tip, at {:g} ± {:g} mph",
-                               next.left, kLotSpeed_mph, limits.inbound_tolerance_mph);
+                               next.left, kNominalSpeed_mph, limits.inbound_tolerance_mph);
     return next;
   }
   next.code = "shoot";

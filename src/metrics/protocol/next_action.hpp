@@ -3,8 +3,6 @@
 
 namespace percuss::metrics {
 
-inline constexpr double kLotSpeed_mph = 136;  // of the balls that hit the standard bat
-
 /// The speed of the ball at which a location is tested. (P5)
 double contact_mph(const Session& s, double z_in);
 

@@ -75,7 +75,7 @@ void check_conditioning(const Session& session, const ProtocolLimits& limits, st
 double value_of(const Session& session, const SessionShot& shot, double target_mph) {
   const double besr = besr_of(shot.out_mph, shot.in_mph);  // (P6)
   if (session.metric == PerformanceMetric::ncaa_besr)
-    return ncaa_besr_of(shot.out_mph, shot.in_mph, target_mph, kNominalSpeed_mps / kMilePerHour_mps);  // (P7)
+    return ncaa_besr_of(shot.out_mph, shot.in_mph, target_mph, kNominalSpeed_mph);  // (P7)
   return besr;  // certify() converts the corrected value to BBCOR
 }
 

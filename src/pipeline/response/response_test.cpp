@@ -39,7 +39,13 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
   require_hits(options.accept_hits, hits.size(), record, "accept_hit");
   require_hits(options.reject_hits, hits.size(), record, "reject_hit");
   const double least = std::max(static_cast<double>(kMinSamples), kShortest * median(lengths));
+  const bool any_shown = std::any_of(hits.begin(), hits.end(), [](const auto& hit) { return hit.impact.whole_pulse; });
   for (std::size_t h = 0; h < hits.size(); ++h) {
+    // Its blow may lie anywhere in the row.
+    if (any_shown && !hits[h].impact.whole_pulse) {
+      hits[h].accepted = false;
+      hits[h].reason = "no impact rises above the noise, as it does in other rows";
+    }
     if (static_cast<double>(hits[h].impact.last - hits[h].impact.first) < least) {
       hits[h].accepted = false;
       hits[h].reason = "another impact follows too soon";

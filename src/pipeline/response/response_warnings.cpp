@@ -32,6 +32,21 @@ std::vector<Warning> tones(const ResponseTest& test) {
                                list)}};
 }
 
+std::vector<Warning> pairs_or_scatter(const ResponseTest& test) {
+  std::string list;
+  for (const identify::DecayMode& mode : test.found.modes) {
+    if (!mode.rivals_Hz) continue;
+    list += fmt::format("{}{:.6g} Hz (or {:.6g} and {:.6g} Hz)", list.empty() ? "" : ", ", mode.mode.pole.freq_Hz,
+                        mode.rivals_Hz->first, mode.rivals_Hz->second);
+  }
+  if (list.empty()) return {};
+  return {with_remedy({"pair_or_scatter",
+                       fmt::format("one mode whose frequency differs between the hits, or two close modes, which this "
+                                   "test cannot decide: {}",
+                                   list)},
+                      "strike with equal force, at points that excite the two modes differently, or more often")};
+}
+
 }  // namespace
 
 std::vector<Warning> response_warnings(const ResponseTest& test) {
@@ -45,6 +60,7 @@ std::vector<Warning> response_warnings(const ResponseTest& test) {
     out.push_back(with_remedy({"no_free_decay", "no impact is followed by a free decay", {"accept_hit", "from"}},
                               "record longer after each impact"));
   add(tones(test));
+  add(pairs_or_scatter(test));
   add(object_warnings(test.classifications, test.options.classes));
   return ranked(std::move(out));
 }

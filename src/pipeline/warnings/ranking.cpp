@@ -55,6 +55,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"coarse_steps", Severity::warn},
     {"hum", Severity::warn},
     {"tone", Severity::warn},
+    {"pair_or_scatter", Severity::warn},
     {"spike", Severity::warn},
     {"driving_point_sign", Severity::warn},
     {"reciprocity", Severity::warn},

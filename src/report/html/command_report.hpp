@@ -14,11 +14,13 @@ struct CommandReport {
   std::string json;                    // the document
   ReportText text;                     // for the terminal, and for the page
   std::vector<NumericColumn> columns;  // for .csv
-  std::string table;                   // in place of `columns` in .csv, for a table that contains words
-  std::vector<LineChart> charts;       // for .svg, and for the page
-  BendingPlot bending;                 // for the page
+  std::vector<WordColumn> words;       // after `columns` in .csv
+  CsvFormulas formulas = CsvFormulas::neutralise;
+  std::string table;              // in place of `columns` in .csv, for a table that contains words
+  std::vector<LineChart> charts;  // for .svg, and for the page
+  BendingPlot bending;            // for the page
 
-  std::string csv() const { return table.empty() ? numeric_csv(columns) : table; }
+  std::string csv() const { return table.empty() ? numeric_csv(columns, words, formulas) : table; }
 };
 
 }  // namespace percuss::report

@@ -42,12 +42,6 @@ Json mode_of(const pipeline::ResponseTest& test, std::size_t m) {
   return json;
 }
 
-std::string unit_of(const acquire::SignalInfo& signal) {
-  const auto stated = parse_unit(signal.unit);
-  const bool pressure = stated && stated->quantity == Quantity::pressure;
-  return si_name(pressure ? Quantity::pressure : Quantity::acceleration);
-}
-
 Json document_of(const pipeline::ResponseTest& test, const std::optional<BatLabel>& bat) {
   Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"inputs", Json::array()}};
   for (const acquire::InputFile& file : test.record.files)
@@ -64,7 +58,7 @@ Json document_of(const pipeline::ResponseTest& test, const std::optional<BatLabe
     json["decay"] = {{"start_s", test.start_s},
                      {"end_s", static_cast<double>(test.samples) / test.record.fs_Hz},
                      {"reference_channel", test.found.reference},
-                     {"unit", unit_of(test.record.accel[test.found.reference])}};
+                     {"unit", si_name(test.record.accel[test.found.reference].measures)}};
   }
   json["modes"] = Json::array();
   for (std::size_t m = 0; m < test.found.modes.size(); ++m) json["modes"].push_back(mode_of(test, m));

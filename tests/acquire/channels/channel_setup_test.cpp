@@ -58,14 +58,15 @@ struct SensitivityCase {
   double volts_per_SI;
 };
 
-TEST(ChannelSetup, KnowsSensitivitiesOfForceAndAcceleration) {
+TEST(ChannelSetup, KnowsSensitivitiesOfForceAccelerationAndPressure) {
   for (const auto& c :
        {SensitivityCase{"mV/N", 1e-3}, SensitivityCase{"V/N", 1}, SensitivityCase{"mV/lbf", 1e-3 / kPoundForce_N},
         SensitivityCase{"mV/g", 1e-3 / kStandardGravity_mps2}, SensitivityCase{"V/(m/s^2)", 1},
-        SensitivityCase{"mV/m/s2", 1e-3}}) {
+        SensitivityCase{"mV/m/s2", 1e-3}, SensitivityCase{"mV/Pa", 1e-3}, SensitivityCase{"mV/kPa", 1e-6}}) {
     const auto setup = parse_channel_setup(
         std::string(R"([{"name": "a", "sensitivity": 2, "sensitivity_unit": ")") + c.unit + "\"}]", "s");
     EXPECT_DOUBLE_EQ(setup.at(0).sensitivity_V_per_SI.value(), 2 * c.volts_per_SI) << c.unit;
+    EXPECT_EQ(setup.at(0).sensitivity_to == Quantity::pressure, std::string(c.unit).ends_with("Pa")) << c.unit;
   }
 }
 
@@ -80,6 +81,8 @@ TEST(ChannelSetup, RefusesImpossibleSensitivities) {
         << unit;
   }
   EXPECT_THAT(rejection_of(R"([{"name": "a", "role": "force", "sensitivity": 2, "sensitivity_unit": "mV/g"}])"),
+              HasSubstr("does not fit the role force"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "role": "force", "sensitivity": 50, "sensitivity_unit": "mV/Pa"}])"),
               HasSubstr("does not fit the role force"));
 }
 

@@ -60,6 +60,28 @@ TEST(SignalOverrides, KeepsAForceInVoltsWithANote) {
   EXPECT_EQ(force_of({}, "N", 0), 1);
 }
 
+// 50 mV/Pa: 1 V is 20 Pa. Beside a force, a response cannot be a pressure.
+TEST(SignalOverrides, TakesPressuresFromSensitivities) {
+  const SignalOverrides choice{.sensitivity_V_per_SI = 0.05, .sensitivity_to = Quantity::pressure};
+  const SignalInfo volts{.name = "mic", .unit = "V"};
+  EXPECT_EQ(response_quantity(volts, choice, false), Quantity::pressure);
+  EXPECT_EQ(response_quantity(volts, choice, true), Quantity::acceleration);
+  EXPECT_DOUBLE_EQ(applied(choice, Quantity::pressure, "mV").to_SI, 0.02);
+  EXPECT_EQ(applied(choice, Quantity::pressure, "V").measures, Quantity::pressure);
+  EXPECT_EQ(applied({}).measures, Quantity::acceleration);
+  EXPECT_THAT(input_error_of([&] { applied(choice, Quantity::acceleration, "V"); }),
+              HasSubstr("a sensitivity to pressure"));
+  EXPECT_THAT(input_error_of([] { applied({.sensitivity_V_per_SI = 0.01}, Quantity::pressure, "Pa"); }),
+              HasSubstr("sensitivity"));
+  EXPECT_EQ(accel_overrides({.pressure_sensitivity_V_per_Pa = {0.05}}, nullptr, 1, 2).sensitivity_to,
+            Quantity::pressure);
+  EXPECT_THAT(input_error_of([] {
+                accel_overrides({.accel_sensitivity_V_per_mps2 = {1}, .pressure_sensitivity_V_per_Pa = {1}}, nullptr, 0,
+                                1);
+              }),
+              HasSubstr("both given"));
+}
+
 TEST(SignalOverrides, PrefersAScaleToUnitAndSensitivity) {
   EXPECT_EQ(applied({.scale = 3, .sensitivity_V_per_SI = 0.01}, Quantity::force, "no unit").to_SI, 3);
 }

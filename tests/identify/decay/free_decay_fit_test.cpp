@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -219,6 +220,45 @@ TEST(FreeDecays, AreNotFoundInNoise) {
     found += fit_free_decays(decay_spectra(noise), {.band_Hz = kBand_Hz}).decays.size();
   }
   EXPECT_LE(found, 1U);
+}
+
+// Records of several files differ in noise by any factor. The loudest is no decay, and the quiet ones decide the modes.
+TEST(FreeDecays, AllowForHitsOfDifferentNoise) {
+  constexpr std::size_t kMany = 9;
+  constexpr double kQuiet = 0.02, kLoudest = 40;  // the standard deviation of the quietest, and of the loudest over it
+  const Complex s = decay_rate_of({322, 0.008}).rate_radps;
+  std::size_t others = 0;
+  double squares = 0;
+  constexpr unsigned kSeeds = 20;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> gauss;
+    FreeDecays hits{.fs_Hz = kFs_Hz, .hits = kMany, .channels = 1, .response = {}}, quiet = hits;
+    for (std::size_t h = 0; h < kMany; ++h) {
+      const double noise =
+          kQuiet * std::pow(kLoudest, static_cast<double>((h * 4) % kMany) / static_cast<double>(kMany - 1));
+      std::vector<double>& y = hits.response.emplace_back(kSamples);
+      for (std::size_t n = 0; n < kSamples; ++n)
+        y[n] = std::exp(s * (static_cast<double>(n) / kFs_Hz)).real() + noise * gauss(random);
+      if (h == 0) quiet.response.push_back(y);
+    }
+    quiet.hits = 1;
+    const FreeDecayFit found = fit_free_decays(decay_spectra(hits), {.band_Hz = kBand_Hz});
+    others += found.decays.size() - 1;
+    const auto mode = std::min_element(found.decays.begin(), found.decays.end(), [&](const auto& a, const auto& b) {
+      return std::abs(a.rate.rate_radps - s) < std::abs(b.rate.rate_radps - s);
+    });
+    ASSERT_NE(mode, found.decays.end());
+    // Not worse than the quietest hit alone.
+    const FreeDecayFit alone = fit_free_decays(decay_spectra(quiet), {.band_Hz = kBand_Hz});
+    ASSERT_EQ(alone.decays.size(), 1U);
+    if (found.decays.size() == 1) {
+      EXPECT_LT(mode->covariance(1, 1), alone.decays[0].covariance(1, 1)) << seed;
+    }
+    squares += std::pow((mode->rate.rate_radps - s).imag(), 2) / mode->covariance(1, 1);
+  }
+  EXPECT_LE(others, 1U);                              // a false decay is expected once in 1000 searches
+  EXPECT_NEAR(std::sqrt(squares / kSeeds), 1, 0.48);  // three standard deviations of 20 values
 }
 
 // A sinusoid that lasts is hum, and no mode.

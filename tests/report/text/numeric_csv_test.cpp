@@ -12,4 +12,10 @@ TEST(NumericCsv, WritesNumbersThatReadBackEqual) {
             "hoop_hz,cor\n100,\n0.30000000000000004,-1e-09\n");
 }
 
+TEST(NumericCsv, PutsWordsAfterNumbers) {
+  EXPECT_EQ(numeric_csv({{"cor", {0.5, 0.25}}}, {{"bat", {"", "=a,b"}}}, CsvFormulas::neutralise),
+            "cor,bat\n0.5,\n0.25,\"'=a,b\"\n");
+  EXPECT_EQ(numeric_csv({{"cor", {0.5}}}, {{"bat", {"=a"}}}, CsvFormulas::keep), "cor,bat\n0.5,=a\n");
+}
+
 }  // namespace percuss::report::columns_test

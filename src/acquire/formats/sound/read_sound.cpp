@@ -17,12 +17,13 @@ namespace {
 // Whether the user states units or scales.
 bool has_scale_options(const ReadOptions& options) {
   return !options.force_scale.empty() || !options.accel_scale.empty() || options.force_sensitivity_V_per_N ||
-         !options.accel_sensitivity_V_per_mps2.empty() || !options.force_unit.empty() || !options.accel_unit.empty() ||
-         !options.setup.empty();
+         !options.accel_sensitivity_V_per_mps2.empty() || !options.pressure_sensitivity_V_per_Pa.empty() ||
+         !options.force_unit.empty() || !options.accel_unit.empty() || !options.setup.empty();
 }
 
 bool has_sensitivities(const ReadOptions& options) {
   return options.force_sensitivity_V_per_N || !options.accel_sensitivity_V_per_mps2.empty() ||
+         !options.pressure_sensitivity_V_per_Pa.empty() ||
          std::any_of(options.setup.begin(), options.setup.end(),
                      [](const ChannelSetup& channel) { return channel.sensitivity_V_per_SI.has_value(); });
 }
@@ -41,7 +42,7 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
                              std::vector<OptionId>{"force_scale", "accel_scale"});
   } else if (has_sensitivities(options)) {
     table.notes.emplace_back(
-        "stored numbers are fractions of full scale, and full scale is taken as 1 V: forces and accelerations are "
+        "stored numbers are fractions of full scale, and full scale is taken as 1 V: forces and responses are "
         "wrong by the recorder's true voltage at full scale; give this voltage over the sensitivity as the scale",
         std::vector<OptionId>{"force_scale", "accel_scale"});
   }
