@@ -34,7 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kTurns = 5;
+constexpr int kRounds = 5;
 constexpr std::size_t kDifferent = 50;
 constexpr std::size_t kPerTurn = 500;  // records
 
@@ -156,7 +156,7 @@ void compare(const Folder& folder, const std::string& kind) {
   const batch::Manifest manifest(write_manifest_of(folder, kind, kPerTurn));
   const std::string results = folder.file("results");
   ElapsedTime in_loop, on_one, on_two, sequential, parallel;
-  for (int turn = 0; turn < kTurns; ++turn) {
+  for (int round = 0; round < kRounds; ++round) {
     in_loop.measure([&] { analyse_in_loop(manifest); });
     on_one.measure([&] { run_batch(manifest, 1, results); });
     on_two.measure([&] { run_batch(manifest, 2, results); });

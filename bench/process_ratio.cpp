@@ -27,7 +27,7 @@
 namespace percuss {
 namespace {
 
-constexpr int kTurns = 12;
+constexpr int kRounds = 12;
 constexpr std::size_t kBlock_bytes = std::size_t{1} << 18U;
 
 // Runs a command without its output. Throws unless it succeeds.
@@ -96,7 +96,7 @@ void measure(const std::string& tool, const std::string& band, const std::string
                        }});
     }
   }
-  for (int turn = 0; turn < kTurns; ++turn) {
+  for (int round = 0; round < kRounds; ++round) {
     for (Work& work : works) work.best_s = std::min(work.best_s, seconds_of(work.run));
   }
   fmt::print("{}: {} rows of {} samples, {} signals, {:.1f} MB, of which the force {:.1f} MB\n", path,

@@ -30,12 +30,28 @@ over their σ.
 """
 ABOUT_SCENARIOS = """\
 Each scenario is a hammer test of a tube with one imperfection of real tests, simulated at 16 times the sampling rate
-and independently of percuss. The outcomes are:
+and independently of percuss. A true mode is clear if it lies in the band and the Cramér–Rao bound on its damping ratio
+is at most 5 % of the ratio. The results of a test are wrong in one of these cases:
 
-- right: every clear mode is within 3 of its stated standard deviations; fair: within 5
-- named: results are off, and a message names the cause; warned: results are off, and a message says that they may be
-- refused: no modes; UNNAMED: right, but no message names the imperfection; SILENT: results are off without a message
-- other: nothing in the record tells of the imperfection
+- a mode is more than 5 of its stated standard deviations from the truth;
+- a clear mode is missing, and `unclaimed_peaks` names no place near it (one mode may stand for several that no method
+  can tell apart);
+- a mode is false, or a wrong type is stated with a confidence of 0.9 or more;
+- residues are wrong by more than 5 standard deviations and 2 %, in scenarios that test them.
+
+Each test has one outcome:
+
+- right: results are not wrong, and all modes are within 3 of their stated standard deviations; fair: within 5
+- UNNAMED: takes the place of right and fair where the imperfection makes the standard deviations unreliable and no
+  message names it
+- named: results are wrong, and a message names the imperfection; warned: results are wrong, and a message says that
+  they may be; SILENT: results are wrong, and there is no such message
+- refused: percuss gives no modes
+- other: nothing in the record shows the imperfection, so no result is required; or good hits were rejected
+
+The scenario twenty is either right or SILENT. It is right if no clear mode is missing, no mode is false, no value is
+more than 5 standard deviations from the truth, and the squared distances from the truth are at most 1.5 variances in
+the mean.
 
 A row states a scenario and its level: a higher level is a larger imperfection, or another form of it. These names need
 a word of explanation:

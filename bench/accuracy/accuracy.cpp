@@ -23,7 +23,7 @@
 namespace percuss::accuracy {
 namespace {
 
-constexpr TimingOptions kTurns, kQuickTurns{.min_turns = 1, .min_total_s = 0, .min_task_s = 0};
+constexpr TimingOptions kTiming, kQuickTiming{.min_rounds = 1, .min_total_s = 0, .min_work_s = 0};
 constexpr double kScalingBudget_s = 125;
 
 // The last section of the present page, which bench/real_structures.py writes; empty without one.
@@ -36,15 +36,15 @@ std::string section_of_real_structures(const std::string& path) {
 
 void measure_all(Extent extent, const std::string& folder) {
   if (extent == Extent::quick) fftw_set_timelimit(0);  // no planning by measurement
-  const TimingOptions turns = extent == Extent::quick ? kQuickTurns : kTurns;
+  const TimingOptions timing = extent == Extent::quick ? kQuickTiming : kTiming;
   Measured all;
-  all.scalings = study_scaling(extent, turns, kScalingBudget_s);
-  all.savings = study_skips(extent, turns);
-  all.impact = study_impact(extent, turns);
-  all.deflection = study_deflection(extent, turns);
-  all.records = study_records(extent, turns);
-  for (const Family* family : {&all.impact, &all.deflection, &all.records.frfs, &all.records.modes})
-    write_file(fmt::format("{}/accuracy-{}.svg", folder, family->name), family_svg(*family), true);
+  all.scalings = study_scaling(extent, timing, kScalingBudget_s);
+  all.savings = study_skips(extent, timing);
+  all.impact = study_impact(extent, timing);
+  all.deflection = study_deflection(extent, timing);
+  all.records = study_records(extent, timing);
+  for (const TaskFigures* task : {&all.impact, &all.deflection, &all.records.frfs, &all.records.modes})
+    write_file(fmt::format("{}/accuracy-{}.svg", folder, task->name), task_svg(*task), true);
   write_file(folder + "/accuracy-scaling.svg", scaling_svg(all.scalings), true);
   const std::string page = folder + "/accuracy.md";
   write_file(page, page_of(all, build_description()) + section_of_real_structures(page), true);

@@ -85,11 +85,11 @@ void set_range(report::ChartAxis& axis, const std::vector<report::ChartCurve>& c
   }
 }
 
-report::LineChart sweep_chart(const Family& family, const Sweep& sweep) {
+report::LineChart sweep_chart(const TaskFigures& task, const Sweep& sweep) {
   report::LineChart chart{
-      .title = fmt::format("{}: error against time, by {}; line: Pareto-optimal", family.title, sweep.over),
-      .x = {.label = fmt::format("time, multiples of {}", family.time), .logarithmic = true},
-      .y = {.label = family.error, .logarithmic = true},
+      .title = fmt::format("{}: error against time, by {}; line: Pareto-optimal", task.title, sweep.over),
+      .x = {.label = fmt::format("time, multiples of {}", task.time), .logarithmic = true},
+      .y = {.label = task.error, .logarithmic = true},
       .curves = {}};
   const std::vector<std::string> methods = methods_of(sweep);
   for (std::size_t m = 0; m < methods.size(); ++m) {  // for the legend
@@ -145,10 +145,10 @@ report::LineChart growth_chart(const std::vector<Scaling>& scalings, std::string
 
 }  // namespace
 
-std::string family_svg(const Family& family) {
+std::string task_svg(const TaskFigures& task) {
   std::vector<report::LineChart> charts;
-  for (const Sweep& sweep : family.sweeps) {
-    if (worth_a_chart(sweep)) charts.push_back(sweep_chart(family, sweep));
+  for (const Sweep& sweep : task.sweeps) {
+    if (worth_a_chart(sweep)) charts.push_back(sweep_chart(task, sweep));
   }
   return report::line_charts_svg(charts);
 }

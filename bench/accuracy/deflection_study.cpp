@@ -124,7 +124,7 @@ std::vector<Figure> errors(const synth::SyntheticTest& test, const std::vector<s
   return figures;
 }
 
-void measure_deflection_times(const acquire::Record& run, const synth::SynthSpec& spec, const TimingOptions& turns,
+void measure_deflection_times(const acquire::Record& run, const synth::SynthSpec& spec, const TimingOptions& timing,
                               std::vector<Figure>& figures) {
   const TemporaryFolder folder;
   const std::string path = folder.file("run.h5");
@@ -133,16 +133,16 @@ void measure_deflection_times(const acquire::Record& run, const synth::SynthSpec
   std::vector<std::function<void()>> works{[&] { limit.run(); }};
   for (const metrics::DeflectionMethod method : kMethods)
     works.emplace_back([&, method] { deflections_of(acquire::open_record(path), spec, method); });
-  const std::vector<double> best_s = best_interleaved_s(works, turns);
+  const std::vector<double> best_s = best_interleaved_s(works, timing);
   for (std::size_t i = 0; i < figures.size(); ++i) figures[i].time_ratio = best_s[1 + i] / best_s[0];
 }
 
-Case measured(BeamCase one, Extent extent, const TimingOptions& turns) {
+Case measured(BeamCase one, Extent extent, const TimingOptions& timing) {
   if (extent == Extent::quick) one.runs = kBeamQuickRuns;
   const synth::SyntheticTest test = synth::synthesise(held_beam(one));
   const auto runs = pipeline::split_runs(test.record);
   std::vector<Figure> figures = errors(test, runs);
-  measure_deflection_times(runs.front().second, test.truth.spec, turns, figures);
+  measure_deflection_times(runs.front().second, test.truth.spec, timing, figures);
   mark_pareto_front(figures);
   return {one.value, std::move(figures)};
 }
@@ -161,21 +161,21 @@ std::vector<std::pair<std::string, std::vector<BeamCase>>> beam_cases() {
 
 }  // namespace
 
-Family study_deflection(Extent extent, const TimingOptions& turns) {
-  Family family{.name = "deflection",
-                .title = "Largest deflection",
-                .error = "error of the largest deflection, %",
-                .time = "bare FFTW + reading",
-                .more = {"coverage, %", "detected, %"},
-                .sweeps = {}};
+TaskFigures study_deflection(Extent extent, const TimingOptions& timing) {
+  TaskFigures task{.name = "deflection",
+                   .title = "Largest deflection",
+                   .error = "error of the largest deflection, %",
+                   .time = "bare FFTW + reading",
+                   .more = {"coverage, %", "detected, %"},
+                   .sweeps = {}};
   for (const auto& [over, cases] : beam_cases()) {
-    family.sweeps.push_back({over, {}});
+    task.sweeps.push_back({over, {}});
     for (const BeamCase& one : cases) {
-      if (extent == Extent::quick && one.runs != kBeamMainRuns && !family.sweeps.back().cases.empty()) continue;
-      family.sweeps.back().cases.push_back(measured(one, extent, turns));
+      if (extent == Extent::quick && one.runs != kBeamMainRuns && !task.sweeps.back().cases.empty()) continue;
+      task.sweeps.back().cases.push_back(measured(one, extent, timing));
     }
   }
-  return family;
+  return task;
 }
 
 }  // namespace percuss::accuracy

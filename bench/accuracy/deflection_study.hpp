@@ -10,6 +10,6 @@ namespace percuss::accuracy {
 /// acceleration, a bias of 0.3 m/s² and a drift of 0.1 m/s³. Times are from an HDF5 file to the deflections on one
 /// thread. For the method modal they include the identification of the modes. Errors and coverage include only hits
 /// with a significant deflection; the column "detected" is the share of these hits.
-Family study_deflection(Extent extent, const TimingOptions& turns);
+TaskFigures study_deflection(Extent extent, const TimingOptions& timing);
 
 }  // namespace percuss::accuracy

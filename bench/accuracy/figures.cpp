@@ -27,8 +27,8 @@ void mark_pareto_front(std::vector<Figure>& figures) {
   }
 }
 
-const Case& case_of(const Family& family, const std::string& over, const std::string& value) {
-  for (const Sweep& sweep : family.sweeps) {
+const Case& case_of(const TaskFigures& task, const std::string& over, const std::string& value) {
+  for (const Sweep& sweep : task.sweeps) {
     if (sweep.over != over) continue;
     for (const Case& one : sweep.cases) {
       if (one.value == value) return one;

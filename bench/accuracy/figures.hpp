@@ -8,10 +8,10 @@ namespace percuss::accuracy {
 struct Figure {
   std::string method;
   std::string label;              // label of the figure's point in the chart
-  double error = 0;               // RMS, in the unit of the family
+  double error = 0;               // RMS, in the unit of TaskFigures::error
   double over_bound = 0;          // RMS of error/bound; 0: there is no bound
   double time_ratio = 0;          // multiple of the baseline in the same run
-  std::vector<std::string> more;  // cells under Family::more
+  std::vector<std::string> more;  // cells under TaskFigures::more
   bool on_pareto_front = false;   // no other figure of the case dominates it
 };
 
@@ -26,8 +26,8 @@ struct Sweep {
   std::vector<Case> cases;
 };
 
-/// All measurements of one task.
-struct Family {
+/// All figures of one task of percuss: FRFs, modes, deflections or impacts.
+struct TaskFigures {
   std::string name;               // in the file name of its chart: accuracy-NAME.svg
   std::string title;              // of its charts
   std::string error;              // name of `error`, with its unit
@@ -41,7 +41,7 @@ struct Family {
 void mark_pareto_front(std::vector<Figure>& figures);
 
 /// The case of a sweep by its names. Precondition: it exists.
-const Case& case_of(const Family& family, const std::string& over, const std::string& value);
+const Case& case_of(const TaskFigures& task, const std::string& over, const std::string& value);
 
 /// The figure of a method. Precondition: it exists.
 const Figure& figure_of(const Case& one, const std::string& method);

@@ -28,7 +28,7 @@ std::string step_label(const Variant& variant) {
 }
 
 Case measured_impacts(std::string value, const model::Impact& impact, const std::vector<Variant>& variants,
-                      const TimingOptions& turns) {
+                      const TimingOptions& timing) {
   const double truth = exact_cor(impact);
   std::vector<std::function<void()>> works{[] { transform_once(kUnit_samples); }};
   std::vector<Figure> figures;
@@ -39,7 +39,7 @@ Case measured_impacts(std::string value, const model::Impact& impact, const std:
         {.method = method_name(variant.method), .label = step_label(variant), .error = error, .more = {}});
     works.emplace_back([&impact, options] { model::simulate_impact(impact, options); });
   }
-  const std::vector<double> best_s = best_interleaved_s(works, turns);
+  const std::vector<double> best_s = best_interleaved_s(works, timing);
   for (std::size_t i = 0; i < figures.size(); ++i) figures[i].time_ratio = best_s[1 + i] / best_s[0];
   mark_pareto_front(figures);
   return {std::move(value), std::move(figures)};
@@ -57,23 +57,23 @@ std::vector<Variant> steps(Extent extent) {
 
 }  // namespace
 
-Family study_impact(Extent extent, const TimingOptions& turns) {
-  Family family{.name = "impact",
-                .title = "Ball on a beam",
-                .error = "error of the restitution",
-                .time = fmt::format("one bare transform of {} values", kUnit_samples),
-                .more = {},
-                .sweeps = {{"step", {}}, {"modes", {}}}};
-  family.sweeps[0].cases.push_back(measured_impacts("10 modes", {}, steps(extent), turns));
+TaskFigures study_impact(Extent extent, const TimingOptions& timing) {
+  TaskFigures task{.name = "impact",
+                   .title = "Ball on a beam",
+                   .error = "error of the restitution",
+                   .time = fmt::format("one bare transform of {} values", kUnit_samples),
+                   .more = {},
+                   .sweeps = {{"step", {}}, {"modes", {}}}};
+  task.sweeps[0].cases.push_back(measured_impacts("10 modes", {}, steps(extent), timing));
   const std::vector<Variant> defaults{{model::ImpactMethod::modal, 0}, {model::ImpactMethod::small_increment, 0}};
   for (const std::size_t modes : {1U, 3U, 10U, 30U, 60U}) {
     model::Impact impact;
     impact.modes = modes;
-    family.sweeps[1].cases.push_back(
-        measured_impacts(fmt::format("{} mode{}", modes, modes == 1 ? "" : "s"), impact, defaults, turns));
+    task.sweeps[1].cases.push_back(
+        measured_impacts(fmt::format("{} mode{}", modes, modes == 1 ? "" : "s"), impact, defaults, timing));
     if (extent == Extent::quick) break;
   }
-  return family;
+  return task;
 }
 
 }  // namespace percuss::accuracy

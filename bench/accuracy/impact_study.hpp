@@ -10,6 +10,6 @@ inline constexpr std::size_t kUnit_samples = 65536;  // length of the bare trans
 /// Measures the default impact of model/impact/impact.hpp by both methods, over the step and over the number of modes.
 /// The error is the difference of the coefficient of restitution from exact_cor(). Times are multiples of one bare
 /// transform of kUnit_samples values.
-Family study_impact(Extent extent, const TimingOptions& turns);
+TaskFigures study_impact(Extent extent, const TimingOptions& timing);
 
 }  // namespace percuss::accuracy

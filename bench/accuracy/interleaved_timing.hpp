@@ -9,11 +9,12 @@
 
 namespace percuss::accuracy {
 
-/// The minimum number of turns and the minimum total time of a comparison. Each task runs once or more in each turn.
+/// The minimum number of rounds and the minimum total time of a comparison. A round runs each of the compared
+/// functions once or more.
 struct TimingOptions {
-  int min_turns = 4;
+  int min_rounds = 4;
   double min_total_s = 0.5;
-  double min_task_s = 0.002;  // a short task repeats within its turn until this time has passed
+  double min_work_s = 0.002;  // a short function repeats within a round until this time has passed
 };
 
 /// The processor time of this process: other work on the machine does not count.
@@ -29,26 +30,26 @@ inline double processor_s_of(const std::function<void()>& work) {
   return processor_s() - start_s;
 }
 
-/// Runs several tasks in alternation and returns the best time of each, so a disturbance affects all alike. The order
-/// changes in each turn, because a task depends on the caches that its predecessor leaves. The result has one time per
-/// task, in the order of `works`.
+/// Runs several functions in alternation and returns the best time of each, so a disturbance affects all alike. The
+/// order changes in each round, because a function's time depends on the caches that its predecessor leaves. The result
+/// has one time per function, in the order of `works`.
 inline std::vector<double> best_interleaved_s(const std::vector<std::function<void()>>& works,
-                                              const TimingOptions& turns) {
+                                              const TimingOptions& timing) {
   std::vector<double> best_s(works.size(), std::numeric_limits<double>::infinity());
   std::vector<std::size_t> order(works.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::mt19937 random(1);
   double spent_s = 0;
-  for (int turn = 0; turn < turns.min_turns || spent_s < turns.min_total_s; ++turn) {
+  for (int round = 0; round < timing.min_rounds || spent_s < timing.min_total_s; ++round) {
     std::shuffle(order.begin(), order.end(), random);
     for (const std::size_t i : order) {
-      double task_s = 0;
+      double work_s = 0;
       do {
         const double one_s = processor_s_of(works[i]);
         best_s[i] = std::min(best_s[i], one_s);
-        task_s += one_s;
-      } while (task_s < turns.min_task_s);
-      spent_s += task_s;
+        work_s += one_s;
+      } while (work_s < timing.min_work_s);
+      spent_s += work_s;
     }
   }
   return best_s;

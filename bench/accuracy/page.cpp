@@ -14,18 +14,18 @@ namespace {
 
 constexpr std::size_t kPageWidth = 120;  // characters of prose
 
-const Case& main_case(const Family& family, const char* value) { return case_of(family, "noise", value); }
+const Case& main_case(const TaskFigures& task, const char* value) { return case_of(task, "noise", value); }
 
 std::string times_bound(const Figure& figure) { return shown_figure(figure.over_bound); }
 
-std::string picture(const Family& family) {
-  return fmt::format("![{}: error against time](accuracy-{}.svg)\n", family.title, family.name);
+std::string picture(const TaskFigures& task) {
+  return fmt::format("![{}: error against time](accuracy-{}.svg)\n", task.title, task.name);
 }
 
 // In how many of all cases a method is not Pareto-optimal: "17 of 21".
-std::string not_optimal(const Family& family, const std::string& method) {
+std::string not_optimal(const TaskFigures& task, const std::string& method) {
   std::size_t all = 0, count = 0;
-  for (const Sweep& sweep : family.sweeps) {
+  for (const Sweep& sweep : task.sweeps) {
     for (const Case& one : sweep.cases) {
       for (const Figure& figure : one.figures) {
         if (figure.method != method) continue;
@@ -38,9 +38,9 @@ std::string not_optimal(const Family& family, const std::string& method) {
 }
 
 // The smallest and the largest error over the bound of a method in a sweep.
-std::string range_over_bound(const Family& family, const std::string& over, const std::string& method) {
+std::string range_over_bound(const TaskFigures& task, const std::string& over, const std::string& method) {
   double least = 1e99, most = 0;
-  for (const Sweep& sweep : family.sweeps) {
+  for (const Sweep& sweep : task.sweeps) {
     if (sweep.over != over) continue;
     for (const Case& one : sweep.cases) {
       least = std::min(least, figure_of(one, method).over_bound);
@@ -51,10 +51,10 @@ std::string range_over_bound(const Family& family, const std::string& over, cons
 }
 
 // The lowest coverage of the stated intervals: "`quick` (modes: 30 modes), 86.7 %".
-std::string least_covered(const Family& family) {
+std::string least_covered(const TaskFigures& task) {
   double least = 1e99;
   std::string where;
-  for (const Sweep& sweep : family.sweeps) {
+  for (const Sweep& sweep : task.sweeps) {
     for (const Case& one : sweep.cases) {
       for (const Figure& figure : one.figures) {
         const double covered = std::strtod(figure.more.at(2).c_str(), nullptr);
@@ -106,8 +106,8 @@ multiple of the unavoidable work: reading the bytes of the file, and one bare FF
                      build_description, short_table(measured));
 }
 
-std::string frf_part(const Family& family) {
-  const Case& main = main_case(family, "1 %");
+std::string frf_part(const TaskFigures& task) {
+  const Case& main = main_case(task, "1 %");
   return fmt::format(R"(
 ## Frequency responses
 
@@ -126,14 +126,13 @@ H2 is not Pareto-optimal in {} cases, and is never more accurate than H1 here: p
 so hardly any noise of the force remains. H2 stays for comparison with published results, and because a difference
 between H1 and H2 shows unexpected noise. Hv is as accurate as H1 and costs the same; it stays for the same reason.
 )",
-                     case_table(family, main), picture(family), times_bound(figure_of(main, "H1")),
-                     times_bound(figure_of(case_of(family, "record length", "0.125 s"), "H1")),
-                     not_optimal(family, "H2"));
+                     case_table(task, main), picture(task), times_bound(figure_of(main, "H1")),
+                     times_bound(figure_of(case_of(task, "record length", "0.125 s"), "H1")), not_optimal(task, "H2"));
 }
 
-std::string modes_part(const Family& family) {
-  const Case& main = main_case(family, "1 %");
-  const Case& noisy = case_of(family, "noise of the force", "0.1 %");
+std::string modes_part(const TaskFigures& task) {
+  const Case& main = main_case(task, "1 %");
+  const Case& noisy = case_of(task, "noise of the force", "0.1 %");
   const Figure &quick = figure_of(main, "quick"), &standard = figure_of(main, "standard"),
                &best = figure_of(main, "best");
   return fmt::format(R"(
@@ -156,15 +155,15 @@ not exist in the structure.
   stated standard deviations include this.
 - The coverage of the stated 95 % intervals is lowest with {}.
 )",
-                     case_table(family, main), picture(family), times_bound(best), best.more.at(1),
-                     range_over_bound(family, "record length", "best"), times_bound(standard), times_bound(quick),
-                     not_optimal(family, "quick"), not_optimal(family, "standard"),
-                     times_bound(figure_of(noisy, "best")), least_covered(family));
+                     case_table(task, main), picture(task), times_bound(best), best.more.at(1),
+                     range_over_bound(task, "record length", "best"), times_bound(standard), times_bound(quick),
+                     not_optimal(task, "quick"), not_optimal(task, "standard"), times_bound(figure_of(noisy, "best")),
+                     least_covered(task));
 }
 
-std::string deflection_part(const Family& family) {
-  const Case& main = main_case(family, "0.1 %");
-  const Case& clean = case_of(family, "noise", "0.01 %");
+std::string deflection_part(const TaskFigures& task) {
+  const Case& main = main_case(task, "0.1 %");
+  const Case& clean = case_of(task, "noise", "0.01 %");
   const Figure &drift_free = figure_of(main, "drift-free"), &modal = figure_of(main, "modal");
   return fmt::format(R"(
 ## Largest deflection
@@ -185,12 +184,12 @@ deflections. For `modal` it includes the identification of the modes.
   Both are faster, but useless for the largest deflection of such records. They stay for comparison with published
   results.
 )",
-                     case_table(family, main), picture(family), times_bound(drift_free), times_bound(modal),
+                     case_table(task, main), picture(task), times_bound(drift_free), times_bound(modal),
                      figure_of(clean, "drift-free").more.front(), modal.more.front());
 }
 
-std::string impact_part(const Family& family) {
-  const Case& main = case_of(family, "step", "10 modes");
+std::string impact_part(const TaskFigures& task) {
+  const Case& main = case_of(task, "step", "10 modes");
   return fmt::format(R"(
 ## Ball on a beam
 
@@ -206,7 +205,7 @@ chooses a step with which the restitution converges to 1e-9. The published `smal
 each step and has first order. It is faster only for errors of a hundredth: its longest steps are Pareto-optimal, its
 shorter ones are not ({} figures in all). It stays for comparison with published figures.
 )",
-                     case_table(family, main), picture(family), not_optimal(family, "small-increment"));
+                     case_table(task, main), picture(task), not_optimal(task, "small-increment"));
 }
 
 }  // namespace
@@ -232,8 +231,9 @@ std::string page_of(const Measured& measured, const std::string& build_descripti
                      modes_part(measured.records.modes) + deflection_part(measured.deflection) +
                      impact_part(measured.impact) + scaling_section(measured.scalings) +
                      skipped_work_section(measured.savings) + "\n## All figures\n\n";
-  for (const Family* family : {&measured.records.frfs, &measured.records.modes, &measured.deflection, &measured.impact})
-    page += all_figures(*family) + "\n";
+  for (const TaskFigures* task :
+       {&measured.records.frfs, &measured.records.modes, &measured.deflection, &measured.impact})
+    page += all_figures(*task) + "\n";
   return wrap_prose(page + all_scaling(measured.scalings), kPageWidth);
 }
 

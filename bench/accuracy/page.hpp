@@ -12,7 +12,7 @@ namespace percuss::accuracy {
 /// All measurements.
 struct Measured {
   RecordStudy records;
-  Family deflection, impact;
+  TaskFigures deflection, impact;
   std::vector<Scaling> scalings;
   std::vector<Saving> savings;
 };

@@ -20,7 +20,7 @@ pipeline::AnalysisOptions options_for(const synth::SynthSpec& spec) {
 }
 
 // Measures the times of both sets of figures, in alternation with the baseline.
-void measure_times(const acquire::Record& run, const synth::SynthSpec& spec, const TimingOptions& turns,
+void measure_times(const acquire::Record& run, const synth::SynthSpec& spec, const TimingOptions& timing,
                    std::vector<Figure>& frfs, std::vector<Figure>& modes) {
   const TemporaryFolder folder;
   const std::string path = folder.file("run.h5");
@@ -41,14 +41,14 @@ void measure_times(const acquire::Record& run, const synth::SynthSpec& spec, con
       pipeline::Analysis(acquire::open_record(path), options).classifications();
     });
   }
-  const std::vector<double> best_s = best_interleaved_s(works, turns);
+  const std::vector<double> best_s = best_interleaved_s(works, timing);
   for (std::size_t i = 0; i < frfs.size(); ++i) frfs[i].time_ratio = best_s[1 + i] / best_s[0];
   for (std::size_t i = 0; i < modes.size(); ++i) modes[i].time_ratio = best_s[1 + frfs.size() + i] / best_s[0];
 }
 
 }  // namespace
 
-RecordStudy study_records(Extent extent, const TimingOptions& turns) {
+RecordStudy study_records(Extent extent, const TimingOptions& timing) {
   RecordStudy study{.frfs = {.name = "frf",
                              .title = "Frequency responses",
                              .error = "error of the FRF, %",
@@ -68,7 +68,7 @@ RecordStudy study_records(Extent extent, const TimingOptions& turns) {
       const synth::SyntheticTest test = synth::synthesise(one.spec);
       const auto runs = pipeline::split_runs(test.record);
       std::vector<Figure> frfs = frf_errors(runs, test.truth), modes = mode_errors(runs, test.truth);
-      measure_times(runs.front().second, one.spec, turns, frfs, modes);
+      measure_times(runs.front().second, one.spec, timing, frfs, modes);
       mark_pareto_front(frfs);
       mark_pareto_front(modes);
       study.frfs.sweeps.back().cases.push_back({one.value, std::move(frfs)});

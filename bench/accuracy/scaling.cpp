@@ -92,7 +92,7 @@ struct Cost {
 };
 
 // Runs in its own process: once for the memory, then in alternation with the baseline.
-Cost cost_of(const std::vector<std::string>& paths, const synth::SynthSpec& spec, const TimingOptions& turns) {
+Cost cost_of(const std::vector<std::string>& paths, const synth::SynthSpec& spec, const TimingOptions& timing) {
   Cost cost{};
   const auto analyse = [&] {
     const pipeline::Analysis analysis(opened(paths),
@@ -103,12 +103,12 @@ Cost cost_of(const std::vector<std::string>& paths, const synth::SynthSpec& spec
   const double first_s = processor_s_of(analyse);
   cost.bytes = peak_memory_bytes() - before_bytes;
   const FftReadBaseline limit(paths, opened(paths));
-  const bool again = first_s < turns.min_total_s;
+  const bool again = first_s < timing.min_total_s;
   const auto best_s = best_interleaved_s({[&] { limit.run(); },
                                           [&] {
                                             if (again) analyse();
                                           }},
-                                         turns);
+                                         timing);
   cost.bare_s = best_s[0];
   cost.seconds = again ? std::min(first_s, best_s[1]) : first_s;
   return cost;
@@ -118,14 +118,14 @@ double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock
 
 // Writes the files and adds a measured point to `scaling`. Sets `making_s` to the time of writing. Returns false when
 // the analysis failed.
-bool measure_at(std::size_t n, const ScalingCase& question, const TimingOptions& turns, Scaling& scaling,
+bool measure_at(std::size_t n, const ScalingCase& question, const TimingOptions& timing, Scaling& scaling,
                 double& making_s) {
   const double start_s = wall_s();
   const TemporaryFolder folder;
   const synth::SynthSpec spec = question.spec(n);
   const auto paths = question.files ? many_files(spec, n, folder.path()) : one_file(spec, folder.path());
   making_s = wall_s() - start_s;
-  const auto cost = forked<Cost>([&] { return cost_of(paths, spec, turns); });
+  const auto cost = forked<Cost>([&] { return cost_of(paths, spec, timing); });
   if (!cost) return false;
   scaling.points.push_back({.n = static_cast<double>(n),
                             .seconds = cost->seconds,
@@ -147,7 +147,7 @@ void fit_exponents(Scaling& scaling) {
   scaling.memory_exponent = growth_exponent(x, bytes);
 }
 
-Scaling measured_growth(const ScalingCase& question, Extent extent, const TimingOptions& turns, double budget_s) {
+Scaling measured_growth(const ScalingCase& question, Extent extent, const TimingOptions& timing, double budget_s) {
   Scaling scaling{.of = question.of, .with = question.with, .asked = question.sizes.back(), .points = {}};
   const double end_s = wall_s() + budget_s;
   double making_s = 0;
@@ -159,7 +159,7 @@ Scaling measured_growth(const ScalingCase& question, Extent extent, const Timing
       if (wall_s() + next_s > end_s) break;
     }
     if (extent == Extent::quick && scaling.points.size() > 1) break;
-    if (!measure_at(n, question, turns, scaling, making_s)) break;
+    if (!measure_at(n, question, timing, scaling, making_s)) break;
   }
   fit_exponents(scaling);
   return scaling;
@@ -184,12 +184,12 @@ double growth_exponent(const std::vector<double>& x, const std::vector<double>& 
   return spread > 0 ? (n * sxy - sx * sy) / spread : 0;
 }
 
-std::vector<Scaling> study_scaling(Extent extent, const TimingOptions& turns, double budget_s) {
+std::vector<Scaling> study_scaling(Extent extent, const TimingOptions& timing, double budget_s) {
   const auto all = scaling_cases();
   std::vector<Scaling> scalings;
   scalings.reserve(all.size());
   for (const ScalingCase& question : all)
-    scalings.push_back(measured_growth(question, extent, turns, budget_s / static_cast<double>(all.size())));
+    scalings.push_back(measured_growth(question, extent, timing, budget_s / static_cast<double>(all.size())));
   return scalings;
 }
 

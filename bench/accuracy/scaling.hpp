@@ -29,6 +29,6 @@ double growth_exponent(const std::vector<double>& x, const std::vector<double>& 
 
 /// Measures samples 2^10 to 2^24, channels 1 to 1000, hits 1 to 100, modes 1 to 60, files 1 to 10000. Each of the five
 /// gets an equal part of `budget_s`, and stops before a size that would exceed its part.
-std::vector<Scaling> study_scaling(Extent extent, const TimingOptions& turns, double budget_s);
+std::vector<Scaling> study_scaling(Extent extent, const TimingOptions& timing, double budget_s);
 
 }  // namespace percuss::accuracy

@@ -61,7 +61,7 @@ std::function<void()> analysis_of(const std::string& path, const pipeline::Analy
 
 }  // namespace
 
-std::vector<Saving> study_skips(Extent extent, const TimingOptions& turns) {
+std::vector<Saving> study_skips(Extent extent, const TimingOptions& timing) {
   const Files files;
   const std::string many = files.of(plain_test(kChannels), "many"), two = files.of(plain_test(2), "two");
   const std::string row = files.of(long_record(extent == Extent::quick ? 10 : 60), "long");
@@ -77,7 +77,7 @@ std::vector<Saving> study_skips(Extent extent, const TimingOptions& turns) {
   std::vector<Saving> savings;
   const auto compare = [&](const char* what, const char* when, const std::function<void()>& with,
                            const std::function<void()>& without) {
-    const std::vector<double> best_s = best_interleaved_s({with, without}, turns);
+    const std::vector<double> best_s = best_interleaved_s({with, without}, timing);
     savings.push_back({.what = what, .when = when, .with_s = best_s[0], .without_s = best_s[1]});
   };
   using enum Wanted;

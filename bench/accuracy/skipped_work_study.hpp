@@ -16,6 +16,6 @@ struct Saving {
   double factor() const { return with_s / without_s; }
 };
 
-std::vector<Saving> study_skips(Extent extent, const TimingOptions& turns);
+std::vector<Saving> study_skips(Extent extent, const TimingOptions& timing);
 
 }  // namespace percuss::accuracy

@@ -11,8 +11,8 @@ using Row = std::vector<std::string>;
 
 std::string line_of(const Row& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
 
-bool has_bound(const Family& family) {
-  for (const Sweep& sweep : family.sweeps) {
+bool has_bound(const TaskFigures& task) {
+  for (const Sweep& sweep : task.sweeps) {
     for (const Case& one : sweep.cases) {
       if (std::any_of(one.figures.begin(), one.figures.end(), [](const Figure& f) { return f.over_bound > 0; }))
         return true;
@@ -21,10 +21,10 @@ bool has_bound(const Family& family) {
   return false;
 }
 
-Row heads_of(const Family& family) {
-  Row heads{"method", family.error};
-  if (has_bound(family)) heads.emplace_back("over the bound");
-  heads.insert(heads.end(), family.more.begin(), family.more.end());
+Row heads_of(const TaskFigures& task) {
+  Row heads{"method", task.error};
+  if (has_bound(task)) heads.emplace_back("over the bound");
+  heads.insert(heads.end(), task.more.begin(), task.more.end());
   heads.emplace_back("time, ×");
   heads.emplace_back("Pareto-optimal");
   return heads;
@@ -55,25 +55,25 @@ std::string markdown_table(const Row& heads, const std::vector<Row>& rows) {
   return text;
 }
 
-std::string case_table(const Family& family, const Case& one) {
+std::string case_table(const TaskFigures& task, const Case& one) {
   std::vector<Row> rows;
-  for (const Figure& figure : one.figures) rows.push_back(cells_of(figure, has_bound(family)));
-  return markdown_table(heads_of(family), rows);
+  for (const Figure& figure : one.figures) rows.push_back(cells_of(figure, has_bound(task)));
+  return markdown_table(heads_of(task), rows);
 }
 
-std::string all_figures(const Family& family) {
-  Row heads = heads_of(family);
+std::string all_figures(const TaskFigures& task) {
+  Row heads = heads_of(task);
   heads.insert(heads.begin(), "case");
   std::vector<Row> rows;
-  for (const Sweep& sweep : family.sweeps) {
+  for (const Sweep& sweep : task.sweeps) {
     for (const Case& one : sweep.cases) {
       for (const Figure& figure : one.figures) {
-        rows.push_back(cells_of(figure, has_bound(family)));
+        rows.push_back(cells_of(figure, has_bound(task)));
         rows.back().insert(rows.back().begin(), sweep.over + ": " + one.value);
       }
     }
   }
-  return collapsed("All figures of " + family.title, markdown_table(heads, rows));
+  return collapsed("All figures of " + task.title, markdown_table(heads, rows));
 }
 
 std::string scaling_table(const std::vector<Scaling>& scalings) {

@@ -11,10 +11,10 @@ namespace percuss::accuracy {
 std::string markdown_table(const std::vector<std::string>& heads, const std::vector<std::vector<std::string>>& rows);
 
 /// A table of the figures of one case.
-std::string case_table(const Family& family, const Case& one);
+std::string case_table(const TaskFigures& task, const Case& one);
 
-/// A collapsed table of every figure of the family.
-std::string all_figures(const Family& family);
+/// A collapsed table of every figure of the task.
+std::string all_figures(const TaskFigures& task);
 
 /// A table of each size range, with exponents.
 std::string scaling_table(const std::vector<Scaling>& scalings);

@@ -51,7 +51,7 @@ CcorCurve ccor_curve(const model::Trampoline& model, const model::FittedExponent
     out.cor.push_back(cor);
     out.low.push_back(cor);
     out.high.push_back(cor);
-    for (const model::Exponents& e : fitted.fit.rim) {
+    for (const model::Exponents& e : fitted.fit.contour) {
       const double other = misfit.cor(e, speed);
       out.low.back() = std::min(out.low.back(), other);
       out.high.back() = std::max(out.high.back(), other);
@@ -115,7 +115,7 @@ ReportText trampoline_fit_text(const model::FittedExponents& fitted) {
   const bool a_varies = fit.held.damping;
   TextTable table({{"a", TextTable::Align::right},
                    {"b", TextTable::Align::right},
-                   {a_varies ? "a within every ±" : "b within every ±"},
+                   {a_varies ? "a with each CCOR within its ±" : "b with each CCOR within its ±"},
                    {"chi2", TextTable::Align::right},
                    {"COR largest at", TextTable::Align::right},
                    {"COR", TextTable::Align::right}});

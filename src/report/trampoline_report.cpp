@@ -45,7 +45,7 @@ std::string extras_text(const model::Trampoline& model, const model::HoopPeak& p
 // The maximum, with its 68 % range where exponents were fitted.
 Json peak_json(const model::HoopPeak& peak, const std::optional<model::FittedExponents>& fitted) {
   Json json{{"hoop_hz", peak.hoop_Hz}, {"cor", peak.cor}, {"at_edge", peak.at_edge}};
-  if (!fitted || fitted->fit.rim.empty()) return json;
+  if (!fitted || fitted->fit.contour.empty()) return json;
   const model::SweepRange& range = fitted->range;
   const bool any_edge = peak.at_edge || range.at_edge;
   json["hoop_hz_low"] = range.low.hoop_Hz;
@@ -59,7 +59,7 @@ Json peak_json(const model::HoopPeak& peak, const std::optional<model::FittedExp
 
 std::string peak_text(const std::vector<double>& hoop_Hz, const model::HoopPeak& peak, double wall, double reference,
                       const std::optional<model::FittedExponents>& fitted) {
-  const bool has_range = fitted && !fitted->fit.rim.empty();
+  const bool has_range = fitted && !fitted->fit.contour.empty();
   const bool has_std = has_range && fitted->fit.determined && !fitted->fit.at_limit && !fitted->range.at_edge;
   const double low_Hz = has_range ? fitted->range.low.hoop_Hz : 0, high_Hz = has_range ? fitted->range.high.hoop_Hz : 0;
   const std::string peak_Hz =

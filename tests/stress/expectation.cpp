@@ -170,7 +170,7 @@ class Judge {
   // Whether the warning of unmodelled peaks names a frequency near this mode. The mode may then be missing.
   bool named(const identify::Pole& truth) const {
     const double near_Hz = kNear * std::max(width_Hz(truth), outcome_.df_Hz);
-    return std::any_of(outcome_.unclaimed_Hz.begin(), outcome_.unclaimed_Hz.end(),
+    return std::any_of(outcome_.unexplained_Hz.begin(), outcome_.unexplained_Hz.end(),
                        [&](double freq_Hz) { return std::abs(freq_Hz - truth.freq_Hz) <= near_Hz; });
   }
 

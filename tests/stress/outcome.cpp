@@ -39,7 +39,7 @@ std::vector<double> frequencies_of(const std::string& message) {
 void note_warnings(const pipeline::Analysis& analysis, CommandResult& outcome) {
   for (const pipeline::Warning& warning : analysis.warnings()) {
     outcome.said.insert(warning.code);
-    if (warning.code == "unclaimed_peaks") outcome.unclaimed_Hz = frequencies_of(warning.message);
+    if (warning.code == "unclaimed_peaks") outcome.unexplained_Hz = frequencies_of(warning.message);
   }
 }
 

@@ -15,8 +15,8 @@ struct CommandResult {
   std::string message;         // of an error
   std::set<std::string> said;  // codes of warnings and of findings
   std::vector<identify::Mode> modes;
-  std::vector<double> unclaimed_Hz;  // peaks named by the warning unclaimed_peaks
-  double df_Hz = 0;                  // line spacing
+  std::vector<double> unexplained_Hz;  // peaks named by the warning unclaimed_peaks
+  double df_Hz = 0;                    // line spacing
 };
 
 CommandResult analyse(acquire::Record record, const pipeline::AnalysisOptions& options);

@@ -13,7 +13,7 @@ namespace percuss::tools {
 namespace {
 
 constexpr double kMaxValues = 10000;
-constexpr double kWholeSteps = 1e-6;  // of a step: how exactly HI must be reached
+constexpr double kWholeSteps = 1e-6;  // of a step: the largest distance of HI from a whole number of steps
 constexpr const char* kForm = "give LO:STEP:HI, such as 100:25:10000";
 
 }  // namespace
@@ -50,6 +50,7 @@ RangeText parse_range_with_unit(const OptionId& option, const std::string& text,
 Range parse_range(const OptionId& option, const std::string& text, RangeForm form, std::string_view placeholder) {
   auto [range, unit] = parse_range_with_unit(option, text, kForm, form);
   if (unit.empty()) return range;
+  // The factor from the unit to the placeholder's is the value of 1 with this unit.
   const std::string one = "1" + std::string(unit), converted = in_option_unit(one, placeholder);
   const ParsedNumber factor = parse_number(converted, false);
   if (converted == one || factor.problem != NumberProblem::none)

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "acquire/hits/push_shape.hpp"
+#include "acquire/hits/smoothed_pulse.hpp"
 #include "core/math/statistics.hpp"
 
 namespace percuss::acquire {

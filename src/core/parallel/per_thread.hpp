@@ -18,8 +18,9 @@ class ThreadKey {
   unsigned long key_;  // NOLINT(google-runtime-int): holds pthread_key_t
 };
 
-/// One T per thread, made at its first use there and destroyed when the thread ends. It throws where memory is short: a
-/// thread_local variable with a destructor does not, and glibc ends the program. For static variables only.
+/// One T per thread, made at its first use there and destroyed when the thread ends. Where memory is short, local()
+/// throws; the first use of a thread_local variable with a destructor ends the program instead (glibc). For static
+/// variables only.
 template <class T>
 class PerThread {
  public:

@@ -95,7 +95,9 @@ void check_bat(const BatReadings& r, std::vector<MetricsWarning>& out) {
 void check_moi(const BatReadings& r, const BatMetrics& m, std::vector<MetricsWarning>& out) {
   const bool short_bat = r.length_m && r.length_m->value() < kAdultLength_in * kInch_m;
   double low = short_bat ? kMinMoi_ozin2 : kMinAdultMoi_ozin2, high = kMaxMoi_ozin2;
-  const char* why = "measured about the pivot, 6 in from the knob, bats of 28 in and more have such moments";
+  const char* why = short_bat
+                        ? "measured about the pivot, 6 in from the knob, bats shorter than 28 in have such moments"
+                        : "measured about the pivot, 6 in from the knob, bats of 28 in and more have such moments";
   if (r.mass_kg && r.length_m) {
     const double reach_in = (r.length_m->value() - kPivot_m) / kInch_m;
     const double most = r.mass_kg->value() / kOunce_kg * reach_in * reach_in;

@@ -58,7 +58,9 @@ FreeMotion::Point FreeMotion::gap_at(double time_s) const {
 std::optional<double> FreeMotion::next_contact_s(double until_s) const {
   const auto [closed_m, opening] = gap_at(0);
   if (!(opening > 0) || !(bound_mps2_ > 0)) return {};
-  double time_s = opening / bound_mps2_;  // half of the first step: past the touch that has just ended
+  // At a gap of zero, positive_until_s is 2 opening / bound. Half of it lies after the touch that has just ended and
+  // before any other.
+  double time_s = opening / bound_mps2_;
   const double min_step_s = std::max(kTouched * time_s, 1e-12 * until_s);
   while (time_s < until_s) {
     const Point gap = gap_at(time_s);

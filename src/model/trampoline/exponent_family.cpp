@@ -60,7 +60,7 @@ SweepRange sweep_range(const Trampoline& model, const ExponentFit& fit, const st
   out.cor_low.reserve(best.size());
   for (const Rebound& r : best) out.cor_low.push_back(r.cor);
   out.cor_high = out.cor_low;
-  for (const Exponents& e : fit.rim) {
+  for (const Exponents& e : fit.contour) {
     const Trampoline there = with_exponents(model, e);
     const std::vector<Rebound> sweep = hoop_sweep(there, hoop_Hz);
     for (std::size_t i = 0; i < sweep.size(); ++i) {

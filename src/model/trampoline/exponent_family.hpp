@@ -22,7 +22,7 @@ struct FamilyPair {
 std::vector<FamilyPair> exponent_family(const Trampoline& model, const std::vector<MeasuredCor>& measured,
                                         const ExponentFit& fit, const std::vector<double>& hoop_Hz);
 
-/// The range of the sweep and of its optimum over the pairs of ExponentFit::rim: 68 % intervals.
+/// The range of the sweep and of its optimum over the pairs of ExponentFit::contour: 68 % intervals.
 struct SweepRange {
   std::vector<double> cor_low, cor_high;  // at each of hoop_Hz
   HoopPeak low, high;                     // the optima at the lowest and at the highest frequency

@@ -15,8 +15,8 @@ namespace percuss::model {
 namespace {
 
 constexpr double kMaxExponentStd = 100;  // a larger one comes from rounding: the exponent is not determined
-constexpr double kRimRise = 1;           // of chi2 above its minimum, for 68 %
-constexpr int kRimSteps = 8;             // over half the rim: its extremes are met to 2 % of their distance
+constexpr double kContourRise = 1;       // of chi2 above its minimum, for 68 %
+constexpr int kContourSteps = 8;         // over half the contour: its extremes are met to 2 % of their distance
 constexpr const char* kMeasuredCcor = "the measured CCOR";
 
 // The minimum of chi2, and the pairs around it.
@@ -30,25 +30,25 @@ class PairSearch {
 
   const Exponents& best() const { return best_; }
 
-  /// The pairs at which chi2 is kRimRise above its minimum, or the limits of the search where it rises less.
-  std::vector<Exponents> rim() {
+  /// The pairs at which chi2 is kContourRise above its minimum, or the limits of the search where it rises less.
+  std::vector<Exponents> contour() {
     if (!free_[0] && !free_[1]) return {};
     const int along = free_[0] ? 0 : 1;
     const double top = along == 0 ? kMaxStiffnessExponent : 1 + best_[0] - kStartMargin;
     const double bottom = along == 0 ? std::max(0.0, both_free() ? 0.0 : best_[1] - 1 + kStartMargin) : 0;
-    const double low = end_of_rim(along, bottom), high = end_of_rim(along, top);
+    const double low = end_of_contour(along, bottom), high = end_of_contour(along, top);
     std::vector<Exponents> out;
     // Ends that meet the search's limits have a width, too.
-    for (int i = 0; i <= kRimSteps; ++i) {
-      const double part = 0.5 - 0.5 * std::cos(std::numbers::pi * i / kRimSteps);
-      if (!both_free() && i != 0 && i != kRimSteps) continue;
+    for (int i = 0; i <= kContourSteps; ++i) {
+      const double part = 0.5 - 0.5 * std::cos(std::numbers::pi * i / kContourSteps);
+      if (!both_free() && i != 0 && i != kContourSteps) continue;
       const Exponents middle = valley_at(along, low + part * (high - low));
       if (!both_free()) {
         out.push_back(middle);
         continue;
       }
       const double rise = misfit_.chi2(middle) - chi2_min_;
-      const double width = std::sqrt(std::max(kRimRise - rise, 0.0)) / misfit_.jacobian(middle).col(1).norm();
+      const double width = std::sqrt(std::max(kContourRise - rise, 0.0)) / misfit_.jacobian(middle).col(1).norm();
       for (const double side : {-width, width}) {
         const Exponents pair{middle[0], middle[1] + side};
         if (CcorMisfit::is_usable(pair)) out.push_back(pair);
@@ -78,8 +78,8 @@ class PairSearch {
     return at;
   }
 
-  double end_of_rim(int k, double limit) {
-    const auto rise = [&](double value) { return misfit_.chi2(valley_at(k, value)) - chi2_min_ - kRimRise; };
+  double end_of_contour(int k, double limit) {
+    const auto rise = [&](double value) { return misfit_.chi2(valley_at(k, value)) - chi2_min_ - kContourRise; };
     if (rise(limit) > 0) return bracketed_root(rise, std::min(best_[k], limit), std::max(best_[k], limit));
     meets_limit_ = true;
     return limit;
@@ -92,9 +92,9 @@ class PairSearch {
   bool meets_limit_ = false;
 };
 
-ExponentInterval interval_of(const std::vector<Exponents>& rim, const Exponents& best, int k) {
+ExponentInterval interval_of(const std::vector<Exponents>& contour, const Exponents& best, int k) {
   ExponentInterval out{.low = best[k], .high = best[k]};
-  for (const Exponents& e : rim) {
+  for (const Exponents& e : contour) {
     out.low = std::min(out.low, e[k]);
     out.high = std::max(out.high, e[k]);
   }
@@ -146,9 +146,9 @@ ExponentFit fit_exponents(const Trampoline& model, const std::vector<MeasuredCor
   fit.beyond_std = static_cast<std::size_t>((residual.array().abs() > 1).count());
   fit.model_cor.reserve(measured.size());
   for (const MeasuredCor& m : measured) fit.model_cor.push_back(misfit.cor(best, m.speed_mps));
-  fit.rim = search.rim();
-  fit.a_interval = interval_of(fit.rim, best, 0);
-  fit.b_interval = interval_of(fit.rim, best, 1);
+  fit.contour = search.contour();
+  fit.a_interval = interval_of(fit.contour, best, 0);
+  fit.b_interval = interval_of(fit.contour, best, 1);
   fit.at_limit = search.meets_limit();
   for (const ExponentInterval& i : {fit.a_interval, fit.b_interval})
     fit.determined = fit.determined && i.high - i.low < 2 * kMaxDeterminedStd;

@@ -28,11 +28,11 @@ struct ExponentFit {
   double damping_exponent_std_given_a = 0;                    // for a known a
   double chi2 = 0;                                            // Σ ((cor − model)/σ)²
   double chi2_p = 1;  // probability of a chi2 at least as large, if all σ are right; 1 without degrees of freedom
-  std::vector<double> model_cor;  // at each measured speed
-  std::size_t beyond_std = 0;     // measurements with a residual above their standard deviation
-  HeldExponents held;             // as asked for
-  std::vector<Exponents> rim;     // pairs around the best whose chi2 is 1 above its minimum; empty if both are held
-  ExponentInterval a_interval, b_interval;  // of the rim
+  std::vector<double> model_cor;            // at each measured speed
+  std::size_t beyond_std = 0;               // measurements with a residual above their standard deviation
+  HeldExponents held;                       // as asked for
+  std::vector<Exponents> contour;           // pairs with a chi2 of 1 above its minimum; empty if both are held
+  ExponentInterval a_interval, b_interval;  // of the contour
   bool at_limit = false;                    // the search's limits cut off a part of the pairs
   bool determined = true;                   // both intervals are narrower than ± kMaxDeterminedStd
 

@@ -101,7 +101,7 @@ TEST(TrampolineFit, HoldsAnExponent) {
   const ExponentFit none = fit_exponents(distant_start(), exact(), {.stiffness = true, .damping = true});
   EXPECT_EQ(none.stiffness_exponent, 0.60);
   EXPECT_EQ(none.free(), 0U);
-  EXPECT_TRUE(none.rim.empty());
+  EXPECT_TRUE(none.contour.empty());
   EXPECT_GT(none.chi2, 1);  // this pair does not fit
   auto one = exact();
   one.resize(1);
@@ -119,12 +119,12 @@ TEST(TrampolineFit, SaysThatThePairIsNotDetermined) {
 // Where the model is linear within the deviations, the pairs with chi2 + 1 span ± one standard deviation.
 TEST(TrampolineFit, HasARimThatSpansTheStandardDeviations) {
   const ExponentFit fit = fit_exponents(baseball_on_barrel(), with_std(exact(), 2e-5));
-  constexpr double kSteps = 0.03;  // eight steps over half the rim miss its extremes by up to 2 %
+  constexpr double kSteps = 0.03;  // eight steps over half the contour miss its extremes by up to 2 %
   EXPECT_NEAR((fit.a_interval.high - fit.a_interval.low) / (2 * fit.stiffness_exponent_std), 1, kSteps);
   EXPECT_NEAR((fit.b_interval.high - fit.b_interval.low) / (2 * fit.damping_exponent_std), 1, kSteps);
   const auto measured = with_std(exact(), 2e-5);
   const CcorMisfit misfit(baseball_on_barrel(), measured);
-  for (const Exponents& e : fit.rim) EXPECT_NEAR(misfit.chi2(e) - fit.chi2, 1, 0.05) << e.transpose();
+  for (const Exponents& e : fit.contour) EXPECT_NEAR(misfit.chi2(e) - fit.chi2, 1, 0.05) << e.transpose();
 }
 
 // The five points of a test in which the free pair runs to b = 0 with a negative a: a ball that softens.

@@ -1,4 +1,4 @@
-#include "acquire/hits/push_shape.hpp"
+#include "acquire/hits/smoothed_pulse.hpp"
 
 #include <algorithm>
 #include <cmath>
