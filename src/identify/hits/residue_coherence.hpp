@@ -13,7 +13,7 @@ struct ResidueCoherence {
 };
 
 /// [points of set] for the mode window.modes[mode]. Each hit is fitted over the window at the modes' poles; w is one
-/// over the variance of r. In contrast to the coherence of an FRF, the flanks of other modes do not count.
+/// over the variance of r. The flanks of other modes raise the coherence of an FRF, but not this one.
 /// theory (1.10)
 std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
