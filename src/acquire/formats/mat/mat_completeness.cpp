@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include "core/error.hpp"
 
@@ -32,28 +33,31 @@ class VariableWalk {
   VariableWalk(const VariableWalk&) = delete;
   VariableWalk& operator=(const VariableWalk&) = delete;
 
-  // Two numbers precede each variable: its type and its size in bytes.
-  void check_level5() const {
+  // Two numbers precede each variable: its type and its size in bytes. Returns the number of variables.
+  std::optional<std::size_t> check_level5() const {
+    std::size_t variables = 0;
     const bool swapped = words<1>(kVersion5_at, false)[0] >> 16U == kOtherOrder;
-    for (std::uint64_t at = kHeader5_bytes; holds_tag(at, kTag5);) {
+    for (std::uint64_t at = kHeader5_bytes; holds_tag(at, kTag5); ++variables) {
       const auto [type, bytes] = words<kTag5>(at, swapped);
-      if (type != kMatrix5 && type != kCompressed5) return;  // the library handles other types
+      if (type != kMatrix5 && type != kCompressed5) return {};  // the library handles other types
       at = next(at, sizeof(std::uint32_t) * kTag5 + std::uint64_t{bytes});
     }
+    return variables;
   }
 
   // Five numbers precede each variable: type, rows, columns, 1 for complex, length of the name in bytes.
-  void check_level4() const {
+  std::optional<std::size_t> check_level4() const {
     std::size_t variables = 0;
     for (std::uint64_t at = 0; holds_tag(at, kTag4) && variables < kMaxVariables4; ++variables) {
       std::array<std::uint32_t, kTag4> tag = words<kTag4>(at, false);
       if (tag[0] >= 0x1000000U || tag[4] >= 0x1000000U) tag = words<kTag4>(at, true);
       const std::uint64_t kind = tag[0] % 100 / 10, parts = tag[3] == 1 ? 2 : 1;
       const std::uint64_t count = std::uint64_t{tag[1]} * tag[2];
-      if (kind >= kBytes4.size()) return;  // the library handles other types
+      if (kind >= kBytes4.size()) return {};  // the library handles other types
       if (count > size_) refuse_truncated();
       at = next(at, sizeof(std::uint32_t) * kTag4 + tag[4] + count * parts * kBytes4.at(kind));
     }
+    return variables;
   }
 
  private:
@@ -84,10 +88,9 @@ class VariableWalk {
 
 }  // namespace
 
-void require_complete_mat(const std::string& path, MatLevel level) {
+std::optional<std::size_t> require_complete_mat(const std::string& path, MatLevel level) {
   const VariableWalk walk(path);
-  if (level == MatLevel::v5) walk.check_level5();
-  if (level == MatLevel::v4) walk.check_level4();
+  return level == MatLevel::v5 ? walk.check_level5() : walk.check_level4();
 }
 
 }  // namespace percuss::acquire

@@ -4,7 +4,10 @@
 #include <matio.h>
 #include <sys/stat.h>
 
+#include <cerrno>
 #include <memory>
+#include <new>
+#include <optional>
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
 #include "acquire/formats/hdf5/hdf5_self_contained.hpp"
@@ -21,6 +24,15 @@ namespace percuss::acquire {
 namespace {
 
 void ignore_log(int, char*) {}
+
+// Without memory the library drops a variable or its name, and reports nothing. The C library then leaves ENOMEM.
+template <class Call>
+auto with_memory(const Call& call) {
+  errno = 0;
+  auto result = call();
+  if (errno == ENOMEM) throw std::bad_alloc();
+  return result;
+}
 
 struct CloseMat {
   void operator()(mat_t* file) const { Mat_Close(file); }
@@ -41,24 +53,34 @@ MatFile read_mat_file(const std::string& path) {
   const hdf5::Lock lock;  // level 7.3 is HDF5; the lock also guards matio's global state
   if (is_hdf5(path)) hdf5::require_self_contained(path);
   Mat_LogInitFunc("percuss", ignore_log);
-  const std::unique_ptr<mat_t, CloseMat> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
+  const auto file =
+      with_memory([&] { return std::unique_ptr<mat_t, CloseMat>(Mat_Open(path.c_str(), MAT_ACC_RDONLY)); });
   if (!file) throw InputError("the MAT file cannot be read", path, "is it damaged? Save it again");
+  std::optional<std::size_t> stored;
   if (Mat_GetVersion(file.get()) == MAT_FT_MAT5) {
-    require_complete_mat(path, MatLevel::v5);
+    stored = require_complete_mat(path, MatLevel::v5);
     require_stored_numbers(path);
   }
-  if (Mat_GetVersion(file.get()) == MAT_FT_MAT4) require_complete_mat(path, MatLevel::v4);
+  if (Mat_GetVersion(file.get()) == MAT_FT_MAT4) stored = require_complete_mat(path, MatLevel::v4);
   MatFlattener flatten(out, claim_limit_bytes(out.bytes));
+  std::size_t read = 0;
   while (true) {
-    const std::unique_ptr<matvar_t, FreeMat> variable(Mat_VarReadNextInfo(file.get()));
+    const auto variable =
+        with_memory([&] { return std::unique_ptr<matvar_t, FreeMat>(Mat_VarReadNextInfo(file.get())); });
     if (!variable) break;
     const std::string name = variable->name == nullptr ? "" : variable->name;
     flatten.check_claim(variable.get());
-    if (MatFlattener::reads(variable.get()) && Mat_VarReadDataAll(file.get(), variable.get()) != 0)
+    const auto read_data = [&] { return Mat_VarReadDataAll(file.get(), variable.get()); };
+    if (MatFlattener::reads(variable.get()) && with_memory(read_data) != 0)
       throw InputError(one_line(name, MatFlattener::kNameShown) + " cannot be read", path,
                        "is it damaged? Save it again");
     flatten.add(name, variable.get());
+    ++read;
   }
+  // The library ends without an error at a variable that it cannot read.
+  if (stored && read != *stored)
+    throw InputError(fmt::format("only {} of {} variables can be read", read, *stored), path,
+                     "is it damaged? Save it again");
   return out;
 }
 

@@ -156,6 +156,14 @@ TEST_F(MatContents, OfUnexpectedFormAreLeftToTheLibrary) {
   EXPECT_THAT(input_error_of([&] { require_stored_numbers(path_); }), HasSubstr("reading failed"));
 }
 
+// libmatio ends at the second variable, without an error.
+TEST_F(MatContents, AreReadToTheLast) {
+  const std::string good = array(head(kDouble, {1, 2}, "x") + doubles({1.5, 2.5}));
+  const std::string long_shape = array(element(6, words({kDouble, 0})) + words({5, 5000, 1, 2}) + doubles({1.5, 2.5}));
+  EXPECT_EQ(refusal(good + long_shape + good),
+            "only 1 of 3 variables can be read (" + path_ + "); is it damaged? Save it again");
+}
+
 TEST_F(MatContents, NameWhatIsNotRead) {
   const auto notes = [&](const std::string& content) { return test::texts(read(array(content)).notes); };
   EXPECT_THAT(notes(head(kFunction, {1, 1}, "f")), ElementsAre("f is not read: it is a function"));
