@@ -1,78 +1,119 @@
 #include "metrics/deflection/impact_onset.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
+#include <vector>
 
 #include "core/math/statistics.hpp"
 
 namespace percuss::metrics {
 namespace {
 
-constexpr double kLowest = 4;                     // standard deviations of the noise
-constexpr double kHighest = 0.25;                 // of the first extreme
-constexpr double kClearExtreme = 0.2;             // of the largest sample
-constexpr std::array<double, 2> kPowers{1, 1.5};  // p of (1): spring, Hertz contact
+constexpr double kLowest = 4;          // standard deviations of the noise
+constexpr double kHighest = 0.5;       // of the first extreme
+constexpr double kClearExtreme = 0.2;  // of the largest sample
+constexpr double kFloor = 1e-3;        // of the first extreme: an anti-alias filter rings before the touch
+constexpr double kLeastPower = 0.5, kMostPower = 2.5;
+constexpr int kPowers = 9, kTimes = 48, kPasses = 4;
+// Standard deviations of b and d of (1) before the samples are known. A half-sine has b = 0, d = −0.4.
+const Eigen::Vector2d kCurvature{0.3, 0.5};
+constexpr double kNegligible = 20;  // in the logarithm of a probability
 
-struct Intercept {
+// The first extreme that is clear of precursors. It ends where the signal falls to half of it: noise does not fall so
+// far.
+std::size_t first_extreme(std::span<const double> x, std::size_t first) {
+  const double largest = extremes_of(x).max_distance_from(0);
+  std::size_t top = std::min(first, x.size() - 1);
+  for (std::size_t i = top; i < x.size(); ++i) {
+    if (std::abs(x[i]) > std::abs(x[top])) top = i;
+    if (std::abs(x[top]) >= kClearExtreme * largest && std::abs(x[i]) < std::abs(x[top]) / 2) break;
+  }
+  return top;
+}
+
+// The samples of a rise, and the probability of a time and a power of (1).
+class Rise {
+ public:
+  Rise(std::span<const double> x, std::size_t from, double top, double noise)
+      : x_(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())) / noise),
+        from_(static_cast<double>(from)),
+        top_(top) {}
+
+  // The logarithm, but for a constant; c, b and d are integrated over.
+  double log_probability(double onset, double power) const {
+    const Eigen::Index n = x_.size();
+    const double end = from_ + static_cast<double>(n - 1) - onset;
+    Eigen::MatrixX3d shapes = Eigen::MatrixX3d::Zero(n, 3);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double t = from_ + static_cast<double>(i) - onset;
+      if (t <= 0) continue;
+      const double part = t / (top_ - onset), rise = std::pow(t / end, power);
+      shapes.row(i) << rise, rise * part, rise * part * part;
+    }
+    const double size = std::abs(x_[n - 1]);
+    Eigen::Matrix3d normal = shapes.transpose() * shapes;
+    normal.diagonal().tail<2>() += (kCurvature * size).cwiseAbs2().cwiseInverse();
+    const Eigen::LLT<Eigen::Matrix3d> solver(normal);
+    const Eigen::Vector3d right = shapes.transpose() * x_;
+    const double misfit = x_.squaredNorm() - right.dot(solver.solve(right));
+    return -misfit / 2 - solver.matrixLLT().diagonal().array().log().sum();
+  }
+
+ private:
+  Eigen::VectorXd x_;
+  double from_, top_;
+};
+
+struct Onset {
   double sample = 0, std = 0;
 };
 
-// The first extreme that is clear of precursors, as a magnitude.
-double first_extreme(std::span<const double> x, std::size_t first) {
-  const double clear = kClearExtreme * extremes_of(x).max_distance_from(0);
-  for (std::size_t i = first; i + 1 < x.size(); ++i) {
-    if (std::abs(x[i]) >= clear && std::abs(x[i + 1]) < std::abs(x[i])) return std::abs(x[i]);
+// The mean and standard deviation of the time over all powers. The times are searched again more finely where they are
+// probable.
+Onset mean_onset(const Rise& rise, double least, double most) {
+  Onset out;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    Eigen::ArrayXXd logs(kTimes, kPowers);
+    const double step = (most - least) / kTimes;
+    const auto time = [&](int k) { return least + step * (k + 0.5); };
+    for (int k = 0; k < kTimes; ++k) {
+      for (int p = 0; p < kPowers; ++p)
+        logs(k, p) = rise.log_probability(time(k), kLeastPower + (kMostPower - kLeastPower) * p / (kPowers - 1));
+    }
+    const Eigen::ArrayXd weights = (logs - logs.maxCoeff()).exp().rowwise().sum();
+    const Eigen::ArrayXd times = Eigen::ArrayXd::LinSpaced(kTimes, time(0), time(kTimes - 1));
+    out.sample = (weights * times).sum() / weights.sum();
+    out.std = std::sqrt((weights * (times - out.sample).square()).sum() / weights.sum() + step * step / 12);
+    const Eigen::ArrayXd best = logs.rowwise().maxCoeff() - logs.maxCoeff();
+    int lowest = 0, highest = kTimes - 1;
+    while (lowest < highest && best[lowest] < -kNegligible) ++lowest;
+    while (highest > lowest && best[highest] < -kNegligible) --highest;
+    most = std::min(most, time(highest) + step);
+    least = std::max(least, time(lowest) - step);
   }
-  return extremes_of(x).max_distance_from(0);
-}
-
-// Where the straight line through |x|^(1/p) meets zero, weighted by the noise.
-std::optional<Intercept> intercept(std::span<const double> x, std::size_t from, std::size_t to, double power,
-                                   double noise) {
-  double w = 0, wt = 0, wy = 0, wtt = 0, wty = 0;
-  for (std::size_t i = from; i < to; ++i) {
-    const double size = std::abs(x[i]), y = std::pow(size, 1 / power);
-    const double slope = y / (power * size);  // dy/dx
-    const double weight = 1 / (slope * slope), t = static_cast<double>(i - from);
-    w += weight;
-    wt += weight * t;
-    wy += weight * y;
-    wtt += weight * t * t;
-    wty += weight * t * y;
-  }
-  const double det = w * wtt - wt * wt;
-  if (!(det > 0)) return std::nullopt;
-  const double rise = (w * wty - wt * wy) / det, level = (wtt * wy - wt * wty) / det;
-  if (!(rise > 0)) return std::nullopt;
-  const double at = -level / rise;
-  // The variance of −level/rise, for samples whose noise has the standard deviation `noise`.
-  const double variance = noise * noise * (wtt - 2 * wt * at + w * at * at) / det / (rise * rise);
-  return Intercept{.sample = static_cast<double>(from) + at, .std = std::sqrt(std::max(0.0, variance))};
+  return out;
 }
 
 }  // namespace
 
 ImpactOnset impact_onset(std::span<const double> x, double fs_Hz, std::size_t first, double noise) {
-  const double between = 1 / std::sqrt(12.0), extreme = first_extreme(x, std::min(first, x.size()));
+  const double between = 1 / std::sqrt(12.0);
+  const std::size_t top = first_extreme(x, first);
+  const double extreme = std::abs(x[top]), sign = std::copysign(1.0, x[top]);
+  const double least = std::max(kLowest * noise, kLowest * kFloor * extreme);
   // The rise leads to the extreme without a sample within the noise.
-  std::size_t from = first;
-  while (from < x.size() && std::abs(x[from]) < extreme) ++from;
-  if (from >= x.size()) return {.time_s = (static_cast<double>(first) - 0.5) / fs_Hz, .std_s = between / fs_Hz};
-  const double sign = std::copysign(1.0, x[from]);
-  while (from > 0 && sign * x[from - 1] > kLowest * noise) --from;
-  const ImpactOnset unknown{.time_s = (static_cast<double>(from) - 0.5) / fs_Hz, .std_s = between / fs_Hz};
+  std::size_t from = top;
+  while (from > 0 && sign * x[from - 1] > least) --from;
+  const auto at = static_cast<double>(from);
+  const std::size_t quiet = from - std::min(from, top - from + 1);
   std::size_t to = from;
-  while (to < x.size() && sign * x[to] > 0 && std::abs(x[to]) <= kHighest * extreme) ++to;
-  if (to < from + 2) to = from + 2;
-  if (to > x.size() || !(sign * x[to - 1] > std::abs(x[from]))) return unknown;
-  const auto spring = intercept(x, from, to, kPowers[0], noise), hertz = intercept(x, from, to, kPowers[1], noise);
-  if (!spring || !hertz) return unknown;
-  const double half = std::abs(spring->sample - hertz->sample) / 2;
-  const double at = (spring->sample + hertz->sample) / 2;
-  if (!(at < static_cast<double>(from)) || !std::isfinite(at)) return unknown;
-  return {.time_s = at / fs_Hz, .std_s = std::hypot(half, spring->std, 1e-6) / fs_Hz};
+  while (to < top && std::abs(x[to]) <= kHighest * extreme) ++to;
+  if (to == from) return {.time_s = (at - 0.5) / fs_Hz, .std_s = between / fs_Hz};
+  const Rise rise(x.subspan(quiet, to - quiet), quiet, static_cast<double>(top), std::hypot(noise, kFloor * extreme));
+  const Onset onset = mean_onset(rise, static_cast<double>(quiet), at);
+  return {.time_s = onset.sample / fs_Hz, .std_s = onset.std / fs_Hz};
 }
 
 }  // namespace percuss::metrics
