@@ -71,11 +71,12 @@ std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& ener
   return modes.size();
 }
 
-// Σ |R|² over the noise. For noise alone, its mean is lines × spectra.
+// Σ |R|² over the noise, without the constant, which no decay explains. For noise alone, its mean is lines × spectra.
 double chi2(const DecaySpectra& residual, const Eigen::MatrixXd& noise) {
   double sum = 0;
+  const Eigen::Index lines = residual.lines.rows() - 1;
   for (Eigen::Index i = 0; i < residual.lines.cols(); ++i)
-    sum += (residual.lines.col(i).cwiseAbs2().array() / noise.col(i).array()).sum();
+    sum += (residual.lines.col(i).tail(lines).cwiseAbs2().array() / noise.col(i).tail(lines).array()).sum();
   return sum;
 }
 

@@ -60,6 +60,11 @@ double quiet_level(std::vector<double> power) {
   return *at;
 }
 
+double median_after(const std::vector<double>& power, std::size_t b, std::size_t history) {
+  const std::size_t last = std::min(b + 1 + history, power.size());
+  return median({power.begin() + static_cast<std::ptrdiff_t>(b), power.begin() + static_cast<std::ptrdiff_t>(last)});
+}
+
 std::vector<std::size_t> rising_blocks(const std::vector<double>& power, std::size_t history) {
   const double strongest = extremes_of(power).high, weakest = kWeakest * strongest;
   const double least = std::max(weakest, kAboveQuiet * quiet_level(power));
@@ -70,9 +75,11 @@ std::vector<std::size_t> rising_blocks(const std::vector<double>& power, std::si
     const double before = *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(from),
                                             power.begin() + static_cast<std::ptrdiff_t>(b));
     const bool ringing = !out.empty() && b - out.back() <= history;
-    // A row that begins just before the blow and ends within the decay has no quiet part. Its blow is strong.
-    const bool at_start =
-        from == 0 && std::max(power[b], power[std::min(b + 1, power.size() - 1)]) > kAtStart * strongest;
+    // A row that begins just before the blow and ends within the decay has no quiet part. Its blow is strong, and the
+    // decay after it is strong, too. Noise is strong in one block only.
+    const bool at_start = from == 0 &&
+                          std::max(power[b], power[std::min(b + 1, power.size() - 1)]) > kAtStart * strongest &&
+                          median_after(power, b, history) > kRise * before;
     if (power[b] > kRise * before && !ringing && (power[b] > least || at_start)) out.push_back(b);
   }
   return out;

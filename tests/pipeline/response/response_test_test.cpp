@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/units.hpp"
+#include "support/response_records.hpp"
 
 namespace percuss::pipeline::response_test_test {
 
@@ -41,28 +42,12 @@ void add_hit(double onset_s, double scale, std::vector<std::vector<double>>& acc
   }
 }
 
-acquire::Record record_of(std::vector<std::vector<std::vector<double>>> accel, double noise, bool continuous) {
-  std::mt19937 random(5);
-  std::normal_distribution<double> gauss;
-  std::vector<std::vector<double>> force;
-  for (auto& row : accel) {
-    force.emplace_back(row.front().size());
-    for (auto& channel : row) {
-      for (double& value : channel) value += noise * gauss(random);
-    }
-  }
-  acquire::Record record = acquire::record_in_memory(kFs_Hz, std::move(force), std::move(accel));
-  record.has_force = false;
-  record.continuous = continuous;
-  return record;
-}
-
 acquire::Record rows(double noise) {
   std::vector<std::vector<std::vector<double>>> accel;
   for (const double scale : {100.0, 70.0, -120.0}) {
     add_hit(0.05 + 1e-5 * scale, scale, accel.emplace_back(2, std::vector<double>(8192)));
   }
-  return record_of(std::move(accel), noise, false);
+  return test::response_record(kFs_Hz, std::move(accel), noise, false);
 }
 
 TEST(ResponseTest, IsExactWithoutNoise) {
@@ -101,61 +86,10 @@ TEST(ResponseTest, FindsTheBlowsOfAContinuousRecord) {
   const std::vector<double> onsets_s{0.3, 1.4, 2.2};
   std::vector<std::vector<double>> channels(2, std::vector<double>(static_cast<std::size_t>(3.5 * kFs_Hz)));
   for (const double onset_s : onsets_s) add_hit(onset_s, 100, channels);
-  const ResponseTest test = analyse_responses(record_of({channels}, 0.05, true), {});
+  const ResponseTest test = analyse_responses(test::response_record(kFs_Hz, {channels}, 0.05, true), {});
   ASSERT_EQ(test.hits.size(), onsets_s.size());
   for (std::size_t h = 0; h < onsets_s.size(); ++h) EXPECT_NEAR(test.hits[h].onset_s, onsets_s[h], 0.5e-3);
   EXPECT_EQ(test.found.modes.size(), kModes.size());
-}
-
-// A row with the free decay of a slow mode of amplitude 1 from 0.1 s on.
-constexpr identify::Pole kSlow{40, 0.05};
-std::vector<double> slow_decay(double noise, std::mt19937& random) {
-  std::normal_distribution<double> gauss;
-  const Complex s = identify::decay_rate_of(kSlow).rate_radps;
-  std::vector<double> x(8192);
-  for (std::size_t n = 0; n < x.size(); ++n) {
-    const double t_s = static_cast<double>(n) / kFs_Hz - 0.1;
-    x[n] = 0.5 + noise * gauss(random) + (t_s < 0 ? 0 : std::exp(s * t_s).real());
-  }
-  return x;
-}
-
-// A slow mode ten times above the noise: noise hides the blow in the differences of the samples, but not in the
-// samples. A fit that begins before the blow biases the damping ratio.
-TEST(ResponseTest, FindsAWeakBlowOnASlowMode) {
-  constexpr unsigned kSeeds = 40;
-  double sum = 0, squares = 0;
-  unsigned early = 0;  // noise in the first 20 ms of a row taken for a blow: known, in one of these rows
-  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
-    std::mt19937 random(seed);
-    const ResponseTest test = analyse_responses(record_of({{slow_decay(0.1, random)}}, 0, false), {});
-    ASSERT_FALSE(test.hits.empty()) << seed;
-    if (test.hits[0].onset_s < 0.02) {
-      ++early;
-      continue;
-    }
-    EXPECT_NEAR(test.hits[0].onset_s, 0.1, 2e-3) << seed;
-    const auto near = std::find_if(test.found.modes.begin(), test.found.modes.end(),
-                                   [](const auto& m) { return std::abs(m.mode.pole.freq_Hz - kSlow.freq_Hz) < 4; });
-    ASSERT_NE(near, test.found.modes.end()) << seed;
-    const double z = (near->mode.pole.damping_ratio - kSlow.damping_ratio) / near->mode.damping_std;
-    sum += z;
-    squares += z * z;
-  }
-  EXPECT_LE(early, 1U);
-  EXPECT_NEAR(sum / kSeeds, 0, 0.48);                 // three standard deviations of the mean of 40 values
-  EXPECT_NEAR(std::sqrt(squares / kSeeds), 1, 0.34);  // and of their RMS
-}
-
-// The blow of a row that shows none may lie anywhere. Beside rows that show theirs, it is not used.
-TEST(ResponseTest, RejectsRowsWithoutABlowBesideOthers) {
-  std::mt19937 random(1);
-  const ResponseTest test =
-      analyse_responses(record_of({{slow_decay(0.01, random)}, {slow_decay(2, random)}}, 0, false), {});
-  ASSERT_EQ(test.hits.size(), 2U);
-  EXPECT_TRUE(test.hits[0].accepted);
-  EXPECT_FALSE(test.hits[1].accepted);
-  EXPECT_EQ(test.found.modes.size(), 1U);
 }
 
 // Two equal shapes within half a bandwidth, and one mode whose frequency differs between two hits, look alike. Most of
@@ -180,7 +114,7 @@ TEST(ResponseTest, SaysWhereItCannotTellAPairFromScatter) {
         if (apart_Hz == 0) break;
       }
     }
-    return analyse_responses(record_of(std::move(accel), 0.5, false), {});
+    return analyse_responses(test::response_record(kFs_Hz, std::move(accel), 0.5, false), {});
   };
   int merged = 0, silent = 0;
   for (unsigned seed = 1; seed <= 30; ++seed) {
@@ -233,7 +167,7 @@ TEST(ResponseTest, TakesAMovingFrequencyForOneMode) {
     phase += kTwoPi * kFreq_Hz * (1 + kRise * (1 - amplitude * amplitude)) / kFs_Hz;
     x[n] += 100 * amplitude * std::sin(phase);
   }
-  const ResponseTest test = analyse_responses(record_of({{x}}, 0, true), {});
+  const ResponseTest test = analyse_responses(test::response_record(kFs_Hz, {{x}}, 0, true), {});
   ASSERT_EQ(test.found.modes.size(), 1U);
   const identify::Mode& mode = test.found.modes[0].mode;
   EXPECT_GT(mode.freq_std_parts_Hz.misfit, mode.freq_std_parts_Hz.noise);
@@ -249,13 +183,14 @@ TEST(ResponseTest, SaysWhatNeedsAForce) {
 }
 
 TEST(ResponseTest, HasNoModesInNoise) {
-  const ResponseTest test =
-      analyse_responses(record_of({{std::vector<double>(4096), std::vector<double>(4096)}}, 1, false), {});
+  const ResponseTest test = analyse_responses(
+      test::response_record(kFs_Hz, {{std::vector<double>(4096), std::vector<double>(4096)}}, 1, false), {});
   EXPECT_TRUE(test.found.modes.empty());
 }
 
 TEST(ResponseTest, ReadsASilentRecordWithoutModes) {
-  const ResponseTest test = analyse_responses(record_of({{std::vector<double>(4096)}}, 0, false), {});
+  const ResponseTest test =
+      analyse_responses(test::response_record(kFs_Hz, {{std::vector<double>(4096)}}, 0, false), {});
   EXPECT_FALSE(test.possible());
 }
 
