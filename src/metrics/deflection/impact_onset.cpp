@@ -12,13 +12,14 @@ namespace percuss::metrics {
 namespace {
 
 constexpr double kLowest = 4;          // standard deviations of the noise
-constexpr double kHighest = 0.5;       // of the first extreme
+constexpr double kHighest = 0.25;      // of the first extreme
 constexpr double kClearExtreme = 0.2;  // of the largest sample
 constexpr double kFloor = 1e-3;        // of the first extreme: an anti-alias filter rings before the touch
 constexpr double kLeastPower = 0.5, kMostPower = 2.5;
 constexpr int kPowers = 9, kTimes = 48, kPasses = 4;
-// Standard deviations of b and d of (1) before the samples are known. A half-sine has b = 0, d = −0.4.
-const Eigen::Vector2d kCurvature{0.3, 0.5};
+// Standard deviations of b and d of (1) before the samples are known. A half-sine has b = 0, d = −0.01; a structure of
+// several modes struck by a haversine about −0.2.
+const Eigen::Vector2d kCurvature{0.3, 0.2};
 constexpr double kNegligible = 20;  // in the logarithm of a probability
 
 // The first extreme that is clear of precursors. It ends where the signal falls to half of it: noise does not fall so
@@ -36,10 +37,9 @@ std::size_t first_extreme(std::span<const double> x, std::size_t first) {
 // The samples of a rise, and the probability of a time and a power of (1).
 class Rise {
  public:
-  Rise(std::span<const double> x, std::size_t from, double top, double noise)
+  Rise(std::span<const double> x, std::size_t from, double noise)
       : x_(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())) / noise),
-        from_(static_cast<double>(from)),
-        top_(top) {}
+        from_(static_cast<double>(from)) {}
 
   // The logarithm, but for a constant; c, b and d are integrated over.
   double log_probability(double onset, double power) const {
@@ -49,7 +49,7 @@ class Rise {
     for (Eigen::Index i = 0; i < n; ++i) {
       const double t = from_ + static_cast<double>(i) - onset;
       if (t <= 0) continue;
-      const double part = t / (top_ - onset), rise = std::pow(t / end, power);
+      const double part = t / end, rise = std::pow(t / end, power);
       shapes.row(i) << rise, rise * part, rise * part * part;
     }
     const double size = std::abs(x_[n - 1]);
@@ -63,7 +63,7 @@ class Rise {
 
  private:
   Eigen::VectorXd x_;
-  double from_, top_;
+  double from_;
 };
 
 struct Onset {
@@ -111,7 +111,7 @@ ImpactOnset impact_onset(std::span<const double> x, double fs_Hz, std::size_t fi
   std::size_t to = from;
   while (to < top && std::abs(x[to]) <= kHighest * extreme) ++to;
   if (to == from) return {.time_s = (at - 0.5) / fs_Hz, .std_s = between / fs_Hz};
-  const Rise rise(x.subspan(quiet, to - quiet), quiet, static_cast<double>(top), std::hypot(noise, kFloor * extreme));
+  const Rise rise(x.subspan(quiet, to - quiet), quiet, std::hypot(noise, kFloor * extreme));
   const Onset onset = mean_onset(rise, static_cast<double>(quiet), at);
   return {.time_s = onset.sample / fs_Hz, .std_s = onset.std / fs_Hz};
 }

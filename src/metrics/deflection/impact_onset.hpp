@@ -10,12 +10,12 @@ struct ImpactOnset {
 
 /// Extrapolates the rise of an impact back to zero. A contact force begins as t^p: p = 1 for a spring, 3/2 for a Hertz
 /// contact, 2 for a haversine. The acceleration of a struck mass follows the force; that of a long beam begins as the
-/// half-derivative of the force. With t₁ the time of the first extreme, the samples from the quiet before the rise to
-/// half of the first extreme follow
+/// half-derivative of the force. The samples from the quiet before the rise to a quarter of the first extreme follow
 ///   x(t) = c (t − t₀)^p (1 + b u + d u²),   u = (t − t₀)/(t₁ − t₀),   0.5 ≤ p ≤ 2.5      (1)
-/// with b and d near zero (standard deviations 0.3 and 0.5). The time is the mean of t₀ over all powers and
-/// coefficients, each with its probability; the standard deviation includes how little the samples tell of p.
-/// Where the samples leap to more than half of the extreme, the onset lies anywhere between two samples.
+/// with t₁ the time of the last of them, and b and d near zero (standard deviations 0.3 and 0.2). The time is the mean
+/// of t₀ over all powers and coefficients, each with its probability; the standard deviation includes how little the
+/// samples tell of p.
+/// Where the samples leap beyond a quarter of the extreme, the onset lies anywhere between two samples.
 /// theory (7.10)
 /// `first` is the first sample that moves (motion_onset_s), `noise` the standard deviation of a sample.
 ImpactOnset impact_onset(std::span<const double> x, double fs_Hz, std::size_t first, double noise);
