@@ -8,8 +8,8 @@ BATS = {'composite': (4000, 1200, 2.24), 'other': (3000, 800, 2.6)}  # EI, T, ρ
 # accelerometer under the point is the only channel. The blow has the momentum and the duration of the model's.
 IMPACT_TEST = r'''cat > impact-test.sh <<'END'
 # NAME EI T RHO-A: nine struck points, three blows each, without force; and a hammer test of the same bat
-percuss model beam --ei $2 --torsion $3 --rho-a $4 --modes 5 -o $1.beam.csv -o $1.beam.json --quiet
-percuss model impact --ei $2 --torsion $3 --rho-a $4 --sweep at=0.025:0.065:0.545 -o $1.sweep.csv --quiet
+percuss model beam --ei $2 --torsion $3 --rho-a $4 --modes 5 -o $1.beam.csv -o $1.beam.json --quiet > /dev/null
+percuss model impact --ei $2 --torsion $3 --rho-a $4 --sweep at=0.025:0.065:0.545 -o $1.sweep.csv --quiet > /dev/null
 awk -F, -v bat=$1 -v rho=$4 '
 function specification(name, at, width, peak, duration,    m, k, i, text) {
   for (i = 1; x[i + 1] < at; ++i) {}
@@ -56,12 +56,12 @@ from the handle. Synthetic tests take the place of its records: `impact-test.sh`
 beam, with damping ratios of 0.5 %, noise and an offset. They have no force channel, and start when the ball crosses a
 light beam 0.5 m away. The EI and T of the traditional bat are illegible; a second bat of our own, EI = 3000 N·m²,
 T = 800 N·m/rad, ρA = 2.6 kg/m, takes its place.""", 'tables 1 to 3; figures 1 to 13')
-    s.frequencies = [s.command('percuss model beam%s -o %s.json --quiet' % (support, name)) for support, name in
+    s.frequencies = [s.command('percuss model beam%s -o %s.json --quiet > /dev/null' % (support, name)) for support, name in
                      (('', 'beam'), (' --support pinned', 'pinned'), (' --support clamped', 'clamped'))]
-    s.curves = s.command('percuss model impact --sweep %s --curves -o cricket-7.svg -o cricket-7.csv --quiet' % PLACES)
-    s.places = s.command('percuss model impact --sweep %s -o cricket-10.svg -o cricket-10.csv --quiet' % PLACES)
-    s.few = s.command('percuss model impact --sweep %s --modes 3 -o three-modes.csv --quiet' % PLACES)
-    s.sweeps = [s.command('percuss model impact --sweep %s -o cricket-%d.svg -o cricket-%d.csv --quiet' % (text, n, n))
+    s.curves = s.command('percuss model impact --sweep %s --curves -o cricket-7.svg -o cricket-7.csv --quiet > /dev/null' % PLACES)
+    s.places = s.command('percuss model impact --sweep %s -o cricket-10.svg -o cricket-10.csv --quiet > /dev/null' % PLACES)
+    s.few = s.command('percuss model impact --sweep %s --modes 3 -o three-modes.csv --quiet > /dev/null' % PLACES)
+    s.sweeps = [s.command('percuss model impact --sweep %s -o cricket-%d.svg -o cricket-%d.csv --quiet > /dev/null' % (text, n, n))
                 for n, text in ((11, 'ei=1000:1000:6000'), (12, 'torsion=500:500:3000'), (13, 'rho-a=0.6:0.2:3'))]
     s.script = s.command(IMPACT_TEST)
     s.tests = {name: impact_test(s, name, *numbers) for name, numbers in BATS.items()}

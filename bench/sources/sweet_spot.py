@@ -22,10 +22,10 @@ def section():
 A fragment: rigid bat with numbers, flexible bat without. The statements on the flexible bat are held against a wood bat
 of 34 in, the `wood.csv` of the section before: a profile of our own, because the sources print none. Positions of the rigid bat are from its centre of
 mass.""", 'figures 1, 2; table 1')
-    s.rigid = s.command('percuss model rigid -o sweet-spot.svg -o sweet-spot.csv -o rigid.json --quiet')
+    s.rigid = s.command('percuss model rigid -o sweet-spot.svg -o sweet-spot.csv -o rigid.json --quiet > /dev/null')
     bat = 'percuss model bat --profile wood.csv --profile-unit in:in --profile-kind points'
-    s.bat = s.command(bat + ' -o wood.json --quiet')
-    s.still = s.command(bat + ' --swing-rate 0 --wave 28in --wave-times 0:0.0002:0.001 -o wave.csv -o wave.svg --quiet')
+    s.bat = s.command(bat + ' -o wood.json --quiet > /dev/null')
+    s.still = s.command(bat + ' --swing-rate 0 --wave 28in --wave-times 0:0.0002:0.001 -o wave.csv -o wave.svg --quiet > /dev/null')
     return s
 
 

@@ -3,6 +3,8 @@
 
 #include "report/text/version.hpp"
 #include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
 
 // The program as a whole: help, version, and errors of the command line.
 namespace percuss::percuss_command_test {
@@ -44,6 +46,45 @@ TEST(PercussCommand, ReportsAnInvalidCommandLineInOneLine) {
     EXPECT_THAT(outcome.err, testing::StartsWith("percuss: "));
   }
   EXPECT_THAT(run_percuss({"fly"}).err, HasSubstr("fly"));
+}
+
+TEST(PercussCommand, PrintsHelpByACommandToo) {
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{}, {"frf"}, {"model", "beam"}}) {
+    std::vector<std::string> by_command{"help"}, by_option = command;
+    by_command.insert(by_command.end(), command.begin(), command.end());
+    by_option.emplace_back("--help");
+    const auto outcome = run_percuss(by_command);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, run_percuss(by_option).out);
+  }
+}
+
+TEST(PercussCommand, AcceptsValuesInEitherLetterCaseAndRangesAsTwoNumbers) {
+  const test::ScratchFolder folder;
+  test::write_small_test(folder.file("hits.h5"));
+  const auto analyzed = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"analyze", folder.file("hits.h5"), "--json"});
+    const auto outcome = run_percuss(options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string expected = analyzed({"--band", "60:1500", "--estimator", "h2"});
+  EXPECT_EQ(analyzed({"--band", "60", "1500", "--estimator", "H2"}), expected);
+  EXPECT_NE(analyzed({"--band", "60:1500"}), expected);
+}
+
+// The result is not part of the progress.
+TEST(PercussCommand, PrintsTheResultInQuiet) {
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"model", "beam"}, {"model", "shell"}, {"metrics", "--length-in", "33"}}) {
+    std::vector<std::string> quiet = command;
+    quiet.emplace_back("--quiet");
+    const auto outcome = run_percuss(command);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out, "");
+    EXPECT_EQ(run_percuss(quiet).out, outcome.out);
+  }
 }
 
 TEST(PercussCommand, ReportsThatStandardOutputIsFull) {

@@ -1,7 +1,12 @@
 #include "cli/command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <iostream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -74,6 +79,31 @@ void reject_mismatch(const DeclaredCommand& command, const CLI::App& app, const 
   throw UsageError(one_line(error.what()), "see " + full_name(all, command) + " --help");
 }
 
+bool is_number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+// "--band 60 3200" as "--band 60:3200": the second number would be taken for a file.
+std::vector<std::string> with_whole_ranges(const Declaration& all, const std::vector<std::string>& typed) {
+  const auto takes_range = [&](const std::string& word) {
+    return std::any_of(all.commands.begin(), all.commands.end(), [&](const DeclaredCommand& command) {
+      const DeclaredOption* const option = word.starts_with("--") ? find_option(command, word) : nullptr;
+      return option != nullptr && option->value == "LO:HI";
+    });
+  };
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < typed.size(); ++i) {
+    out.push_back(typed[i]);
+    if (i + 2 < typed.size() && takes_range(typed[i]) && is_number(typed[i + 1]) && is_number(typed[i + 2])) {
+      out.push_back(typed[i + 1] + ":" + typed[i + 2]);
+      i += 2;
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 CommandLine::CommandLine(const char* name, const char* description, const char* version, Host* host)
@@ -131,12 +161,24 @@ void CommandLine::check_commands(const std::vector<std::string>& words) const {
   }
 }
 
+// "percuss help model beam" is "percuss model beam --help".
+int CommandLine::show_help(const std::vector<std::string>& command_words) const {
+  check_commands(command_words);
+  const std::string name = fmt::format("{}", fmt::join(command_words, " "));
+  const DeclaredCommand* const command = find_command(declaration_, name);
+  if (command == nullptr)
+    throw UsageError("help takes the name of one command", "see " + declaration_.program + " --help");
+  std::cout << help_text(declaration_, *command, terminal_width());
+  return 0;
+}
+
 int CommandLine::run(int argc, const char* const* argv) {
-  const std::vector<std::string> typed(argv + 1, argv + argc);
+  const std::vector<std::string> typed = with_whole_ranges(declaration_, {argv + 1, argv + argc});
+  if (!typed.empty() && typed.front() == "help") return show_help({typed.begin() + 1, typed.end()});
   check_commands(typed);
   for (const auto& reset : resets_) reset();
   try {
-    app_->parse(argc, argv);
+    app_->parse(std::vector<std::string>(typed.rbegin(), typed.rend()));  // CLI11 takes the words last to first
   } catch (const CLI::CallForHelp&) {
     const auto path = chosen_path(*app_);
     std::cout << help_text(declaration_, declared_of(declaration_, path, path.size()), terminal_width());

@@ -50,6 +50,7 @@ class CommandLine {
  private:
   DeclaredCommand* declare(const char* name, const char* description);
   void check_commands(const std::vector<std::string>& words) const;
+  int show_help(const std::vector<std::string>& command_words) const;
 
   Host* host_;
   Declaration declaration_;

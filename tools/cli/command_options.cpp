@@ -12,6 +12,7 @@
 
 #include "cli/option_units.hpp"
 #include "cli/usage_errors.hpp"
+#include "core/io/csv_header.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -66,6 +67,12 @@ Option Option::one_of(const std::vector<std::string>& names) {
   declared_->choices = names;
   if (!declared_->list && !declared_->value.empty()) type(fmt::format("{}", fmt::join(names, "|")).c_str());
   declared_->kind = ArgumentKind::text;
+  // Before the check: H1 is h1.
+  option_->transform([names](const std::string& text) {
+    const auto alike = [&](const std::string& name) { return lower_case(name) == lower_case(text); };
+    const auto match = std::find_if(names.begin(), names.end(), alike);
+    return match == names.end() ? text : *match;
+  });
   return add_check("",
                    [names](const auto& text) { return std::find(names.begin(), names.end(), text) != names.end(); });
 }

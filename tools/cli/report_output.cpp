@@ -35,11 +35,7 @@ void print_report(const report::CommandReport& report, const OutputFlags& flags)
     };
     outcome.html = [text = report.text] { return text.html(); };
   }
-  if (flags.json) {
-    print(flags, report.json);
-  } else if (!flags.quiet) {
-    print(flags, report.text.text(terminal_width(), flag_of));
-  }
+  print(flags, flags.json ? report.json : report.text.text(terminal_width(), flag_of));
 }
 
 int show_report(const report::CommandReport& report, const OutputFlags& flags, const std::vector<std::string>& paths) {
