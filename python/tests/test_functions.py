@@ -32,6 +32,13 @@ def test_every_command_has_its_function():
     assert commands - {one.command for one in make_functions.FUNCTIONS} == {"convert", "completion", "man"}
 
 
+def test_the_module_uses_the_stable_interface_of_python():
+    """Then one binary serves CPython 3.9 and later; the compiler refuses other functions (Py_LIMITED_API)."""
+    from percuss import _percuss
+
+    assert _percuss.__file__.endswith(".abi3.so") and "Py_LIMITED_API 0x03090000" in (SOURCE / "python" / "objects.hpp").read_text()
+
+
 def test_no_public_function_takes_any_keyword():
     for path in [PACKAGE / "__init__.py", *PACKAGE.glob("[a-z]*.py"), *(PACKAGE / "_functions").glob("*.py")]:
         for one in ast.walk(ast.parse(path.read_text())):
