@@ -26,7 +26,8 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/fixtures)
   install(DIRECTORY fixtures DESTINATION ${CMAKE_INSTALL_DATADIR}/percuss)
 endif()
 
-# One package. It depends on the run-time libraries of the tool, and suggests the packages for programs that link percuss.
+# The package percuss depends on the run-time libraries of the tool, and suggests the packages for programs that link
+# percuss. A build with PERCUSS_PYTHON also makes the package python3-percuss, for every Python 3 of Debian.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME percuss)
 set(CPACK_PACKAGE_CONTACT "percuss maintainers <percuss@example.org>")
@@ -35,6 +36,14 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME percuss)
+set(CPACK_COMPONENT_UNSPECIFIED_DESCRIPTION "${PROJECT_DESCRIPTION}")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-percuss)
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION}: Python module")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-pandas")
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SUGGESTS
     "libfftw3-dev, libgsl-dev, libtbb-dev, libfmt-dev, libhdf5-dev, libmatio-dev, libsndfile1-dev, libseccomp-dev, libssl-dev, zlib1g-dev, pkg-config")
 include(CPack)

@@ -15,9 +15,11 @@ root_doc = "docs/index"
 include_patterns = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/**.md"]
 exclude_patterns = ["build", ".*"]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "breathe", "percuss_pages"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "percuss_pages", "sphinx.ext.napoleon", "breathe"]
 myst_heading_anchors = 3
 highlight_language = "none"  # of blocks without a language: equations and layouts
+napoleon_google_docstring = False
+napoleon_use_ivar = True  # "Attributes" of a class does not declare its properties again
 autodoc_member_order = "bysource"
 breathe_projects = {"percuss": os.environ.get("PERCUSS_DOXYGEN_XML", "")}
 breathe_default_project = "percuss"

@@ -11,6 +11,23 @@ namespace percuss::python {
 
 enum class NumberType { float64, float32, int8, int16, int32, int64, uint8, uint16, uint32, uint64 };
 
+constexpr std::size_t size_of(NumberType type) {
+  switch (type) {
+    case NumberType::int8:
+    case NumberType::uint8:
+      return 1;
+    case NumberType::int16:
+    case NumberType::uint16:
+      return 2;
+    case NumberType::int32:
+    case NumberType::uint32:
+    case NumberType::float32:
+      return 4;
+    default:
+      return 8;
+  }
+}
+
 /// Samples of one signal in one row of an array, `step_bytes` apart; they need not be aligned.
 struct StridedSamples {
   const std::byte* first = nullptr;

@@ -1,16 +1,18 @@
 #pragma once
-#include <pybind11/pybind11.h>
-
 #include <memory>
 #include <mutex>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "acquire/channels/stored_frfs.hpp"
 #include "array_record.hpp"
+#include "classes.hpp"
 #include "cli/host.hpp"
 #include "core/error.hpp"
 #include "core/visible_text.hpp"
+#include "interrupt.hpp"
+#include "numpy_arrays.hpp"
 #include "run_command.hpp"
 
 namespace percuss::python {
@@ -20,10 +22,17 @@ struct RecordHandle {
   acquire::Record record;
   std::shared_ptr<const ArrayTest> arrays{};
 };
-RecordHandle record_handle(const std::shared_ptr<const ArrayTest>& test);
+using RecordClass = Class<RecordHandle>;
 
-/// The record as an input of a command.
-tools::InMemoryInput in_memory_input(const std::shared_ptr<const RecordHandle>& held);
+/// FRFs that Python holds: from a file, or from arrays, to which reading options still apply.
+struct FrfHandle {
+  acquire::FrfRecord record;
+  std::shared_ptr<const acquire::StoredFrfs> arrays{};
+};
+using FrfClass = Class<FrfHandle>;
+
+/// A record or FRFs as an input of a command.
+tools::InMemoryInput in_memory_input(const Object& held);
 
 /// The result of a command. Functions that compute more of the result lock `mutex`, since only one thread at a time may
 /// use an Analysis.
@@ -35,51 +44,57 @@ struct ResultHandle {
   std::mutex mutex{};
 };
 using SharedResult = std::shared_ptr<ResultHandle>;
+using ResultClass = Class<ResultHandle>;
 
 /// The analysis of one test. Throws IndexError, and InputError for a result without FRFs.
 const std::shared_ptr<const pipeline::Analysis>& analysis_of(const SharedResult& held, std::size_t test);
 
-/// Calls the function without Python's lock, one thread at a time. A reference that it returns stays valid.
+/// Calls the function without Python's lock, one thread at a time; an interrupt (Ctrl-C) stops the computation. A
+/// reference that it returns stays valid.
 template <class Function>
-decltype(auto) without_gil(const SharedResult& held, const Function& function) {
-  const pybind11::gil_scoped_release release;
+decltype(auto) compute(const SharedResult& held, const Function& function) {
+  const ReleasedLock released;
   const std::scoped_lock lock(held->mutex);
+  const InterruptPolling polling;
   return function();
 }
 
 std::vector<double> freq_Hz_of(const acquire::LineRange& lines);
+/// The analysed band; the fits also use spectral lines outside it.
+acquire::LineRange band_of(const pipeline::Analysis& analysis);
 
 /// The stabilisation diagram as columns (poles).
-pybind11::dict stabilisation_of(const SharedResult& held, std::size_t test);
+Object stabilisation_of(PyObject* self, const Arguments& arguments);
 /// A survey's shapes (modes, places), their MAC (modes, modes) and the mode indicator (lines, values). Throws TypeError
 /// for other results.
-pybind11::dict shapes_of(const SharedResult& held);
+Object shapes_of(PyObject* self, const Arguments& arguments);
+/// The columns of the modal parameters, and the residues (modes, FRFs).
+Object modes_of(PyObject* self, const Arguments& arguments);
+/// The residual terms and the FRAC of each FRF.
+Object residual_terms_of(PyObject* self, const Arguments& arguments);
 
 /// Responses as [(point, channel, averages, value, std or None, coherence or None)]: views of `count` spectral lines of
 /// `frfs` from `first` on, which keep `owner` alive.
-pybind11::list responses_of(const std::vector<acquire::PointFrf>& frfs, std::size_t first, std::size_t count,
-                            const std::shared_ptr<const void>& owner);
-
-/// Text that need not be UTF-8, such as the name of a file.
-pybind11::str decoded(std::string_view text);
+Object responses_of(const std::vector<acquire::PointFrf>& frfs, std::size_t first, std::size_t count,
+                    const std::shared_ptr<const void>& owner);
 
 /// Notes as [(text, [option identifiers])], which note_in_python of _errors.py converts to text.
 template <class Notes>
-pybind11::list notes_of(const Notes& notes) {
-  pybind11::list out;
+Object notes_of(const Notes& notes) {
+  std::vector<Object> out;
   for (const auto& note : notes) {
     const Message message{note};
-    pybind11::list options;
-    for (const OptionId& option : message.options) options.append(decoded(option));
-    out.append(pybind11::make_tuple(decoded(visible_text(message.text)), options));
+    out.push_back(tuple_of(visible_text(message.text), message.options));
   }
-  return out;
+  return object_of(out);
 }
 
-void bind_records(pybind11::module_& module);
-void bind_outcome(pybind11::module_& module);  // the results of commands
-void bind_numbers(pybind11::module_& module);  // functions of arrays: mac
-/// Adds the run time of the library without Python, for bench_overhead.py.
-void bind_overhead(pybind11::module_& module);
+void bind_records(PyObject* module);
+void bind_frfs(PyObject* module);
+void bind_outcome(PyObject* module);  // the results of commands
+/// Modal assurance criterion of shapes (modes, places).
+Object mac_between(PyObject* module, const Arguments& arguments);
+/// The run time of the library without Python, for bench_overhead.py.
+Object library_seconds(PyObject* module, const Arguments& arguments);
 
 }  // namespace percuss::python

@@ -1,10 +1,7 @@
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <exception>
+#include <map>
 #include <new>
 #include <string_view>
-#include <utility>
 
 #include "acquire/calibrate.hpp"
 #include "bindings.hpp"
@@ -17,93 +14,122 @@
 namespace percuss::python {
 namespace {
 
-namespace py = pybind11;
-
-py::str part(std::string_view text) {
+std::string part(std::string_view text) {
   constexpr std::size_t kMaxBytes = 600;  // as in InputError::what()
-  return decoded(one_line(text, kMaxBytes));
+  return one_line(text, kMaxBytes);
 }
 
 // The exceptions are classes of Python, with the parts of the error as attributes.
 template <class... Parts>
 void raise(const char* name, const Parts&... parts) {
-  const py::object type = py::module_::import("percuss._errors").attr(name);
-  PyErr_SetObject(type.ptr(), type(parts...).ptr());
+  const Object type = imported("percuss._errors").attribute(name);
+  PyErr_SetObject(type.get(), call(type, parts...).get());
 }
 
 void raise_input_error(const char* name, const InputError& error) {
-  raise(name, part(error.problem()), part(error.where()), part(error.remedy()), py::cast(error.options()));
+  raise(name, part(error.problem()), part(error.where()), part(error.remedy()), error.options());
 }
 
-void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): pybind11's signature
+void rethrow_in_python() {
   try {
-    std::rethrow_exception(std::move(thrown));
+    throw;
+  } catch (const PythonError&) {
+  } catch (const Interrupted&) {  // the exception is set
   } catch (const acquire::NoHitError& error) {
     raise_input_error("NoHitError", error);
   } catch (const InputError& error) {
     raise_input_error("InputError", error);
   } catch (const tools::OptionError& error) {
-    raise("UsageError", part(error.problem()), part(error.remedy()), py::cast(error.options()), decoded(error.value()),
-          py::cast(error.remedy_options()));
+    raise("UsageError", part(error.problem()), part(error.remedy()), error.options(), error.value(),
+          error.remedy_options());
   } catch (const UsageError& error) {
-    raise("UsageError", decoded(error.what()));
+    raise("UsageError", error.what());
   } catch (const std::bad_alloc&) {
     PyErr_SetString(PyExc_MemoryError, kOutOfMemoryMessage);
+  } catch (const std::exception& error) {
+    PyErr_SetString(PyExc_RuntimeError, error.what());
   }
 }
 
-tools::InMemoryInput input_of(const py::handle& one) {
-  if (py::isinstance<RecordHandle>(one)) return in_memory_input(one.cast<std::shared_ptr<RecordHandle>>());
-  const auto frfs = one.cast<std::shared_ptr<const acquire::FrfRecord>>();
-  return [frfs](const acquire::FrfReadOptions&) { return *frfs; };
+std::vector<std::string> words_in(const Object& list) {
+  std::vector<std::string> words;
+  for (const Object& word : list.items()) {
+    words.push_back(word.bytes());
+    if (words.back().find('\0') != std::string::npos)
+      throw UsageError("a zero byte in '" + one_line(words.back(), 60) + "'", "remove it");
+  }
+  return words;
 }
 
-std::shared_ptr<ResultHandle> run(const std::vector<std::string>& words, const py::list& inputs,
-                                  const std::map<std::string, std::string>& names) {
-  for (const std::string& word : words) {
-    if (word.find('\0') != std::string::npos)
-      throw UsageError("a zero byte in '" + one_line(word, 60) + "'", "remove it");
-  }
+// (words, inputs, [(path, display name)])
+Object run(PyObject* /*module*/, const Arguments& arguments) {
+  const std::vector<std::string> words = words_in(arguments[0]);
   std::vector<tools::InMemoryInput> data;
   auto held = std::make_shared<ResultHandle>();
-  for (const auto& one : inputs) {
-    data.push_back(input_of(one));
-    if (!py::isinstance<RecordHandle>(one)) continue;
-    const auto record = one.cast<std::shared_ptr<RecordHandle>>();
+  for (const Object& one : arguments[1].items()) {
+    data.push_back(in_memory_input(one));
+    if (!RecordClass::is(one)) continue;
+    const auto& record = RecordClass::of(one.get());
     if (record->arrays) held->arrays.emplace_back(record->arrays, 0);
   }
+  std::map<std::string, std::string> names;
+  for (const Object& pair : arguments[2].items()) names.emplace(pair.at(0).text(), pair.at(1).text());
   try {
-    const py::gil_scoped_release release;
+    const ReleasedLock released;
+    const InterruptPolling polling;
     for (auto& [test, sum] : held->arrays) sum = sample_checksum(*test);
     RunResult ran = run_command(words, std::move(data), names);
     held->code = ran.code;
     held->outcome = std::move(ran.outcome);
   } catch (const InputError&) {
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();  // an interrupt ended the readers of files
+    if (PyErr_CheckSignals() != 0) throw PythonError();  // an interrupt ended the readers of files
     throw;
   }
-  return held;
+  return ResultClass::wrap(std::move(held));
+}
+
+Object declared(PyObject* /*module*/, const Arguments& /*arguments*/) { return object_of(declared_commands()); }
+
+Object nearest(PyObject* /*module*/, const Arguments& arguments) {
+  std::vector<std::string> known;
+  for (const Object& one : arguments[1].items()) known.push_back(one.text());
+  return object_of(tools::nearest(arguments[0].text(), known));
+}
+
+Object option(PyObject* /*module*/, const Arguments& arguments) {
+  return object_of(option_in_python(arguments[0].text()));
+}
+
+PyObject* make_module() {
+  static PyMethodDef functions[] = {method<&run>("run"),           method<&declared>("declared_commands"),
+                                    method<&nearest>("nearest"),   method<&option>("option_in_python"),
+                                    method<&mac_between>("mac"),   method<&library_seconds>("library_seconds"),
+                                    {nullptr, nullptr, 0, nullptr}};
+  static PyModuleDef definition = {
+      PyModuleDef_HEAD_INIT, "_percuss", nullptr, -1, functions, nullptr, nullptr, nullptr, nullptr};
+  try {
+    Object module = Object::owned(PyModule_Create(&definition));
+    add_memory_class(module.get());
+    bind_records(module.get());
+    bind_frfs(module.get());
+    bind_outcome(module.get());
+    if (PyModule_AddStringConstant(module.get(), "version", report::version()) != 0) throw PythonError();
+    return module.release();
+  } catch (...) {
+    set_python_exception();
+    return nullptr;
+  }
 }
 
 }  // namespace
 
-py::str decoded(std::string_view text) {
-  PyObject* const made = PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "replace");
-  if (made == nullptr) throw py::error_already_set();
-  return py::reinterpret_steal<py::str>(made);
-}
-
-PYBIND11_MODULE(_percuss, module) {
-  py::register_exception_translator(&translate);
-  bind_records(module);
-  bind_outcome(module);
-  bind_numbers(module);
-  bind_overhead(module);
-  module.attr("version") = report::version();
-  module.def("run", &run, py::arg("words"), py::arg("inputs"), py::arg("names") = py::dict());
-  module.def("declared_commands", &declared_commands);
-  module.def("nearest", &tools::nearest);
-  module.def("option_in_python", &option_in_python);
+void set_python_exception() {
+  try {
+    rethrow_in_python();
+  } catch (const PythonError&) {  // a class of exception could not be found; Python has set another exception
+  }
 }
 
 }  // namespace percuss::python
+
+PyMODINIT_FUNC PyInit__percuss() { return percuss::python::make_module(); }

@@ -1,76 +1,70 @@
-#include <pybind11/complex.h>
-#include <pybind11/numpy.h>
-#include <pybind11/stl.h>
-
 #include "bindings.hpp"
-#include "numpy_views.hpp"
 #include "pipeline/survey.hpp"
 
 namespace percuss::python {
 
-namespace py = pybind11;
-
-py::dict stabilisation_of(const SharedResult& held, std::size_t test) {
-  const pipeline::Analysis& analysis = *analysis_of(held, test);
+Object stabilisation_of(PyObject* self, const Arguments& arguments) {
+  const SharedResult& held = ResultClass::of(self);
+  const pipeline::Analysis& analysis = *analysis_of(held, static_cast<std::size_t>(arguments[0].whole()));
   const identify::Stabilisation& diagram =
-      without_gil(held, [&]() -> const identify::Stabilisation& { return analysis.stabilisation(); });
+      compute(held, [&]() -> const identify::Stabilisation& { return analysis.stabilisation(); });
   std::vector<double> freq_Hz, damping;
   std::vector<std::int64_t> order;
-  py::list stability;
+  std::vector<std::string> stability;
   for (const identify::StabilisationPole& one : diagram.poles) {
     freq_Hz.push_back(one.pole.freq_Hz);
     damping.push_back(one.pole.damping_ratio);
     order.push_back(static_cast<std::int64_t>(one.order));
-    stability.append(name_of(one.stability));
+    stability.emplace_back(name_of(one.stability));
   }
-  py::dict out;
-  out["order"] = copy_of(std::span<const std::int64_t>(order));
-  out["frequency_hz"] = copy_of(std::span<const double>(freq_Hz));
-  out["damping_ratio"] = copy_of(std::span<const double>(damping));
-  out["stability"] = stability;
+  Dictionary out;
+  out.set("order", array_of(std::move(order)));
+  out.set("frequency_hz", array_of(std::move(freq_Hz)));
+  out.set("damping_ratio", array_of(std::move(damping)));
+  out.set("stability", stability);
   return out;
 }
 
-py::dict shapes_of(const SharedResult& held) {
+Object shapes_of(PyObject* self, const Arguments& /*arguments*/) {
+  const SharedResult& held = ResultClass::of(self);
   const pipeline::Survey* const survey = held->outcome.survey.get();
-  if (survey == nullptr) throw py::type_error("only the result of a survey has shapes");
-  const auto& shapes = without_gil(
+  if (survey == nullptr) raise_builtin(PyExc_TypeError, "only the result of a survey has shapes");
+  const auto& shapes = compute(
       held, [&]() -> const auto& { return survey->shapes(); });
-  const auto& macs = without_gil(
+  const auto& macs = compute(
       held, [&]() -> const auto& { return survey->macs(); });
   const std::size_t places = shapes.empty() ? 0 : shapes.front().places.size();
-  py::array_t<Complex> values({shapes.size(), places});
-  py::array_t<double> value_std({shapes.size(), places});
-  py::list points, channels;
-  for (std::size_t m = 0; m < shapes.size(); ++m) {
+  std::vector<Complex> values;
+  std::vector<double> value_std, mac, cmif;
+  std::vector<std::int64_t> points, channels;
+  for (const auto& shape : shapes) {
     for (std::size_t p = 0; p < places; ++p) {
-      const identify::ShapePlace& place = shapes[m].places.at(p);
-      values.mutable_at(m, p) = place.value;
-      value_std.mutable_at(m, p) = place.std;
-      if (m == 0) points.append(place.point);
-      if (m == 0) channels.append(place.channel);
+      const identify::ShapePlace& place = shape.places.at(p);
+      values.push_back(place.value);
+      value_std.push_back(place.std);
+      if (&shape != &shapes.front()) continue;
+      points.push_back(static_cast<std::int64_t>(place.point));
+      channels.push_back(static_cast<std::int64_t>(place.channel));
     }
   }
-  py::array_t<double> mac({macs.size(), macs.size()});
-  for (std::size_t a = 0; a < macs.size(); ++a) {
-    for (std::size_t b = 0; b < macs.size(); ++b) mac.mutable_at(a, b) = macs[a][b].value;
+  for (const auto& row : macs) {
+    for (const auto& one : row) mac.push_back(one.value);
   }
-  const Eigen::MatrixXd& indicator = without_gil(
+  const Eigen::MatrixXd& indicator = compute(
       held, [&]() -> const auto& { return survey->indicator(); });
-  const acquire::LineRange band = without_gil(held, [&] { return survey->band(); });
-  py::array_t<double> cmif({indicator.rows(), indicator.cols()});
+  const acquire::LineRange band = compute(held, [&] { return survey->band(); });
   for (Eigen::Index i = 0; i < indicator.rows(); ++i) {
-    for (Eigen::Index j = 0; j < indicator.cols(); ++j) cmif.mutable_at(i, j) = indicator(i, j);
+    for (Eigen::Index j = 0; j < indicator.cols(); ++j) cmif.push_back(indicator(i, j));
   }
-  const std::vector<double> freq_Hz = freq_Hz_of(band);
-  py::dict out;
-  out["shapes"] = read_only(values);
-  out["shapes_std"] = read_only(value_std);
-  out["points"] = points;
-  out["channels"] = channels;
-  out["mac"] = read_only(mac);
-  out["cmif"] = read_only(cmif);
-  out["cmif_frequency_hz"] = copy_of(std::span<const double>(freq_Hz));
+  const auto rows = static_cast<std::size_t>(indicator.rows()), columns = static_cast<std::size_t>(indicator.cols());
+  Dictionary out;
+  out.set("shapes", array_of(std::move(values), {shapes.size(), places}));
+  out.set("shapes_std", array_of(std::move(value_std), {shapes.size(), places}));
+  out.set("points", array_of(std::move(points)));
+  out.set("channels", array_of(std::move(channels)));
+  out.set("mac", array_of(std::move(mac), {macs.size(), macs.size()}));
+  out.set("cmif", array_of(std::move(cmif), {rows, columns}));
+  out.set("cmif_frequency_hz", array_of(freq_Hz_of(band)));
   return out;
 }
 

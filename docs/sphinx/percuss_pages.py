@@ -1,5 +1,6 @@
 """Adds the navigation and the C++ headers to Sphinx, and converts docstrings to reStructuredText."""
 
+import pathlib
 import re
 import sys
 import textwrap
@@ -38,11 +39,11 @@ def _python_reference(built):
             f"## {name}\n\n```{{eval-rst}}\n.. automodule:: {name}\n   :members:\n   :imported-members:\n```\n"
             for name in ("percuss", "percuss.models", "percuss.metrics")
         )
-    note = "This build has no Python module, so the reference shows the stubs. Configure with `-DPERCUSS_PYTHON=ON`.\n"
-    stubs = {"percuss": "__init__", "percuss.models": "models", "percuss.metrics": "metrics"}
+    note = "This build has no Python module, so the reference shows the sources. Configure with `-DPERCUSS_PYTHON=ON`.\n"
+    folder = pathlib.Path(__file__).resolve().parents[2] / "python" / "percuss" / "_functions"
     return note + "\n".join(
-        f"\n## {name}\n\n```{{literalinclude}} ../../python/percuss/{file}.pyi\n:language: python\n```\n"
-        for name, file in stubs.items()
+        f"\n## percuss.{one.stem.replace('_', '.')}\n\n```{{literalinclude}} ../../python/percuss/_functions/{one.name}\n:language: python\n```\n"
+        for one in sorted(folder.glob("[a-z]*.py"))
     )
 
 
@@ -103,7 +104,13 @@ def _as_rst(block):
     return [_escaped(line) for line in lines]
 
 
+_SECTION = re.compile(r"(?m)^[A-Z][\w ]*\n-{3,}$")  # as NumPy writes it; napoleon converts these docstrings
+
+
 def _docstring(app, what, name, obj, options, lines):
+    if _SECTION.search("\n".join(lines)):
+        lines[:] = [re.sub(r"(?<!`)`([^`]+)`(?!`)", r"``\1``", line) for line in lines]
+        return
     blocks = re.split(r"\n{2,}", "\n".join(lines).strip("\n"))
     lines[:] = [line for block in blocks if block for line in [*_as_rst(block), ""]]
 

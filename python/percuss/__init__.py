@@ -19,23 +19,25 @@ Analyse your own data from a file, or from arrays in memory, which are not copie
 A result holds arrays and a JSON document:
 
     found.frequency_hz, found.damping_ratio     (modes,)
-    found.table                                 columns with a row per mode: pandas.DataFrame(found.table)
-    found.residues                              (modes, points, channels) complex, 1/kg
-    found.frf, found.frf_frequency_hz           (points, channels, lines) complex (m/s²)/N, and (lines,) Hz
+    found.table, found.to_dataframe()           columns with a row per mode
+    found.poles, found.residues                 (modes,) rad/s and (modes, points, channels) 1/kg, complex
+    found.frf()                                 frequency_hz (lines,), and H (points, channels, lines) in (m/s²)/N
+    found.synthesise(freq_hz)                   the FRFs of the modes, at any frequencies
     found.hits, found.modes, found.warnings     lists of dictionaries
     found.to_dict()                             the document that `percuss analyze … --json` prints
     found.report("bat.html")                    writes the HTML page; found.save("modes.uff") writes other formats
+    found.plot(), found.plot("stabilisation")   pictures, with matplotlib
 
 Functions:
 
     read, info, write          read and write records and FRFs: HDF5, MAT, UFF, LabVIEW, sound, CSV
-    Record                     make a record from arrays, with points, names and geometry
+    Record, Frf                make a record, or frequency responses, from arrays
     analyze, frf, survey       identify modes, average FRFs, identify mode shapes
     nodes, deflect, calibrate  locate nodes, compute deflection under an impact, calibrate a hammer
     synth, presets             make synthetic tests
     models                     beam, impact, rigid, trampoline, bat, shell
-    metrics                    performance, certify, abi, study, mac
-    compare                    compare tests and models side by side
+    metrics                    performance, certify, abi, study
+    compare, mac               compare tests and models side by side; modal assurance criterion
     example                    return example input files
 
 Keywords are the options of the command line with underscores (`--accel-channel` is accel_channel), with the same
@@ -43,7 +45,7 @@ defaults and checks. A band is a tuple (low, high). A keyword with several value
 help(percuss.analyze) lists the keywords of analyze. Unusable data raise percuss.InputError, a ValueError with the
 attributes problem, where, remedy and options.
 
-Functions release Python's lock and may be called by several threads. MAT, HDF5 and sound files are read in sandboxed
+Functions release Python's lock and may be called by several threads; Ctrl-C stops them. MAT, HDF5 and sound files are read in sandboxed
 processes, so a hostile file cannot harm this one.
 """
 
@@ -51,35 +53,37 @@ from __future__ import annotations
 
 from ._percuss import version as __version__
 
-from . import _commands
-from ._analyses import Analysis, Survey
-from ._commands import compare, info, write
+from ._analyses import Analysis
 from ._errors import InputError, NoHitError, UsageError
 from ._examples import example, presets
 from ._frf import Frf
-from ._measured import MeasuredFrf
+from ._functions.analyze import analyze
+from ._functions.calibrate import calibrate
+from ._functions.compare import compare
+from ._functions.deflect import deflect
+from ._functions.frf import frf
+from ._functions.info import info
+from ._functions.nodes import nodes
+from ._functions.read import read
+from ._functions.survey import survey
+from ._functions.synth import synth
+from ._mac import mac
 from ._records import Record
 from ._results import Deflection, Nodes, Result, Synthetic
+from ._surveys import Survey
+from ._tests import AveragedFrf
+from ._write import write
 from . import metrics, models
 
-analyze = _commands.FUNCTIONS["analyze"]
-calibrate = _commands.FUNCTIONS["calibrate"]
-deflect = _commands.FUNCTIONS["deflect"]
-frf = _commands.FUNCTIONS["frf"]
-nodes = _commands.FUNCTIONS["nodes"]
-read = _commands.FUNCTIONS["read"]
-survey = _commands.FUNCTIONS["survey"]
-synth = _commands.FUNCTIONS["synth"]
-
 __all__ = [
-    "Analysis", "Deflection", "Frf", "InputError", "MeasuredFrf", "NoHitError", "Nodes", "Record", "Result", "Survey",
-    "Synthetic", "UsageError", "analyze", "calibrate", "compare", "deflect", "example", "frf", "info", "metrics", "models",
+    "Analysis", "AveragedFrf", "Deflection", "Frf", "InputError", "NoHitError", "Nodes", "Record", "Result", "Survey",
+    "Synthetic", "UsageError", "analyze", "calibrate", "compare", "deflect", "example", "frf", "info", "mac", "metrics", "models",
     "nodes", "presets", "read", "survey", "synth", "write",
 ]  # fmt: skip
 
 for _one in (
-    Analysis, Deflection, Frf, InputError, MeasuredFrf, NoHitError, Nodes, Record, Result, Survey, Synthetic, UsageError,
-    compare, example, info, presets, write,
+    Analysis, AveragedFrf, Deflection, Frf, InputError, NoHitError, Nodes, Record, Result, Survey, Synthetic, UsageError,
+    example, mac, presets, write,
 ):  # fmt: skip
     _one.__module__ = "percuss"  # the public name
 del _one

@@ -1,4 +1,4 @@
-"""Results of modal analysis: modes and mode shapes."""
+"""Results of modal analysis."""
 
 from __future__ import annotations
 
@@ -7,26 +7,37 @@ from typing import Any
 import numpy as np
 
 from ._arrays import frozen
-from ._frf import Frf
+from ._plots import plot_analysis
 from ._results import curves_of
+from ._synthesis import laplace_of, synthesised
+from ._tests import TestResult
 
 
-class Analysis(Frf):
+class Analysis(TestResult):
     """Hits, FRFs and modes of a test.
 
-    frequency_hz, damping_ratio          (modes,) Hz and fractions of critical damping, with frequency_std_hz and
-                                         damping_ratio_std
-    residues, residues_std               (modes, points, channels), 1/kg; residues are complex
-    family, order                        "bending", "hoop" or "unknown" per mode, and its number within the family
-    table                                the columns above except residues, a row per mode
-    frf, frf_std                         (points, channels, lines) in (m/s²)/N over frf_frequency_hz (lines,) in Hz
-    coherence                            (points, channels, lines), 0 … 1
-    hits                                 a dictionary per hit, with its findings
-    runs                                 an Analysis per test: of files="tests", or of a file with several runs
+    Attributes
+    ----------
+    frequency_hz, damping_ratio : array (modes,)
+        Hz, and fractions of critical damping, with `frequency_std_hz` and `damping_ratio_std`.
+    poles : array (modes,)
+        Complex, in rad/s.
+    residues, residues_std : array (modes, points, channels)
+        1/kg; residues are complex.
+    lower, upper, upper_4 : array (points, channels)
+        Complex residual terms of the modes below and above the band.
+    family, order : list, array (modes,)
+        "bending", "hoop" or "unknown", and the number of the mode within its family.
+    hits, modes, warnings : list of dict
+        As in the document.
+    runs : list of Analysis
+        One per test: of files="tests", or of a file with several runs.
 
-    Of a test without a force, the entry "input" is "response": residues are relative to one channel, and there are no FRFs.
-
-    Reading modes or FRFs raises NoHitError if no hit can be used, and UsageError if the result holds several tests.
+    Notes
+    -----
+    `frf()` returns the FRFs, `synthesise()` computes them from the modes. Of a test without a force, the entry "input" is
+    "response": residues are relative to one channel, and there are no FRFs. Reading modes or FRFs raises NoHitError if no hit
+    can be used, and UsageError if the result holds several tests.
     """
 
     @property
@@ -36,11 +47,7 @@ class Analysis(Frf):
 
     def _of_test(self, test: int) -> list[tuple[Any, ...]]:
         deflected = [("deflections",)] if "deflection" in self._parsed() else []
-        return [*super()._of_test(test), ("modes", test), ("stabilisation", test), *deflected]
-
-    def _own(self) -> dict[str, Any]:
-        document, test = self._parsed(), self._test
-        return document["runs"][test] if "runs" in document else document
+        return [*super()._of_test(test), ("modes", test), ("residual_terms", test), ("stabilisation", test), *deflected]
 
     @property
     def hits(self) -> list[dict[str, Any]]:
@@ -102,9 +109,104 @@ class Analysis(Frf):
         return self._by_place("residues_std")
 
     @property
-    def frf_std(self) -> np.ndarray | None:
-        """(points, channels, lines) standard deviation of the FRFs in (m/s²)/N; None if a point has a single hit."""
-        return self._responses.std
+    def poles(self) -> np.ndarray:
+        """(modes,) complex poles s = −ζω + jω√(1 − ζ²) in rad/s."""
+        omega, ratio = 2 * np.pi * self.frequency_hz, self.damping_ratio
+        return frozen(omega * (-ratio + 1j * np.sqrt(1 - ratio**2)))
+
+    def _residual_term(self, name: str) -> np.ndarray:
+        self._require_hits()
+        terms = self._computed("residual_terms")
+        return terms[name].reshape(len({point for point, _ in terms["places"]}), -1)
+
+    @property
+    def lower(self) -> np.ndarray:
+        """(points, channels) complex accelerance of the modes below the band and the rigid body, in 1/kg."""
+        return self._residual_term("lower")
+
+    @property
+    def upper(self) -> np.ndarray:
+        """(points, channels) complex receptance of the modes above the band, in m/N."""
+        return self._residual_term("upper")
+
+    @property
+    def upper_4(self) -> np.ndarray:
+        """(points, channels) complex, the next term of the modes above the band, in m·s²/N."""
+        return self._residual_term("upper_4")
+
+    @property
+    def frac(self) -> np.ndarray:
+        """(points, channels) frequency response assurance criterion of measured and synthesised FRF: 1 if they are equal."""
+        return self._residual_term("frac")
+
+    def synthesise(self, freq_hz: Any, kind: str = "accelerance", residual_terms: bool = True) -> np.ndarray:
+        """Compute the FRFs of the modes at any frequencies.
+
+        H(ω) = Σ A s² / (s² + 2ζωₙs + ωₙ²) + lower + upper s² + upper_4 s⁴, s = jω.
+
+        Parameters
+        ----------
+        freq_hz : array (lines,)
+            Frequencies in Hz. The residual terms hold within the band only.
+        kind : {'accelerance', 'mobility', 'receptance'}, optional
+            Default: accelerance.
+        residual_terms : bool, optional
+            False leaves out `lower`, `upper` and `upper_4`.
+
+        Returns
+        -------
+        array (points, channels, lines)
+            Complex, in (m/s²)/N, (m/s)/N or m/N.
+
+        Notes
+        -----
+        The measured FRF of a record that ends before the decay does differs from it by the missing part of the decay.
+
+        Examples
+        --------
+        >>> import numpy as np, percuss
+        >>> found = percuss.analyze(percuss.synth("wood-bat"), band=(60, 3200))
+        >>> found.synthesise([165.0, 170.0]).shape
+        (1, 2, 2)
+        """
+        return synthesised(self, laplace_of(freq_hz), kind, residual_terms)
+
+    @property
+    def _shape_places(self) -> list[tuple[int, int]]:
+        """The point and channel of each value of a shape."""
+        if self._own().get("input") == "response":
+            return [(one["point"], one["channel"]) for one in self.modes[0]["residues"]] if self.modes else []
+        self._require_hits()
+        return [(int(point), int(channel)) for point, channel in self._computed("modes")["places"]]
+
+    @property
+    def _shape_values(self) -> np.ndarray:
+        """(modes, places)"""
+        return self.residues.reshape(len(self.residues), -1)
+
+    def plot(self, what: str = "frf", *, point: int | None = None, channel: int | None = None, ax: Any = None) -> Any:
+        """Draw the result with matplotlib.
+
+        Parameters
+        ----------
+        what : {'frf', 'stabilisation', 'shapes'}, optional
+            The measured FRFs with the fit; the stabilisation diagram; the shape of each mode (of a survey, or the residues over
+            the channels).
+        point, channel : int, optional
+            Draw the FRFs of this point or channel only.
+        ax : axes, or a sequence of them, optional
+            Draw here; two axes for FRFs, one per mode for shapes. Default: a new figure.
+
+        Returns
+        -------
+        axes, or a list of axes
+
+        Raises
+        ------
+        ImportError
+            Without matplotlib.
+        """
+        return plot_analysis(self, what, point, channel, ax)
 
     def _by_place(self, name: str) -> np.ndarray:
         values = self._column(name)
@@ -112,12 +214,6 @@ class Analysis(Frf):
             return values.reshape(len(values), 1, -1) if values.size else values.reshape(0, 0, 0)
         channels = len({channel for _, channel in self._computed("modes")["places"]}) or 1
         return values.reshape(len(values), -1, channels) if values.size else values.reshape(0, 0, 0)
-
-    @property
-    def frf_frequency_hz(self) -> np.ndarray:
-        """(lines,) frequencies of the FRFs in Hz."""
-        self._require_hits()
-        return self._computed("frequency_hz")
 
     @property
     def family(self) -> list[str]:
@@ -153,58 +249,3 @@ class Analysis(Frf):
     def deflections(self) -> list[dict[str, Any]]:
         """Deflection over time, as Deflection.curves(). Raises TypeError unless only= includes deflection."""
         return curves_of(self._outcome)
-
-
-class Survey(Analysis):
-    """A test of many points: an Analysis with mode shapes.
-
-    shapes, shapes_std             (modes, places): complex shapes in 1/√kg if a driving point is known, otherwise scaled
-                                   to a largest value of 1
-    shape_points, shape_channels   (places,)
-    mac                            (modes, modes), 0 … 1
-    cmif                           (lines, values) in (m/s²)/N over cmif_frequency_hz (lines,) in Hz
-    """
-
-    def _of_test(self, test: int) -> list[tuple[Any, ...]]:
-        return [*super()._of_test(test), ("shapes",)]
-
-    def _shape(self, name: str) -> Any:
-        self._require_hits()
-        if "shapes" not in self._cache:
-            self._cache["shapes"] = self._outcome.shapes()
-        return self._cache["shapes"][name]
-
-    @property
-    def shapes(self) -> np.ndarray:
-        """(modes, places) complex mode shapes: 1/√kg if a driving point is known, otherwise scaled to a largest value of 1."""
-        return self._shape("shapes")
-
-    @property
-    def shapes_std(self) -> np.ndarray:
-        """(modes, places) standard deviation of the real and of the imaginary part, in the unit of shapes."""
-        return self._shape("shapes_std")
-
-    @property
-    def shape_points(self) -> np.ndarray:
-        """(places,) index of the point, from 0."""
-        return frozen(np.array(self._shape("points")))
-
-    @property
-    def shape_channels(self) -> np.ndarray:
-        """(places,) index of the channel, from 0."""
-        return frozen(np.array(self._shape("channels")))
-
-    @property
-    def mac(self) -> np.ndarray:
-        """(modes, modes) modal assurance criterion between the shapes, 0 … 1."""
-        return self._shape("mac")
-
-    @property
-    def cmif(self) -> np.ndarray:
-        """(lines, values) complex mode indicator function: singular values of the FRFs in (m/s²)/N."""
-        return self._shape("cmif")
-
-    @property
-    def cmif_frequency_hz(self) -> np.ndarray:
-        """(lines,) frequencies of cmif in Hz."""
-        return self._shape("cmif_frequency_hz")

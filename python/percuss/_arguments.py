@@ -7,20 +7,23 @@ from typing import Any
 
 from ._argv import Command
 from ._errors import InputError, UsageError
-from ._measured import MeasuredFrf
+from ._frf import Frf
 from ._records import Record
 from ._results import Synthetic
+from ._tests import AveragedFrf
+
+_PATHS = (str, bytes, os.PathLike)
+_MEASURED = (Record, Frf, Synthetic, AveragedFrf)
 
 
-def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
-    """Paths, or handles of data in memory; one of the two lists is empty."""
+def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any], bool]:
+    """Paths, or handles of data in memory, and whether these are bare arrays."""
     given: list[Any] = list(data[0]) if len(data) == 1 and _is_list_of_inputs(data[0]) else list(data)
-    flat = [one.record if isinstance(one, Synthetic) else one for one in given]
-    if flat and all(isinstance(one, (str, bytes, os.PathLike)) for one in flat):
-        return [os.fsdecode(one) for one in flat], []
-    if flat and all(isinstance(one, (Record, MeasuredFrf)) for one in flat):
-        return [], [one._handle for one in flat]
-    if any(isinstance(one, (str, bytes, os.PathLike, Record, MeasuredFrf)) for one in flat):
+    if given and all(isinstance(one, _PATHS) for one in given):
+        return [os.fsdecode(one) for one in given], [], False
+    if given and all(isinstance(one, _MEASURED) for one in given):
+        return [], [_handle_of(one) for one in given], False
+    if any(isinstance(one, _PATHS + _MEASURED) for one in given):
         raise TypeError("give files, records or arrays, not a mixture")
     if not data:
         raise UsageError("no data is given", "give paths, arrays or Records")
@@ -28,19 +31,24 @@ def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
         raise TypeError("give two arrays, force and accel, with fs=; or paths; or records")
     if fs is None:
         raise TypeError("arrays need their sampling rate: fs= in Hz")
-    return [], [Record(data[0], data[1], fs)._handle]
+    return [], [Record(data[0], data[1], fs)._handle], True
+
+
+def _handle_of(one: Any) -> Any:
+    if isinstance(one, AveragedFrf):
+        one = one.frf()
+    return one.record._handle if isinstance(one, Synthetic) else one._handle
 
 
 def _is_list_of_inputs(value: Any) -> bool:
-    known = (str, bytes, os.PathLike, Record, MeasuredFrf, Synthetic)
-    return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(one, known) for one in value)
+    return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(one, _PATHS + _MEASURED) for one in value)
 
 
 def reject_reading_options(name: str, command: Command, handles: list[Any], options: dict[str, Any], are_records: bool) -> None:
     """Rejects reading options for a record in memory: they took effect when the record was read or made."""
     if are_records and options.get("fs") is not None:
         raise TypeError(f"{name}() cannot change the sampling rate of a record with 'fs'; give it to percuss.read() or percuss.Record()")
-    if all(getattr(one, "from_arrays", False) for one in handles):
+    if all(one.from_arrays for one in handles):
         return
     reading = [key for key in options if key in command.options and command.options[key].group == "Reading" and key != "files"]
     if reading:

@@ -191,7 +191,7 @@ class Command:
             for i, one in enumerate(data):
                 word = self.arguments[0].lower()
                 words.append(_path_word(files.path(one, word if len(data) == 1 else f"{word} {i + 1}")))
-            return _percuss.run([os.fsencode(word) for word in words], inputs, files.names)
+            return _percuss.run([os.fsencode(word) for word in words], inputs, list(files.names.items()))
         except InputError as error:
             if not files:
                 raise
@@ -200,13 +200,16 @@ class Command:
             files.close()
 
     def _option(self, function: str, keyword: str) -> Option:
-        found = self.options.get(keyword)
-        if found is not None:
-            return found
+        if keyword not in self.options:
+            raise self.unknown_keyword(function, keyword)
+        return self.options[keyword]
+
+    def unknown_keyword(self, function: str, keyword: str) -> TypeError:
+        """The error for a keyword that the function does not have, which names the nearest one."""
         near = _percuss.nearest(keyword.replace("_", "-"), [one.flag for one in self.options.values()])
         meant = next((one.keyword for one in self.options.values() if one.flag == near), None)
         hint = f"did you mean {meant!r}?" if meant else f"help(percuss.{function}) lists the keywords"
-        raise TypeError(f"{function}() has no keyword {keyword!r}; {hint}")
+        return TypeError(f"{function}() has no keyword {keyword!r}; {hint}")
 
 
 def _path_word(path: str) -> str:

@@ -33,13 +33,16 @@ class Responses:
 
     def _stack(self, part: int) -> np.ndarray | None:
         if part not in self._stacked:
-            channels = sorted({channel for _, channel in self._all})
-            parts = [[self._all[point, channel][part] for channel in channels] for point in self.points.tolist()]
+            parts = [[self._all[point, channel][part] for channel in self.channels] for point in self.points.tolist()]
             whole = all(one is not None for row in parts for one in row)
             self._stacked[part] = frozen(np.stack([np.stack(row) for row in parts])) if whole else None
         return self._stacked[part]
 
-    frf = property(lambda self: self._stack(3))
+    @property
+    def channels(self) -> list[int]:
+        return sorted({channel for _, channel in self._all})
+
+    value = property(lambda self: self._stack(3))
     std = property(lambda self: self._stack(4))
     coherence = property(lambda self: self._stack(5))
     averages = property(lambda self: frozen(np.array([one[2] for one in self._all.values()])))
@@ -65,16 +68,16 @@ def _is_list_of_arrays(values: Any) -> bool:
 def rows_of(force: Any, accel: Any) -> list[tuple[Any, list[np.ndarray]]]:
     """Views of the arrays, a pair (force or None, [accelerations]) per hit."""
     several = is_list = _is_list_of_arrays(force)
-    forces = [_signals(one, "force") for one in force] if several else None if force is None else _signals(force, "force")
+    forces: Any = [_signals(one, "force") for one in force] if several else None if force is None else _signals(force, "force")
     if forces is None:
-        each = _signals(accel, "accel")
-        return _checked([(None, _channels(one)) for one in (each if each.ndim == 3 else [each])])
+        each: Any = _signals(accel, "accel")
+        return _checked([(None, _channels(one)) for one in (list(each) if each.ndim == 3 else [each])])
     several = several or forces.ndim == 2
     if not several:
         return _checked([(forces, _channels(_signals(accel, "accel")))])
     if not is_list and _is_transposed(forces.shape):
         raise InputError(f"{forces.shape[0]} hits of {forces.shape[1]} samples", "force", "is it (hits, samples)? Give force.T")
-    hits = list(accel) if _is_list_of_arrays(accel) else _signals(accel, "accel")
+    hits: Any = list(accel) if _is_list_of_arrays(accel) else _signals(accel, "accel")
     if len(forces) > _MAX_ROWS:
         raise InputError(f"{len(forces)} hits", "force", "give at most a million at a time")
     if len(hits) != len(forces):
@@ -123,14 +126,14 @@ def rate_of(fs: Any) -> float:
     return float(one)
 
 
-def points_of(points: Any, hits: int) -> list[int]:
+def points_of(points: Any, count: int, of: str = "hits") -> list[int]:
     if points is None:
         return []
     array = np.asarray(points)
     whole = array.ndim == 1 and array.dtype.kind in "iuf" and bool(np.all(array == np.floor(array)))
-    if not whole or len(array) != hits or array.min(initial=0) < 0 or array.max(initial=0) >= _MAX_ROWS:
-        count = f"{array.size} points" if whole else "points that are not a list of whole numbers"
-        raise InputError(f"{count} for {hits} hits", "points", "give a number from 0 up for each hit")
+    if not whole or len(array) != count or array.min(initial=0) < 0 or array.max(initial=0) >= _MAX_ROWS:
+        given = f"{array.size} points" if whole else "points that are not a list of whole numbers"
+        raise InputError(f"{given} for {count} {of}", "points", "give a number from 0 up for each")
     return [int(one) for one in array]
 
 

@@ -1,110 +1,242 @@
-"""Averaged frequency responses, the base of an analysis."""
+"""Frequency responses as arrays."""
 
 from __future__ import annotations
 
-import os
-from typing import Any
+from typing import Any, Sequence
 
 import numpy as np
 
-from ._arrays import Responses
-from ._errors import NoHitError, UsageError
-from ._results import Result
+from . import _percuss
+from ._arrays import Responses, frozen, points_of
+from ._errors import InputError, note_in_python
+from ._frf_arrays import alike, real_lines, responses_given
+from ._optional import frf_frame, frf_html
+from ._plots import plot_frf
+
+_UNITS = {"accelerance": "(m/s²)/N", "mobility": "(m/s)/N", "receptance": "m/N"}
 
 
-class Frf(Result):
-    """Averaged frequency responses.
+class Frf:
+    """Frequency responses. `analyze`, `survey` and `write` take them in place of a record.
 
-    frequency_hz    (lines,) Hz
-    frf             (points, channels, lines) complex: accelerance in (m/s²)/N; with kind=, mobility in (m/s)/N or
-                    receptance in m/N
-    std             (points, channels, lines) standard deviation in the unit of frf; None if a point has a single hit
-    coherence       (points, channels, lines), 0 … 1; None if a point has a single hit
+    Parameters
+    ----------
+    frequency_hz : array (lines,)
+        Evenly spaced frequencies in Hz, multiples of their spacing.
+    H : array (lines,), (channels, lines) or (points, channels, lines)
+        Complex responses over force, in SI units.
+    kind : {'accelerance', 'mobility', 'receptance'}, optional
+        Response: acceleration, velocity or displacement.
+    std, coherence : array, optional
+        Standard deviation in the unit of H, and ordinary coherence, in the shape of H.
+    points : sequence of int, optional
+        Number of each struck point. Default: from 0 up.
+    names : sequence of str, optional
+        Name of each channel.
+    averages : int, optional
+        Hits behind each response; 0 if not known.
 
-    frf_at() returns one response without a copy. save() writes the chosen kind as .csv, .h5 (.hdf5), .mat or .uff. Reading an
-    array raises NoHitError if no hit can be used.
+    Raises
+    ------
+    InputError
+        Shapes that do not agree, frequencies that are uneven, values that are not finite.
+
+    Examples
+    --------
+    >>> import numpy as np, percuss
+    >>> f = np.arange(1, 401.0)
+    >>> s = 2j * np.pi * f
+    >>> H = s**2 / (s**2 + 2 * 0.01 * 2 * np.pi * 150 * s + (2 * np.pi * 150) ** 2)
+    >>> frf = percuss.Frf(f, H)
+    >>> frf
+    <percuss.Frf arrays: 1 × 1 accelerance of 400 lines, 1 to 400 Hz>
+    >>> found = percuss.analyze(frf, band=(60, 300))
+    >>> found.frequency_hz.round(6).tolist(), found.damping_ratio.round(6).tolist()
+    ([150.0], [0.01])
     """
 
-    def __init__(self, outcome: Any, test: int | None = None, kind: str = "accelerance") -> None:
-        super().__init__(outcome)
-        self._chosen = test
-        self._kind = kind
-        self._cache: dict[str, Any] = {}
+    def __init__(
+        self,
+        frequency_hz: Any,
+        H: Any,
+        *,
+        kind: str = "accelerance",
+        std: Any = None,
+        coherence: Any = None,
+        points: Sequence[int] | None = None,
+        names: Sequence[str] = (),
+        averages: int = 0,
+    ) -> None:
+        freq_hz = np.ascontiguousarray(real_lines(frequency_hz, "frequency_hz", 1), dtype=float)
+        if kind not in _UNITS:
+            raise InputError(f"the kind {kind!r} is not known", "kind", "give accelerance, mobility or receptance")
+        value = responses_given(H, "H", complex, len(freq_hz))
+        numbers = points_of(points, len(value), "points of H") or list(range(len(value)))
+        if len(set(numbers)) != len(numbers):
+            raise InputError("a point number is given twice", "points", "give each point once")
+        self._set(
+            freq_hz, kind, numbers, list(names) or [f"channel {i + 1}" for i in range(value.shape[1])], int(averages), 0.0, "arrays",
+            value, *(None if one is None else alike(one, name, value.shape) for one, name in [(std, "std"), (coherence, "coherence")]),
+        )  # fmt: skip
+        self._handle  # checks the frequencies
+
+    def _set(
+        self, freq_hz: np.ndarray, kind: str, points: list[int], names: list[str], averages: int, decay_per_s: float, source: str,
+        value: np.ndarray, std: np.ndarray | None, coherence: np.ndarray | None,
+    ) -> None:  # fmt: skip
+        if len(names) != value.shape[1]:
+            raise InputError(f"{len(names)} names for {value.shape[1]} channels", "names", "give one for each channel")
+        rows: list[tuple[Any, ...]] = [
+            (point, channel, averages, *(None if one is None else one[p, channel] for one in (value, std, coherence)))
+            for p, point in enumerate(points)
+            for channel in range(value.shape[1])
+        ]
+        self._made: Any = None
+        self._responses = Responses([(*row[:3], *(None if one is None else frozen(one) for one in row[3:])) for row in rows])
+        self._frequency_hz = frozen(freq_hz)
+        self._kind, self._names, self._decay_per_s, self._source = kind, names, decay_per_s, source
+        self._described: dict[str, Any] = {}
+
+    @classmethod
+    def _from_handle(cls, handle: Any) -> Frf:
+        described = handle.describe()
+        made = cls._of_responses(
+            described["frequency_hz"], Responses(handle.responses()), "accelerance",
+            [one["name"] for one in described["accel"]], described["decay_per_s"], described["source"],
+        )  # fmt: skip
+        made._made, made._described = handle, described
+        return made
+
+    @classmethod
+    def _of_responses(
+        cls, freq_hz: np.ndarray, responses: Responses, kind: str, names: list[str], decay_per_s: float, source: str
+    ) -> Frf:
+        made = cls.__new__(cls)
+        made._made, made._described, made._responses, made._frequency_hz = None, {}, responses, freq_hz
+        made._kind, made._names, made._decay_per_s, made._source = kind, names, decay_per_s, source
+        return made
 
     @property
-    def _test(self) -> int:
-        if self._chosen is None and self._outcome.tests > 1:
-            raise UsageError(f"the result holds {self._outcome.tests} tests", "choose one, such as runs[0]")
-        return self._chosen or 0
-
-    def _computed(self, name: str) -> Any:
-        if name not in self._cache:
-            self._cache[name] = getattr(self._outcome, name)(self._test)
-        return self._cache[name]
-
-    def _calls(self) -> list[tuple[Any, ...]]:
-        tests = range(self._outcome.tests) if self._chosen is None else [self._chosen]
-        possible = [test for test in tests if self._outcome.possible(test)]
-        mine = [call for test in possible for call in self._of_test(test)]
-        return [*super()._calls(), *(("possible", test) for test in tests), *mine]
-
-    def _of_test(self, test: int) -> list[tuple[Any, ...]]:
-        return [("frequency_hz", test), ("frfs", test, self._kind)]
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {**super().__getstate__(), "_cache": {}}
-
-    @property
-    def possible(self) -> bool:
-        """False if no hit can be used. Reading FRFs or modes then raises NoHitError."""
-        return self._outcome.possible(self._test)
-
-    def _require_hits(self) -> None:
-        if not self.possible:
-            raise NoHitError("no hit can be used, so there are no FRFs", "hits", "see the findings of the hits")
-
-    @property
-    def _responses(self) -> Responses:
-        self._require_hits()
-        if "responses" not in self._cache:
-            self._cache["responses"] = Responses(self._outcome.frfs(self._test, self._kind))
-        return self._cache["responses"]
+    def _handle(self) -> Any:
+        if self._made is None:
+            value, std, coherence = (None if one is None else np.ascontiguousarray(one) for one in (self.H, self.std, self.coherence))
+            assert value is not None
+            averages = int(self._responses.averages.min(initial=0))
+            self._made = _percuss.FrfHandle(
+                np.ascontiguousarray(self._frequency_hz), value, std, coherence, self._kind, self.points.tolist(), self._names,
+                averages, self._decay_per_s,
+            )  # fmt: skip
+        return self._made
 
     @property
     def frequency_hz(self) -> np.ndarray:
-        """(lines,) frequencies of the FRFs in Hz."""
-        self._require_hits()
-        return self._computed("frequency_hz")
+        """(lines,) frequencies in Hz."""
+        return self._frequency_hz
 
     @property
-    def points(self) -> np.ndarray:
-        """(points,) indices of the points that have FRFs."""
-        return self._responses.points
-
-    @property
-    def frf(self) -> np.ndarray:
-        """(points, channels, lines) complex accelerance in (m/s²)/N; with kind=, mobility in (m/s)/N or receptance in m/N."""
-        return self._responses.frf
+    def H(self) -> np.ndarray:
+        """(points, channels, lines) complex, in `unit`."""
+        return self._responses.value
 
     @property
     def std(self) -> np.ndarray | None:
-        """(points, channels, lines) standard deviation in the unit of frf; None if a point has a single hit."""
+        """(points, channels, lines) standard deviation in `unit`; None if it is not known."""
         return self._responses.std
 
     @property
     def coherence(self) -> np.ndarray | None:
-        """(points, channels, lines) ordinary coherence, 0 … 1; None if a point has a single hit."""
+        """(points, channels, lines) ordinary coherence, 0 … 1; None if it is not known."""
         return self._responses.coherence
 
-    def frf_at(self, point: int = 0, channel: int = 0) -> np.ndarray:
-        """(lines,) complex, in the unit of frf: a read-only view of one response, without a copy. `point` is the index of the
-        point. Raises KeyError if the point or channel has no FRF."""
+    @property
+    def points(self) -> np.ndarray:
+        """(points,) number of each point."""
+        return self._responses.points
+
+    @property
+    def names(self) -> list[str]:
+        """Name of each channel."""
+        return list(self._names)
+
+    @property
+    def kind(self) -> str:
+        """'accelerance', 'mobility' or 'receptance'. FRFs of a file are converted to accelerances."""
+        return self._kind
+
+    @property
+    def unit(self) -> str:
+        """Unit of H."""
+        return _UNITS[self._kind]
+
+    @property
+    def source(self) -> str:
+        """Path of the file, or "arrays"."""
+        return self._source
+
+    @property
+    def format(self) -> str:
+        """Format of the file: "FRF HDF5" …, or "arrays"."""
+        return self._described.get("format", "arrays")
+
+    @property
+    def stored_kind(self) -> str:
+        """Kind of the FRFs as the file stores them."""
+        return self._described.get("kind", self._kind)
+
+    @property
+    def estimator(self) -> str:
+        """FRF estimator as the file states it, "H1" …; "" for arrays."""
+        return self._described.get("estimator", "")
+
+    @property
+    def signals(self) -> list[dict[str, Any]]:
+        """The accelerations: name, unit, to_si, angle_rad, position_m."""
+        return self._handle.describe()["accel"]
+
+    @property
+    def notes(self) -> list[str]:
+        """Assumptions of the reader, one line each."""
+        return [note_in_python(note) for note in self._described.get("notes", [])]
+
+    def at(self, point: int = 0, channel: int = 0) -> np.ndarray:
+        """(lines,) complex: a read-only view of one response, without a copy. Raises KeyError if there is none."""
         return self._responses.at(point, channel)
 
-    def save(self, path: str | os.PathLike[str], force: bool = False) -> None:
-        shows_hits = os.path.splitext(os.fspath(path))[1].lower() in (".json", ".html", ".svg")
-        if not shows_hits:
-            self._require_hits()
-        super().save(path, force)
+    def plot(self, point: int | None = None, channel: int | None = None, ax: Any = None) -> Any:
+        """Draw magnitude and phase, of all responses or of one point and channel. Needs matplotlib. Returns the two axes."""
+        return plot_frf(self, point, channel, ax)
 
-    save.__doc__ = Result.save.__doc__
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame: a row per line (frequency_hz), a complex column per point and channel. Needs pandas."""
+        return frf_frame(self)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
+        return np.array(self.H, dtype=dtype) if copy or dtype is not None else self.H
+
+    def __reduce__(self) -> Any:
+        averages = int(self._responses.averages.min(initial=0))
+        given = (
+            np.array(self.frequency_hz), self._kind, self.points.tolist(), self._names, averages, self._decay_per_s, self._source,
+            np.array(self.H), *(None if one is None else np.array(one) for one in (self.std, self.coherence)),
+        )  # fmt: skip
+        return _restored, given
+
+    def __copy__(self) -> Frf:
+        return self  # immutable
+
+    def __deepcopy__(self, memo: Any) -> Frf:
+        return self
+
+    def __repr__(self) -> str:
+        points, channels, lines = self.H.shape
+        low, high = self._frequency_hz[0], self._frequency_hz[-1]
+        return f"<percuss.Frf {self._source}: {points} × {channels} {self._kind} of {lines} lines, {low:g} to {high:g} Hz>"
+
+    def _repr_html_(self) -> str:
+        return frf_html(self)
+
+
+def _restored(*given: Any) -> Frf:
+    made = Frf.__new__(Frf)
+    made._set(*given)
+    return made

@@ -57,13 +57,16 @@ class Record:
         texts = names_of(names, channels + has_force, has_force)
         places = geometry_of(geometry, struck, channels)
         self._given: tuple[Any, ...] | None = (rows, struck, rate, bool(continuous), texts, places)
+        self._again: tuple[Any, tuple[Any, ...]] | None = None
         self._handle = _percuss.RecordHandle(*self._given)
         self._description = self._handle.describe()
 
     @classmethod
-    def _from_handle(cls, handle: Any) -> Record:
+    def _from_handle(cls, handle: Any, again: tuple[Any, tuple[Any, ...]] | None = None) -> Record:
+        """`again` makes the record another time: a function and its arguments."""
         made = cls.__new__(cls)
         made._given = None
+        made._again = again
         made._handle = handle
         made._description = handle.describe()
         return made
@@ -75,9 +78,11 @@ class Record:
         return made
 
     def __reduce__(self) -> Any:
-        if self._given is None:
+        if self._given is not None:
+            return type(self)._from_arrays, self._given
+        if self._again is None:
             raise TypeError(f"this record ({self.source}) is not copied to other processes; pass its path, or arrays")
-        return type(self)._from_arrays, self._given
+        return self._again
 
     def __copy__(self) -> Record:
         return self  # immutable

@@ -12,18 +12,12 @@ import numpy as np
 from . import _percuss
 from ._arrays import frozen
 from ._errors import UsageError
+from ._optional import STYLE, table_frame
 from ._pickle import PickledResult
+from ._plots import plot_curves
 from ._records import Record
 
 _WIDTH = 100
-_STYLE = (
-    "<style>.percuss table{border-collapse:collapse;font-variant-numeric:tabular-nums}"
-    ".percuss th,.percuss td{padding:.2rem .9rem .2rem 0;text-align:left;vertical-align:top;white-space:nowrap}"
-    ".percuss td:last-child{white-space:normal;min-width:12rem}"
-    ".percuss .right{text-align:right}.percuss th{font-weight:600;border-bottom:1px solid #c9d1d9}"
-    ".percuss .warnings{list-style:none;margin:1rem 0;padding:0}"
-    ".percuss .warnings li{background:#fff4e5;color:#7a3e00;border-left:4px solid;padding:.4rem .8rem;margin:.4rem 0}</style>"
-)
 
 
 class Result(Mapping[str, Any]):
@@ -32,7 +26,7 @@ class Result(Mapping[str, Any]):
     to_dict()     the document that the command line prints with --json; json is its text
     result[key]   an entry of the document, also result.key. A list of numbers becomes a read-only array, with NaN for null.
                   A curve is a list of dictionaries here, and columns in table.
-    table         the columns of the command's .csv
+    table         the columns of the command's .csv; to_dataframe() is the same for pandas
     save(path)    writes the file that -o of the command writes, by the extension of the path
     report(path)  writes the HTML page
     exit_code     the exit code of the command
@@ -110,8 +104,12 @@ class Result(Mapping[str, Any]):
 
     @property
     def table(self) -> dict[str, np.ndarray]:
-        """The columns of the command's .csv by name, (rows,) each; empty if it has none. pandas.DataFrame accepts it."""
+        """The columns of the command's .csv by name, (rows,) each; empty if it has none."""
         return self._outcome.columns()
+
+    def to_dataframe(self) -> Any:
+        """The table as a pandas.DataFrame. Needs pandas. Raises TypeError if the result has no table."""
+        return table_frame(self.table)
 
     def save(self, path: str | os.PathLike[str], force: bool = False) -> None:
         """Write the result in the format of the path's extension, as -o of the command does.
@@ -139,23 +137,31 @@ class Result(Mapping[str, Any]):
 
     def _repr_html_(self) -> str | None:
         html = self._outcome.html()
-        return f'{_STYLE}<div class="percuss">{html}</div>' if html else None
+        return f'{STYLE}<div class="percuss">{html}</div>' if html else None
 
 
 class Synthetic(Result):
-    """A synthetic test: record holds the measured signals, to_dict() the exact truth."""
+    """A synthetic test: record holds the measured signals, to_dict() the exact truth. Pickled as its spec and seed."""
+
+    def __init__(self, outcome: Any, again: tuple[Any, tuple[Any, ...]]) -> None:
+        super().__init__(outcome)
+        self._again = again
 
     @property
     def record(self) -> Record:
         """The samples as a Record."""
-        return Record._from_handle(self._outcome.record())
+        return Record._from_handle(self._outcome.record(), (_record_of, self._again))
 
     def __reduce__(self) -> Any:
-        raise TypeError("a synthetic test is not pickled: make it again from its spec and seed, or pass the arrays of its record")
+        return self._again
 
     def __str__(self) -> str:
         modes = ", ".join(f"{freq_hz:g}" for freq_hz in self._parsed()["f_hz"])
         return f"{self.record!r}, modes at {modes} Hz"
+
+
+def _record_of(make: Any, given: tuple[Any, ...]) -> Record:
+    return make(*given).record
 
 
 class Deflection(Result):
@@ -170,6 +176,10 @@ class Deflection(Result):
         The arrays are read-only views of the result. Sample i lies at the time first_s + i / fs.
         """
         return curves_of(self._outcome)
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw the deflection under each impact over time. Needs matplotlib. Returns the axes."""
+        return plot_curves(self.curves(), self._parsed()["fs_hz"], ax)
 
 
 class Nodes(Result):

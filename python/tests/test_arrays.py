@@ -80,11 +80,11 @@ def test_input_is_viewed_in_place(signals):
 
 def test_results_are_views_that_outlive_the_result(signals):
     found = percuss.analyze(*signals, fs=FS, band=BAND)
-    one = found.frf_at(0, 1)
+    one = found.frf().at(0, 1)
     assert one.dtype == complex and not one.flags.owndata and not one.flags.writeable
-    assert np.shares_memory(one, found.frf_at(0, 1))
-    stacked = found.frf
-    assert stacked.shape == (1, 2, len(found.frf_frequency_hz)) and stacked is found.frf
+    assert np.shares_memory(one, found.frf().at(0, 1))
+    stacked = found.frf().H
+    assert stacked.shape == (1, 2, len(found.frf().frequency_hz)) and stacked is found.frf().H
     kept = one.copy()
     del found, stacked
     gc.collect()
@@ -152,7 +152,7 @@ def test_missing_rows_and_points_are_rejected(signals):
         with pytest.raises(IndexError):
             call()
     with pytest.raises(KeyError):
-        percuss.analyze(record, band=BAND, effort="quick").frf_at(9, 0)
+        percuss.analyze(record, band=BAND, effort="quick").frf().at(9, 0)
     for points in ([0], [-1] * 5, [0] * 6):
         with pytest.raises(percuss.InputError):
             percuss.Record(*signals, FS, points=points)
@@ -170,9 +170,9 @@ def test_records_go_through_formats_of_arrays(tmp_path, signals):
     frfs = percuss.frf(record, band=BAND)
     frfs.save(tmp_path / "frfs.h5")
     measured = percuss.read(tmp_path / "frfs.h5")
-    assert np.array_equal(measured.frf, frfs.frf) and np.array_equal(measured.coherence, frfs.coherence)
+    assert np.array_equal(measured.H, frfs.H) and np.array_equal(measured.coherence, frfs.coherence)
     percuss.write(tmp_path / "frfs.uff", measured)
-    assert percuss.read([tmp_path / "frfs.uff"]).frf.shape == frfs.frf.shape
+    assert percuss.read([tmp_path / "frfs.uff"]).H.shape == frfs.H.shape
 
 
 def test_geometry_may_be_an_array():

@@ -62,7 +62,7 @@ def test_several_files_are_runs_or_hits(tool, bat):
     assert [len(run.frequency_hz) for run in runs] == [3, 3]
     assert runs[0].modes == runs[1].modes
     together = percuss.analyze(["a.h5", "b.h5"], band=BAND, files="tests")
-    for name in ("frequency_hz", "modes", "frf", "possible"):
+    for name in ("frequency_hz", "modes", "points", "possible"):
         with pytest.raises(percuss.UsageError, match="2 tests"):
             getattr(together, name)
     assert len(together["runs"]) == 2 and "test 1" in together._repr_html_() and "test 1" in str(together)
@@ -113,7 +113,7 @@ def test_frf_file_has_the_bits_of_the_arrays(tool, bat):
         assert open(f"{kind}.csv").read() == open("printed.csv").read()
         rows = [line.split(",") for line in open(f"{kind}.csv").read().splitlines() if line[:1].isdigit()]
         assert [float(row[0]) for row in rows] == responses.frequency_hz.tolist()
-        assert [complex(float(row[1]), float(row[2])) for row in rows] == responses.frf_at(0, 0).tolist()
+        assert [complex(float(row[1]), float(row[2])) for row in rows] == responses.at(0, 0).tolist()
 
 
 def test_measured_frfs_are_analysed_alike(tool, bat):

@@ -165,7 +165,7 @@ def test_a_test_without_a_usable_hit_gives_a_result():
     rest = percuss.Record(np.zeros((2, 512)), np.random.default_rng(0).normal(size=(2, 1, 512)), fs=4096.0)
     found = percuss.analyze(rest)
     assert not found.possible and found.exit_code == 4 and len(found.hits) == 2
-    for name in ("frequency_hz", "frf", "residues", "frf_frequency_hz"):
+    for name in ("frequency_hz", "points", "residues", "poles", "lower"):
         with pytest.raises(percuss.NoHitError):
             getattr(found, name)
     with pytest.raises(percuss.NoHitError):

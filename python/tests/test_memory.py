@@ -30,7 +30,7 @@ fill(force, accel)
 record = percuss.Record(force, accel, fs=fs, points=range(rows))
 before = peak_mb()
 found = percuss.survey(record, band=(60, 1500), effort="quick")
-found.frf, found.shapes, found.frequency_hz
+found.frf().H, found.shapes, found.frequency_hz
 print((force.nbytes + accel.nbytes) / 2**20, before, peak_mb(), len(found.frequency_hz))
 """
 
@@ -80,7 +80,7 @@ def test_memory_is_released(bat):
     script = MAKE + (
         "test = percuss.synth('wood-bat').record\n"
         "def work(n):\n"
-        "    for _ in range(n): percuss.analyze(test, only='hits').frf_at(0, 0)\n"
+        "    for _ in range(n): percuss.analyze(test, only='hits').frf().at(0, 0)\n"
         "work(100); first = peak_mb(); work(400); print(peak_mb() - first)\n"
     )
     assert bat is not None and numbers(script)[0] < 16

@@ -70,7 +70,7 @@ def everything(result):
 @pytest.mark.parametrize("which", ["found", "barrel"])
 def test_arrays_of_results_are_read_only(which, request):
     result = request.getfixturevalue(which)
-    arrays = list(arrays_of([everything(result), result.stabilisation(), result.frf_at()]))
+    arrays = list(arrays_of([everything(result), result.stabilisation(), result.frf().at()]))
     assert len(arrays) > 15 and not any(array.flags.writeable for array in arrays)
     others = [percuss.frf(percuss.synth("wood-bat").record, band=BAND), percuss.models.beam(support="free")]
     assert not any(array.flags.writeable for one in others for array in arrays_of(everything(one)))
@@ -99,7 +99,7 @@ def test_results_are_pickled(which, request):
         mine = getattr(result, name)
         if isinstance(mine, np.ndarray):
             assert np.array_equal(getattr(again, name), mine) and not getattr(again, name).flags.writeable, name
-    assert np.array_equal(again.frf_at(), result.frf_at())
+    assert np.array_equal(again.frf().at(), result.frf().at())
     assert np.array_equal(again.stabilisation()["frequency_hz"], result.stabilisation()["frequency_hz"])
     with pytest.raises(percuss.UsageError, match="was pickled.*save\\(\\) before"):
         again.save("x.h5")
@@ -128,20 +128,26 @@ def test_copies_of_results_are_results(found, tmp_path):
     assert len(found.modes) == 3
 
 
-def test_only_records_of_arrays_are_pickled_and_errors_name_a_remedy(bat, tmp_path):
+def test_records_and_synthetic_tests_are_pickled(bat, tmp_path, monkeypatch):
     record = percuss.Record(bat.record.force_n, bat.record.accel_mps2, FS, points=[0, 1, 1, 0, 2], geometry=np.eye(3), names=["f", "a", "b"])
     for again in (pickle.loads(pickle.dumps(record)), copy.deepcopy(record), copy.copy(record)):
         assert np.array_equal(again.accel_mps2, record.accel_mps2) and np.array_equal(again.geometry, np.eye(3))
         assert again.points.tolist() == [0, 1, 1, 0, 2] and again.signals == record.signals
     bat.save(tmp_path / "bat.h5")
-    for one, wanted in [(bat.record, "path, or arrays"), (percuss.read(tmp_path / "bat.h5"), "bat.h5.*path"), (bat, "spec and seed")]:
-        with pytest.raises(TypeError, match=wanted):
-            pickle.dumps(one)
-    percuss.frf(bat.record, band=BAND).save(tmp_path / "frfs.h5")
-    with pytest.raises(TypeError, match="frfs.h5.*path"):
-        pickle.dumps(percuss.read(tmp_path / "frfs.h5"))
-    for one in (bat.record, percuss.read(tmp_path / "bat.h5"), percuss.read(tmp_path / "frfs.h5"), bat):
-        assert repr(copy.copy(one)) == repr(copy.deepcopy(one)) == repr(one)
+    monkeypatch.chdir(tmp_path)
+    read = percuss.read("bat.h5")
+    percuss.write("b.csv", bat)
+    _, second = percuss.read("bat.h5", "b.csv")
+    kept = pickle.dumps([bat, bat.record, read, second])
+    assert len(kept) < 10_000  # the spec, and the paths
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    for one, again in zip((bat, bat.record, read, second), pickle.loads(kept)):
+        assert repr(again).replace(str(tmp_path) + "/", "") == repr(one) and type(again) is type(one)
+        mine, other = getattr(one, "record", one), getattr(again, "record", again)
+        assert np.array_equal(mine.accel_mps2, other.accel_mps2)
+    for one in (bat.record, read, bat):
+        assert repr(copy.copy(one)) == repr(one)
 
 
 def in_a_process(seed):
@@ -154,7 +160,7 @@ def test_results_come_back_from_other_processes():
         for seed, (document, freq_hz, whole) in enumerate(pool.map(in_a_process, range(2))):
             here = percuss.analyze(percuss.synth("wood-bat", seed=seed).record, band=BAND)
             assert document == here.to_dict() == whole.to_dict() and freq_hz.tolist() == here.frequency_hz.tolist()
-            assert np.array_equal(whole.frf, here.frf)
+            assert np.array_equal(whole.frf().H, here.frf().H)
 
 
 def test_functions_take_a_synthetic_test_as_its_record(bat):

@@ -51,7 +51,7 @@ def test_four_threads_read_foreign_files(tool, bat):
 def test_several_threads_may_share_a_result(bat):
     found = percuss.analyze(bat.record, band=BAND, only="hits")
     with ThreadPoolExecutor(4) as pool:
-        many = list(pool.map(lambda _: (found.frf_at(0, 0).sum(), found.frequency_hz.tolist(), found.confidence.tolist() == []), range(40)))
+        many = list(pool.map(lambda _: (found.frf().at(0, 0).sum(), found.frequency_hz.tolist(), found.confidence.tolist() == []), range(40)))
     assert all(one == many[0] for one in many)
 
 

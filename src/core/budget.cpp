@@ -22,8 +22,12 @@ constexpr double kMinTime_s = 120 * kSlowness, kTimePerByte_s = 2e-6 * kSlowness
 constexpr std::uint64_t kMinMemory_bytes = std::uint64_t{2} << 30U, kMemoryPerByte = 16;
 constexpr std::uint64_t kMaxMemory_bytes = std::uint64_t{1} << 48U;  // a larger budget means no limit
 constexpr double kMemoryInterval_s = 0.01;                           // one measurement takes about 2 µs
+constexpr double kPollInterval_s = 0.02;                             // a person does not feel the delay
 
 thread_local BudgetMeter* meter_of_thread = nullptr;
+thread_local InterruptScope::Poll poll_of_thread = nullptr;
+thread_local double next_poll_s = 0;
+thread_local std::shared_ptr<std::atomic<bool>> flag_of_thread;
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -92,14 +96,22 @@ std::vector<OptionId> options_of(BudgetedWork work) {
 }  // namespace
 
 BudgetMeter::BudgetMeter(const Budget& budget, std::string where, BudgetedWork work)
-    : budget_(budget), where_(std::move(where)), work_(work) {
+    : budget_(budget), where_(std::move(where)), work_(work), interrupted_(flag_of_thread) {
   shared_memory().add(budget_);
 }
 
 BudgetMeter::~BudgetMeter() { shared_memory().remove(budget_); }
 
 void BudgetMeter::check() {
+  if (interrupted_ && *interrupted_) throw Interrupted();
   const double now = now_s();
+  if (poll_of_thread != nullptr && now >= next_poll_s) {
+    next_poll_s = now + kPollInterval_s;
+    if (poll_of_thread()) {
+      *flag_of_thread = true;
+      throw Interrupted();
+    }
+  }
   if (spent_s_ + (now - began_s_) > budget_.time_s) throw BudgetSpent(Resource::time, budget_, where_, work_);
   double due = next_memory_s_;
   if (now < due || !next_memory_s_.compare_exchange_strong(due, now + kMemoryInterval_s)) return;
@@ -113,11 +125,22 @@ CheckedBudget::~CheckedBudget() { meter_of_thread = before_; }
 
 BudgetScope::BudgetScope(BudgetMeter& meter)
     : measured_(meter_of_thread == &meter ? nullptr : &meter), checked_(&meter) {
-  if (measured_ != nullptr) measured_->began_s_ = now_s();
+  if (measured_ == nullptr) return;
+  if (flag_of_thread) measured_->interrupted_ = flag_of_thread;
+  measured_->began_s_ = now_s();
 }
 
 BudgetScope::~BudgetScope() {
   if (measured_ != nullptr) measured_->spent_s_ += now_s() - measured_->began_s_;
+}
+
+InterruptScope::InterruptScope(Poll poll)
+    : before_(std::exchange(poll_of_thread, poll)),
+      flag_before_(std::exchange(flag_of_thread, std::make_shared<std::atomic<bool>>(false))) {}
+
+InterruptScope::~InterruptScope() {
+  poll_of_thread = before_;
+  flag_of_thread = std::move(flag_before_);
 }
 
 void check_budget() {

@@ -1,6 +1,8 @@
 #pragma once
 #include <atomic>
 #include <cstdint>
+#include <exception>
+#include <memory>
 #include <string>
 
 #include "core/lazy.hpp"
@@ -20,7 +22,7 @@ class BudgetMeter {
   BudgetMeter& operator=(const BudgetMeter&) = delete;
 
   const Budget& budget() const { return budget_; }
-  /// errors  BudgetSpent
+  /// errors  BudgetSpent, Interrupted
   void check();
 
  private:
@@ -32,6 +34,8 @@ class BudgetMeter {
   double spent_s_ = 0;                    // in scopes that have ended
   std::atomic<double> began_s_{0};        // of the present scope
   std::atomic<double> next_memory_s_{0};  // when the memory is measured again
+  std::shared_ptr<std::atomic<bool>>
+      interrupted_;  // of the InterruptScope around the present or first scope, or nullptr
 };
 
 /// The meter that this thread checks; nullptr: none.
@@ -71,7 +75,28 @@ const T& within_budget(BudgetMeter& meter, const Lazy<T>& slot, Compute&& comput
   });
 }
 
-/// Long computations call this at least every few milliseconds; it takes about 30 ns. errors  BudgetSpent
+/// A computation ended because its host asked for it. Not an InputError: nothing is wrong with the input.
+class Interrupted : public std::exception {
+ public:
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
+/// During its lifetime, computations of this thread call `poll` about every 20 ms. Where it returns true, this thread
+/// and the threads of its parallel loops throw Interrupted. Results computed before stay valid.
+class InterruptScope {
+ public:
+  using Poll = bool (*)();
+  explicit InterruptScope(Poll poll);
+  ~InterruptScope();
+  InterruptScope(const InterruptScope&) = delete;
+  InterruptScope& operator=(const InterruptScope&) = delete;
+
+ private:
+  Poll before_;
+  std::shared_ptr<std::atomic<bool>> flag_before_;
+};
+
+/// Long computations call this at least every few milliseconds; it takes about 30 ns. errors  BudgetSpent, Interrupted
 void check_budget();
 
 }  // namespace core

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstring>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -134,5 +135,48 @@ TEST(Budget, OfAModelNamesItsOptionOnly) {
 }
 
 TEST(Budget, DoesNotLimitWithoutAScope) { EXPECT_NO_THROW(check_budget()); }
+
+thread_local int polls_until_interrupt = 0;
+bool interrupt_after_polls() { return --polls_until_interrupt <= 0; }
+
+TEST(Interrupt, EndsTheComputationsOfAllThreads) {
+  const InterruptScope polled(&interrupt_after_polls);
+  polls_until_interrupt = 2;
+  std::vector<std::unique_ptr<BudgetMeter>> meters;
+  for (int i = 0; i < 4; ++i) meters.push_back(std::make_unique<BudgetMeter>(Budget{.time_s = 60}, "a.h5"));
+  EXPECT_THROW(parallel_for(4, 0,
+                            [&](std::size_t i) {
+                              const BudgetScope scope(*meters[i]);
+                              for (;;) check_budget();
+                            }),
+               Interrupted);
+  EXPECT_LE(polls_until_interrupt, 0);
+}
+
+TEST(Interrupt, LeavesAMeterUsableInALaterScope) {
+  BudgetMeter meter({.time_s = 60}, "a.h5");
+  const auto work = [&meter](int checks) {
+    const BudgetScope scope(meter);
+    for (int i = 0; i < checks; ++i) check_budget();
+  };
+  {
+    const InterruptScope polled(&interrupt_after_polls);
+    polls_until_interrupt = 1;
+    EXPECT_THROW(work(1'000'000'000), Interrupted);
+    EXPECT_THROW(work(1), Interrupted);
+  }
+  const InterruptScope polled(&interrupt_after_polls);
+  polls_until_interrupt = 1'000'000;
+  EXPECT_NO_THROW(work(1000));
+}
+
+TEST(Interrupt, PollsOnlyTheThreadOfTheScope) {
+  polls_until_interrupt = 1;  // of this thread; a new thread begins with 0 and would interrupt at once
+  BudgetMeter meter({.time_s = 60}, "a.h5");
+  std::thread([&meter] {
+    const BudgetScope scope(meter);
+    EXPECT_NO_THROW(for (int i = 0; i < 1000; ++i) check_budget());
+  }).join();
+}
 
 }  // namespace percuss::budget_test

@@ -81,7 +81,7 @@ void compute(const std::vector<Test>& tests, const std::set<report::ReportSectio
         analysis.frfs();
       if (sections.contains(report::ReportSection::modes)) analysis.modes();
       if (sections.contains(report::ReportSection::classes)) analysis.classifications();
-    } catch (const std::exception&) {
+    } catch (const InputError&) {
     }
   });
 }

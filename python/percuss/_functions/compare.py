@@ -1,0 +1,62 @@
+# Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
+from __future__ import annotations
+
+from .._call import command_function, of_documents
+from .._results import Result
+from .._types import File
+
+
+@command_function("compare", "compare")
+def compare(
+    *documents: File,
+    furthest: float | None = None,
+    least_mac: float | None = None,
+) -> Result:
+    """Compare modes or deflections of tests and models side by side.
+
+    Pairs the modes of the first document with the modes of each other document, by frequency and
+    shape, and shows the differences. Compares the deflections of two documents likewise. analyze,
+    survey, deflect and model write such documents or -o FILE.json.
+
+    Parameters
+    ----------
+    *documents : Result, dict or path
+        Two or more results of `analyze`, `survey`, `deflect` or `models`, or their documents.
+    furthest : float in %, optional
+        Pair modes only if their frequencies differ by at most this much. Default: 25.
+    least_mac : float, optional
+        Pair modes only if their MAC is at least this. Default: 0.6.
+
+    Returns
+    -------
+    Result
+        `pairs`, `unpaired_a` and `unpaired_b`.
+
+    Raises
+    ------
+    InputError
+        Data that percuss cannot use.
+    UsageError
+        Invalid values, and keywords that exclude each other.
+    TypeError
+        Unknown keywords, and values of another type.
+
+    See Also
+    --------
+    mac : the modal assurance criterion of two sets of shapes
+
+    Notes
+    -----
+    The keywords are the options of `percuss compare`; docs/theory/theory.md has the equations.
+
+    Examples
+    --------
+    >>> import percuss
+    >>> a = percuss.models.beam(support="free", length=0.84, modes=4)
+    >>> b = percuss.models.beam(support="free", length=0.85, modes=4)
+    >>> len(percuss.compare(a, b)["pairs"]) > 0
+    True
+    """
+    return Result(of_documents("compare", "compare", documents, {
+        "furthest": furthest, "least_mac": least_mac,
+    }))

@@ -1,0 +1,197 @@
+# Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
+from __future__ import annotations
+
+from typing import Literal, Sequence
+
+from .._call import command_function, of_data
+from .._tests import AveragedFrf
+from .._types import Band, Data, File, Numbers, Quantities, Rate, Texts
+
+
+@command_function("frf", "frf")
+def frf(
+    *data: Data,
+    fs: Rate | None = None,
+    df: float | None = None,
+    force_channel: str | int | None = None,
+    accel_channel: Texts | None = None,
+    unit: str | None = None,
+    force_unit: str | None = None,
+    force_scale: Numbers | None = None,
+    accel_scale: Numbers | None = None,
+    force_sensitivity: float | None = None,
+    accel_sensitivity: Numbers | None = None,
+    pressure_sensitivity: Numbers | None = None,
+    angle: Numbers | None = None,
+    position: Quantities | None = None,
+    frf_kind: Literal["accelerance", "mobility", "receptance"] | None = None,
+    setup: File | None = None,
+    files: Literal["hits", "points", "tests"] | None = None,
+    trust_input: bool = False,
+    band: Band | None = None,
+    effort: Literal["quick", "standard", "best"] | None = None,
+    estimator: Literal["h1", "h2", "hv"] | None = None,
+    accept_hit: int | Sequence[int] | None = None,
+    reject_hit: int | Sequence[int] | None = None,
+    modes: int | None = None,
+    start: Numbers | None = None,
+    trigger: float | None = None,
+    pretrigger: float | None = None,
+    length: float | None = None,
+    from_: float | None = None,
+    to: float | None = None,
+    force_window: Literal["auto", "off"] | None = None,
+    exponential: float | None = None,
+    delay: str | Sequence[float] | None = None,
+    overlay_db: float | None = None,
+    object: Literal["auto", "tube", "other"] | None = None,
+    threads: int | None = None,
+    budget: Numbers | None = None,
+    kind: Literal["accelerance", "mobility", "receptance"] | None = None,
+) -> AveragedFrf:
+    """Average FRFs and coherence, as CSV on standard output or into files.
+
+    Averages the accepted hits of records to frequency response functions (FRFs) and coherence,
+    without fitting modes. Accelerance is in (m/s²)/N, mobility in (m/s)/N, receptance in m/N. The
+    table has one row per frequency.
+
+    Parameters
+    ----------
+    *data : path, array, Record or Frf
+        Files (HDF5, MAT, UFF, LabVIEW, sound, CSV or text); or two arrays, force in N and
+        acceleration in m/s², with `fs`, in the shapes that `Record` takes; or records; or FRFs.
+        Arrays are not copied: do not change them before the function returns, or while the result
+        still computes.
+    fs : float in Hz, optional
+        Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
+        variable.
+    band : (low, high), optional
+        Analyse this frequency band in Hz, such as 60:3200 (default: the band that the hammer
+        excites).
+    effort : {'quick', 'standard', 'best'}, optional
+        Choose the effort. quick: fit modes with a peak, each over its own spectral lines; standard:
+        also modes without a peak; best: all modes together, at the statistical limit. Default:
+        best.
+    estimator : {'h1', 'h2', 'hv'}, optional
+        Estimate FRFs with h1, h2 or hv. Default: h1.
+    accept_hit : int or list of int, optional
+        Accept these hits whatever their findings; numbers as in the table of hits.
+    reject_hit : int or list of int, optional
+        Reject these hits; numbers as in the table of hits.
+    modes : int, optional
+        Report this many modes, the clearest ones.
+    start : float or list of float in Hz, optional
+        Fit modes near these frequencies and no others.
+    trigger : float in N, optional
+        Detect a hit above this force (default: from the noise).
+    pretrigger : float in s, optional
+        Keep this time before each hit of a long record.
+    length : float in s, optional
+        Keep this time of each hit, pre-trigger included.
+    from_ : float in s, optional
+        Use each row from this time on.
+    to : float in s, optional
+        Use each row up to this time.
+    force_window : {'auto', 'off'}, optional
+        Window the force. auto: only the pulse enters the FRF; off: the whole force record. Default:
+        auto.
+    exponential : float, optional
+        Apply an exponential window that falls to this fraction at the end of each hit, such as
+        0.01; damping is corrected exactly.
+    delay : str, float or list of float, optional
+        Take out the delay of each accelerometer after the force. auto: as the phases of the modes
+        show it; off: only warn; or seconds, one for all or one per channel, negative where the
+        channel comes early. Default: off.
+    overlay_db : float in dB, optional
+        Treat two FRFs as overlaid if they differ by at most this much at a peak. Default: 1.
+    object : {'auto', 'tube', 'other'}, optional
+        State what was struck. Bending and hoop are judged on a tube only; modes of other objects
+        are numbered. auto: a tube if angles are given, or if the modes fit two accelerometers at 0°
+        and 90°. Default: auto.
+    threads : int, optional
+        Use this many threads (default: all; the result is the same).
+    budget : float or list of float, optional
+        Stop an analysis that takes more than this time in seconds or memory in GB (default: 120 s
+        plus 2 s per MB of input; 2.1 GB plus 16 times the input).
+    kind : {'accelerance', 'mobility', 'receptance'}, optional
+        Write FRFs of acceleration, velocity or displacement. Default: accelerance.
+
+    Returns
+    -------
+    AveragedFrf
+        `frequency_hz` (lines,), `H`, `std` and `coherence` (points, channels, lines).
+
+    Other Parameters
+    ----------------
+    df : float in Hz, optional
+        Set the frequency spacing of FRFs, for files that do not state frequencies (MAT).
+    force_channel : str or int, optional
+        Select the force by column name or number, counted from 1.
+    accel_channel : str or list of str, optional
+        Select the accelerations, in this order, by name or number.
+    unit : str, optional
+        Set the unit of the stored accelerations: m/s^2, g, cm/s^2, V, ...; without a force also Pa.
+    force_unit : str, optional
+        Set the unit of the stored forces: N, lbf, V, ...
+    force_scale : float or list of float, optional
+        Set the force in N per stored unit; one value, or one per file.
+    accel_scale : float or list of float, optional
+        Set the acceleration in m/s^2 per stored unit; one value, or one per channel.
+    force_sensitivity : float in mV/N, optional
+        Set the sensitivity of the hammer, for forces stored in volts.
+    accel_sensitivity : float or list of float in mV/g, optional
+        Set the sensitivity of the accelerometers, for accelerations stored in volts; one value, or
+        one per channel.
+    pressure_sensitivity : float or list of float in mV/Pa, optional
+        Set the sensitivity of the microphones, for sound pressures stored in volts, without a
+        force; one value, or one per channel.
+    angle : float or list of float in degrees, optional
+        Set the angle of each accelerometer around the barrel.
+    position : float or list of float in m, optional
+        Set the distance of each accelerometer from the end of the barrel.
+    frf_kind : {'accelerance', 'mobility', 'receptance'}, optional
+        Set the kind of the FRFs, in place of the file's.
+    setup : path, array, dict or Result, optional
+        Read the channel set-up from this file (JSON; `percuss.example("info")` prints one).
+    files : {'hits', 'points', 'tests'}, optional
+        Group several files: as hits of one test, as points of one test, or as separate tests
+        (default: hits if rates and channels agree).
+    trust_input : bool, optional
+        Read MAT, HDF5 and sound files in this process, without a sandbox.
+
+    Raises
+    ------
+    InputError
+        Data that percuss cannot use.
+    UsageError
+        Invalid values, and keywords that exclude each other.
+    TypeError
+        Unknown keywords, and values of another type.
+
+    See Also
+    --------
+    analyze : the modes too
+    Frf : FRFs from arrays
+
+    Notes
+    -----
+    The keywords are the options of `percuss frf`; docs/theory/theory.md has the equations.
+
+    Examples
+    --------
+    >>> import percuss
+    >>> responses = percuss.frf(percuss.synth("wood-bat").record, band=(60, 3200))
+    >>> responses.H.shape == (1, 2, len(responses.frequency_hz))
+    True
+    """
+    return AveragedFrf(of_data("frf", "frf", data, {
+        "fs": fs, "df": df, "force_channel": force_channel, "accel_channel": accel_channel, "unit": unit,
+        "force_unit": force_unit, "force_scale": force_scale, "accel_scale": accel_scale,
+        "force_sensitivity": force_sensitivity, "accel_sensitivity": accel_sensitivity,
+        "pressure_sensitivity": pressure_sensitivity, "angle": angle, "position": position,
+        "frf_kind": frf_kind, "setup": setup, "files": files, "trust_input": trust_input, "band": band,
+        "effort": effort, "estimator": estimator, "accept_hit": accept_hit, "reject_hit": reject_hit,
+        "modes": modes, "start": start, "trigger": trigger, "pretrigger": pretrigger, "length": length,
+        "from_": from_, "to": to, "force_window": force_window, "exponential": exponential, "delay": delay,
+        "overlay_db": overlay_db, "object": object, "threads": threads, "budget": budget, "kind": kind,
+    }), kind=kind)

@@ -1,0 +1,50 @@
+# Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
+from __future__ import annotations
+
+from .._call import command_function, of_documents
+from .._results import Result
+from .._types import File
+
+
+@command_function("metrics.abi", "abi")
+def abi(
+    log: File,
+    /,
+    *,
+    limit: float | None = None,
+) -> Result:
+    """Follow the break-in of a composite bat from its log: next step and verdict.
+
+    Evaluates the accelerated break-in of a composite bat by rolling. The log lists compressions,
+    rollings and tests in order; the report names the next step. The bat passes when a test falls
+    clearly below the best one. It fails when a test exceeds the limit, or when the first test
+    damages the bat (exit code 5).
+
+    Parameters
+    ----------
+    log : path or dict
+        The log; `percuss.example("abi")` shows its keys.
+    limit : float, optional
+        Use this limit in place of the log's.
+
+    Returns
+    -------
+    Result
+        The next step and the verdict. `exit_code` is 5 if the bat fails.
+
+    Raises
+    ------
+    InputError
+        Data that percuss cannot use.
+    UsageError
+        Invalid values, and keywords that exclude each other.
+    TypeError
+        Unknown keywords, and values of another type.
+
+    Notes
+    -----
+    The keywords are the options of `percuss abi`; docs/theory/theory.md has the equations.
+    """
+    return Result(of_documents("metrics.abi", "abi", (log,), {
+        "limit": limit,
+    }))

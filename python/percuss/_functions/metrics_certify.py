@@ -1,0 +1,58 @@
+# Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
+from __future__ import annotations
+
+from typing import Literal
+
+from .._call import command_function, of_documents
+from .._results import Result
+from .._types import File
+
+
+@command_function("metrics.certify", "certify")
+def certify(
+    session: File,
+    /,
+    *,
+    metric: Literal["besr", "ncaa_besr", "bbcor"] | None = None,
+    limit: float | None = None,
+    accept_plateau: bool = False,
+) -> Result:
+    """Check a bat's test session: valid shots, next impact position, verdict.
+
+    Checks a test session against its protocol: validates each shot, names the next impact position,
+    finds the sweet spot and compares BESR or BBCOR with the limit. The exit code is 5 if the bat
+    fails.
+
+    Parameters
+    ----------
+    session : path or dict
+        The session; `percuss.example("certify")` shows its keys.
+    metric : {'besr', 'ncaa_besr', 'bbcor'}, optional
+        Judge by this metric in place of the session's.
+    limit : float, optional
+        Use this limit in place of the session's.
+    accept_plateau : bool, optional
+        Accept the best location within the margin as the sweet spot if no location stands out.
+
+    Returns
+    -------
+    Result
+        Verdict, sweet spot, shots, `next`. `exit_code` is 5 if the bat exceeds its limit or is
+        damaged.
+
+    Raises
+    ------
+    InputError
+        Data that percuss cannot use.
+    UsageError
+        Invalid values, and keywords that exclude each other.
+    TypeError
+        Unknown keywords, and values of another type.
+
+    Notes
+    -----
+    The keywords are the options of `percuss certify`; docs/theory/theory.md has the equations.
+    """
+    return Result(of_documents("metrics.certify", "certify", (session,), {
+        "metric": metric, "limit": limit, "accept_plateau": accept_plateau,
+    }))

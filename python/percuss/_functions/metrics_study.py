@@ -1,0 +1,67 @@
+# Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
+from __future__ import annotations
+
+from .._call import command_function, of_documents
+from .._results import Result
+from .._types import File, Path, Texts
+
+
+@command_function("metrics.study", "study")
+def study(
+    *tables: Path,
+    figures: File | None = None,
+    program: Texts | None = None,
+    hoop_curve: File | None = None,
+    blind: File | None = None,
+    table: File | None = None,
+    keep_formulas: bool = False,
+) -> Result:
+    """Correlate the properties of a population of bats with their performance.
+
+    Joins tables of bats, results of percuss batch merge, and documents of percuss analyze and
+    metrics with `bat_id`, of certify and of abi, by the id of the bat. Tests which properties
+    correlate with performance: reports each hypothesis with verdict, p-value, and correlations with
+    95 % intervals. `percuss.example("study")` prints a table with all known columns.
+
+    Parameters
+    ----------
+    *tables : path
+        Tables, or documents that name their bat (analyses and metrics with `bat_id`, certify, abi).
+    figures : path, array, dict or Result, optional
+        Write every figure as picture and table into this folder.
+    program : str or list of str, optional
+        Count the bats of these certification programs in statements, trends and correlations;
+        default: besr and bats without a program, or else the program with the most bats; all: every
+        bat.
+    hoop_curve : path, array, dict or Result, optional
+        Draw this model over the hoop figures; a document of percuss model trampoline.
+    blind : path, array, dict or Result, optional
+        Replace the ids of the bats by neutral ones, and write the key to this file.
+    table : path, array, dict or Result, optional
+        Write the joined table.
+    keep_formulas : bool, optional
+        Write texts such as =1+1 to CSV without the apostrophe that keeps a spreadsheet from
+        computing them.
+
+    Returns
+    -------
+    Result
+        Every hypothesis with its statistics.
+
+    Raises
+    ------
+    InputError
+        Data that percuss cannot use.
+    UsageError
+        Invalid values, and keywords that exclude each other.
+    TypeError
+        Unknown keywords, and values of another type.
+
+    Notes
+    -----
+    The keywords are the options of `percuss study`; docs/theory/theory.md has the equations.
+    """
+    return Result(of_documents("metrics.study", "study", tables, {
+        "figures": figures, "program": program, "hoop_curve": hoop_curve, "blind": blind, "table": table,
+        "keep_formulas": keep_formulas,
+    }))

@@ -1,0 +1,76 @@
+# Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
+from __future__ import annotations
+
+from typing import Literal
+
+from .._call import command_function, of_documents
+from .._results import Result
+from .._types import Quantity, Range
+
+
+@command_function("models.shell", "model shell")
+def shell(
+    *,
+    outer_diameter: Quantity | None = None,
+    wall: Quantity | None = None,
+    length: Quantity | None = None,
+    young: float | None = None,
+    density: float | None = None,
+    poisson: float | None = None,
+    n: int | None = None,
+    modes: int | None = None,
+    measured: Range | None = None,
+    fit: Literal["young", "wall", "both"] | None = None,
+) -> Result:
+    """Predict hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Flügge.
+
+    Models the barrel as a tube. Reports hoop frequencies in Hz for n waves around the tube by four
+    theories: ring, Rayleigh and Love are constant along the tube; Flügge has m half-waves along it.
+    `measured` fits Young's modulus or the wall to measured frequencies.
+
+    Parameters
+    ----------
+    outer_diameter : float in m, optional
+        Set the outer diameter of the tube. Default: 0.066675.
+    wall : float in m, optional
+        Set the thickness of the wall. Default: 0.00254.
+    length : float in m, optional
+        Set the length of the tube. Default: 0.3302.
+    young : float in Pa, optional
+        Set Young's modulus of the wall. Default: 7e+10.
+    density : float in kg/m³, optional
+        Set the density of the wall. Default: 2700.
+    poisson : float, optional
+        Set Poisson's ratio. Default: 0.33.
+    n : int, optional
+        Set the number n of waves around the tube. Default: 2.
+    modes : int, optional
+        List modes with m from 1 to this many half-waves along the tube. Default: 3.
+    measured : (n, m, hz, std) or a list of them, optional
+        Fit to measured hoop frequencies: waves around, half-waves along, frequency and its standard
+        deviation.
+    fit : {'young', 'wall', 'both'}, optional
+        Choose the parameters to fit to `measured`. Default: young.
+
+    Returns
+    -------
+    Result
+        The keys of the document: `ring_hz`, `rayleigh_hz`, `love_hz`, `flugge_hz` (modes,).
+
+    Raises
+    ------
+    InputError
+        Data that percuss cannot use.
+    UsageError
+        Invalid values, and keywords that exclude each other.
+    TypeError
+        Unknown keywords, and values of another type.
+
+    Notes
+    -----
+    The keywords are the options of `percuss model shell`; docs/theory/theory.md has the equations.
+    """
+    return Result(of_documents("models.shell", "model shell", (), {
+        "outer_diameter": outer_diameter, "wall": wall, "length": length, "young": young, "density": density,
+        "poisson": poisson, "n": n, "modes": modes, "measured": measured, "fit": fit,
+    }))

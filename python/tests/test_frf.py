@@ -1,0 +1,151 @@
+"""FRFs from arrays, and FRFs, poles and residual terms of results, against exact modes."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import percuss
+
+BAND = (60, 3200)
+FREQ_HZ = np.arange(1.0, 801.0)
+MODES_HZ, DAMPING = np.array([150.0, 430.0]), np.array([0.01, 0.004])
+RESIDUES = np.array([[[0.5, -0.2], [0.3, 0.4]], [[-0.1, 0.6], [0.2, 0.2]]])  # (modes, points, channels), 1/kg
+
+
+def exact(freq_hz, power=2):
+    """(points, channels, lines): accelerance, with power 1 mobility, with 0 receptance."""
+    s = 2j * np.pi * np.asarray(freq_hz)
+    omega = 2 * np.pi * MODES_HZ[:, None]
+    return np.einsum("mpc,ml->pcl", RESIDUES, s**power / (s**2 + 2 * DAMPING[:, None] * omega * s + omega**2))
+
+
+@pytest.fixture(scope="module")
+def found():
+    return percuss.analyze(percuss.Frf(FREQ_HZ, exact(FREQ_HZ)), band=(60, 700), object="other")
+
+
+@pytest.mark.parametrize("kind, power", [("accelerance", 2), ("mobility", 1), ("receptance", 0)])
+def test_frfs_from_arrays_have_their_modes(kind, power):
+    frf = percuss.Frf(FREQ_HZ, exact(FREQ_HZ, power), kind=kind)
+    seen = percuss.analyze(frf, band=(60, 700))
+    assert np.allclose(seen.frequency_hz, MODES_HZ, rtol=1e-9) and np.allclose(seen.damping_ratio, DAMPING, rtol=1e-7)
+    assert np.allclose(seen.residues, RESIDUES, atol=1e-7)
+
+
+def test_poles_and_residual_terms_are_arrays(found):
+    omega = 2 * np.pi * MODES_HZ
+    assert np.allclose(found.poles, omega * (-DAMPING + 1j * np.sqrt(1 - DAMPING**2)), rtol=1e-9)
+    assert found.lower.shape == found.upper.shape == found.upper_4.shape == found.frac.shape == (2, 2)
+    fit = {(one["point"], one["channel"]): one for one in found.to_dict()["fit"]}
+    for p in range(2):
+        for c in range(2):
+            one = fit[p, c]
+            assert found.lower[p, c] == complex(one["lower"]["re"], one["lower"]["im"]) and found.frac[p, c] == one["frac"]
+            assert found.upper[p, c] == complex(one["upper"]["re"], one["upper"]["im"])
+            assert found.upper_4[p, c] == complex(one["upper_4"]["re"], one["upper_4"]["im"])
+
+
+@pytest.mark.parametrize("kind, power", [("accelerance", 2), ("mobility", 1), ("receptance", 0)])
+def test_synthesised_frfs_are_exact(found, kind, power):
+    freq_hz = [0.5, 150.0, 151.3, 640.0, 5000.0]  # within the band, and beyond it
+    wanted = exact(freq_hz, power)
+    made = found.synthesise(freq_hz, kind, residual_terms=False)
+    assert made.shape == (2, 2, 5) and np.allclose(made, wanted, rtol=1e-6, atol=1e-9 * abs(wanted).max())
+    within = found.synthesise(freq_hz[1:4], kind)
+    assert np.allclose(within, wanted[..., 1:4], rtol=1e-6, atol=1e-6 * abs(wanted).max())
+    for bad in ([np.nan], [[1.0]]):
+        with pytest.raises(percuss.InputError):
+            found.synthesise(bad)
+
+
+def test_residual_terms_stand_for_modes_outside_the_band():
+    """A mode at 2 kHz and a rigid mass of 4 kg, with a fit from 60 to 700 Hz."""
+    s = 2j * np.pi * FREQ_HZ
+    outside = 0.3 * s**2 / (s**2 + 2 * 0.01 * 2 * np.pi * 2000 * s + (2 * np.pi * 2000) ** 2) + 1 / 4
+    seen = percuss.analyze(percuss.Frf(FREQ_HZ, exact(FREQ_HZ)[0, 0] + outside), band=(60, 700), object="other")
+    assert abs(seen.lower[0, 0] - 0.25) < 1e-3 and abs(seen.upper[0, 0] * (2 * np.pi * 2000) ** 2 / 0.3 - 1) < 0.02  # series of two terms
+    frf = seen.frf()
+    assert abs(seen.synthesise(frf.frequency_hz) - frf.H).max() < 1e-3 * abs(frf.H).max()
+
+
+def test_a_result_gives_its_frfs(bat):
+    seen = percuss.analyze(bat, band=BAND)
+    frf = seen.frf()
+    assert isinstance(frf, percuss.Frf) and frf.kind == "accelerance" and frf is seen.frf()
+    assert np.array_equal(frf.H, percuss.frf(bat, band=BAND).H) and np.asarray(frf) is frf.H
+    mobility = seen.frf("mobility")
+    assert np.allclose(mobility.H * 2j * np.pi * mobility.frequency_hz, frf.H, rtol=1e-12) and mobility.unit == "(m/s)/N"
+    again = percuss.analyze(frf, band=BAND)
+    assert np.allclose(again.frequency_hz, seen.frequency_hz, rtol=1e-6) and not again.hits
+    assert np.allclose(percuss.analyze(mobility, band=BAND).residues, again.residues, rtol=1e-9)
+    assert np.allclose(percuss.analyze(percuss.frf(bat, band=BAND), band=BAND).residues, again.residues, rtol=1e-12)
+    with pytest.raises(percuss.UsageError, match="kind="):
+        seen.frf("inertance")
+    windowed = percuss.analyze(bat, band=BAND, exponential=0.01)
+    assert np.allclose(percuss.analyze(windowed.frf(), band=BAND).damping_ratio, windowed.damping_ratio, rtol=1e-2)  # known without the window
+
+
+def test_reading_options_apply_to_frfs_of_arrays():
+    frf = percuss.Frf(FREQ_HZ, exact(FREQ_HZ)[:1] / 9.80665)
+    in_g = percuss.analyze(frf, band=(60, 700), unit="g", angle=(0, 90))
+    assert np.allclose(in_g.residues, RESIDUES[:, :1], rtol=1e-6)
+    with pytest.raises(TypeError, match="percuss.read"):
+        percuss.analyze(percuss.synth("wood-bat").record, unit="g")
+
+
+def test_frfs_are_pickled_written_and_read(tmp_path, found):
+    std = np.full((2, 2, 800), 1e-3)
+    frf = percuss.Frf(FREQ_HZ, exact(FREQ_HZ), std=std, coherence=1 - std, points=[3, 1], names=["x", "y"], averages=4)
+    assert frf.points.tolist() == [1, 3] and np.array_equal(frf.at(3, 1), exact(FREQ_HZ)[0, 1])
+    for again in (pickle.loads(pickle.dumps(frf)), copy.deepcopy(frf), copy.copy(frf)):
+        assert repr(again) == repr(frf) and again.names == ["x", "y"] and not again.H.flags.writeable
+        assert all(np.array_equal(getattr(again, name), getattr(frf, name)) for name in ("frequency_hz", "H", "std", "coherence", "points"))
+    percuss.write(tmp_path / "frfs.h5", frf)
+    read = percuss.read(tmp_path / "frfs.h5")
+    assert np.array_equal(read.H, frf.H) and read.format == "FRF HDF5" and read.stored_kind == "accelerance"
+    assert np.array_equal(pickle.loads(pickle.dumps(read)).H, read.H)
+    percuss.write(tmp_path / "again.h5", found.frf())
+    assert np.array_equal(pickle.loads(pickle.dumps(found)).synthesise([100.0]), found.synthesise([100.0]))
+
+
+@pytest.mark.parametrize("given, options, wanted", [
+    ((FREQ_HZ, exact(FREQ_HZ)[..., :-1]), {}, "799 values for 800 frequencies"),
+    ((FREQ_HZ, np.zeros((1, 1, 1, 800))), {}, "give \\(points, channels, lines\\)"),
+    ((FREQ_HZ**1.1, exact(FREQ_HZ)), {}, "frequency_hz"),
+    ((FREQ_HZ[::-1], exact(FREQ_HZ)), {}, "frequency_hz"),
+    ((FREQ_HZ[None], exact(FREQ_HZ)), {}, "frequency_hz"),
+    ((FREQ_HZ, np.where(FREQ_HZ == 5, np.nan, exact(FREQ_HZ))), {}, "H, point 0, channel 0, line 4"),
+    ((FREQ_HZ, exact(FREQ_HZ)), {"kind": "inertance"}, "accelerance, mobility or receptance"),
+    ((FREQ_HZ, exact(FREQ_HZ)), {"std": np.ones(800)}, "give the shape of H"),
+    ((FREQ_HZ, exact(FREQ_HZ)), {"points": [1, 1]}, "twice"),
+    ((FREQ_HZ, exact(FREQ_HZ)), {"points": [1, -1]}, "2 points for 2 points of H"),
+    ((FREQ_HZ, exact(FREQ_HZ)), {"names": ["x"]}, "1 names for 2 channels"),
+])  # fmt: skip
+def test_arrays_that_are_no_frfs_are_rejected(given, options, wanted):
+    with pytest.raises(percuss.InputError, match=wanted):
+        percuss.Frf(*given, **options)
+
+
+def test_mac_compares_results():
+    a, b = (percuss.analyze(percuss.synth("wood-bat", seed=seed), band=BAND) for seed in (1, 2))
+    assert np.allclose(percuss.mac(a, b).diagonal(), 1, atol=1e-4) and percuss.mac is percuss.metrics.mac
+    assert np.array_equal(percuss.mac(a), percuss.mac(a, a)) and np.allclose(percuss.mac(a, b.residues.reshape(3, -1)), percuss.mac(a, b))
+    barrel = percuss.survey(percuss.synth("roving-barrel"), band=BAND, effort="quick")
+    assert np.allclose(percuss.mac(barrel, barrel), barrel.mac, atol=1e-12)
+    # Places in common: points 0 and 2 of three.
+    shapes = np.array([[1.0, 2.0, -1.0], [0.5, -1.0, 1.0]])
+    part = {points: percuss.analyze(percuss.Frf(FREQ_HZ, responses_of(shapes[:, list(points)]), points=points), band=(60, 700), object="other")
+            for points in [(0, 1, 2), (0, 2)]}  # fmt: skip
+    assert np.allclose(percuss.mac(part[0, 1, 2], part[0, 2]), percuss.mac(shapes[:, [0, 2]]), atol=1e-6)
+    other = percuss.analyze(percuss.Frf(FREQ_HZ, responses_of(shapes[:, :1]), points=[7]), band=(60, 700), object="other")
+    with pytest.raises(percuss.InputError, match="no point and channel in common"):
+        percuss.mac(part[0, 2], other)
+
+
+def responses_of(shapes):
+    """(points, 1, lines) of shapes (modes, points), struck at each point and measured at one sensor."""
+    s = 2j * np.pi * FREQ_HZ
+    omega = 2 * np.pi * MODES_HZ[:, None]
+    return np.einsum("mp,ml->pl", shapes, s**2 / (s**2 + 2 * DAMPING[:, None] * omega * s + omega**2))[:, None]

@@ -1,0 +1,43 @@
+"""Ctrl-C stops a computation soon, and the process and its results stay usable."""
+
+import subprocess
+import sys
+import time
+
+import pytest
+
+SOON_S = 2.0  # checks come every few milliseconds; the rest is for a busy machine
+
+HEAD = """
+import signal, time, numpy as np, percuss
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell without job control ignores it in the background
+def timed(call):
+    begun = time.monotonic()
+    try: call()
+    except KeyboardInterrupt: print("stopped", time.monotonic() - begun, flush=True)
+    else: print("ended", time.monotonic() - begun, flush=True)
+"""
+MANY = "many = percuss.Record(np.tile(r.force_n, (40, 1)), np.tile(r.accel_mps2, (40, 1, 1)), r.fs_hz)\n"
+# One call takes seconds on two cores, so that an end between two calls would come too late.
+LONG = {
+    "analyze": "percuss.analyze(many, band=(60, 3200), per_hit=True)",
+    "several tests": "percuss.analyze([many] * 4, files='tests', band=(60, 3200), per_hit=True)",
+    "reading a result": "percuss.analyze(many, band=(60, 3200), only='hits').residues",
+    "a model": "percuss.models.impact(sweep={'ei': '1000:1:6000'}, modes=60)",
+}
+
+
+@pytest.mark.parametrize("name", LONG)
+def test_an_interrupt_stops_a_computation(name):
+    script = HEAD + "r = percuss.synth('composite-bat').record\n" + MANY + f"def work():\n    while True: {LONG[name]}\n"
+    script += "print('begun', flush=True)\ntimed(work)\nprint(len(percuss.analyze(r, band=(60, 3200), effort='quick').frequency_hz))\n"
+    with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout.readline() == "begun\n"
+        time.sleep(1)
+        process.send_signal(2)
+        sent = time.monotonic()
+        line = process.stdout.readline().split()
+        took_s = time.monotonic() - sent
+        out, err = process.communicate(timeout=60)
+    assert line[:1] == ["stopped"] and took_s < SOON_S, (line, took_s, err)
+    assert int(out) >= 5 and not err
