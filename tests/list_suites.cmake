@@ -7,6 +7,9 @@ string(REGEX MATCHALL "\n[^ \n]+\\.[^\n]*" suites "${listed}")  # a suite ends i
 # These take longest and start first, so that none of them runs alone at the end.
 set(long_suites FuzzCorpus Truncation Limits Study Help ChannelFindings Survey HostileTruncation TrampolineFit Examples
                 Tutorial)
+# Long computations. Under the sanitizers, .ci/run leaves them out, and .ci/full runs them.
+set(long_computations ChannelFindings Examples Help IdentifyModes ImpactOnset LargestDeflection Study Survey
+                      TrampolineFit Tutorial)
 set(tests "")
 foreach(suite IN LISTS suites)
   string(REGEX MATCH "[^ \n]+\\." suite "${suite}")
@@ -15,6 +18,9 @@ foreach(suite IN LISTS suites)
                       "set_tests_properties([==[${suite}]==] PROPERTIES TIMEOUT 1200)\n")
   if(suite IN_LIST long_suites)
     string(APPEND tests "set_tests_properties([==[${suite}]==] PROPERTIES COST 1000)\n")
+  endif()
+  if(suite IN_LIST long_computations)
+    string(APPEND tests "set_tests_properties([==[${suite}]==] PROPERTIES LABELS computation)\n")
   endif()
 endforeach()
 if(NOT tests)
