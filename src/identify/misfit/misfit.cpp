@@ -129,8 +129,9 @@ void add_misfit_of_window(const FrfDataset& set, const ModeWindow& window, std::
   projection.set_weight(noise);
   const VectorXd shift = decay_term_shift(set, window, poles, projection, state, noise);
   const VectorXd smooth = smooth_misfit_std(projection, state, noise, used);
-  const VectorXd between = point_scatter_std(projection, state, poles.size());
-  const VectorXd misfit = smooth.cwiseMax(shift).cwiseMax(between);
+  VectorXd misfit = smooth.cwiseMax(shift);
+  if (set.points.size() >= kMinScatterPoints)
+    misfit = misfit.cwiseMax(point_scatter_std(projection, state, poles.size()));
   for (std::size_t i = 0; i < poles.size(); ++i) {
     const auto f = static_cast<Index>(2 * i);
     Mode& mode = modes[window.modes[i]];

@@ -16,7 +16,6 @@ using Eigen::VectorXd;
 
 constexpr double kScatters = 4.5;   // normal deviate of χ²: one clean value in 300 000
 constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval, which Student's factor keeps
-constexpr std::size_t kMinPoints = 3;
 
 // The contributions of the points to one unknown, and their variances by the noise.
 double std_of(const VectorXd& contribution, const VectorXd& variance) {
@@ -29,7 +28,7 @@ double std_of(const VectorXd& contribution, const VectorXd& variance) {
     sum += variance(p);
     sum_of_squares += variance(p) * variance(p);
   }
-  if (points < kMinPoints || !(chi2_deviate(chi2, points - 1) > kScatters)) return 0;
+  if (points < kMinScatterPoints || !(chi2_deviate(chi2, points - 1) > kScatters)) return 0;
   // Points near a node contribute nothing, and do not count as degrees of freedom.
   const double degrees = std::max(1.0, sum * sum / sum_of_squares - 1);
   const double student = student_quantile(kCoverage, degrees) / kCoverage;
@@ -41,7 +40,7 @@ double std_of(const VectorXd& contribution, const VectorXd& variance) {
 VectorXd point_scatter_std(const VariableProjection& projection, const ProjectedState& state, std::size_t modes) {
   const auto n = static_cast<Index>(2 * modes);
   const std::vector<NormalEquations> points = projection.normal_equations_by_point(state, modes);
-  if (points.size() < kMinPoints) return VectorXd::Zero(n);
+  if (points.size() < kMinScatterPoints) return VectorXd::Zero(n);
   MatrixXd matrix = MatrixXd::Zero(n, n);
   VectorXd right = VectorXd::Zero(n);
   for (const NormalEquations& point : points) {
