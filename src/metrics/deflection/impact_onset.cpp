@@ -14,7 +14,10 @@ namespace {
 constexpr double kLowest = 4;          // standard deviations of the noise
 constexpr double kHighest = 0.25;      // of the first extreme
 constexpr double kClearExtreme = 0.2;  // of the largest sample
-constexpr double kFloor = 1e-3;        // of the first extreme: an anti-alias filter rings before the touch
+constexpr double kFloor = 1e-3;        // of the first extreme: misfit of (1)
+// An anti-alias filter rings before the touch: so many samples before the rise may swing to the other side.
+constexpr std::size_t kRinging = 8;
+constexpr double kSmear_samples = 0.5;  // by which such a filter may shift the start of the rise
 constexpr double kLeastPower = 0.5, kMostPower = 2.5;
 constexpr int kPowers = 9, kTimes = 48, kPasses = 4;
 // Standard deviations of b and d of (1) before the samples are known. A half-sine has b = 0, d = −0.01; a structure of
@@ -107,13 +110,18 @@ ImpactOnset impact_onset(std::span<const double> x, double fs_Hz, std::size_t fi
   std::size_t from = top;
   while (from > 0 && sign * x[from - 1] > least) --from;
   const auto at = static_cast<double>(from);
+  double other_side = 0;
+  for (std::size_t i = from - std::min(from, kRinging); i < from; ++i) other_side = std::max(other_side, -sign * x[i]);
+  const bool rings = other_side > std::max(kLowest * noise, kFloor * extreme);
+  const double smear = rings ? kSmear_samples : 0;
   const std::size_t quiet = from - std::min(from, top - from + 1);
   std::size_t to = from;
   while (to < top && std::abs(x[to]) <= kHighest * extreme) ++to;
-  if (to == from) return {.time_s = (at - 0.5) / fs_Hz, .std_s = between / fs_Hz};
-  const Rise rise(x.subspan(quiet, to - quiet), quiet, std::hypot(noise, kFloor * extreme));
-  const Onset onset = mean_onset(rise, static_cast<double>(quiet), at);
-  return {.time_s = onset.sample / fs_Hz, .std_s = onset.std / fs_Hz};
+  if (to == from) return {.time_s = (at - 0.5) / fs_Hz, .std_s = std::hypot(between, smear) / fs_Hz};
+  const double misfit = std::max(kFloor * extreme, rings ? other_side / 2 : 0.0);
+  const Onset onset =
+      mean_onset(Rise(x.subspan(quiet, to - quiet), quiet, std::hypot(noise, misfit)), static_cast<double>(quiet), at);
+  return {.time_s = onset.sample / fs_Hz, .std_s = std::hypot(onset.std, smear) / fs_Hz};
 }
 
 }  // namespace percuss::metrics

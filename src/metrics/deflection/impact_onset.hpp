@@ -15,7 +15,9 @@ struct ImpactOnset {
 /// with t₁ the time of the last of them, and b and d near zero (standard deviations 0.3 and 0.2). The time is the mean
 /// of t₀ over all powers and coefficients, each with its probability; the standard deviation includes how little the
 /// samples tell of p.
-/// Where the samples leap beyond a quarter of the extreme, the onset lies anywhere between two samples.
+/// Where the samples leap beyond a quarter of the extreme, the onset lies anywhere between two samples. Samples before
+/// the rise that swing to the other side show an anti-alias filter: half of the swing then counts as noise, and half a
+/// sample as part of the standard deviation.
 /// theory (7.10)
 /// `first` is the first sample that moves (motion_onset_s), `noise` the standard deviation of a sample.
 ImpactOnset impact_onset(std::span<const double> x, double fs_Hz, std::size_t first, double noise);
