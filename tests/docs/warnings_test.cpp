@@ -1,12 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <regex>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "metrics/protocol/bat_metrics.hpp"
 #include "model/section/profile_warnings.hpp"
@@ -67,13 +70,19 @@ std::map<std::string, std::string> ranked_severities() {
 }
 
 /// Code and severity of each row of the page: "| `code` | severity | …".
-std::map<std::string, std::string> severities_of(const std::string& page) {
+std::vector<std::pair<std::string, std::string>> rows_of(const std::string& page) {
   static const std::regex row(R"(^\| `(\w+)` \| (\w+) \|.*)");
-  std::map<std::string, std::string> out;
+  std::vector<std::pair<std::string, std::string>> out;
   std::smatch found;
   for (const std::string& line : test::lines_of(page)) {
-    if (std::regex_match(line, found, row)) out[found[1].str()] = found[2].str();
+    if (std::regex_match(line, found, row)) out.emplace_back(found[1].str(), found[2].str());
   }
+  return out;
+}
+
+std::map<std::string, std::string> severities_of(const std::string& page) {
+  std::map<std::string, std::string> out;
+  for (const auto& [code, severity] : rows_of(page)) out[code] = severity;
   return out;
 }
 
@@ -96,6 +105,17 @@ TEST(WarningCodes, AreAllRanked) { EXPECT_EQ(keys_of(ranked_severities()), codes
 
 TEST(WarningCodes, StandOnThePageWithTheirSeverity) {
   EXPECT_EQ(severities_of(test::bytes_of(PERCUSS_SOURCE_DIR "/docs/reference/warnings.md")), ranked_severities());
+}
+
+// The page states that warnings of one severity come in its order.
+TEST(WarningCodes, StandOnThePageInTheOrderOfTheRanking) {
+  std::vector<std::string> ranking, page;
+  for (const pipeline::RankedCode& ranked : pipeline::ranked_codes()) ranking.emplace_back(ranked.code);
+  const std::string text = test::bytes_of(PERCUSS_SOURCE_DIR "/docs/reference/warnings.md");
+  for (const auto& [code, severity] : rows_of(text)) {
+    if (std::find(ranking.begin(), ranking.end(), code) != ranking.end()) page.push_back(code);
+  }
+  EXPECT_EQ(page, ranking);
 }
 
 TEST(WarningCodes, AreReadFromThePage) {
