@@ -10,7 +10,7 @@ namespace percuss::acquire {
 /// integral over at most 0.25 s contradicts the integral over the early part: then the undershoot comes from a drift or
 /// a pull of the hammer.
 /// `x` are the samples of the hit, baseline removed.
-/// theory (1.11)
+/// theory (1.12)
 double ac_coupling_Hz(const Hit& hit, std::span<const double> x, double fs_Hz);
 
 }  // namespace percuss::acquire

@@ -14,7 +14,7 @@ struct ResidueCoherence {
 
 /// [points of set] for the mode window.modes[mode]. Each hit is fitted over the window at the modes' poles; w is one
 /// over the variance of r. The flanks of other modes raise the coherence of an FRF, but not this one.
-/// theory (1.10)
+/// theory (1.11)
 std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
                                                 std::size_t mode);
