@@ -41,7 +41,7 @@ UsageError missing_command(const Declaration& all, const DeclaredCommand& group)
 UsageError unknown_command(const Declaration& all, const DeclaredCommand& group, const std::string& typed) {
   std::vector<std::string> known;
   for (const DeclaredCommand* one : commands_of(all, group)) known.push_back(base_name(*one));
-  for (const DeclaredOption& option : group.options) known.push_back(option.name());  // "help" without its dashes
+  for (const DeclaredOption& option : group.options) known.push_back(option.name());  // "help" means "--help"
   const std::string place = group.name.empty() ? "" : group.name + " ";
   const auto meant = nearest(typed, known);
   return {"there is no command '" + place + one_line(typed, kTypedBytes) + "'",

@@ -97,7 +97,7 @@ void add_nodes(CommandLine& line) {
   command
       .value("--positions", flags->positions,
              "Set the positions of the hits from the end of the barrel, in the order of points or files; in inches "
-             "unless a unit (in, m, mm) follows")
+             "unless a unit (in, m, mm, cm, ft) follows")
       .required()
       .type("START:STEP:END[UNIT]");
   add_read_flags(command, flags->read);

@@ -106,7 +106,7 @@ void add_study(CommandLine& line) {
   command
       .list("--program", flags->programs,
             "Count the bats of these certification programs in statements, trends and correlations; default: besr and "
-            "bats without a program, or else the program with the most bats; all: every bat")
+            "bats without a program; if there are none, the program with the most bats; all: every bat")
       .type("NAME,...");
   command
       .value("--hoop-curve", flags->curve,

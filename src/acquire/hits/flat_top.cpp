@@ -144,11 +144,11 @@ void grade_flat_tops(std::vector<Hit>& hits) {
         {.code = FindingCode::force_clipped,
          .severity = Severity::reject,
          .value = flatness,
-         .message =
-             fmt::format("force clipped before the recorder's filter: the pulse has a flat top, {:.0f} % as long "
-                         "at 80 % of its peak as at 30 %, and no contact exceeds 51 %; lower the gain of the "
-                         "hammer's amplifier or hit softer",
-                         flatness * 100)});
+         .message = fmt::format(
+             "force clipped before the recorder's filter: the pulse has a flat top (at 80 % of its "
+             "peak it is {:.0f} % as long as at 30 %; without clipping, at most 51 %); lower the gain of the "
+             "hammer's amplifier or hit softer",
+             flatness * 100)});
   }
 }
 

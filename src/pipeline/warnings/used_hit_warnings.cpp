@@ -84,8 +84,9 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
   if (const UsedInSpite clipped = used_in_spite_of(hits, FindingCode::force_clipped); !clipped.hits.empty()) {
     out.push_back(with_remedy(
         {"force_clipped",
-         fmt::format("the force of hits {} was clipped before the recorder's filter (flat tops, {:.0f} % as long at "
-                     "80 % of the peak as at 30 %; at most 51 % is possible): frequencies and damping hold, but FRFs, "
+         fmt::format("the force of hits {} was clipped before the recorder's filter (flat tops: the pulse at 80 % "
+                     "of its peak is {:.0f} % as long as at 30 %; without clipping, at most 51 %): frequencies and "
+                     "damping hold, but FRFs, "
                      "residues and masses are off by several percent or more",
                      listed(clipped.hits), clipped.largest * 100)},
         "lower the gain of the hammer's amplifier or hit softer"));

@@ -127,7 +127,8 @@ void add_batch_plan(CommandLine& line) {
       .show_default();
   command.flag("--frf", flags->frf, "Keep the FRFs, for percuss batch merge -o FILE.h5");
   command.flag("--hash", flags->hash,
-               "Store the SHA-256 of every record in addition to its size; reads every record twice");
+               "Store the SHA-256 of every record in addition to its size; the plan then reads every record "
+               "once, and percuss batch run reads it twice");
   add_batch_options(command, flags->options);
   add_setup_option(command, flags->options.read);
   add_output_flags(command, flags->output, ".jsonl");
