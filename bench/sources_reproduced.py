@@ -2,8 +2,9 @@
 """sources_reproduced.py [--percuss TOOL] [--check] PAGE
 
 Writes PAGE, docs/project/sources-reproduced.md: for every table and figure of the three sources that software can make,
-the source's number, percuss's number, their difference and the command; for every other one, the reason. Runs the
-commands in a temporary folder. With --check, writes nothing and exits with 1 if PAGE does not agree with the tool.
+the source's number, percuss's number, their difference and the command. For each table and figure that percuss does not
+make, it gives the reason. Runs the commands in a temporary folder. With --check, writes nothing and exits with 1 if
+PAGE does not agree with the tool.
 
   --percuss   the tool (default: build/release/tools/percuss)
 """
@@ -19,9 +20,10 @@ from sources.page import places_in, same_line, wrapped  # noqa: E402
 
 ABOUT = """\
 percuss holds what three works ask for: a bat laboratory [8], a designer of cricket bats [9] and a paper on the sweet
-spot [10] ([sources](../theory/sources.md)). This page holds percuss against them: every table and figure that software
-can make, with the source's number and the command, and the reason for every other one. "Commands" are the numbers of
-the commands below its table; all commands of the page run in order, in one empty folder.
+spot [10] ([sources](../theory/sources.md)). This page compares percuss with them. It lists every table and figure that
+software can make, with the source's number and the command. For each table and figure that percuss does not make, it
+states the reason. "Commands" are the numbers of the commands below its table; all commands of the page run in order, in
+one empty folder.
 
 None of them publishes records, or the points of figures. Where the source shows measurements, the command shows
 the same figure of a synthetic test or population, which is no evidence about bats; the row says so. "text" and

@@ -135,8 +135,8 @@ def population_rows(s):
                  [s.example, s.bbcor, s.study])
     marked = sum(any(str(row['id']).startswith('CS') for row in s.table('figures/bbs-moi-nonwood-%d.csv' % n))
                  for n in (32, 33, 34))
-    s.agrees('figures C1 to C3', 'the same with bats of the BBCOR program, marked (synthetic)', '3 figures',
-             '%d figures' % marked, marked == 3, [s.bbcor, s.study])
+    s.agrees('figures C1 to C3', 'nonwood bats: BBS over MOI, the bats of the BBCOR program marked (synthetic)',
+             '3 figures', '%d figures' % marked, marked == 3, [s.bbcor, s.study])
     verdicts = [one['verdict'] for one in s.document('study.json')['statements']]
     s.row('sections 4, 5', 'statements about the bats (synthetic population)', '%d statements' % len(verdicts),
           ', '.join('%d %s' % (verdicts.count(v), v) for v in ('supported', 'not supported', 'contradicted')),
