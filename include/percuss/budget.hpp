@@ -1,6 +1,6 @@
 #pragma once
 /// Time and memory that one analysis may take. Where an analysis needs more, its accessors throw BudgetSpent. The
-/// functions of models have no budget; the commands `percuss model` do.
+/// functions of models have no budget. The commands `percuss model beam`, `impact`, `bat` and `trampoline` have one.
 ///
 /// @code
 /// #include <iostream>

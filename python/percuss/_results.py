@@ -117,14 +117,14 @@ class Result(Mapping[str, Any]):
         """Write the result in the format of the path's extension, as -o of the command does.
 
         Raises InputError if the file exists and force is False, UsageError for an extension that the command does not
-        write. Files other than .json contain samples, which are read now. Arrays must not have changed since the call:
-        save() compares a few hundred of their numbers and raises InputError if one differs; it cannot detect every
-        change. A result that was pickled writes no files.
+        write. Formats other than .json may need samples, which are read now. Arrays must not have changed since the
+        call: save() compares a few hundred of their numbers and raises InputError if one differs; it cannot detect
+        every change. A result that was pickled writes no files.
         """
         self._outcome.save(os.fsencode(path), force)
 
     def report(self, path: str | os.PathLike[str], force: bool = False) -> None:
-        """Write the page of the command line: one .html file. It shows the samples, so arrays must not have changed.
+        """Write the page of the command line: one .html file. It may show samples, so arrays must not have changed.
 
         Raises as save()."""
         if os.path.splitext(os.fspath(path))[1].lower() != ".html":

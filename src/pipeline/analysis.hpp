@@ -85,7 +85,7 @@ class Analysis {
   /// Modes that the hammer excited below the band, ascending: modes in the margin of lines(), and lower modes fitted to
   /// a few hits. Empty without modes in the band, or without a stated band.
   const std::vector<identify::Mode>& modes_below() const;
-  /// The orders of a tube among modes_below(), by two sensors.
+  /// The numbers of bending and of hoop modes of a tube among modes_below(), classified by two sensors.
   const identify::LowerOrders& lower_orders() const;
   /// How well the modes explain each FRF, over band_lines().
   const FitQuality& fit() const;
@@ -126,7 +126,7 @@ class Analysis {
   Lazy<std::vector<identify::Mode>> modes_;
   mutable std::vector<identify::Mode> margin_modes_;  // below the band; set with modes_
   Lazy<std::vector<identify::Mode>> modes_below_;
-  Lazy<std::vector<identify::ModeClassification>> types_;  // orders count from the band's edge
+  Lazy<std::vector<identify::ModeClassification>> types_;  // their orders leave out lower_orders()
   Lazy<identify::LowerOrders> lower_orders_;
   Lazy<std::vector<identify::ModeClassification>> classifications_;
   Lazy<FitQuality> fit_;

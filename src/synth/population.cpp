@@ -74,7 +74,7 @@ class PopulationMaker {
 
   metrics::StudyBat wood() {
     const double length_in = 30 + std::floor(random_.uniform(0, 5));
-    // Drawn in separate statements, because the order of evaluation of arguments is unspecified.
+    // Drawn before the call, because the order of evaluation of arguments is unspecified.
     const double bending_Hz = 155 + normal(14), drop = random_.uniform(-3, 0.5);
     metrics::StudyBat bat = body(metrics::BarrelMaterial::wood, length_in, drop, 10600, bending_Hz);
     perform(bat, 0.480 + normal(spec_.noise));

@@ -12,7 +12,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-// Files of level 7.3 whose HDF5 objects name other files. The reader must refuse them before it opens such a file.
+// Files of level 7.3 whose HDF5 objects link to other files. The reader must refuse them before it opens a linked file.
 namespace percuss::mat_links_test {
 
 using acquire::open_measurement;

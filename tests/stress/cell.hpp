@@ -10,7 +10,7 @@
 
 namespace percuss::stress {
 
-/// A synthetic test, its further changes, and the expected outcome.
+/// A cell of the stress suite's tables: a synthetic test, its further changes, and the expected outcome.
 struct Cell {
   std::string group, name;
   synth::SynthSpec spec;

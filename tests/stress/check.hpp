@@ -29,7 +29,7 @@ struct Result {
   bool calibrated = false;
 };
 
-/// A cell in the form that the suite runs: made from a Cell, or one of the invariance checks.
+/// One test of the stress suite in the form that it runs: made from a Cell (cell.hpp), or an invariance check.
 struct Check {
   std::string group, name;
   std::string expectation;  // as text, for the table

@@ -35,11 +35,11 @@ struct Summary {
 /// Runs all checks in parallel.
 std::vector<Summary> run_all(const std::vector<Check>& checks, bool full);
 
-/// "ok", "FAILS" or "known", the cell, the measurements and the failures.
+/// "ok", "FAILS" or "known", group and name of the check, the measurements and the failures.
 std::string lines_of(const Summary& summary);
-/// A Markdown list of the known defects with their cells.
+/// A Markdown list of the known defects with their checks.
 std::string defects_of(const std::vector<Summary>& summaries);
-/// Markdown tables of all cells, one per group.
+/// Markdown tables of all checks, one per group.
 std::string tables_of(const std::vector<Summary>& summaries);
 
 }  // namespace percuss::stress

@@ -58,7 +58,8 @@ Ratio ratio_of(const Mode& mode, const SensorPair& sensors) {
   return ratio;
 }
 
-bool close_pair(const Mode& a, const Mode& b, const ClassifyOptions& options) {
+// Whether the frequencies are near enough for one mode of a tube in its two planes.
+bool near_enough_for_one_mode(const Mode& a, const Mode& b, const ClassifyOptions& options) {
   const double apart = std::abs(a.pole.freq_Hz - b.pole.freq_Hz);
   return apart <= std::max(options.double_peak_Hz, kPairSpacing * std::min(a.pole.freq_Hz, b.pole.freq_Hz));
 }
@@ -66,7 +67,7 @@ bool close_pair(const Mode& a, const Mode& b, const ClassifyOptions& options) {
 std::optional<std::size_t> partner_of(const std::vector<Mode>& modes, std::size_t m, const ClassifyOptions& options) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    if (i == m || !close_pair(modes[i], modes[m], options)) continue;
+    if (i == m || !near_enough_for_one_mode(modes[i], modes[m], options)) continue;
     const auto apart = [&](std::size_t j) { return std::abs(modes[j].pole.freq_Hz - modes[m].pole.freq_Hz); };
     if (!best || apart(i) < apart(*best)) best = i;
   }
@@ -138,7 +139,7 @@ void number_orders(const std::vector<Mode>& modes, std::vector<ModeClassificatio
     bool paired = false;  // a mode has at most one partner
     for (std::size_t m = 0; m < modes.size(); ++m) {
       if (classifications[m].family != family) continue;
-      const bool same = before && !paired && close_pair(modes[*before], modes[m], options);
+      const bool same = before && !paired && near_enough_for_one_mode(modes[*before], modes[m], options);
       if (!same) ++order;
       paired = same;
       classifications[m].order = order;

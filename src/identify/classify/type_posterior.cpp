@@ -11,7 +11,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t kPlanes = 45;     // 2° apart over 90°: every plane comes with the plane at right angles to it
-constexpr double kPairKnown = 0.9;      // prior probability that a close pair is one mode in two planes
+constexpr double kPairKnown = 0.9;      // prior probability that two partners are one mode in two planes
 constexpr double kPairAngle_rad = 0.1;  // standard deviation, around 90°, of the angle between a mode's two planes
 constexpr double kBroader = 2;          // width of the size ratio of unrelated modes, over its width in a pair
 constexpr double kMinHoop_Hz = 1000;    // lowest hoop frequency of barrels
@@ -63,7 +63,7 @@ double sech(double x) { return 1 / std::cosh(std::min(std::abs(x), 300.0)); }
 double pair_density(double log_ratio) { return sech(log_ratio) / pi; }
 double independent_density(double log_ratio) { return sech(log_ratio / kBroader) / (kBroader * pi); }
 
-// Likelihoods of a close pair that do not depend on the shared unknowns.
+// Likelihoods of two partners that do not depend on the shared unknowns.
 struct PairTable {
   TypePosterior size{1, 1, 1};  // of the members' sizes, as one mode of each type
   double unrelated_modes = 1;   // of the members' sizes, as unrelated modes

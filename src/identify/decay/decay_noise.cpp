@@ -42,8 +42,8 @@ std::vector<double> block_levels(const Eigen::VectorXd& power, const Blocks& blo
   return out;
 }
 
-// The level of each hit relative to the hits' typical level in the same block, which may differ from block to block:
-// the median over the blocks, as a factor of the power.
+// The level of each hit, as a factor of the power. In each block, the hit's level is divided by the median level of all
+// hits. The result is the median of these ratios over the blocks.
 std::vector<double> hit_levels(const std::vector<std::vector<double>>& levels) {
   const std::size_t hits = levels.size(), blocks = levels.front().size();
   std::vector<std::vector<double>> above(hits);
@@ -72,7 +72,7 @@ Eigen::MatrixXd decay_line_noise(const DecaySpectra& residual, const Eigen::Vect
     }
     const std::vector<double> of_hit = hits > 1 ? hit_levels(levels) : std::vector<double>{1};
     Eigen::VectorXd power = Eigen::VectorXd::Zero(blocks.lines);
-    double lowest = 0;  // rounding, as a power over the level of its hit
+    double lowest = 0;  // the largest over the hits of rounding power divided by the hit's level
     for (Index h = 0; h < hits; ++h) {
       const Index i = h * channels + c;
       const double level = of_hit[static_cast<std::size_t>(h)];

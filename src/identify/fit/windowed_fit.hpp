@@ -44,7 +44,7 @@ class WindowedFit {
 
   /// Replaces the poles. Known poles keep their residues; new poles have none until the next sweep.
   void replace(std::vector<Pole> poles);
-  /// Fits every group twice, the second time with the final contributions of its neighbours. A group whose data have
+  /// Fits the groups in turn, twice, each with the latest contributions of the other groups. A group whose data have
   /// not changed is not fitted again.
   void sweep();
   /// Fits again, over longer windows, the groups whose resonances have become broader than their windows.

@@ -26,11 +26,12 @@ struct WindowData {
 /// `max_cost`.
 PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double max_cost);
 
-/// True where the additional common modes of `more` only describe the frequency scatter of the modes of `one`. To first
-/// order, they describe it exactly. The test: separate poles of `one` at each point leave at most 15 times the cost of
-/// `more`. If `one` has a single mode, its frequency must also scatter as widely as the poles of `more` lie apart.
-/// Always false for fewer than three points, because two orthogonal modes look the same there. `more` was fitted to
-/// this window.
+/// Compares two fits of one window by modes common to all points: `one`, and `more`, which has additional modes and was
+/// fitted to this window. True where the additional modes only describe the frequency scatter of the modes of `one`. To
+/// first order, additional modes describe such scatter exactly. The test: separate poles of `one` at each point leave
+/// at most 15 times the cost of `more`. If `one` has a single mode, its frequency must also scatter as widely as the
+/// poles of `more` lie apart. Always false for fewer than three points, because two orthogonal modes look the same
+/// there.
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,
                                const FitGroup& more);
 

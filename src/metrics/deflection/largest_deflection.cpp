@@ -39,7 +39,8 @@ std::optional<std::size_t> most_significant(const Curve& curve, double direction
   return best;
 }
 
-// The sample of the largest value among the significant ones, where the noise does not grow.
+// The sample of the largest significant value. Only for curves whose standard deviation does not grow with time; for
+// other curves, see most_significant().
 std::optional<std::size_t> largest(const Curve& curve, double direction) {
   std::optional<std::size_t> best;
   double most_m = 0;
@@ -86,8 +87,8 @@ std::optional<LowNoiseCurve> low_noise_curve(const ImpactSignal& signal, const D
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = decay->first + i;
     const double apart = std::abs(decay->deflection_m[i] - d.deflection_m[at]);
-    // Where the integral is surer, the decays must agree with it as closely. A spurious decay of hardly any amplitude,
-    // whose rate is not determined, gives the decays a large standard deviation, but correct values.
+    // The standard deviation of the decays is at most that of the integral. A spurious decay of hardly any amplitude,
+    // whose rate is not determined, gives the decays a large standard deviation although their values are correct.
     const double std_m = std::min(decay->std_m[i], d.std_m[at]);
     // A structure that does not swing about its position of rest contradicts the decays.
     if (i % step == 0 && apart > kCurvesDisagree * std::hypot(d.std_m[at], std_m)) return std::nullopt;

@@ -38,9 +38,9 @@ struct StudyBat {
 /// Properties of a bat by column name, as in tables and analyses.
 using BatProperties = std::map<std::string, std::string>;
 
-/// Rows of tables and documents, joined by id. Two rows of one bat must agree: of two numbers, the one with fewer
-/// decimals must be the other rounded, and within 1 % of it. A row whose `bat` is the id of another row takes that
-/// row's properties that it does not state: maker, model, length, material, program, MOI, weight and drop.
+/// Rows of tables and documents, joined by id. Rows with one id must agree. Two numbers agree if the one with fewer
+/// decimals is the other number rounded, and if they differ by at most 1 %. A row whose `bat` is the id of another row
+/// takes that row's properties that it does not state: maker, model, length, material, program, MOI, weight and drop.
 class StudyRows {
  public:
   /// Adds a table (docs/schema/study-table.schema.json, or the same as CSV; also a table of percuss metrics), a

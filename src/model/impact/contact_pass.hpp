@@ -22,7 +22,7 @@ class ContactPass {
   // The force is not smooth where contact begins and ends: steps shrink with the root of the approach. first_m_ keeps
   // the first step above zero.
   double next_step_s() const;
-  // Moves from the saved state by dt_s and returns the contact event there.
+  // Moves from the saved state by dt_s. Returns BallOnBeamReading::contact_event_m of the new state.
   double move_to(double dt_s);
   // Updates the largest force and deflection, which may lie within the step.
   void update_peaks(const BallOnBeamReading& before, double dt_s);

@@ -10,7 +10,7 @@
 
 namespace percuss::model {
 
-/// A limit of a model's frequencies: how its table of sections was read.
+/// A warning that a model's frequencies depend on how its table of sections was read.
 struct ProfileWarning {
   std::string code, message;  // the message ends with the remedy
   std::string remedy;

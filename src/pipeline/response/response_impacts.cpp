@@ -85,7 +85,8 @@ std::vector<std::size_t> rising_blocks(const std::vector<double>& power, std::si
   return out;
 }
 
-// The first sample of the rise: beyond a share of the largest value within the block and the next one.
+// The first sample of the rise. It lies in the block before `block_index`, in this block or in the next one. A channel
+// exceeds there a share of its largest value in these three blocks, and the noise before them.
 std::size_t onset_in(const Signals& x, std::size_t block_index, std::size_t block) {
   const std::size_t first = std::max<std::size_t>((block_index - 1) * block, 1);
   const std::size_t last = std::min((block_index + 2) * block, x.front().size());
@@ -123,8 +124,9 @@ std::vector<ResponseImpact> response_impacts(const acquire::Record& record, cons
       for (const std::size_t b : rising_blocks(block_power(signals, block), history))
         found.push_back({.row = row, .first = onset_in(signals, b, block)});
     };
-    // A blow excites all frequencies, and differences show it beside slow motion. Where they show nothing, noise may
-    // hide the blow in the differences of a slow mode, but not in its samples.
+    // A blow excites all frequencies, so the differences of the samples show it even during slow motion. If they show
+    // no blow, the samples themselves are searched: the blow may excite only a slow mode, whose differences lie below
+    // the noise although its samples exceed it.
     find_in(differences(x));
     if (found.empty()) find_in(centred(x));
     const bool moves =

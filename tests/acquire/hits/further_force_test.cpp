@@ -107,7 +107,7 @@ TEST(FurtherForce, RefusesAResponseInThePlaceOfTheForce) {
   EXPECT_EQ(hit.findings.back().code, FindingCode::no_pulse);
 }
 
-TEST(FurtherForce, EndsNoRecordWithAHump) {
+TEST(FurtherForce, LetsTheHitContinueAfterAHump) {
   std::vector<double> row(120000);
   for (const double onset : {5000.0, 60000.0}) test::add_filtered_haversine(row, onset, kWidth, kPeak_N);
   test::add_haversine(row, 20000, 4000, 0.02 * kPeak_N);

@@ -222,10 +222,12 @@ TEST(FreeDecays, AreNotFoundInNoise) {
   EXPECT_LE(found, 1U);
 }
 
-// Records of several files differ in noise by any factor. The loudest is no decay, and the quiet ones decide the modes.
+// Records of several files may differ in noise by any factor. The noise of the loudest record must not be taken for a
+// decay. The quiet records decide the modes.
 TEST(FreeDecays, AllowForHitsOfDifferentNoise) {
   constexpr std::size_t kMany = 9;
-  constexpr double kQuiet = 0.02, kLoudest = 40;  // the standard deviation of the quietest, and of the loudest over it
+  constexpr double kQuiet = 0.02;       // standard deviation of the noise of the quietest record
+  constexpr double kLoudestRatio = 40;  // of the loudest record, divided by kQuiet
   const Complex s = decay_rate_of({322, 0.008}).rate_radps;
   std::size_t others = 0;
   double squares = 0;
@@ -236,7 +238,7 @@ TEST(FreeDecays, AllowForHitsOfDifferentNoise) {
     FreeDecays hits{.fs_Hz = kFs_Hz, .hits = kMany, .channels = 1, .response = {}}, quiet = hits;
     for (std::size_t h = 0; h < kMany; ++h) {
       const double noise =
-          kQuiet * std::pow(kLoudest, static_cast<double>((h * 4) % kMany) / static_cast<double>(kMany - 1));
+          kQuiet * std::pow(kLoudestRatio, static_cast<double>((h * 4) % kMany) / static_cast<double>(kMany - 1));
       std::vector<double>& y = hits.response.emplace_back(kSamples);
       for (std::size_t n = 0; n < kSamples; ++n)
         y[n] = std::exp(s * (static_cast<double>(n) / kFs_Hz)).real() + noise * gauss(random);

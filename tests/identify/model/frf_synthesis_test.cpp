@@ -44,7 +44,7 @@ TEST(SynthesisedFrf, EqualsTheMeasuredFrfForExactModes) {
 }
 
 TEST(SynthesisedFrf, FollowsAModeAboveTheBand) {
-  constexpr double kClose = 1e-4;  // the two upper residual terms are the first of its series
+  constexpr double kClose = 1e-4;  // the upper residual terms are the first two of the mode's series
   Case c;
   test::add_mode(c.set, 0, {6000, 0.01}, 2.0);
   EXPECT_LE(1 - synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, kClose);

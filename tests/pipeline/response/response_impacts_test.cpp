@@ -61,8 +61,8 @@ TEST(ResponseImpacts, IsNotSplitByAConstant) {
   }
 }
 
-// The blow of a row that shows none may lie anywhere. Beside rows that show theirs, it is not used.
-TEST(ResponseImpacts, RejectsRowsWithoutABlowBesideOthers) {
+// In a row that shows no blow, the blow may lie anywhere. Such a row is not used if other rows show their blows.
+TEST(ResponseImpacts, RejectsRowsWithoutABlowIfOthersShowOne) {
   std::mt19937 random(1);
   const ResponseTest test = analyse_responses(
       test::response_record(kFs_Hz, {{slow_decay(0.01, random)}, {slow_decay(2, random)}}, 0, false), {});

@@ -93,7 +93,8 @@ TEST(ResponseTest, FindsTheBlowsOfAContinuousRecord) {
 }
 
 // Two equal shapes within half a bandwidth, and one mode whose frequency differs between two hits, look alike. Most of
-// the pairs that count as one mode get the warning; the others are lost as misfit, which rounding may decide.
+// the pairs that count as one mode get the warning. In the other ones, the second mode counts as misfit of the first,
+// without a warning. Rounding may decide between the two cases.
 TEST(ResponseTest, SaysWhereItCannotTellAPairFromScatter) {
   const auto warned = [](const ResponseTest& test) {
     return std::any_of(test.warnings.begin(), test.warnings.end(),

@@ -60,7 +60,7 @@ std::size_t modes_left(double freq_Hz, double half_power_Hz, std::size_t hits, d
   return Hits(mode_at(freq_Hz, half_power_Hz, 1), hits, turns).modes_left();
 }
 
-// 0.23 turns from hit to hit leave 0.18 of the residue in the mean of five hits, and a coherence of 0.03. The flank of
+// 0.23 turns from hit to hit leave 0.14 of the residue in the mean of five hits, and a coherence of 0.02. The flank of
 // the strong mode follows the force at every line.
 TEST(MainsModes, RemovesANarrowHarmonicWhoseResiduesDoNotFollowTheForce) {
   EXPECT_EQ(modes_left(449.8, 0.9, 5, 0.23), 1U);

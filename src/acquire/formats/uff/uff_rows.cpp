@@ -36,8 +36,8 @@ std::vector<UffRow> rows_in_order(Functions functions, std::vector<bool> is_forc
   return rows;
 }
 
-// Gives the k-th response of each degree of freedom and quantity to the k-th force. Empty when the rows
-// would differ in length.
+// One row per force. Of the responses with one degree of freedom and quantity, the k-th is in the k-th row. Empty when
+// the rows would differ in length.
 std::vector<UffRow> rows_by_dof(const Functions& functions, const std::vector<bool>& is_force) {
   std::vector<UffRow> rows;
   for (std::size_t i = 0; i < functions.size(); ++i) {

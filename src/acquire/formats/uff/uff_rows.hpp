@@ -13,7 +13,7 @@ using UffRow = std::vector<const UffFunction*>;
 /// fits:
 ///   each force begins a row;
 ///   each force ends a row;
-///   the k-th force belongs to the k-th response of each degree of freedom and quantity.
+///   each force has a row, and of the responses with one degree of freedom and quantity, the k-th is in the k-th row.
 /// Without forces all functions are one row.
 /// errors  InputError: the responses do not divide evenly among the forces, or differ in length or step within a row.
 std::vector<UffRow> uff_rows(const std::vector<const UffFunction*>& functions, const std::vector<bool>& is_force,
