@@ -31,8 +31,8 @@ def study(
         Write every figure as picture and table into this folder.
     program : str or list of str, optional
         Count the bats of these certification programs in statements, trends and correlations;
-        default: besr and bats without a program, or else the program with the most bats; all: every
-        bat.
+        default: besr and bats without a program; if there are none, the program with the most bats;
+        all: every bat.
     hoop_curve : path, array, dict or Result, optional
         Draw this model over the hoop figures; a document of percuss model trampoline.
     blind : path, array, dict or Result, optional

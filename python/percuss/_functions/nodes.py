@@ -64,7 +64,7 @@ def nodes(
         still computes.
     positions : (start, step, end)
         Set the positions of the hits from the end of the barrel, in the order of points or files;
-        in inches unless a unit (in, m, mm) follows.
+        in inches unless a unit (in, m, mm, cm, ft) follows.
     fs : float in Hz, optional
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.

@@ -16,7 +16,7 @@ constexpr double kHighest = 0.25;      // of the first extreme
 constexpr double kClearExtreme = 0.2;  // of the largest sample
 constexpr double kFloor = 1e-3;        // of the first extreme: misfit of (1)
 // An anti-alias filter rings before the touch: so many samples before the rise may swing to the other side.
-constexpr std::size_t kRinging = 8;
+constexpr std::size_t kFilterRinging = 8;
 constexpr double kSmear_samples = 0.5;  // by which such a filter may shift the start of the rise
 constexpr double kLeastPower = 0.5, kMostPower = 2.5;
 constexpr int kPowers = 9, kTimes = 48, kPasses = 4;
@@ -111,7 +111,8 @@ ImpactOnset impact_onset(std::span<const double> x, double fs_Hz, std::size_t fi
   while (from > 0 && sign * x[from - 1] > least) --from;
   const auto at = static_cast<double>(from);
   double other_side = 0;
-  for (std::size_t i = from - std::min(from, kRinging); i < from; ++i) other_side = std::max(other_side, -sign * x[i]);
+  for (std::size_t i = from - std::min(from, kFilterRinging); i < from; ++i)
+    other_side = std::max(other_side, -sign * x[i]);
   const bool rings = other_side > std::max(kLowest * noise, kFloor * extreme);
   const double smear = rings ? kSmear_samples : 0;
   const std::size_t quiet = from - std::min(from, top - from + 1);
