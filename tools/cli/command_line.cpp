@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <iostream>
 #include <string>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include "cli/help_text.hpp"
 #include "cli/output.hpp"
 #include "cli/usage_errors.hpp"
+#include "core/io/parse_number.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -79,11 +79,7 @@ void reject_mismatch(const DeclaredCommand& command, const CLI::App& app, const 
   throw UsageError(one_line(error.what()), "see " + full_name(all, command) + " --help");
 }
 
-bool is_number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size();
-}
+bool is_number(const std::string& text) { return parse_number(text, false).problem == NumberProblem::none; }
 
 // "--band 60 3200" as "--band 60:3200": the second number would be taken for a file.
 std::vector<std::string> with_whole_ranges(const Declaration& all, const std::vector<std::string>& typed) {

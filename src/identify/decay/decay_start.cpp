@@ -9,7 +9,7 @@ namespace percuss::identify {
 namespace {
 
 constexpr double kSafe_s = 20e-3, kSafeShare = 1.0 / 8;  // of safe_start()
-constexpr double kLeastSafe_s = 5e-3;                    // longer than the contact of a ball
+constexpr double kMinSafe_s = 5e-3;                      // longer than the contact of a ball
 constexpr std::size_t kBackBlock = 8;                    // samples
 constexpr double kAlarm = 4;                             // standard deviations of a block's mean square
 constexpr int kMaxMoves = 4;
@@ -92,7 +92,7 @@ StartedFit fit_from_earliest_start(const FreeDecays& whole, std::size_t safe, co
   };
   StartedFit out{.fit = fit_from(safe), .start = safe};
   // Fast decays of weak records may have gone by then.
-  while (out.fit.decays.empty() && static_cast<double>(out.start / 2) >= kLeastSafe_s * whole.fs_Hz)
+  while (out.fit.decays.empty() && static_cast<double>(out.start / 2) >= kMinSafe_s * whole.fs_Hz)
     out = {.fit = fit_from(out.start / 2), .start = out.start / 2};
   for (int move = 0; move < kMaxMoves; ++move) {
     const std::size_t first = earliest_start(whole, out.fit, out.start);

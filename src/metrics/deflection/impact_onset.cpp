@@ -18,7 +18,7 @@ constexpr double kFloor = 1e-3;        // of the first extreme: misfit of (1)
 // An anti-alias filter rings before the touch: so many samples before the rise may swing to the other side.
 constexpr std::size_t kFilterRinging = 8;
 constexpr double kSmear_samples = 0.5;  // by which such a filter may shift the start of the rise
-constexpr double kLeastPower = 0.5, kMostPower = 2.5;
+constexpr double kMinPower = 0.5, kMaxPower = 2.5;
 constexpr int kPowers = 9, kTimes = 48, kPasses = 4;
 // Standard deviations of b and d of (1) before the samples are known. A half-sine has b = 0, d = −0.01; a structure of
 // several modes struck by a haversine about −0.2.
@@ -83,7 +83,7 @@ Onset mean_onset(const Rise& rise, double least, double most) {
     const auto time = [&](int k) { return least + step * (k + 0.5); };
     for (int k = 0; k < kTimes; ++k) {
       for (int p = 0; p < kPowers; ++p)
-        logs(k, p) = rise.log_probability(time(k), kLeastPower + (kMostPower - kLeastPower) * p / (kPowers - 1));
+        logs(k, p) = rise.log_probability(time(k), kMinPower + (kMaxPower - kMinPower) * p / (kPowers - 1));
     }
     const Eigen::ArrayXd weights = (logs - logs.maxCoeff()).exp().rowwise().sum();
     const Eigen::ArrayXd times = Eigen::ArrayXd::LinSpaced(kTimes, time(0), time(kTimes - 1));
