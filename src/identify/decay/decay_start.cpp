@@ -92,8 +92,9 @@ StartedFit fit_from_earliest_start(const FreeDecays& whole, std::size_t safe, co
   };
   StartedFit out{.fit = fit_from(safe), .start = safe};
   // Fast decays of weak records may have gone by then.
-  while (out.fit.decays.empty() && static_cast<double>(out.start / 2) >= kMinSafe_s * whole.fs_Hz)
-    out = {.fit = fit_from(out.start / 2), .start = out.start / 2};
+  for (std::size_t half = safe / 2; out.fit.decays.empty() && static_cast<double>(half) >= kMinSafe_s * whole.fs_Hz;
+       half /= 2)
+    out = {.fit = fit_from(half), .start = half};
   for (int move = 0; move < kMaxMoves; ++move) {
     const std::size_t first = earliest_start(whole, out.fit, out.start);
     if (static_cast<double>(out.start - first) <= kWorthwhile * static_cast<double>(out.start)) break;
