@@ -6,6 +6,7 @@
 
 #include "core/math/significance.hpp"
 #include "identify/hits/hit_laws.hpp"
+#include "identify/hits/moved_poles.hpp"
 #include "identify/hits/residues_by_hit.hpp"
 
 namespace percuss::identify {
@@ -85,6 +86,7 @@ void add_part(const ScatterOfHits& scatter, StdParts& parts, double& spread, dou
 void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window, const std::vector<double>& peak_N,
             std::vector<Mode>& modes, std::vector<ModeScatter>& scatter) {
   const auto fitted = fitted_hit_poles(set, hits, modes, window);
+  const std::vector<Pole> before = window.poles(modes);
   for (std::size_t i = 0; i < window.modes.size(); ++i) {
     const std::size_t m = window.modes[i];
     const ModeScatter again = scatter_of_mode(fitted[i], peak_N);
@@ -92,6 +94,7 @@ void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window
     scatter[m] = again;
     if (again.significant()) take_mean(modes[m], again, fitted[i].together);
   }
+  move_residues(set, window, before, modes);
 }
 
 // Whether the mode is clear in a hit that does not determine its pole. Near a node, where the mode is not clear, no hit

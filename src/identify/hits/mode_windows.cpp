@@ -1,6 +1,7 @@
 #include "identify/hits/mode_windows.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "identify/fit/windowed_fit.hpp"
 
@@ -59,6 +60,18 @@ void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes,
       data[o] -= residue.value * last.column.value;
     }
   }
+}
+
+std::vector<Eigen::VectorXcd> window_data(const FrfDataset& set, const std::vector<Mode>& modes,
+                                          const ModeWindow& window) {
+  std::vector<Eigen::VectorXcd> data;
+  for (const FrfChannel& channel : set.channels)
+    data.emplace_back(
+        Eigen::Map<const Eigen::VectorXcd>(channel.frf.data() + window.first, static_cast<Eigen::Index>(window.count)));
+  std::vector<std::size_t> same(data.size());
+  std::iota(same.begin(), same.end(), std::size_t{0});
+  subtract_other_modes(set, modes, window, same, data);
+  return data;
 }
 
 }  // namespace percuss::identify

@@ -23,4 +23,8 @@ std::vector<ModeWindow> mode_windows(const FrfDataset& set, const std::vector<Mo
 void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window,
                           const std::vector<std::size_t>& residue_of, std::vector<Eigen::VectorXcd>& data);
 
+/// The FRFs of `set` over a window, without the modes outside it: [channels of set][window.count].
+std::vector<Eigen::VectorXcd> window_data(const FrfDataset& set, const std::vector<Mode>& modes,
+                                          const ModeWindow& window);
+
 }  // namespace percuss::identify
