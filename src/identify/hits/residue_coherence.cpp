@@ -1,6 +1,7 @@
 #include "identify/hits/residue_coherence.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "identify/fit/local_fit.hpp"
 #include "identify/fit/variable_projection.hpp"
@@ -44,6 +45,14 @@ std::vector<ResidueSums> residue_sums(const FrfDataset& set, const HitFrfs& hits
 }
 
 }  // namespace
+
+std::optional<bool> follows_force(const ResidueCoherence& point) {
+  constexpr double kChance = 1e-3;
+  constexpr std::size_t kMinHits = 3;
+  if (point.hits < kMinHits) return std::nullopt;
+  // The coherence of n hits with independent phases exceeds c with the probability (1 − c)^(n − 1).
+  return point.coherence > 1 - std::pow(kChance, 1 / static_cast<double>(point.hits - 1));
+}
 
 std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window,

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "identify/hits/hit_frfs.hpp"
@@ -11,6 +12,10 @@ struct ResidueCoherence {
   double coherence = 0;  // Σ |Σ w r|² / Σ w over Σ Σ w |r|², outer sums over the channels; 1 where all hits agree
   std::size_t hits = 0;
 };
+
+/// Whether the residues follow the force: independent phases give a higher coherence once in a thousand times. Nothing
+/// with fewer than three hits, which do not show whether the phases are independent.
+std::optional<bool> follows_force(const ResidueCoherence& point);
 
 /// [points of set] for the mode window.modes[mode]. Each hit is fitted over the window at the modes' poles, which gives
 /// a residue r per channel; w is one over the variance of r. Each channel has its own mean: the residues of the test
