@@ -1,34 +1,23 @@
 #include "pipeline/analysis.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "frf/windows.hpp"
-#include "identify/modes_at_frequencies.hpp"
 #include "pipeline/hits/gate_choice.hpp"
 #include "pipeline/hits/hit_consistency.hpp"
 #include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/source/frf_source.hpp"
 #include "pipeline/source/record_source.hpp"
+#include "pipeline/stages/cancelled_tones.hpp"
+#include "pipeline/stages/hidden_modes.hpp"
 #include "pipeline/stages/hit_scatter.hpp"
 #include "pipeline/stages/mains_modes.hpp"
-#include "pipeline/stages/narrow_bands.hpp"
 #include "pipeline/stages/single_hits.hpp"
 
 namespace percuss::pipeline {
-namespace {
-
-// Whether modes that the whole band does not show are searched in narrow bands. Not with many points: where their
-// resonances differ, a narrow band shows weak modes that half of the points do not confirm.
-bool searches_narrow_bands(const identify::FrfDataset& set, const TestSpectra& from,
-                           const identify::IdentifyOptions& options) {
-  return options.effort != identify::Effort::quick && options.start_Hz.empty() && set.points.size() == 1 &&
-         !from.hits.empty();
-}
-
-}  // namespace
-
 Analysis::Analysis(acquire::Record record, AnalysisOptions options)
     : source_(std::make_shared<RecordSource>(std::move(record))),
       options_(std::move(options)),
@@ -188,12 +177,17 @@ const std::vector<identify::Mode>& Analysis::modes() const {
       identify::IdentifyOptions all = options_.modes;
       all.modes.reset();  // the number limits the modes within the band, not the modes of its margin
       std::vector<identify::Mode> found = identify::identify_modes(set, all);
-      if (searches_narrow_bands(set, from, all)) {
-        const std::vector<double> at_Hz = identify::unmodelled_frequencies_Hz(set, found);
-        if (!at_Hz.empty()) add_modes_at(at_Hz, found, set, single_hits(set, from, comparable_hits(from)), all.effort);
-      }
+      std::optional<identify::HitFrfs> built;
+      const auto hits = [&]() -> const identify::HitFrfs& {
+        if (!built) built = single_hits(set, from, comparable_hits(from));
+        return *built;
+      };
+      const bool searches = may_hide_modes(set, from, all);
+      const std::vector<Tone> wandering =
+          searches ? add_hidden_modes(found, tones, set, hits, all.effort) : std::vector<Tone>{};
       add_scatter_between_hits(set, from, options_.modes, found);
-      if (hums) remove_mains_modes(found, tones, set, single_hits(set, from, comparable_hits(from)));
+      if (!wandering.empty()) refit_modes_near_tones(found, wandering, set, hits(), all.effort);
+      if (hums) remove_mains_modes(found, tones, set, hits());
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
       if (options_.modes.modes) identify::keep_clearest(split.within, *options_.modes.modes);

@@ -137,8 +137,10 @@ std::vector<Warning> tone_warnings(const std::vector<Tone>& tones) {
                                "tones that no hit excites and whose phase wanders, with their size relative to the "
                                "largest response: " +
                                    tone_list(wandering) +
-                                   ". They cannot be removed: modes near them may be missing or false, and damping "
-                                   "there is off by more than its ±"},
+                                   ". No sinusoid removes them. With several channels and three hits of one point, "
+                                   "modes near them come from combinations of the channels in which they cancel; "
+                                   "otherwise such modes may be missing or false, and their damping is off by more "
+                                   "than its ±"},
                               kStopMachine));
   }
   return out;
