@@ -72,6 +72,7 @@ const std::vector<Level>& levels() {
       {"batch"},
       {"api"},  // include/percuss
       {"tools/cli"},
+      {"tools/cli/completion"},
       {"tools/commands"},
       {"tools/commands/batch", "tools/commands/model"},
       {"tools"},
