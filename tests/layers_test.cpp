@@ -71,6 +71,7 @@ const std::vector<Level>& levels() {
       {"report"},
       {"batch"},
       {"api"},  // include/percuss
+      {"tools/cli/pdf"},
       {"tools/cli"},
       {"tools/cli/completion"},
       {"tools/commands"},
