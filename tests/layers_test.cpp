@@ -71,7 +71,9 @@ const std::vector<Level>& levels() {
       {"report"},
       {"batch"},
       {"api"},  // include/percuss
+      {"tools/cli/pdf"},
       {"tools/cli"},
+      {"tools/cli/completion"},
       {"tools/commands"},
       {"tools/commands/batch", "tools/commands/model"},
       {"tools"},

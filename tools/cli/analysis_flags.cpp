@@ -157,6 +157,16 @@ pipeline::DelayCorrection parse_delay(const std::string& text) {
   return out;
 }
 
+// People count hits from 1, as the tables do.
+std::vector<std::size_t> hit_indices(const char* option, const std::vector<std::size_t>& numbers) {
+  std::vector<std::size_t> indices;
+  for (const std::size_t number : numbers) {
+    if (number == 0) throw OptionError::wrong_value(option, "0", "hits count from 1, as in the table of hits");
+    indices.push_back(number - 1);
+  }
+  return indices;
+}
+
 // A mode outside the band would be fitted but not reported.
 void require_within_band(const std::optional<std::pair<double, double>>& band_Hz, const std::vector<double>& start_Hz) {
   for (const double start : start_Hz) {
@@ -186,8 +196,8 @@ pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags) {
     throw OptionError({"to"}, "is not later than the start of the time selection",
                       "give a later time, in seconds from the start of each row", {"from"});
   }
-  options.accept_hits = flags.accept_hits;
-  options.reject_hits = flags.reject_hits;
+  options.accept_hits = hit_indices("accept_hit", flags.accept_hits);
+  options.reject_hits = hit_indices("reject_hit", flags.reject_hits);
   for (const std::size_t hit : flags.accept_hits) {
     for (const std::size_t other : flags.reject_hits) {
       if (hit == other)

@@ -115,7 +115,7 @@ void add_analyze(CommandLine& line) {
   command.example("percuss analyze bat.h5 --band 60:3200 -o report.html -o modes.json",
                   "Write the same as an HTML page and as a JSON document");
   command.example("percuss analyze bat.h5 --only hits", "Check the hits only (fast; use it during a session)");
-  command.example("percuss analyze bat.h5 --reject-hit 2 --effort quick --json",
+  command.example("percuss analyze bat.h5 --reject-hit 3 --effort quick --json",
                   "Reject the third hit, fit quickly, and print a JSON document");
   command.example("percuss analyze frfs.h5", "Fit FRFs that another program measured or computed");
   command.example("percuss analyze ping.wav", "Fit the free decay after a blow that a microphone recorded");

@@ -62,7 +62,7 @@ std::string text_of(const CalibrateFlags& flags, const acquire::Record& record,
                            {"N per unit", report::TextTable::Align::right},
                            {""}});
   for (const acquire::CalibrationHit& hit : calibration.hits) {
-    table.add({fmt::format("{}", hit.index), fmt::format("{:.3f} s", hit.time_s), fmt::format("{:.5g}", hit.peak_force),
+    table.add({fmt::format("{}", hit.index + 1), fmt::format("{:.3f} s", hit.time_s), fmt::format("{:.5g}", hit.peak_force),
                fmt::format("{:.4g} m/s²", hit.peak_accel_mps2), report::value_with_std(hit.scale, hit.scale_std),
                hit.used ? "" : "not used: too weak"});
   }

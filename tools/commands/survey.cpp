@@ -9,6 +9,7 @@
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "cli/output.hpp"
+#include "cli/page_output.hpp"
 #include "cli/progress.hpp"
 #include "cli/provenance.hpp"
 #include "commands/commands.hpp"
@@ -96,8 +97,8 @@ void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, con
     const std::string kind = extension_of(path);
     if (kind == ".json") {
       write_file(path, document, flags.output.force);
-    } else if (is_html(path)) {
-      write_file(path, report::survey_page(survey, provenance_now(flags.output)), flags.output.force);
+    } else if (is_page(path)) {
+      write_page(path, report::survey_page(survey, provenance_now(flags.output, flags.read.setup_path)), flags.output);
     } else if (extension_of(path) == ".svg") {
       write_file(path, report::svg_document(report::survey_charts(survey, flags.pictures)), flags.output.force);
     } else if (!survey.analysis().possible()) {

@@ -33,7 +33,7 @@ UffFunction described(const Record& record, const RowInfo& row, int offset) {
 void write_row_functions(UffOutput& out, const Record& record, std::size_t row, int offset) {
   const RowInfo& info = record.rows[row];
   UffFunction function = described(record, info, offset);
-  function.id[0] = fmt::format("hit {}", row);
+  function.id[0] = fmt::format("hit {}", row + 1);
   function.response = {"force", info.point + offset, 0};
   function.ordinate = {Uff58::excitation_force, "Force", "N"};
   out.function_of(function, info.samples,
