@@ -1,5 +1,6 @@
 #include "report/html/title_block.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -8,7 +9,8 @@
 namespace percuss::report {
 namespace {
 
-constexpr std::size_t kMaxText_bytes = 1000;  // of one row
+constexpr std::size_t kMaxText_bytes = 1000;    // of one row
+constexpr std::size_t kMaxLine_bytes = 20'000;  // of the note
 
 std::string row_html(const std::string& what, const std::string& text) {
   if (text.empty()) return "";
@@ -25,10 +27,11 @@ std::string note_html(const std::string& note) {
   };
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.find_first_not_of(" \t") == std::string::npos) {
+    std::replace(line.begin(), line.end(), '\t', ' ');
+    if (line.find_first_not_of(' ') == std::string::npos) {
       close();
     } else {
-      paragraph += (paragraph.empty() ? "" : "<br>") + html_escape(line);
+      paragraph += (paragraph.empty() ? "" : "<br>") + html_escape(one_line(line, kMaxLine_bytes));
     }
   }
   close();
