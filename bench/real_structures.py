@@ -42,7 +42,7 @@ is at most 5 % of the ratio. The results of a test are wrong in one of these cas
 Each test has one outcome:
 
 - right: results are not wrong, and all modes are within 3 of their stated standard deviations; fair: within 5
-- UNNAMED: takes the place of right and fair where the imperfection makes the standard deviations unreliable and no
+- UNNAMED: the test would be right or fair, but the imperfection makes the standard deviations unreliable, and no
   message names it
 - named: results are wrong, and a message names the imperfection; warned: results are wrong, and a message says that
   they may be; SILENT: results are wrong, and there is no such message

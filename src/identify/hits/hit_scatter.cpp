@@ -16,7 +16,9 @@ constexpr double kSignificantScatter = 3.1;  // normal deviate of χ²: one clea
 constexpr double kSignificantTrend = 3.7;    // standard deviations of a slope: one clean pair of slopes in 2000
 constexpr double kCoverage = 1.96;           // normal deviate of the 95 % interval, which Student's factor keeps
 constexpr std::size_t kMinHits = 2;
-constexpr double kClear = 20;  // standard deviations of a residue in one hit: a fixed pole would then be determined
+// Standard deviations of a residue in one hit. Such a hit determines its pole, unless the pole changes during the hit
+// or differs much from the mean.
+constexpr double kClear = 20;
 
 // A mode's frequency and damping ratio in the hits that determine its pole.
 struct Known {
