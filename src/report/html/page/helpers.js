@@ -47,6 +47,8 @@ const legend = (figure, names) => {
 
 const axis = (label, more) => ({ label, stroke: () => colour("--ink"), grid: { stroke: () => colour("--rule"), width: 1 }, ticks: { stroke: () => colour("--rule") }, font: "13px system-ui", labelFont: "13px system-ui", ...more });
 const plots = [];
+// Functions that draw other figures again: of a width, and of whether it is paper.
+const resizable = [];
 
 // Plots curves over one x. Plots with `shared` zoom together.
 const plot = (figure, height, x, y, xs, series, options = {}) => {

@@ -3,7 +3,10 @@ for (const draw of [frequencyPlots, indicatorPlot, hitPlots, stabilisationPlot, 
 document.documentElement.dataset.drawn = "yes";
 document.documentElement.dataset.drawnMs = Math.round(performance.now() - began);
 
-const resize = (widthOf) => { for (const d of plots) d.plot.setSize({ width: Math.max(320, widthOf(d.figure)), height: d.height }); };
+const resize = (widthOf, paper) => {
+  for (const d of plots) d.plot.setSize({ width: Math.max(320, widthOf(d.figure)), height: d.height });
+  for (const change of resizable) change((figure) => Math.max(320, widthOf(figure)), paper);
+};
 let waiting = 0;
 addEventListener("resize", () => {
   clearTimeout(waiting);
@@ -17,7 +20,7 @@ const kPaperWidth = 640;
 addEventListener("beforeprint", () => {
   document.documentElement.dataset.paper = "yes";
   for (const details of document.querySelectorAll("details")) details.open = true;
-  resize(() => kPaperWidth);
+  resize(() => kPaperWidth, true);
 });
 addEventListener("afterprint", () => {
   delete document.documentElement.dataset.paper;
