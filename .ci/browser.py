@@ -12,6 +12,7 @@ import tempfile
 import time
 
 from PIL import Image
+import browser_shapes
 from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
@@ -219,6 +220,7 @@ def pages(work):
         ("compared", ["analyze", at("composite-bat.h5"), "--compare", at("model.json")], 10, 1),
         ("deflection-section", ["analyze", at("composite-bat.h5"), "--only", "modes,deflection"], 1, 1),
         ("survey", ["survey", at("roving-barrel.h5")], 10, 0),
+        *((f"survey-{kind}", ["survey", at("roving-barrel.h5"), "--geometry", browser_shapes.geometry(work / f"{kind}.csv", kind)], 10, 0) for kind in browser_shapes.GEOMETRIES),
         ("frf", ["frf", at("composite-bat.h5")], 6, 0),
         ("nodes", ["nodes", scan, "--positions", "3:0.5:9in"], 2, 1),
         ("deflect", ["deflect", at("composite-bat.h5")], 0, 1),
@@ -237,7 +239,7 @@ def pages(work):
 
 
 def check_sizes(driver, work):
-    """A page of two accelerometers with 8001 spectral lines each is drawn within a second; a survey of 120 points has at most 500 kB and is drawn
+    """A page of two accelerometers with 8001 spectral lines each loads within a second; a survey of 120 points has at most 500 kB and is drawn
     within 100 ms."""
     modes = [{"frequency_hz": f, "damping_ratio": 0.004, "family": family, "order": n, "amplitude_per_sqrt_kg": 2}
              for f, family, n in ((205, "bending", 1), (690, "bending", 2), (2100, "hoop", 1), (2880, "hoop", 2))]
@@ -279,6 +281,8 @@ def main():
             check_zoom(driver, work / "bat-composite.html")
             check_animation(driver, work / "bat-composite.html", "movement")
             check_animation(driver, work / "survey.html", "shapes")
+            for kind in ("", *(f"-{kind}" for kind in browser_shapes.GEOMETRIES)):
+                browser_shapes.check_shapes(driver, work / f"survey{kind}.html", load, emulate, check)
             check_animation(driver, work / "nodes.html", "bending")
             check_fit(driver, work / "bat-composite.html", check, load, survey=False)
             check_paper(driver, work / "bat-composite.html", check, load)

@@ -67,7 +67,7 @@ const std::vector<Level>& levels() {
       {"report/text"},
       {"report/json"},
       {"report/svg"},
-      {"report/html"},
+      {"report/gltf", "report/html"},
       {"report"},
       {"batch"},
       {"api"},  // include/percuss

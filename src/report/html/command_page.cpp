@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "report/html/html_page.hpp"
+#include "report/html/mac_table.hpp"
 #include "report/text/html_escape.hpp"
 
 namespace percuss::report {
@@ -39,6 +40,9 @@ std::string command_page(const CommandReport& report, const std::vector<std::str
   std::string charts;
   for (const LineChart& chart : report.charts) charts += page_chart(chart);
   if (!charts.empty()) body += page_section("charts", "Charts", charts);
+  std::string macs;
+  for (const MacMatrix& matrix : report.macs) macs += mac_table_html(matrix);
+  if (!macs.empty()) body += page_section("mac", "Likeness of the shapes (MAC)", macs);
   body += page_section("provenance", "Provenance", page_provenance(files_of(inputs), provenance)) + "</main>\n";
   return HtmlPage{.title = page_title(title, provenance.title_block),
                   .body = body,

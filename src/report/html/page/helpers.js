@@ -49,6 +49,8 @@ const axis = (label, more) => ({ label, stroke: () => colour("--ink"), grid: { s
 const plots = [];
 // Functions by figure that draw what is no uPlot, for a change of colours or paper.
 const redraws = new Map();
+// Functions that draw other figures again: of a width, and of whether it is paper.
+const resizable = [];
 
 // Plots curves over one x. Plots with `shared` zoom together.
 const plot = (figure, height, x, y, xs, series, options = {}) => {

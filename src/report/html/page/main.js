@@ -3,9 +3,10 @@ for (const draw of [frequencyPlots, fitPlots, indicatorPlot, hitPlots, stabilisa
 document.documentElement.dataset.drawn = "yes";
 document.documentElement.dataset.drawnMs = Math.round(performance.now() - began);
 
-const resize = (widthOf) => {
+const resize = (widthOf, paper) => {
   for (const d of plots) d.plot.setSize({ width: Math.max(320, widthOf(d.figure)), height: d.height });
   for (const redraw of redraws.values()) redraw();
+  for (const change of resizable) change((figure) => Math.max(320, widthOf(figure)), paper);
 };
 let waiting = 0;
 addEventListener("resize", () => {
@@ -22,7 +23,7 @@ const paperWidth = Number(colour("--print-width"));
 addEventListener("beforeprint", () => {
   document.documentElement.dataset.paper = "yes";
   for (const details of document.querySelectorAll("details")) details.open = true;
-  resize(() => paperWidth);
+  resize(() => paperWidth, true);
 });
 addEventListener("afterprint", () => {
   delete document.documentElement.dataset.paper;
