@@ -55,6 +55,7 @@ std::vector<double> unmodelled_frequencies_Hz(const FrfDataset& set, const std::
   std::vector<UnmodelledPeak> peaks = unmodelled_peaks(set, modes, kPeakRange_dB);
   std::stable_sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.level_dB > b.level_dB; });
   std::vector<double> out;
+  out.reserve(peaks.size());
   for (const UnmodelledPeak& peak : peaks) out.push_back(peak.freq_Hz);
   for (const Pole& pole : unmodelled_poles(set, modes)) {
     const bool away = std::all_of(modes.begin(), modes.end(), [&](const Mode& mode) {

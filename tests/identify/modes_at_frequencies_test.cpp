@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "identify/identify.hpp"
@@ -13,7 +14,8 @@ namespace percuss::identify {
 namespace {
 
 constexpr double kDeviations = 5;  // of a few values: one false alarm in a million
-constexpr Pole kPair[] = {{.freq_Hz = 518.1, .damping_ratio = 0.0009}, {.freq_Hz = 520.3, .damping_ratio = 0.001}};
+constexpr std::array<Pole, 2> kPair = {
+    {{.freq_Hz = 518.1, .damping_ratio = 0.0009}, {.freq_Hz = 520.3, .damping_ratio = 0.001}}};
 
 // A strong mode, and two close ones that are its hundredth.
 FrfDataset strong_mode_and_pair() {

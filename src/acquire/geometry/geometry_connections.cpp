@@ -34,9 +34,10 @@ void add_numbers(std::string_view text, const std::string& where, std::vector<in
 
 void require_count(const Connection& connection) {
   const std::size_t least = connection.face ? 3 : 2;
-  if (connection.points.size() < least)
+  if (connection.points.size() < least) {
     throw InputError(connection.face ? "a face with fewer than three corners" : "a line with fewer than two points",
                      connection.where, kRowRemedy);
+  }
   if (connection.face && connection.points.size() > kMaxCorners)
     throw InputError("a face with more than 100 corners", connection.where, "divide it");
 }

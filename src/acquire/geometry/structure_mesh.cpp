@@ -75,7 +75,7 @@ bool is_flat(const MeshAxes& axes) { return axes.extent[2] <= kFlat * axes.exten
 
 MeshAxes axes_of(MeshPoints points) {
   const Vector3d middle = middle_of(points);
-  const MeshAxes along_xyz = axes_from(points, middle, {Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()});
+  MeshAxes along_xyz = axes_from(points, middle, {Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()});
   if (is_straight(points, along_xyz)) return along_xyz;
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const auto& p : points) spread += (vector_of(p) - middle) * (vector_of(p) - middle).transpose();
@@ -87,7 +87,7 @@ MeshAxes axes_of(MeshPoints points) {
     axis.cwiseAbs().maxCoeff(&largest);
     principal.at(i) = axis[largest] < 0 ? Vector3d(-axis) : axis;
   }
-  const MeshAxes along_principal = axes_from(points, middle, principal);
+  MeshAxes along_principal = axes_from(points, middle, principal);
   return is_flat(along_xyz) && !is_straight(points, along_principal) ? along_xyz : along_principal;
 }
 

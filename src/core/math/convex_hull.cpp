@@ -13,7 +13,7 @@ namespace {
 
 // Coordinates are whole numbers of at most 46 bits, so that their determinants fit 128 bits: no sign is ever wrong, and
 // the hull of any input is a closed surface.
-__extension__ typedef __int128 Wide;
+__extension__ using Wide = __int128;
 using Vertex = std::array<std::int64_t, 3>;
 
 constexpr double kPlaneSteps = 1 << 20, kSphereSteps = 1 << 30;

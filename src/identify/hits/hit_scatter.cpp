@@ -131,7 +131,7 @@ ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vecto
   const auto [first, weights, squares] = weighted(0);
   double chi2 = 0;
   for (std::size_t i = 0; i < value.size(); ++i) chi2 += std::pow((value[i] - first) / std[i], 2);
-  const double degrees = static_cast<double>(value.size() - 1);
+  const auto degrees = static_cast<double>(value.size() - 1);
   const double spread2 = std::max(0.0, (chi2 - degrees) / (weights - squares / weights));
   const auto [mean, certainty, unused] = weighted(spread2);
   static_cast<void>(unused);

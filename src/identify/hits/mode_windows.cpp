@@ -52,11 +52,12 @@ void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes,
       const std::size_t point = set.channels[o].point;
       const PointForce& force = set.points[point];
       const bool same_point = last.point == point || decays_within_record(pole, force, set.lines);
-      if (!last.any || !(last.pole == pole) || !same_point)
+      if (!last.any || !(last.pole == pole) || !same_point) {
         last = {.any = true,
                 .pole = pole,
                 .point = point,
                 .column = mode_column(pole, force, set.lines, window.first, window.count, ColumnContent::value)};
+      }
       data[o] -= residue.value * last.column.value;
     }
   }
@@ -65,9 +66,10 @@ void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes,
 std::vector<Eigen::VectorXcd> window_data(const FrfDataset& set, const std::vector<Mode>& modes,
                                           const ModeWindow& window) {
   std::vector<Eigen::VectorXcd> data;
-  for (const FrfChannel& channel : set.channels)
+  for (const FrfChannel& channel : set.channels) {
     data.emplace_back(
         Eigen::Map<const Eigen::VectorXcd>(channel.frf.data() + window.first, static_cast<Eigen::Index>(window.count)));
+  }
   std::vector<std::size_t> same(data.size());
   std::iota(same.begin(), same.end(), std::size_t{0});
   subtract_other_modes(set, modes, window, same, data);

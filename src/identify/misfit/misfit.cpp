@@ -29,9 +29,10 @@ constexpr std::size_t kFlopsPerLine = 600;
 VectorXd noise_of(const ProjectedState& state, Index channels, double freedom) {
   VectorXd noise(channels);
   for (const ProjectedPart& part : state.parts) {
-    for (std::size_t i = 0; i < part.channels.size(); ++i)
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
       noise(static_cast<Index>(part.channels[i])) =
           std::max(kMinNoise, std::sqrt(part.residual.col(static_cast<Index>(i)).squaredNorm() / freedom));
+    }
   }
   return noise;
 }
@@ -43,9 +44,10 @@ MatrixXcd residue_products(const ProjectedPart& part, const VectorXd& noise) {
   for (std::size_t i = 0; i < part.channels.size(); ++i) {
     const double w = noise(static_cast<Index>(part.channels[i]));
     for (Index r = 0; r < n; ++r) {
-      for (Index c = 0; c < n; ++c)
+      for (Index c = 0; c < n; ++c) {
         sum(r, c) += std::conj(part.amplitude(r / 2, static_cast<Index>(i))) *
                      part.amplitude(c / 2, static_cast<Index>(i)) / (w * w);
+      }
     }
   }
   return sum;

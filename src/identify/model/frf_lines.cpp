@@ -24,9 +24,10 @@ FrfDataset lines_of(const FrfDataset& set, std::size_t first, std::size_t count)
     its.ff = part_of(point.ff, first, count);
     for (const frf::Spectrum& spectrum : point.spectra) its.spectra.emplace_back(spectrum, spectrum.get() + first);
   }
-  for (const FrfChannel& channel : set.channels)
+  for (const FrfChannel& channel : set.channels) {
     part.channels.push_back(
         {.point = channel.point, .channel = channel.channel, .frf = part_of(channel.frf, first, count)});
+  }
   return part;
 }
 

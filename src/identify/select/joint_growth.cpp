@@ -104,6 +104,7 @@ std::vector<Pole> clear_starts(const FrfDataset& set, std::vector<Pole> starts, 
   }
   std::sort(ranks.begin(), ranks.end());
   std::vector<Pole> clear;
+  clear.reserve(ranks.size());
   for (const auto& [rank, m] : ranks) clear.push_back(starts[m]);
   return clear;
 }

@@ -133,7 +133,7 @@ std::string frame_glb(const Wireframe& frame) {
   GlbBuffer buffer;
   const SharedParts parts = add_shared_parts(frame.mesh, buffer);
   const double size = size_of(frame.mesh.points), scale = kDrawnAmplitude * size;
-  const std::size_t columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(frame.modes.size()))));
+  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(frame.modes.size()))));
   Json meshes = Json::array(), nodes = Json::array(), children = Json::array(), animations = Json::array();
   meshes.push_back({{"name", "at rest"},
                     {"primitives", Json::array({primitive({{"POSITION", parts.positions}},
@@ -142,8 +142,8 @@ std::string frame_glb(const Wireframe& frame) {
   for (std::size_t m = 0; m < frame.modes.size(); ++m) {
     const WireframeMode& mode = frame.modes[m];
     const std::string name = fmt::format("{}, {} Hz", mode.name, hertz_text(mode.freq_Hz));
-    const Json place{static_cast<double>(m % columns) * kSpacing * size,
-                     -static_cast<double>(m / columns) * kSpacing * size, 0};
+    const std::size_t row = m / columns, column = m % columns;
+    const Json place{static_cast<double>(column) * kSpacing * size, -static_cast<double>(row) * kSpacing * size, 0};
     meshes.push_back(mesh_json(mode, frame.mesh, parts, scale, buffer));
     children.push_back(nodes.size());
     animations.push_back(animation_json(name, nodes.size(), parts));

@@ -58,6 +58,7 @@ std::string packed_frf(const std::vector<Complex>& measured, const std::vector<C
 
 std::string packed_lines(const std::vector<std::size_t>& lines) {
   std::vector<std::int32_t> numbers;
+  numbers.reserve(lines.size());
   for (const std::size_t line : lines) numbers.push_back(static_cast<std::int32_t>(line));
   RiceCode code;
   code.add(numbers);

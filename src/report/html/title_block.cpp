@@ -47,7 +47,7 @@ std::string page_header(const std::string& name, const std::string& conditions, 
   for (const auto& [what, text] : block.facts) rows += row_html(what, text);
   if (!block.title.empty()) rows += row_html("Record", name);
   const std::string logo =
-      block.logo.empty() ? "" : "<img class=\"logo\" alt=\"Logo\" src=\"" + html_escape(block.logo) + "\">\n";
+      block.logo.empty() ? "" : R"(<img class="logo" alt="Logo" src=")" + html_escape(block.logo) + "\">\n";
   const std::string shown_conditions =
       conditions.empty() ? "" : "<p class=\"conditions\">" + html_escape(conditions) + "</p>\n";
   return "<header>\n" + logo + "<h1>" + html_escape(title) + "</h1>\n" + shown_conditions +

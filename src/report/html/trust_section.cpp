@@ -156,10 +156,11 @@ std::string PageWarnings::section() const {
     if (const std::size_t count = part == PagePart::whole ? 0 : of(part).size(); count > 0)
       elsewhere += fmt::format("{}{} ({})", elsewhere.empty() ? "" : ", ", name_of_part(part), count);
   }
-  if (statements_.empty())
+  if (statements_.empty()) {
     content = page_paragraph("Nothing was found that puts the results or their ± in doubt.");
-  else if (content.empty())
+  } else if (content.empty()) {
     content = page_paragraph("Nothing was found that makes the results wrong.");
+  }
   if (!elsewhere.empty())
     content += page_paragraph("Further warnings stand beside what they concern: " + elsewhere + ".");
   return page_section("trust", "How far can this test be trusted?", content);

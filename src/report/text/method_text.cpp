@@ -69,9 +69,10 @@ void add_signals(const pipeline::Analysis& analysis, Sentences& out) {
           : "No window was applied to the responses; the decay that a record cuts off is part of the model "
             "(3.3).");
   const auto& delays = analysis.corrected_delays();
-  if (!delays.empty())
+  if (!delays.empty()) {
     out.emplace_back(options.delays.automatic ? "Delays of channels that the phases of the modes show were taken out."
                                               : "The stated delays of the channels were taken out.");
+  }
 }
 
 const char* equation_of(frf::Estimator estimator) {
@@ -133,19 +134,21 @@ void add_modes(const pipeline::Analysis& analysis, Sentences& out, bool shapes_d
   out.emplace_back(effort_sentence(options.modes.effort));
   if (options.modes.modes)
     out.push_back(fmt::format("The user limited the modes to the {} clearest.", *options.modes.modes));
-  if (!options.modes.start_Hz.empty())
+  if (!options.modes.start_Hz.empty()) {
     out.push_back(fmt::format("The user gave {} to fit from; no others were sought.",
                               counted(options.modes.start_Hz.size(), "frequency") == "1 frequency"
                                   ? "1 frequency"
                                   : fmt::format("{} frequencies", options.modes.start_Hz.size())));
+  }
   const auto& modes = analysis.modes();
   const bool hits = std::any_of(modes.begin(), modes.end(), [](const auto& m) { return m.freq_std_parts_Hz.hits > 0; });
   const bool misfit =
       std::any_of(modes.begin(), modes.end(), [](const auto& m) { return m.freq_std_parts_Hz.misfit > 0; });
-  if (!modes.empty())
+  if (!modes.empty()) {
     out.push_back(fmt::format("Each ± is one standard deviation, from the noise (4.12){}{}.",
                               hits ? ", the scatter between the hits (4.19)" : "",
                               misfit ? " and the misfit of the model (4.20)" : ""));
+  }
   add_classes(analysis, out, shapes_decide);
   if (!modes.empty()) out.emplace_back("The fit was judged by FRFs synthesised from the modes, with their FRAC (5.5).");
 }

@@ -102,9 +102,10 @@ std::string mac_text(const pipeline::Survey& survey) {
     for (std::size_t j = 0; j < i; ++j) {
       const identify::Mac& mac = survey.macs()[i][j];
       most = std::max(most, mac.value);
-      if (mac.value > kMinMac)
+      if (mac.value > kMinMac) {
         text +=
             fmt::format("{}{} and {} ({})", text.empty() ? "" : ", ", j + 1, i + 1, value_with_std(mac.value, mac.std));
+      }
     }
   }
   if (survey.macs().size() < 2) return "";

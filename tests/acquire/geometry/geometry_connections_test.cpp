@@ -54,8 +54,10 @@ TEST(GeometryConnections, RejectsWhatConnectsNoPoints) {
       {"face,0,1,99999999999999999999\n", "is not a point number"},
       {"line,0,\x1b[31m\n", "is not a point number"},
   };
-  for (const auto& [row, message] : wrong)
-    EXPECT_THAT(input_error_of([&] { parse_geometry(kPoints + row, "g"); }), HasSubstr(message)) << row;
+  for (const auto& [row, message] : wrong) {
+    const std::string text = kPoints + row;
+    EXPECT_THAT(input_error_of([&] { parse_geometry(text, "g"); }), HasSubstr(message)) << row;
+  }
   std::string many = "face";
   for (int i = 0; i < 200; ++i) many += "," + std::to_string(i % 4);
   EXPECT_THAT(input_error_of([&] { parse_geometry(kPoints + many + "\n", "g"); }), HasSubstr("more than 100 corners"));

@@ -251,9 +251,10 @@ TEST(BeamStructure, AgreesWithIntegratedEquationsOnEachSupport) {
       {BeamSupport::clamped, {37.09876125, 398.8287044, 968.6491113, 1299.939292, 2355.513044}}};
   for (const auto& [kind, exact_Hz] : reference) {
     const BatModes modes = bat_modes(hollow_bat(kind), kFine);
-    for (std::size_t i = 0; i < exact_Hz.size(); ++i)
+    for (std::size_t i = 0; i < exact_Hz.size(); ++i) {
       EXPECT_NEAR(modes.freq_Hz[static_cast<Eigen::Index>(i)], exact_Hz[i], 2 * kElements * exact_Hz[i])
           << static_cast<int>(kind) << " " << i;
+    }
   }
 }
 

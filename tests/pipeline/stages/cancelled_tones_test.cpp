@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -12,9 +13,9 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr identify::Pole kModes[] = {{.freq_Hz = 591, .damping_ratio = 0.0066},
-                                     {.freq_Hz = 598, .damping_ratio = 0.0077}};
-constexpr double kResidues[2][2] = {{1, 0.5}, {-0.4, 1}};  // [modes][channels]
+constexpr std::array<identify::Pole, 2> kModes = {
+    {{.freq_Hz = 591, .damping_ratio = 0.0066}, {.freq_Hz = 598, .damping_ratio = 0.0077}}};
+constexpr std::array<std::array<double, 2>, 2> kResidues = {{{1, 0.5}, {-0.4, 1}}};  // [modes][channels]
 constexpr double kTone_Hz = 641, kNoise = 0.02;
 constexpr std::size_t kHits = 5;
 constexpr double kDeviations = 5;  // of four values: one false alarm in 400 000
