@@ -79,7 +79,7 @@ TEST_F(AnalyzeResponses, TakesSoundPressures) {
     arguments.emplace_back("--json");
     const auto outcome = run_percuss(arguments, {.folder = folder_.path()});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    const json document = test::parse_json(outcome.out);
+    json document = test::parse_json(outcome.out);
     EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty());
     return document;
   };

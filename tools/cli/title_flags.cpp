@@ -12,9 +12,10 @@ namespace {
 constexpr std::size_t kMaxLine_bytes = 500, kMaxNote_bytes = 20'000;
 
 const std::string& checked(const OptionId& option, const std::string& text) {
-  if (text.size() > kMaxLine_bytes)
+  if (text.size() > kMaxLine_bytes) {
     throw OptionError({option}, fmt::format("has {} bytes", text.size()),
                       fmt::format("give {} at most", kMaxLine_bytes));
+  }
   return text;
 }
 

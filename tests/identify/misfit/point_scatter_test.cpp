@@ -34,7 +34,10 @@ Eigen::VectorXd scatter_of(const std::vector<double>& off_Hz, const std::vector<
   return point_scatter_std(projection, projection.evaluate({kPole}), 1);
 }
 
-std::vector<double> equal(std::size_t points) { return std::vector<double>(points, 1); }
+std::vector<double> equal(std::size_t points) {
+  std::vector<double> ones(points, 1);
+  return ones;
+}
 
 // The mean of n frequencies whose squared deviations have the sum S has the variance S/(n (n − 1)). The points weigh
 // alike. The deviations are 500 times those that the noise causes, and the step is linear to (0.1 Hz/7 Hz)² in each.

@@ -34,7 +34,7 @@ class TestReport : public testing::Test {
 TEST_F(TestReport, CarriesItsTitleBlock) {
   test::write_small_test(folder_.file("bat.h5"));
   test::write_bytes(folder_.file("note.txt"), "First line\n\n<b>second</b>\n");
-  test::write_bytes(folder_.file("logo.svg"), "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0\"/></svg>");
+  test::write_bytes(folder_.file("logo.svg"), R"(<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0"/></svg>)");
   const std::string page =
       page_of(folder_.file("bat.h5"),
               {"--title", "Test of <a> bat", "--customer", "A & B", "--operator", "O", "--specimen", "S 1", "--note",
