@@ -50,9 +50,10 @@ int analyze(const AnalyzeFlags& flags) {
   const auto lacks_force = [](const acquire::Record& record) { return !record.has_force; };
   const auto without = std::find_if(opened.records.begin(), opened.records.end(), lacks_force);
   if (without != opened.records.end()) {
-    if (!std::all_of(opened.records.begin(), opened.records.end(), lacks_force))
+    if (!std::all_of(opened.records.begin(), opened.records.end(), lacks_force)) {
       throw InputError("no force where another file has one", without->source(),
                        "analyse files with a force and files without one separately");
+    }
     return analyze_responses(flags, std::move(opened.records), bat);
   }
   const Progress progress("analysing", flags.output.quiet);

@@ -58,8 +58,10 @@ std::string program_in_path(const std::string& name) {
   const char* const folders = std::getenv("PATH");
   std::istringstream list(folders != nullptr ? folders : "");
   for (std::string folder; std::getline(list, folder, ':');) {
-    const std::string path = folder + "/" + name;
-    if (!folder.empty() && is_program(path)) return path;
+    if (folder.empty()) continue;
+    folder += "/";
+    folder += name;
+    if (is_program(folder)) return folder;
   }
   return "";
 }
@@ -84,6 +86,7 @@ std::vector<std::string> browser_arguments(const std::string& browser, const Scr
 // Starts a program as the leader of a process group, without input and output.
 pid_t start(const std::vector<std::string>& words, const std::string& where) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t files{};
@@ -121,14 +124,14 @@ bool ended(pid_t child) {
 std::string find_browser(const std::string& where) {
   const char* const named = std::getenv("PERCUSS_BROWSER");
   if (named != nullptr && *named != '\0') {
-    const std::string found = program_in_path(named);
+    std::string found = program_in_path(named);
     if (!found.empty()) return found;
     throw InputError("PERCUSS_BROWSER names no program: " + one_line(named), where,
                      "name Chromium, Chrome or Edge, or write .html and print it from a browser");
   }
   for (const char* name : {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome",
                            "microsoft-edge", "microsoft-edge-stable"}) {
-    const std::string found = program_in_path(name);
+    std::string found = program_in_path(name);
     if (!found.empty()) return found;
   }
   throw InputError("no browser is installed that could print a PDF", where,
