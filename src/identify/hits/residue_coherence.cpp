@@ -48,8 +48,8 @@ std::vector<ResidueSums> residue_sums(const FrfDataset& set, const HitFrfs& hits
 
 std::optional<bool> follows_force(const ResidueCoherence& point) {
   constexpr double kChance = 1e-3;
-  constexpr std::size_t kMinHits = 3;
-  if (point.hits < kMinHits) return std::nullopt;
+  constexpr std::size_t kLeastHits = 3;
+  if (point.hits < kLeastHits) return std::nullopt;
   // The coherence of n hits with independent phases exceeds c with the probability (1 − c)^(n − 1).
   return point.coherence > 1 - std::pow(kChance, 1 / static_cast<double>(point.hits - 1));
 }
