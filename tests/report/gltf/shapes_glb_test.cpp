@@ -47,7 +47,8 @@ struct Glb {
     std::vector<double> out;
     for (std::size_t i = 0; i < parts * accessor["count"].get<std::size_t>(); ++i) {
       const std::uint32_t bits = word(buffer, view["byteOffset"].get<std::size_t>() + 4 * i);
-      out.push_back(accessor["componentType"] == 5126 ? double{std::bit_cast<float>(bits)} : static_cast<double>(bits));
+      out.push_back(accessor["componentType"] == 5126 ? static_cast<double>(std::bit_cast<float>(bits))
+                                                      : static_cast<double>(bits));
     }
     EXPECT_EQ(view["byteLength"], 4 * out.size());
     return out;
