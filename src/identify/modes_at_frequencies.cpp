@@ -5,7 +5,6 @@
 
 #include "identify/hits/mode_windows.hpp"
 #include "identify/identify.hpp"
-#include "identify/model/frf_lines.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
 
 namespace percuss::identify {
@@ -27,26 +26,6 @@ bool is_among(const std::vector<Mode>& modes, const Mode& mode, double line_Hz) 
     const double width_Hz = std::max({mode.pole.half_power_Hz(), other.pole.half_power_Hz(), line_Hz});
     return std::abs(mode.pole.freq_Hz - other.pole.freq_Hz) <= width_Hz;
   });
-}
-
-// The lines around a frequency, and the modes within them.
-ModeWindow window_around(const FrfDataset& set, const std::vector<Mode>& modes, double freq_Hz) {
-  const double reach = std::max(kMinLines, kPartOfFrequency * freq_Hz / set.lines.df_Hz());
-  const double at = set.lines.position(freq_Hz);
-  ModeWindow window{.first = set.lines.at(at - reach)};
-  window.count = set.lines.at(at + reach) - window.first + 1;
-  for (std::size_t m = 0; m < modes.size(); ++m) {
-    const double line = set.lines.position(modes[m].pole.freq_Hz) - static_cast<double>(window.first);
-    if (line >= 0 && line < static_cast<double>(window.count)) window.modes.push_back(m);
-  }
-  return window;
-}
-
-FrfDataset frfs_within(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window) {
-  FrfDataset part = lines_of(set, window.first, window.count);
-  const std::vector<Eigen::VectorXcd> data = window_data(set, modes, window);
-  for (std::size_t o = 0; o < data.size(); ++o) part.channels[o].frf.assign(data[o].begin(), data[o].end());
-  return part;
 }
 
 }  // namespace
@@ -74,7 +53,8 @@ std::vector<Mode> modes_at_frequencies(const FrfDataset& set, const std::vector<
   for (std::size_t f = 0; f < std::min(freq_Hz.size(), kMaxFrequencies); ++f) {
     const auto is_there = [&, at_Hz = freq_Hz[f]](const Mode& mode) { return describes(mode, at_Hz, line_Hz); };
     if (std::any_of(added.begin(), added.end(), is_there)) continue;
-    const ModeWindow window = window_around(set, modes, freq_Hz[f]);
+    const double reach = std::max(kMinLines, kPartOfFrequency * freq_Hz[f] / line_Hz);
+    const ModeWindow window = window_around(set, modes, freq_Hz[f], reach);
     for (Mode& mode : identify_modes(frfs_within(set, modes, window), {.effort = effort})) {
       if (is_there(mode) && !is_among(modes, mode, line_Hz) && !is_among(added, mode, line_Hz))
         added.push_back(std::move(mode));

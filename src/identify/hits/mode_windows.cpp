@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "identify/fit/windowed_fit.hpp"
+#include "identify/model/frf_lines.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -41,6 +42,17 @@ std::vector<ModeWindow> mode_windows(const FrfDataset& set, const std::vector<Mo
   return windows;
 }
 
+ModeWindow window_around(const FrfDataset& set, const std::vector<Mode>& modes, double freq_Hz, double reach) {
+  const double at = set.lines.position(freq_Hz);
+  ModeWindow window{.first = set.lines.at(at - reach)};
+  window.count = set.lines.at(at + reach) - window.first + 1;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const double line = set.lines.position(modes[m].pole.freq_Hz) - static_cast<double>(window.first);
+    if (line >= 0 && line < static_cast<double>(window.count)) window.modes.push_back(m);
+  }
+  return window;
+}
+
 void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window,
                           const std::vector<std::size_t>& residue_of, std::vector<Eigen::VectorXcd>& data) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -74,6 +86,13 @@ std::vector<Eigen::VectorXcd> window_data(const FrfDataset& set, const std::vect
   std::iota(same.begin(), same.end(), std::size_t{0});
   subtract_other_modes(set, modes, window, same, data);
   return data;
+}
+
+FrfDataset frfs_within(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window) {
+  FrfDataset part = lines_of(set, window.first, window.count);
+  const std::vector<Eigen::VectorXcd> data = window_data(set, modes, window);
+  for (std::size_t o = 0; o < data.size(); ++o) part.channels[o].frf.assign(data[o].begin(), data[o].end());
+  return part;
 }
 
 }  // namespace percuss::identify

@@ -25,4 +25,7 @@ std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const Hit
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
                                                 std::size_t mode);
 
+/// [modes] whether the residues of each follow the force at some point.
+std::vector<bool> follow_force(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes);
+
 }  // namespace percuss::identify

@@ -74,14 +74,8 @@ std::optional<Combinations> combinations_without(const Tone& tone, const identif
 // The lines around a tone, and the modes within them.
 identify::ModeWindow window_around(const Tone& tone, const identify::FrfDataset& set,
                                    const std::vector<identify::Mode>& modes) {
-  const double reach = std::max(kMinLines, kReach * tone.freq_Hz / set.lines.df_Hz());
-  const double at = set.lines.position(tone.freq_Hz);
-  identify::ModeWindow window{.first = set.lines.at(at - reach)};
-  window.count = set.lines.at(at + reach) - window.first + 1;
-  const double low_Hz = set.lines.freq_Hz(window.first), high_Hz = set.lines.freq_Hz(window.first + window.count - 1);
-  for (std::size_t m = 0; m < modes.size(); ++m)
-    if (modes[m].pole.freq_Hz > low_Hz && modes[m].pole.freq_Hz < high_Hz) window.modes.push_back(m);
-  return window;
+  return identify::window_around(set, modes, tone.freq_Hz,
+                                 std::max(kMinLines, kReach * tone.freq_Hz / set.lines.df_Hz()));
 }
 
 // The average and the hits of a window in some combinations of the channels.
@@ -125,13 +119,10 @@ CombinedFrfs combined(const identify::FrfDataset& set, const identify::HitFrfs& 
 // The modes of the combinations that follow the force.
 std::vector<identify::Mode> modes_of(const CombinedFrfs& frfs, identify::Effort effort) {
   const std::vector<identify::Mode> found = identify::identify_modes(frfs.set, {.effort = effort});
+  const std::vector<bool> follows = identify::follow_force(frfs.set, frfs.hits, found);
   std::vector<identify::Mode> out;
-  for (const identify::ModeWindow& window : identify::mode_windows(frfs.set, found)) {
-    for (std::size_t i = 0; i < window.modes.size(); ++i) {
-      const auto points = identify::residue_coherence(frfs.set, frfs.hits, found, window, i);
-      if (identify::follows_force(points.front()).value_or(false)) out.push_back(found[window.modes[i]]);
-    }
-  }
+  for (std::size_t m = 0; m < found.size(); ++m)
+    if (follows[m]) out.push_back(found[m]);
   return out;
 }
 
@@ -158,9 +149,7 @@ std::vector<std::optional<std::size_t>> matches(const std::vector<identify::Mode
 // Gives the modes at `changed` the residues that fit all channels over the window.
 void fit_residues_of(const std::vector<std::size_t>& changed, std::vector<identify::Mode>& modes,
                      const identify::FrfDataset& set, const identify::ModeWindow& window) {
-  identify::FrfDataset part = identify::lines_of(set, window.first, window.count);
-  const std::vector<Eigen::VectorXcd> data = identify::window_data(set, modes, window);
-  for (std::size_t o = 0; o < data.size(); ++o) part.channels[o].frf.assign(data[o].begin(), data[o].end());
+  const identify::FrfDataset part = identify::frfs_within(set, modes, window);
   Eigen::VectorXd variance(static_cast<Index>(2 * window.modes.size()));
   for (std::size_t i = 0; i < window.modes.size(); ++i) {
     variance(static_cast<Index>(2 * i)) = std::pow(modes[window.modes[i]].freq_std_Hz, 2);
