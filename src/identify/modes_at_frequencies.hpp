@@ -7,15 +7,20 @@
 
 namespace percuss::identify {
 
-/// The frequencies of unmodelled peaks, largest first, and of stable poles that no mode describes. Near a mode there
-/// are none: its misfit has stable poles, too.
-std::vector<double> unmodelled_frequencies_Hz(const FrfDataset& set, const std::vector<Mode>& modes);
+/// A place where a mode may be missing.
+struct UnmodelledResonance {
+  double freq_Hz = 0;
+  double half_power_Hz = 0;  // bandwidth of the stable pole there; 0 for a peak without one
+};
 
-/// The modes at frequencies where `modes` have none, in ascending frequency. The lines around each are analysed alone,
+/// The unmodelled peaks, largest first, and the stable poles that no mode describes. Near a mode there are none: its
+/// misfit has stable poles, too.
+std::vector<UnmodelledResonance> unmodelled_resonances(const FrfDataset& set, const std::vector<Mode>& modes);
+
+/// The modes at resonances where `modes` have none, in ascending frequency. The lines around each are analysed alone,
 /// as in a narrow band: few modes and residual terms describe what all modes of the band together do not. Such modes
-/// may also describe tones: see whether their residues follow the force.
-/// theory (4.21)
+/// may also describe tones: see whether their residues follow the force. theory (4.21)
 std::vector<Mode> modes_at_frequencies(const FrfDataset& set, const std::vector<Mode>& modes,
-                                       const std::vector<double>& freq_Hz, Effort effort);
+                                       const std::vector<UnmodelledResonance>& resonances, Effort effort);
 
 }  // namespace percuss::identify

@@ -182,7 +182,7 @@ const std::vector<identify::Mode>& Analysis::modes() const {
         if (!built) built = single_hits(set, from, comparable_hits(from));
         return *built;
       };
-      const bool searches = may_hide_modes(set, from, all);
+      const bool searches = may_hide_modes(set, from, all, found);
       const std::vector<Tone> wandering =
           searches ? add_hidden_modes(found, tones, set, hits, all.effort) : std::vector<Tone>{};
       add_scatter_between_hits(set, from, options_.modes, found);

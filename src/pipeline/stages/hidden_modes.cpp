@@ -10,9 +10,10 @@
 namespace percuss::pipeline {
 
 bool may_hide_modes(const identify::FrfDataset& set, const TestSpectra& spectra,
-                    const identify::IdentifyOptions& options) {
-  return options.effort != identify::Effort::quick && options.start_Hz.empty() && set.points.size() == 1 &&
-         !spectra.hits.empty();
+                    const identify::IdentifyOptions& options, const std::vector<identify::Mode>& modes) {
+  if (options.effort == identify::Effort::quick || !options.start_Hz.empty() || spectra.hits.empty()) return false;
+  return set.points.size() == 1 ||
+         std::any_of(modes.begin(), modes.end(), [](const identify::Mode& mode) { return mode.joint_misfit > 0; });
 }
 
 std::vector<Tone> add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
@@ -21,9 +22,12 @@ std::vector<Tone> add_hidden_modes(std::vector<identify::Mode>& modes, const std
   std::vector<Tone> wandering;
   std::copy_if(tones.begin(), tones.end(), std::back_inserter(wandering),
                [](const Tone& tone) { return tone.wanders; });
-  const std::vector<double> hidden_Hz = identify::unmodelled_frequencies_Hz(set, modes);
-  if (hidden_Hz.empty()) return wandering;
-  add_modes_at(hidden_Hz, modes, set, hits(), effort);
+  const std::vector<identify::UnmodelledResonance> hidden = identify::unmodelled_resonances(set, modes);
+  if (hidden.empty()) return wandering;
+  add_modes_at(hidden, modes, set, hits(), effort);
+  std::vector<double> hidden_Hz;
+  hidden_Hz.reserve(hidden.size());
+  for (const identify::UnmodelledResonance& resonance : hidden) hidden_Hz.push_back(resonance.freq_Hz);
   const std::vector<Tone> more = tones_at(hidden_Hz, set, hits());
   wandering.insert(wandering.end(), more.begin(), more.end());
   return wandering;

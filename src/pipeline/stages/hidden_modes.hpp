@@ -9,10 +9,10 @@
 
 namespace percuss::pipeline {
 
-/// Whether to search modes that the fit of the whole band did not find. Not with many points: where their resonances
-/// differ, a narrow band shows weak modes that half of the points do not confirm.
+/// Whether to search modes that the fit of the whole band did not find. With several points only where the fit of all
+/// modes together failed: otherwise a narrow band shows weak modes that half of the points do not confirm.
 bool may_hide_modes(const identify::FrfDataset& set, const TestSpectra& spectra,
-                    const identify::IdentifyOptions& options);
+                    const identify::IdentifyOptions& options, const std::vector<identify::Mode>& modes);
 
 /// Adds the modes that narrow bands show around what `modes` do not explain (add_modes_at). Returns the tones that
 /// wander: those of `tones`, and what is left that the force does not explain (tones_at). `hits` is called only where

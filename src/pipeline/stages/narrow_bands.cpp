@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "identify/hits/residue_coherence.hpp"
-#include "identify/modes_at_frequencies.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -14,9 +13,9 @@ bool ascending(const identify::Mode& a, const identify::Mode& b) { return a.pole
 
 }  // namespace
 
-void add_modes_at(const std::vector<double>& freq_Hz, std::vector<identify::Mode>& modes,
+void add_modes_at(const std::vector<identify::UnmodelledResonance>& resonances, std::vector<identify::Mode>& modes,
                   const identify::FrfDataset& set, const identify::HitFrfs& hits, identify::Effort effort) {
-  const std::vector<identify::Mode> added = identify::modes_at_frequencies(set, modes, freq_Hz, effort);
+  const std::vector<identify::Mode> added = identify::modes_at_frequencies(set, modes, resonances, effort);
   if (added.empty()) return;
   std::vector<identify::Mode> all;
   std::merge(modes.begin(), modes.end(), added.begin(), added.end(), std::back_inserter(all), ascending);

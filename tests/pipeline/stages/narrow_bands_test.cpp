@@ -15,7 +15,7 @@ constexpr double kWeak_Hz = 620.4;
 std::vector<identify::Mode> modes_after_search(std::size_t hits, double turns) {
   const test::HitsWithPhases test(test::mode_at(kWeak_Hz, 2, 1), hits, turns);
   std::vector<identify::Mode> modes = {test.strong};
-  add_modes_at({620}, modes, test.set, test.frfs, identify::Effort::best);
+  add_modes_at({{620}}, modes, test.set, test.frfs, identify::Effort::best);
   return modes;
 }
 
@@ -37,7 +37,7 @@ TEST(NarrowBands, NeedThreeHits) {
 TEST(NarrowBands, KeepAllModesThatAreKnown) {
   const test::HitsWithPhases test(test::mode_at(kWeak_Hz, 2, 1), 5, 0.23);
   std::vector<identify::Mode> modes = {test.strong, test.weak_mean};
-  add_modes_at({800}, modes, test.set, test.frfs, identify::Effort::best);
+  add_modes_at({{800}}, modes, test.set, test.frfs, identify::Effort::best);
   EXPECT_EQ(modes.size(), 2U);
 }
 
