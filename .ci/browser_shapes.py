@@ -1,4 +1,7 @@
-"""Mode shapes as a user meets them: rotate, pan and zoom by mouse, touch and keys, choose modes, print. `check(holds, what)` counts."""
+"""Mode shapes as a user meets them: rotate, pan and zoom by mouse, touch and keys, choose modes, print.
+
+`check(holds, what)` of browser.py prints each result and counts the failures.
+"""
 
 import time
 
@@ -8,7 +11,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 FIGURE = '[data-plot="shapes"]'
-# A plate, a beam, a body and points on a sphere's half: 24 points each, as the barrel has.
+# A plate, a beam, a body and points scattered over a nearly flat surface: 24 points each, as the barrel has.
 GEOMETRIES = {
     "plate": lambda i: (0.1 * (i % 6), 0.1 * (i // 6), 0),
     "beam": lambda i: (0, 0, 0.05 * i),

@@ -1,7 +1,7 @@
 """Source [10]: the sweet spot of a baseball bat."""
 from sources.page import Section
 
-# A wood bat of 34 in: its own shape, since the sources print none.
+# A wood bat of 34 in. The profile is made up, because the sources print none.
 PROFILE = """position,diameter
 0,1.9
 0.7,1.9
@@ -20,7 +20,7 @@ PROFILE = """position,diameter
 def section():
     s = Section('The sweet spot [10]', """\
 A fragment: rigid bat with numbers, flexible bat without. The statements on the flexible bat are held against a wood bat
-of 34 in, the `wood.csv` of the section before: a profile of our own, because the sources print none. Positions of the rigid bat are from its centre of
+of 34 in, the `wood.csv` of the section "Baseball bats [8]". Its profile is made up, because the sources print none. Positions of the rigid bat are from its centre of
 mass.""", 'figures 1, 2; table 1')
     s.rigid = s.command('percuss model rigid -o sweet-spot.svg -o sweet-spot.csv -o rigid.json --quiet > /dev/null')
     bat = 'percuss model bat --profile wood.csv --profile-unit in:in --profile-kind points'

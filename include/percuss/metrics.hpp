@@ -36,7 +36,7 @@ struct BatReadings {
   std::optional<Measured> ball_kg{};
   std::optional<Measured> z_m{};  // of the impact, from the barrel's tip
   std::optional<Measured> v_in_mps{}, v_out_mps{};
-  std::optional<Measured> besr{}, bbcor{};  // in place of the speeds; both are an InputError
+  std::optional<Measured> besr{}, bbcor{};  // one of them in place of the speeds; InputError if both are given
   std::optional<Measured> v_swing_mps{};    // replaces the speed of the swing model
   double lot_correction = 0;                // of the balls, added to v_out/v_in
 };

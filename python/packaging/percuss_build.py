@@ -51,10 +51,10 @@ def _run(*words: str) -> None:
     try:
         ran = subprocess.run(words, cwd=SOURCE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
     except FileNotFoundError:
-        raise SystemExit(f"percuss: no {words[0]}; install the packages that ./start needs prints") from None
+        raise SystemExit(f"percuss: no {words[0]}; install the packages that `./start needs` prints") from None
     if ran.returncode != 0:
         sys.stderr.write(ran.stdout[-8000:])
-        raise SystemExit(f"percuss: {words[0]} failed (see above); a library may be missing: install the packages that ./start needs prints")
+        raise SystemExit(f"percuss: {words[0]} failed (see above); a library may be missing: install the packages that `./start needs` prints")
 
 
 def compile_module() -> None:

@@ -152,7 +152,7 @@ class LongInput : public testing::Test {
 };
 
 // Regression: lists of empty objects or numbers took 1.5 GB, and values of unused keys 1.1 GB.
-TEST_F(LongInput, OfJsonTakesMemoryAsItsSize) {
+TEST_F(LongInput, OfJsonTakesMemoryInProportionToItsSize) {
   const std::string head = R"({"schema":"percuss/analysis/1","modes":[)";
   const std::string residue = R"({"point":1,"channel":1,"re":1.25e-3,"im":2.5e-4,"std":1e-5})";
   const std::vector<std::vector<std::string>> parts{

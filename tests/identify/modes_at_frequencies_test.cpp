@@ -87,7 +87,7 @@ TEST(ModesAtFrequencies, TakesABandAsWideAsTheResonanceNeeds) {
   EXPECT_LT(found[0].freq_std_Hz, 0.1 * kWeak.half_power_Hz());
 }
 
-// The mode of a truncated record: its column depends on the force at each line.
+// The record is truncated, so the mode's column of the least-squares matrix depends on the force at each line.
 TEST(LinesOf, GiveTheSameModeAsAllLines) {
   const synth::SynthSpec spec =
       test::bat_spec({{.freq_Hz = 169, .damping_ratio = 0.002, .residue_per_kg = {1.1, -0.4}}}, 0.5);

@@ -34,9 +34,9 @@ def calibrate(
     """Calibrate the force channel from hits on a free mass.
 
     A freely hanging mass accelerates by force / mass under a hit. Computes the N per unit of the
-    force channel from the measured acceleration, with its standard deviation. The last line prints
-    the `force_scale` to use. The force may be stored in any unit; the options under Reading set the
-    unit of the acceleration.
+    force channel from the measured acceleration, with its standard deviation. The last line of the
+    printed text states the `force_scale` to use. The force may be stored in any unit; the options
+    under Reading set the unit of the acceleration.
 
     Parameters
     ----------

@@ -60,7 +60,8 @@ MeshAxes axes_from(MeshPoints points, const Vector3d& middle, const std::array<V
   return out;
 }
 
-// A straight line keeps its points apart along it, and is thin beside their distances.
+// Points form a straight line if their extent across it is mere rounding, or small compared with the smallest distance
+// between neighbours along it.
 bool is_straight(MeshPoints points, const MeshAxes& axes) {
   std::vector<double> along;
   along.reserve(points.size());

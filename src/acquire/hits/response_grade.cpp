@@ -33,7 +33,8 @@ constexpr double kStillFalling = 0.9;    // of the rms one window earlier
 constexpr double kCoarseStep = 1e-5;  // of the largest response; steps of 5e-5 (16 bits) or more cause spurious modes
 constexpr std::size_t kStepSamples = 512;    // samples, of which some differ by one step
 constexpr std::size_t kMinConstantEnd = 64;  // samples without change; noise of a third of a step would change them
-// The last two quarters do not distinguish a background from a decay by less than this ratio over the record.
+// The last two quarters of the record do not distinguish a background from a decay that falls by less than this factor
+// over the record.
 constexpr double kMinDecay = kSteady * kSteady * kSteady * kSteady;
 
 double rms_about_mean(std::span<const double> x) {

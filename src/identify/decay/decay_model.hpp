@@ -45,8 +45,8 @@ class DecayModel {
   void add(const DecayRate& rate);
   void remove(std::size_t mode);
   void set_rivals(std::size_t mode, const std::pair<double, double>& rivals_Hz) { modes_[mode].rivals_Hz = rivals_Hz; }
-  /// Sets the noise power of each hit over its channel's, from the noise of the lines of a residual. Where it changes
-  /// much, all groups are fitted again.
+  /// Sets the noise power of each hit, divided by the geometric mean over the hits of its channel. `noise`: E|R|² of a
+  /// residual [lines, hits × channels]. If a ratio changes by more than 10 %, all groups are fitted again.
   void set_levels(const Eigen::MatrixXd& noise);
   /// Fits all groups in turn, `sweeps` times at most.
   void fit(int sweeps, const DecayWindows& windows);

@@ -5,8 +5,8 @@
 
 namespace percuss::identify {
 
-/// The sample of a record of `samples`, which begins with an impact, by which no hammer or ball touches the structure
-/// any longer: 20 ms after its first sample, and in short records an eighth of them.
+/// A sample after which no hammer or ball touches the structure, in a record that begins with an impact: 20 ms after
+/// the first sample, but at most an eighth of the record. `samples`: length of the record.
 std::size_t safe_start(std::size_t samples, double fs_Hz);
 
 /// The records from a sample on.

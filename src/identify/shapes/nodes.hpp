@@ -22,11 +22,12 @@ struct NodeOptions {
   int highest_degree = 5;
 };
 
-/// The nodes: zero crossings of the shape. A crossing lies between neighbouring points of opposite sign, both three
-/// standard deviations from zero. The node is the root of a polynomial in the position, fitted to the points around by
-/// weighted least squares. Its degree minimises χ² + k ln n. The variance is a sum of two terms. The first is the
-/// variance of the next higher degree's root, scaled by χ² where that is too large. The second is the model error: the
-/// squared distance to that root.
+/// The nodes: zero crossings of the shape. A crossing lies between two points of opposite sign, both more than three
+/// standard deviations from zero; points between them are not. The node is the root of a polynomial in the position,
+/// fitted to the points around by weighted least squares. Its degree minimises χ²/s² + k ln n. s² is χ² per degree of
+/// freedom of the highest degree, and at least 1. The variance is a sum of two terms. The first is the variance of the
+/// next higher degree's root, scaled by χ² where that is too large. The second is the model error: the squared distance
+/// to that root.
 /// theory (5.8)
 std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options = {});
 

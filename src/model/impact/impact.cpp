@@ -79,7 +79,8 @@ void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool serie
   }
 }
 
-// Follows the ball from the first separation to its last contact: with step_s, and all contacts with half of it.
+// Follows the ball from the first separation to its last contact with step_s. Then computes all contacts, the first
+// included, with half the step. The result is the second motion; the difference of the two gives the uncertainty.
 void follow_contacts(BallOnBeam& system, const Impact& impact, ImpactMethod method, double step_s,
                      const BallOnBeamState& separated, ImpactResult& result) {
   const ContactChain coarse = contact_chain(system, impact, method, step_s, separated, result.contact_s);

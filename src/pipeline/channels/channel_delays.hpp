@@ -18,7 +18,7 @@ struct ChannelDelay {
   double highest_Hz = 0;     // highest frequency of these modes
   double phase_rms = 0;      // rad, of these phases about the line of the delay
   double undelayed_rms = 0;  // rad, about zero
-  double log_chance = 0;     // natural logarithm of the probability of this order in modes without a delay
+  double log_chance = 0;     // ln of the probability that phases without a delay fit a line as well
   /// The phase that the delay causes at highest_Hz, rad.
   double largest_phase() const;
   /// The phases grow with frequency beyond doubt.
@@ -31,8 +31,9 @@ struct ModePhase {
   double phase_rad = 0, std_rad = 0;
 };
 
-/// The delay τ for which the phases follow −2πfτ best, |τ| ≤ 20 ms. A half turn more or less is the same phase, so many
-/// delays fit a few modes; the most unlikely coincidence is taken. Nothing for fewer than three modes.
+/// The delay τ for which the phases follow −2πfτ best, |τ| ≤ 20 ms. A half turn more or less is the same phase, so
+/// several delays fit the phases of a few modes. Of these, the result is the delay whose fit is least probable by
+/// chance (log_chance). Nothing for fewer than three modes.
 std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases);
 
 /// The delay of each channel from the residues of the modes, at all points together; a channel with too few clear modes

@@ -16,8 +16,9 @@ struct ResponseImpact {
 };
 
 /// The impacts of a record without a force, row by row. An impact raises the power of the responses' first differences
-/// tenfold above the last 20 ms; where none does, the power of the responses. A row without a rise begins within a
-/// decay. errors  InputError: no samples in the selected time.
+/// tenfold above the last 20 ms. If a row has no such rise, the power of the responses is searched instead. A row
+/// without any rise begins within a decay.
+/// errors  InputError: no samples in the selected time.
 std::vector<ResponseImpact> response_impacts(const acquire::Record& record, const acquire::HitOptions& options);
 
 }  // namespace percuss::pipeline

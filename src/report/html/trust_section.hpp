@@ -15,7 +15,8 @@ enum class PagePart { whole, force, response, spectrum, decay, fit, stabilisatio
 PagePart part_of(const std::string& code);
 
 /// The warnings and findings of a page, each once, in the order of pipeline::trust_statements. Statements that results
-/// are wrong stand in the section on trust; the others stand beside the part that shows what they concern.
+/// are wrong, and statements that no part shows, stand in the section on trust. The others stand beside the part that
+/// shows what they concern.
 class PageWarnings {
  public:
   /// `shown`: the parts that the page has. Statements on other parts stand in the section on trust.

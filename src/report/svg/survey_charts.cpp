@@ -17,9 +17,10 @@
 namespace percuss::report {
 namespace {
 
-constexpr double kTurn_rad = std::numbers::pi / 6, kTilt_rad = std::numbers::pi / 6;  // the initial view of the page
-constexpr double kShapeAmplitude = 0.15;                                              // of the frame's radius
-constexpr double kCross = 0.02;  // half the width of a point's cross, of the frame's radius
+// The direction from which the page first shows every layout except a line.
+constexpr double kTurn_rad = std::numbers::pi / 6, kTilt_rad = std::numbers::pi / 6;
+constexpr double kShapeAmplitude = 0.15;  // of the frame's radius
+constexpr double kCross = 0.02;           // half the width of a point's cross, of the frame's radius
 constexpr double kLevelFloor = 1e-300;
 
 // Projects a point onto the drawing.

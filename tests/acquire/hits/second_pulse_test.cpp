@@ -26,8 +26,8 @@ std::vector<double> two_pulses(double width, double delay, double ratio, double 
 }
 
 /// The largest sample lies up to half a sample from the peak. It is lower than the peak by 1 − cos²(π/(2 width)), about
-/// (π/(2 width))². The 0.01 allows for the ringing of one pulse in the other, and for the phase dependence of the
-/// 5-sample mean.
+/// (π/(2 width))². The 0.01 allows for the ringing of one pulse in the other. It also allows for the smoothing, a mean
+/// over about half a pulse, which depends on where the samples lie in the pulse.
 double ratio_slack(double width) { return std::pow(std::numbers::pi / 2 / width, 2) + 0.01; }
 
 TEST(SecondPulse, IsFoundWithItsDelayAndRatio) {

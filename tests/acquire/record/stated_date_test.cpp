@@ -33,7 +33,7 @@ TEST(StatedDate, IsInTheChunksOfASoundFile) {
   EXPECT_EQ(stated_date(head + std::string("LIST\xFF\xFF\xFF\xFFINFOICRD\xFF\xFF\xFF\xFF", 20)), "");
 }
 
-TEST(StatedDate, IsNoTextThatNobodyShouldPrint) {
+TEST(StatedDate, IsEmptyForControlCharactersLongTextsAndUnreadableFiles) {
   EXPECT_EQ(stated_date("Date: \x1b[31m2026\n"), "");
   EXPECT_EQ(stated_date("Date: " + std::string(100, '1') + "\n"), "");
   EXPECT_EQ(stated_date_of_file("-"), "");

@@ -63,7 +63,7 @@ TEST(JsonText, KeepsOnlyTheWantedKeys) {
 
 // As a JSON value, each of these texts would take 20 to 50 times its size. Such a value is refused; under a key
 // that is not wanted it is skipped.
-TEST(JsonText, TakesMemoryAsItsLength) {
+TEST(JsonText, TakesMemoryInProportionToItsLength) {
   constexpr std::size_t kItems = 4'000'000;
   for (const std::string& item : {std::string("{}"), std::string("0"), std::string("[]")}) {
     std::string text = "[" + item;

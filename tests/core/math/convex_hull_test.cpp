@@ -30,7 +30,7 @@ double area(const std::vector<Point>& points, const std::vector<Triangle>& trian
   return sum;
 }
 
-// Twice the distance by which the deepest point lies inside a circumcircle; not positive for a Delaunay triangulation.
+// The distance by which the deepest point lies inside a circumcircle; not positive for a Delaunay triangulation.
 double deepest_inside(const std::vector<Point>& points, const std::vector<Triangle>& triangles) {
   double deepest = -std::numeric_limits<double>::infinity();
   for (const auto& [a, b, c] : triangles) {

@@ -164,7 +164,7 @@ TEST(ThreadLimit, AppliesToTheTasksOfALoopOnEveryThread) {
     });
   }
   EXPECT_EQ(wrong, 0);
-  // The threads that took part keep no limit: on a machine of one processor, the calling thread.
+  // The threads that took part keep no limit. On a machine of one processor, only the calling thread took part.
   std::atomic<int> limited{0};
   parallel_for_cost(8, 1'000'000, [&](std::size_t) {
     if (current_thread_limit() != 0) ++limited;

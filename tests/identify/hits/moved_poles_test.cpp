@@ -45,7 +45,8 @@ TEST(MovedPoles, ResiduesOfClosePolesDescribeTheFrfs) {
   EXPECT_GT(pair.worst_frac(), 0.999);
 }
 
-// From a wrong pole, where the residues fit best, to the true one: the change of the best residues is exact.
+// A pole moves from the true value to a wrong one and back. Each step adds the difference of two least-squares
+// solutions to the residues, so they return exactly.
 TEST(MovedPoles, ResiduesReturnWithThePoles) {
   Pair pair(984, 987.2);
   const std::vector<Mode> truth = pair.modes;

@@ -10,7 +10,7 @@
 #include "pipeline/response/response_test.hpp"
 #include "support/response_records.hpp"
 
-// Weak blows are tested by the modes that are fitted to the decays after them.
+// The tests of weak blows judge the onset by the modes that are fitted to the decay after it.
 namespace percuss::pipeline::response_impacts_test {
 
 constexpr double kFs_Hz = 8192;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kWeak_Hz = 620.4;
 
-// The modes after a search at the weak mode, which the strong one is known to miss.
+// The modes after a search at the weak mode, when only the strong mode is known.
 std::vector<identify::Mode> modes_after_search(std::size_t hits, double turns) {
   const test::HitsWithPhases test(test::mode_at(kWeak_Hz, 2, 1), hits, turns);
   std::vector<identify::Mode> modes = {test.strong};
@@ -23,7 +23,7 @@ TEST(NarrowBands, AddAModeThatFollowsTheForce) {
   const auto modes = modes_after_search(5, 0);
   ASSERT_EQ(modes.size(), 2U);
   EXPECT_NEAR(modes[1].pole.freq_Hz, kWeak_Hz, 5 * modes[1].freq_std_Hz);
-  EXPECT_LT(modes[1].freq_std_Hz, 0.01);  // 1 % of the bandwidth and less
+  EXPECT_LT(modes[1].freq_std_Hz, 0.01);  // half a percent of the half-power bandwidth
 }
 
 // 0.23 turns from hit to hit leave 0.14 of the residue in the mean, far above the noise.

@@ -8,7 +8,7 @@ namespace percuss::tools {
 /// errors  InputError at `where`: none is installed
 std::string find_browser(const std::string& where);
 
-/// A page as a PDF document, printed by a headless browser that has no network and no profile.
+/// A page as a PDF document, printed by a headless browser that has no network and an empty profile.
 /// errors  InputError at `where`: no browser; the browser fails, or takes more than a minute
 std::string printed_pdf(const std::string& html, const std::string& where);
 

@@ -12,7 +12,7 @@ namespace percuss::tools {
 namespace {
 
 constexpr std::size_t kMaxAddedMasses = 100;
-constexpr std::size_t kModesCompared = 5;  // of the two meanings of the rows
+constexpr std::size_t kModesCompared = 5;  // between the profile read as slices and read as points
 constexpr const char* kAddedForm = "give KG:AT or KG:FROM:TO, in kg and in m from the knob or from x = 0";
 
 std::vector<model::AddedMass> added_masses(const StructureFlags& flags, double length_m) {

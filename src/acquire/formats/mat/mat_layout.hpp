@@ -23,8 +23,9 @@ struct MatLayout {
 MatLayout force_layout(const MatVariable& variable, const std::string& file);
 
 /// The layout of a response where no force was recorded: its rows and samples, and whether time is last. Its longest
-/// side is time. Three dimensions are [hits, channels, samples] or [samples, channels, hits]. Two are channels of one
-/// row, or hits if `hits` (the size of a variable with a number per hit) is the number of them.
+/// side is time. Three dimensions are [hits, channels, samples] or [samples, channels, hits]. Two are time and the
+/// channels of one row; or time and the hits, if the shorter side equals `hits` (the size of a variable with a number
+/// per hit).
 /// errors  InputError: another shape, or no longest side.
 MatLayout response_layout(const MatVariable& variable, std::size_t hits, const std::string& file);
 

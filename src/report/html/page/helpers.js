@@ -47,9 +47,9 @@ const legend = (figure, names) => {
 
 const axis = (label, more) => ({ label, stroke: () => colour("--ink"), grid: { stroke: () => colour("--rule"), width: 1 }, ticks: { stroke: () => colour("--rule") }, font: "13px system-ui", labelFont: "13px system-ui", ...more });
 const plots = [];
-// Functions by figure that draw what is no uPlot, for a change of colours or paper.
+// By figure, functions that redraw figures without uPlot. They are called when the size or the colours change.
 const redraws = new Map();
-// Functions that draw other figures again: of a width, and of whether it is paper.
+// Functions (widthOf, paper) that redraw figures at another size: widthOf(figure) is the width; paper is true in print.
 const resizable = [];
 
 // Plots curves over one x. Plots with `shared` zoom together.
