@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "acquire/channels/column_words.hpp"
@@ -26,15 +27,8 @@ bool is_description(const std::string& name) {
 }
 
 bool may_be_signal(const MatVariable& variable) {
-  return !variable.is_text && variable.size() > 1 && !is_description(lower_case(field_name(variable.name)));
-}
-
-std::string unit_in(const MatFile& file, const std::string& name) {
-  for (const char* ending : {"_unit", "_units", "_unit_str"}) {
-    const MatVariable* const stated = find_variable(file, name + ending);
-    if (stated != nullptr && stated->is_text) return stated->text;
-  }
-  return {};
+  return !variable.is_text && !variable.is_abscissa && variable.size() > 1 &&
+         !is_description(lower_case(field_name(variable.name)));
 }
 
 // Lists each variable as one signal, to find the roles. lay_out divides variables into channels.
@@ -61,7 +55,9 @@ void add_named_columns(MatFile& file, const ReadOptions& options) {
     const auto bracket = name.rfind("(:,");
     if (bracket == std::string::npos || find_variable(file, name) != nullptr) continue;
     const MatVariable* const matrix = find_variable(file, name.substr(0, bracket));
-    const std::size_t column = std::strtoul(name.c_str() + bracket + 3, nullptr, 10);
+    const std::size_t typed = std::strtoul(name.c_str() + bracket + 3, nullptr, 10);
+    const std::size_t before = matrix != nullptr ? matrix->columns_taken : 0;
+    const std::size_t column = typed - std::min(typed, before);
     const bool has_columns = matrix != nullptr && !matrix->is_text && matrix->shape.size() == 2;
     if (!has_columns || column < 1 || column > matrix->shape[1]) continue;
     MatVariable taken{.name = name, .shape = {matrix->shape[0], 1}};
@@ -109,10 +105,16 @@ MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const st
       unit && (unit->quantity == Quantity::acceleration || unit->quantity == Quantity::pressure);
   const bool named = !options.accel_channels.empty() || !options.setup.empty();
   if (!named && !measures_response && quantity_named(signal.name) != Quantity::acceleration) {
+    std::string remedy = "name all of it as accelerations, or save the force as a variable of its own";
+    if (first.shape[0] > first.shape[1]) {
+      remedy += fmt::format(
+          "; or name its columns, such as \"{0}(:,{1})\" for the force and \"{0}(:,{2})\" for an "
+          "acceleration",
+          one_line(first.name, 40), first.columns_taken + 1, first.columns_taken + 2);
+    }
     throw InputError(fmt::format("one of the channels of {} ({}) could be the force", one_line(first.name, 40),
                                  shape_name(first.shape)),
-                     open.file.path, "name all of it as accelerations, or save the force as a variable of its own",
-                     {"force_channel", "accel_channel"});
+                     open.file.path, remedy, {"force_channel", "accel_channel"});
   }
   table.notes.emplace_back(fmt::format("{} is {}: taken as {} channels of one row", one_line(first.name, 40),
                                        shape_name(first.shape), first.size() / layout.samples));
@@ -209,7 +211,15 @@ Record open_mat(MatFile file, const ReadOptions& options) {
   table.fs_Hz = rate_Hz.value_or(0);
   if (table.signals.empty())
     throw InputError("no arrays of numbers", open->file.path, "save force and accelerations as arrays");
+  // For a guess of the roles; a signal is a whole variable here.
+  table.read = [open, index](std::size_t /*row*/, std::size_t signal, std::size_t first, std::span<double> out) {
+    const std::vector<double>& values = open->file.variables[index[signal]].real;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = first + i < values.size() ? values[first + i] : 0;
+  };
+  table.rows.push_back({.samples = open->file.variables[index.front()].size()});
+  if (!rate_Hz) refuse_spectral_densities(open->file);
   const SignalRoles variables = find_roles(table, variable_options(open->file, options));
+  table.rows.clear();
   if (!rate_Hz) {
     throw InputError("no sampling rate among the variables", open->file.path, "state it in Hz, or name its variable",
                      {"fs"});
