@@ -71,6 +71,7 @@ TEST(PercussCommand, AcceptsValuesInEitherLetterCaseAndRangesAsTwoNumbers) {
   };
   const std::string expected = analyzed({"--band", "60:1500", "--estimator", "h2"});
   EXPECT_EQ(analyzed({"--band", "60", "1500", "--estimator", "H2"}), expected);
+  EXPECT_EQ(analyzed({"--band", "+60:1.5D3", "--estimator", "h2", "--overlay-db", "1.0D0"}), expected);
   EXPECT_NE(analyzed({"--band", "60:1500"}), expected);
 }
 
@@ -85,6 +86,21 @@ TEST(PercussCommand, PrintsTheResultInQuiet) {
     EXPECT_NE(outcome.out, "");
     EXPECT_EQ(run_percuss(quiet).out, outcome.out);
   }
+}
+
+TEST(PercussCommand, PrintsTheSummaryOfABatchInQuiet) {
+  const test::ScratchFolder folder;
+  test::write_small_test(folder.file("hits.h5"));
+  const auto run = [&](std::vector<std::string> words) {
+    words.emplace_back("--quiet");
+    const auto outcome = run_percuss(words, {.folder = folder.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return outcome.out;
+  };
+  EXPECT_THAT(run({"batch", "plan", "hits.h5", "--effort", "quick", "-o", "m.jsonl"}), HasSubstr("1 record"));
+  EXPECT_THAT(run({"batch", "run", "--manifest", "m.jsonl", "-o", "out"}), HasSubstr("1 records finished"));
+  EXPECT_THAT(run({"batch", "merge", "--manifest", "m.jsonl", "out", "-o", "all.csv"}), HasSubstr("1 records"));
 }
 
 TEST(PercussCommand, ReportsThatStandardOutputIsFull) {
