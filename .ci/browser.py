@@ -12,9 +12,12 @@ import tempfile
 import time
 
 from PIL import Image
+import browser_shapes
 from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
+
+from browser_fit import check_fit, check_paper
 
 PERCUSS = os.environ["PERCUSS"]
 failures = 0
@@ -217,6 +220,7 @@ def pages(work):
         ("compared", ["analyze", at("composite-bat.h5"), "--compare", at("model.json")], 10, 1),
         ("deflection-section", ["analyze", at("composite-bat.h5"), "--only", "modes,deflection"], 1, 1),
         ("survey", ["survey", at("roving-barrel.h5")], 10, 0),
+        *((f"survey-{kind}", ["survey", at("roving-barrel.h5"), "--geometry", browser_shapes.geometry(work / f"{kind}.csv", kind)], 10, 0) for kind in browser_shapes.GEOMETRIES),
         ("frf", ["frf", at("composite-bat.h5")], 6, 0),
         ("nodes", ["nodes", scan, "--positions", "3:0.5:9in"], 2, 1),
         ("deflect", ["deflect", at("composite-bat.h5")], 0, 1),
@@ -235,7 +239,8 @@ def pages(work):
 
 
 def check_sizes(driver, work):
-    """A page of two accelerometers with 8001 spectral lines each loads within a second; a survey of 120 points has at most 2 MB."""
+    """A page of two accelerometers with 8001 spectral lines each loads within a second; a survey of 120 points has at most 500 kB and is drawn
+    within 100 ms."""
     modes = [{"frequency_hz": f, "damping_ratio": 0.004, "family": family, "order": n, "amplitude_per_sqrt_kg": 2}
              for f, family, n in ((205, "bending", 1), (690, "bending", 2), (2100, "hoop", 1), (2880, "hoop", 2))]
     bat = spec(work, "lines", duration_s=1, modes=modes, hits=3, pulse={"width_s": 0.0002})
@@ -254,8 +259,14 @@ def check_sizes(driver, work):
     barrel = spec(work, "large", duration_s=0.5, modes=modes, hits=1, impact=points, sensors=[{"position_m": 0.0508, "angle_deg": 0}])
     page = work / "large.html"
     percuss("survey", barrel, "--band", "60:3200", "-o", str(page), "--quiet")
-    check(page.stat().st_size <= 2_000_000, f"survey of {len(points)} points: {page.stat().st_size} bytes")
+    check(page.stat().st_size <= 500_000, f"survey of {len(points)} points: {page.stat().st_size} bytes")
     check_page(driver, page, canvases=8)
+    times = []
+    for _ in range(5):
+        load(driver, page)
+        times.append(int(driver.execute_script("return document.documentElement.dataset.drawnMs")))
+    check(min(times) <= 100, f"survey of {len(points)} points: drawn in {min(times)} ms")
+    check_fit(driver, page, check, load, survey=True)
 
 
 def main():
@@ -270,7 +281,12 @@ def main():
             check_zoom(driver, work / "bat-composite.html")
             check_animation(driver, work / "bat-composite.html", "movement")
             check_animation(driver, work / "survey.html", "shapes")
+            for kind in ("", *(f"-{kind}" for kind in browser_shapes.GEOMETRIES)):
+                browser_shapes.check_shapes(driver, work / f"survey{kind}.html", load, emulate, check)
             check_animation(driver, work / "nodes.html", "bending")
+            check_fit(driver, work / "bat-composite.html", check, load, survey=False)
+            check_paper(driver, work / "bat-composite.html", check, load)
+            check_paper(driver, work / "survey.html", check, load)
             check_sizes(driver, work)
         finally:
             driver.quit()

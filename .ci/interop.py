@@ -93,7 +93,8 @@ def main():
         check("percuss writes FRFs as MAT, SciPy reads them",
               np.array_equal(scipy.io.loadmat(at("again.mat"))["frf"], frf))
 
-        # Sound files of SciPy and SoX in both directions, exact for 16 and 32 bits. The hammer is on the first channel.
+        # Sound files of SciPy and SoX in both directions. The samples have 16 bits, so every format holds them exactly.
+        # The hammer is on the first channel.
         steps = random.integers(-2**15, 2**15, size=(200, 3))
         roles = ("--force-channel", "1", "--accel-channel", "2,3")
         parts = steps / 2.0**15

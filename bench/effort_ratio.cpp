@@ -1,9 +1,9 @@
 // percuss_effort_ratio [LO:HI FILE]...
-// Prints the time of FRFs and of each effort, and the time of each stage. The unit is the time of bare FFTW transforms
-// of the same records in memory: one per channel and hit, planned with FFTW_MEASURE, on one thread, in the same run. In
-// brackets, the unit is the time of as many transforms of one signal that stays in the cache. Without files, the
-// program uses the bundled composite bat, which has a split hoop mode. Each time is the best of several in alternation,
-// so a disturbance affects all alike.
+// Prints the time of FRFs and of each effort, in ms and in multiples of the time of bare FFTW transforms, and the time
+// of each stage in ms. The transforms are of the same records in memory: one per channel and hit, planned with
+// FFTW_MEASURE, on one thread, in the same run. In brackets, the unit is the time of as many transforms of one signal
+// that stays in the cache. Without files, the program uses the bundled composite bat, which has a split hoop mode. Each
+// time is the best of several in alternation, so a disturbance affects all alike.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -42,7 +42,7 @@ is at most 5 % of the ratio. The results of a test are wrong in one of these cas
 Each test has one outcome:
 
 - right: results are not wrong, and all modes are within 3 of their stated standard deviations; fair: within 5
-- UNNAMED: takes the place of right and fair where the imperfection makes the standard deviations unreliable and no
+- UNNAMED: the test would be right or fair, but the imperfection makes the standard deviations unreliable, and no
   message names it
 - named: results are wrong, and a message names the imperfection; warned: results are wrong, and a message says that
   they may be; SILENT: results are wrong, and there is no such message
@@ -160,6 +160,20 @@ def survey_of_points(tool, folder, work):
     return [percuss(tool, 'survey', *some, *band) for some in (files, files[::2], files[1::2])]
 
 
+def halves_of_frfs(tool, options, work):
+    """Writes the FRFs of a survey to two tables, of the even and of the odd points."""
+    table = subprocess.run([tool, 'frf', *options, '--quiet'], capture_output=True, text=True, check=True).stdout
+    kind, *rows = table.splitlines()
+    rows = [line.split(',') for line in rows]
+    point = [0] + [int(re.match(r'p(\d+)_', name).group(1)) for name in rows[0][1:]]
+    paths = [os.path.join(work, name) for name in ('even.csv', 'odd.csv')]
+    for half, path in enumerate(paths):
+        columns = [0] + [c for c in range(1, len(point)) if point[c] % 2 == half]
+        with open(path, 'w', encoding='utf-8') as out:
+            out.write('\n'.join([kind] + [','.join(line[c] for c in columns) for line in rows]) + '\n')
+    return paths
+
+
 def measured_rows(tool, data, measured):
     """One row per measured set."""
     reference = {name: json.load(open(os.path.join(data, name, 'independent.json'), encoding='utf-8'))
@@ -181,8 +195,13 @@ def measured_rows(tool, data, measured):
     z = pairs(tests[1], tests[2]) if tests[1] and tests[2] else []
     rows.append(row('beam, 9 FRFs', tests[0], frequencies(reference['modelab_beam']['modes']), z, hits=False))
     plate = os.path.join(data, 'plate_9x9', '00A_Ref_1.MAT')
-    document = percuss(tool, 'survey', plate, '--df', '0.5', '--band', '20:2200', '--quiet')
-    rows.append(row('plate, 81 FRFs', document, frequencies(reference['plate_9x9']['modes_Ref_1']), hits=False))
+    with tempfile.TemporaryDirectory() as work:
+        band = ['--band', '20:2200', '--quiet']
+        document = percuss(tool, 'survey', plate, '--df', '0.5', *band)
+        halves = halves_of_frfs(tool, [plate, '--df', '0.5'], work)
+        even, odd = [percuss(tool, 'survey', half, *band) for half in halves]
+    z = pairs(even, odd) if even and odd else []
+    rows.append(row('plate, 81 FRFs', document, frequencies(reference['plate_9x9']['modes_Ref_1']), z, hits=False))
     return rows
 
 

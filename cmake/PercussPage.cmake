@@ -2,7 +2,7 @@
 set(page ${PROJECT_SOURCE_DIR}/src/report/html/page)
 set(PERCUSS_PAGE_STYLE_FILES ${page}/page.css)
 set(PERCUSS_PAGE_PROGRAM_FILES)
-foreach(part helpers animation frequency indicator hits stabilisation bending cross_section shapes main)
+foreach(part helpers animation frequency rice nyquist geometry_choice fit indicator hits stabilisation bending cross_section shape_view shape_drawing shapes main)
   list(APPEND PERCUSS_PAGE_PROGRAM_FILES ${page}/${part}.js)
 endforeach()
 foreach(kind STYLE PROGRAM)

@@ -132,9 +132,10 @@ Object possible(PyObject* self, const Arguments& arguments) {
 
 const std::shared_ptr<const pipeline::Analysis>& analysis_of(const SharedResult& held, std::size_t test) {
   const auto& all = held->outcome.analyses;
-  if (all.empty())
+  if (all.empty()) {
     throw InputError("the result holds no FRFs", "analysis without a force", "analyse a record with a force",
                      {"force_channel"});
+  }
   if (test >= all.size())
     raise_builtin(PyExc_IndexError, "test " + std::to_string(test) + " of " + std::to_string(all.size()));
   return all[test];

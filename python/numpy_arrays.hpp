@@ -33,9 +33,8 @@ constexpr const char* type_name() {
 
 /// A read-only view of `values` that keeps `owner` alive.
 template <class Value>
-Object view_of(std::span<const Value> values, std::shared_ptr<const void> owner) {
-  return array_of(
-      {.first = values.data(), .shape = {values.size()}, .type = type_name<Value>(), .owner = std::move(owner)});
+Object view_of(std::span<const Value> values, const std::shared_ptr<const void>& owner) {
+  return array_of({.first = values.data(), .shape = {values.size()}, .type = type_name<Value>(), .owner = owner});
 }
 
 /// A read-only array of the values; `shape` is (values,) unless given.

@@ -12,14 +12,16 @@ namespace percuss::messages_test {
 
 namespace fs = std::filesystem;
 
-// String literals with "--word". Style sheets write their variables as "var(--word)".
+// String literals with "--word". Style sheets write their variables as "var(--word)" and set them by
+// "{{ --word: …".
 std::vector<std::string> flags_in(const std::string& line) {
-  static const std::regex kLiteral(R"re("(?:[^"\\]|\\.)*")re"), kFlag(R"((^|[^(-])--[a-z][a-z-]+)");
+  static const std::regex kLiteral(R"re("(?:[^"\\]|\\.)*")re"), kFlag(R"((^|[^(-])--[a-z][a-z-]+)"),
+      kStyle(R"(\{\{ --[a-z-]+)");
   std::vector<std::string> out;
   const std::string code = line.substr(0, line.find("//"));
   for (std::sregex_iterator at(code.begin(), code.end(), kLiteral), end; at != end; ++at) {
     const std::string literal = at->str();
-    if (std::regex_search(literal, kFlag)) out.push_back(literal);
+    if (std::regex_search(std::regex_replace(literal, kStyle, ""), kFlag)) out.push_back(literal);
   }
   return out;
 }
@@ -43,6 +45,8 @@ TEST(Messages, NameNoFlagOfTheCommandLine) {
 TEST(Messages, AreSearchedForFlags) {
   EXPECT_EQ(flags_in(R"(throw InputError("x", "y", "state it with --fs");)").size(), 1U);
   EXPECT_EQ(flags_in(R"(out << "--fs")").size(), 1U);
+  EXPECT_TRUE(flags_in(R"(fmt::format(":root {{ --width: {}; }}", width))").empty());
+  EXPECT_EQ(flags_in(R"(fmt::format("state it with --width: {}", width))").size(), 1U);
   EXPECT_TRUE(flags_in(R"code(ink = "var(--ink)";  // as "--fs")code").empty());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Modes and their classification, as plain data. Analysis::modes() and Survey::classifications() make them.
+/// Modes and their classification, as plain data: the results of Analysis::modes(), Analysis::classifications() and
+/// Survey::classifications().
 ///
 /// @code
 /// #include <iostream>

@@ -160,7 +160,7 @@ class Analysis(TestResult):
 
         Notes
         -----
-        The measured FRF of a record that ends before the decay does differs from it by the missing part of the decay.
+        If the record ends before the decay, the measured FRF differs from this one by the missing part of the decay.
 
         Examples
         --------

@@ -15,7 +15,7 @@ _UNITS = {
     "N*M/RAD": "N·m/rad", "N*S/M": "N·s/m", "N/M^1.5": "N/m^1.5", "RAD/S": "rad/s", "PERCENT": "%", "G": "g", "IN/S2": "in/s²",
     "mV/N": "mV/N", "mV/g": "mV/g", "mV/Pa": "mV/Pa",
 }  # fmt: skip
-_LENGTHS_AND_SPEEDS = {"M", "KG", "M/S", "KG*M2"}  # a text may state another unit
+_QUANTITY_UNITS = {"M", "KG", "M/S", "KG*M2"}  # a text may state another unit
 
 
 def _choices(option: Option) -> str:
@@ -48,7 +48,7 @@ def annotation(option: Option) -> str:
     if option.requirement.startswith("a whole number"):
         return "int | Sequence[int]" if option.list else "int"
     if option.requirement.startswith("a number"):
-        if _unit(option) in _LENGTHS_AND_SPEEDS:
+        if _unit(option) in _QUANTITY_UNITS:
             return "Quantities" if option.list else "Quantity"
         return "Numbers" if option.list else "float"
     if option.shown == "LO:HI":

@@ -3,7 +3,7 @@ declaration of the command line holds."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 DATA = (
     "*data",
@@ -30,7 +30,6 @@ class Function:
     notes: str = ""
     example: str = ""
     see_also: tuple[tuple[str, str], ...] = ()
-    drop: tuple[str, ...] = field(default=())  # options of another interface only
 
 
 _MEASURED = {"parts": (DATA,), "call": "of_data"}

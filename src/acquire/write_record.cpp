@@ -29,8 +29,10 @@ void write_frfs(const std::string& path, const FrfRecord& record, FrfKind kind, 
 
 std::vector<std::string> losses_of(const std::string& path, const Record& record) {
   const FileFormat* const format = written_format(path);
-  return format != nullptr && format->record_losses != nullptr ? format->record_losses(path, record)
-                                                               : std::vector<std::string>{};
+  if (format == nullptr) return {};
+  auto losses = format->record_losses != nullptr ? format->record_losses(path, record) : std::vector<std::string>{};
+  if (!record.trace_faces.empty() && !format->keeps_frf_geometry) losses.emplace_back("the faces between points");
+  return losses;
 }
 
 std::vector<std::string> losses_of(const std::string& path, const FrfRecord& record) {
@@ -39,6 +41,7 @@ std::vector<std::string> losses_of(const std::string& path, const FrfRecord& rec
   if (format == nullptr || format->keeps_frf_geometry) return losses;
   if (!record.geometry.empty()) losses.emplace_back("the geometry");
   if (!record.trace_lines.empty()) losses.emplace_back("the lines between points");
+  if (!record.trace_faces.empty()) losses.emplace_back("the faces between points");
   return losses;
 }
 

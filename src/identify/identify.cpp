@@ -31,7 +31,7 @@ std::vector<Mode> fit_all_channels(const FrfDataset& set, const IdentifyOptions&
 }
 
 std::vector<Mode> fit_at_starts(const FrfDataset& set, const IdentifyOptions& options) {
-  std::vector<FittedMode> found = fit_held_starts(set, options.start_Hz, options.effort).modes;
+  std::vector<FittedMode> found = fit_starts(set, options.start_Hz, options.effort).modes;
   if (options.effort == Effort::best && !found.empty()) refine_jointly(set, found);
   return with_force_noise(set, std::move(found));
 }
@@ -64,7 +64,7 @@ std::vector<Mode> modes_from_poles(const FrfDataset& set, const std::vector<Pole
 }
 
 std::vector<RefusedStart> refused_starts(const FrfDataset& set, const IdentifyOptions& options) {
-  return fit_held_starts(set, options.start_Hz, options.effort).refused;
+  return fit_starts(set, options.start_Hz, options.effort).refused;
 }
 
 void keep_clearest(std::vector<Mode>& modes, std::size_t count) {

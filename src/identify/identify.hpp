@@ -5,7 +5,7 @@
 #include "identify/model/effort.hpp"
 #include "identify/model/frf_dataset.hpp"
 #include "identify/model/mode.hpp"
-#include "identify/select/held_starts.hpp"
+#include "identify/select/fitted_starts.hpp"
 
 namespace percuss::identify {
 

@@ -22,20 +22,6 @@ bool frequencies_match(const ComparedMode& a, const ComparedMode& b, double furt
          std::abs(b.freq_Hz - a.freq_Hz) <= furthest * std::max(a.freq_Hz, b.freq_Hz);
 }
 
-std::optional<identify::Mac> mac_of(const ComparedMode& a, const ComparedMode& b) {
-  identify::ShapeValues first, second;
-  for (const auto& [place, component] : a.shape) {
-    const auto other = b.shape.find(place);
-    if (other == b.shape.end()) continue;
-    first.value.push_back(component.value);
-    first.std.push_back(component.std);
-    second.value.push_back(other->second.value);
-    second.std.push_back(other->second.std);
-  }
-  if (first.value.size() < kMinPlaces) return std::nullopt;
-  return mac(first, second);
-}
-
 ModePair pair_of(const ComparedDocument& a, const ComparedDocument& b, std::size_t i, std::size_t k) {
   const ComparedMode &x = a.modes[i], &y = b.modes[k];
   ModePair pair{.a = i, .b = k, .difference_percent = 100 * (y.freq_Hz / x.freq_Hz - 1)};
@@ -43,7 +29,7 @@ ModePair pair_of(const ComparedDocument& a, const ComparedDocument& b, std::size
     pair.difference_std_percent =
         100 * y.freq_Hz / x.freq_Hz * std::hypot(x.freq_std_Hz / x.freq_Hz, y.freq_std_Hz / y.freq_Hz);
   }
-  pair.mac = mac_of(x, y);
+  pair.mac = mac_between(x, y);
   return pair;
 }
 
@@ -96,7 +82,7 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
   std::vector<std::vector<Best>> best(rows.size() + 1, std::vector<Best>(columns.size() + 1));
   const auto together = [&](std::size_t i, std::size_t k) -> std::optional<Best> {
     const ComparedMode &x = a.modes[rows[i]], &y = b.modes[columns[k]];
-    if (!frequencies_match(x, y, options.furthest) || mac_of(x, y)) return std::nullopt;
+    if (!frequencies_match(x, y, options.furthest) || mac_between(x, y)) return std::nullopt;
     const Best& before = best[i][k];
     return Best{.pairs = before.pairs + 1, .apart = before.apart + std::abs(std::log(y.freq_Hz / x.freq_Hz))};
   };
@@ -146,6 +132,20 @@ std::optional<ComparedDeflection> at_point(const ComparedDocument& document, int
 }
 
 }  // namespace
+
+std::optional<identify::Mac> mac_between(const ComparedMode& a, const ComparedMode& b) {
+  identify::ShapeValues first, second;
+  for (const auto& [place, component] : a.shape) {
+    const auto other = b.shape.find(place);
+    if (other == b.shape.end()) continue;
+    first.value.push_back(component.value);
+    first.std.push_back(component.std);
+    second.value.push_back(other->second.value);
+    second.std.push_back(other->second.std);
+  }
+  if (first.value.size() < kMinPlaces) return std::nullopt;
+  return mac(first, second);
+}
 
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options) {
   PairedModes out{.pairs = by_shape(a, b, options)};

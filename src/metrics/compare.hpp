@@ -62,6 +62,9 @@ struct PairedModes {
 /// mode. Modes of 0 Hz (rigid-body modes) are left out.
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options = {});
 
+/// The MAC of two modes at their common places; nothing for fewer than three.
+std::optional<identify::Mac> mac_between(const ComparedMode& a, const ComparedMode& b);
+
 struct DeflectionPair {
   std::optional<int> point;
   std::optional<double> position_m;

@@ -1,6 +1,7 @@
 #include "pipeline/analysis.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
@@ -10,12 +11,13 @@
 #include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/source/frf_source.hpp"
 #include "pipeline/source/record_source.hpp"
+#include "pipeline/stages/cancelled_tones.hpp"
+#include "pipeline/stages/hidden_modes.hpp"
 #include "pipeline/stages/hit_scatter.hpp"
 #include "pipeline/stages/mains_modes.hpp"
 #include "pipeline/stages/single_hits.hpp"
 
 namespace percuss::pipeline {
-
 Analysis::Analysis(acquire::Record record, AnalysisOptions options)
     : source_(std::make_shared<RecordSource>(std::move(record))),
       options_(std::move(options)),
@@ -175,8 +177,17 @@ const std::vector<identify::Mode>& Analysis::modes() const {
       identify::IdentifyOptions all = options_.modes;
       all.modes.reset();  // the number limits the modes within the band, not the modes of its margin
       std::vector<identify::Mode> found = identify::identify_modes(set, all);
+      std::optional<identify::HitFrfs> built;
+      const auto hits = [&]() -> const identify::HitFrfs& {
+        if (!built) built = single_hits(set, from, comparable_hits(from));
+        return *built;
+      };
+      const bool searches = may_hide_modes(set, from, all);
+      const std::vector<Tone> wandering =
+          searches ? add_hidden_modes(found, tones, set, hits, all.effort) : std::vector<Tone>{};
       add_scatter_between_hits(set, from, options_.modes, found);
-      if (hums) remove_mains_modes(found, tones, set, single_hits(set, from, comparable_hits(from)));
+      if (!wandering.empty()) refit_modes_near_tones(found, wandering, set, hits(), all.effort);
+      if (hums) remove_mains_modes(found, tones, set, hits());
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
       if (options_.modes.modes) identify::keep_clearest(split.within, *options_.modes.modes);

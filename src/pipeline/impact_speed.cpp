@@ -57,7 +57,7 @@ std::vector<ImpactSpeed> impact_speeds(const Analysis& analysis, const std::vect
     const metrics::ImpactOnset onset = onset_of(analysis.record(), impacts[h]);
     const double time_s = onset.time_s - options.beam_time_s;
     if (!(time_s > sample_s)) {
-      throw InputError(fmt::format("the time from the light beam to hit {} is {:.6g} s", h, time_s),
+      throw InputError(fmt::format("the time from the light beam to hit {} is {:.6g} s", h + 1, time_s),
                        analysis.record().source(), "correct the time of the light beam, or leave out its distance",
                        {"beam_time", "beam_distance"});
     }

@@ -6,6 +6,8 @@
 #include <array>
 #include <cassert>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "report/json/compare_json.hpp"
 #include "report/text/number_format.hpp"
@@ -44,7 +46,7 @@ ReportText modes_text(const std::vector<metrics::ComparedDocument>& documents,
   for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
     const metrics::ComparedMode& mode = documents.front().modes[m];
     if (!(mode.freq_Hz > 0)) continue;
-    std::vector<std::string> cells{fmt::format("{}", m), mode.family, frequency_text(mode)};
+    std::vector<std::string> cells{fmt::format("{}", m + 1), mode.family, frequency_text(mode)};
     for (const Comparison& c : comparisons) {
       const metrics::ModePair* pair = pair_at(c, m);
       std::string cell =
@@ -123,6 +125,26 @@ std::vector<NumericColumn> columns_of(const std::vector<metrics::ComparedDocumen
   return columns;
 }
 
+// The MAC of every mode of the first document with every mode of the second; nothing without common shapes.
+std::optional<MacMatrix> mac_matrix_of(const Comparison& c) {
+  MacMatrix out{.caption = fmt::format("rows: {}; columns: {}", one_line(c.a.name, 200), one_line(c.b.name, 200)),
+                .rows = {},
+                .columns = {},
+                .values = {}};
+  bool any = false;
+  for (const metrics::ComparedMode& mode : c.b.modes) out.columns.push_back(hertz_text(mode.freq_Hz) + " Hz");
+  for (const metrics::ComparedMode& mode : c.a.modes) {
+    out.rows.push_back(hertz_text(mode.freq_Hz) + " Hz");
+    out.values.emplace_back();
+    for (const metrics::ComparedMode& other : c.b.modes) {
+      const auto mac = metrics::mac_between(mode, other);
+      any = any || mac;
+      out.values.back().push_back(mac ? std::optional(mac->value) : std::nullopt);
+    }
+  }
+  return any ? std::optional(std::move(out)) : std::nullopt;
+}
+
 LineChart chart_of(const std::vector<Comparison>& comparisons) {
   const Comparison& first = comparisons.front();
   LineChart chart;
@@ -192,6 +214,9 @@ CommandReport compare_report(const std::vector<metrics::ComparedDocument>& docum
   }
   report.columns = columns_of(documents, comparisons);
   report.charts = {chart_of(comparisons)};
+  for (const Comparison& c : comparisons) {
+    if (auto matrix = mac_matrix_of(c)) report.macs.push_back(std::move(*matrix));
+  }
   return report;
 }
 

@@ -29,6 +29,7 @@ acquire::FrfRecord frf_record_of(const pipeline::Analysis& analysis) {
   out.accel = analysis.record().accel;
   out.geometry = analysis.record().geometry;
   out.trace_lines = analysis.record().trace_lines;
+  out.trace_faces = analysis.record().trace_faces;
   out.decay_per_s = analysis.window_decay_per_s();
   out.estimator = name_of(analysis.options().estimator);
   const std::size_t first = band.first - lines.first;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "acquire/formats/uff/uff_trace_lines.hpp"
 #include "acquire/formats/uff/write_uff.hpp"
@@ -21,11 +20,11 @@ using Nodes = std::map<int, Vector>;  // by label
 
 constexpr int kComplexSingle = 5, kNodeColour = 11, kTranslations = 2, kComplexModes = 3, kDisplacement = 8;
 
-Nodes nodes_of(const identify::ModeShape& shape, const pipeline::Survey* survey, const pipeline::Analysis& analysis,
-               bool at_sensors, int offset) {
+Nodes nodes_of(const identify::ModeShape& shape, const PlotMesh* mesh, const pipeline::Survey* survey,
+               const pipeline::Analysis& analysis, bool at_sensors, int offset) {
   Nodes out;
   for (const identify::ShapePlace& place : shape.places) {
-    const auto normal = outward_normal(survey, analysis, place.point, place.channel, at_sensors);
+    const auto normal = response_direction(mesh, survey, analysis, place.point, place.channel, at_sensors);
     Vector& value = out[static_cast<int>(place.point) + offset];
     for (std::size_t i = 0; i < 3; ++i) value[i] += place.value * normal[i];
   }
@@ -92,22 +91,30 @@ std::string set2414(const UffMode& mode, const Nodes& nodes) {
   return out + values_text(nodes);
 }
 
-// Writes the positions of the points, or none if one position is not known. Returns the points written.
-std::set<int> write_places(acquire::UffOutput& out, const pipeline::Survey& survey, const Nodes& nodes, int offset) {
+// Writes the positions of the points, their lines and faces, or nothing if one position is not known.
+void write_places(acquire::UffOutput& out, const PlotMesh& mesh, const Nodes& nodes, int offset) {
+  if (mesh.points.size() != nodes.size()) return;
   std::string set15, set2411;
-  std::set<int> written;
-  for (const auto& [node, value] : nodes) {
-    const auto at = plot_position(survey, static_cast<std::size_t>(node - offset));
-    if (!at) return {};
-    written.insert(node - offset);
-    set15 += fmt::format("{:10}{:10}{:10}{:10}{}{}{}\n", node, 0, 0, kNodeColour, acquire::uff_e13((*at)[0]),
-                         acquire::uff_e13((*at)[1]), acquire::uff_e13((*at)[2]));
-    set2411 += fmt::format("{:10}{:10}{:10}{:10}\n{}{}{}\n", node, 0, 0, kNodeColour, acquire::uff_d25((*at)[0]),
-                           acquire::uff_d25((*at)[1]), acquire::uff_d25((*at)[2]));
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const int node = mesh.number[i] + offset;
+    const auto& at = mesh.points[i];
+    set15 += fmt::format("{:10}{:10}{:10}{:10}{}{}{}\n", node, 0, 0, kNodeColour, acquire::uff_e13(at[0]),
+                         acquire::uff_e13(at[1]), acquire::uff_e13(at[2]));
+    set2411 += fmt::format("{:10}{:10}{:10}{:10}\n{}{}{}\n", node, 0, 0, kNodeColour, acquire::uff_d25(at[0]),
+                           acquire::uff_d25(at[1]), acquire::uff_d25(at[2]));
   }
   out.set(15, set15);
   out.set(2411, set2411);
-  return written;
+  std::vector<acquire::TraceLine> lines;
+  for (const auto& [from, to] : mesh.lines) lines.push_back({mesh.number[from], mesh.number[to]});
+  for (const std::string& line : acquire::uff_trace_line_sets(lines, offset)) out.set(82, line);
+  std::vector<acquire::TraceFace> faces;
+  for (const auto& face : mesh.faces) {
+    faces.emplace_back();
+    for (const std::size_t corner : face) faces.back().push_back(mesh.number[corner]);
+  }
+  const std::string elements = acquire::uff_element_lines(faces, offset);
+  if (!elements.empty()) out.set(2412, elements);
 }
 
 void write_shapes(const std::string& path, const pipeline::Survey* survey, const pipeline::Analysis& analysis,
@@ -115,15 +122,13 @@ void write_shapes(const std::string& path, const pipeline::Survey* survey, const
   const auto& modes = analysis.modes();
   if (modes.empty()) throw InputError("no modes to write", path, "widen the band, or write .json", {"band"});
   const int offset = acquire::uff_node_offset(analysis.frf_points().front());
+  const PlotMesh mesh = survey == nullptr ? PlotMesh{} : plot_mesh(*survey);
+  const PlotMesh* const places = survey == nullptr ? nullptr : &mesh;
   acquire::UffOutput out(path, force);
   out.header();
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const Nodes nodes = nodes_of(shapes[m], survey, analysis, sensors, offset);
-    if (m == 0 && survey != nullptr) {
-      const std::set<int> points = write_places(out, *survey, nodes, offset);
-      for (const std::string& line : acquire::uff_trace_line_sets(plot_lines(*survey, points), offset))
-        out.set(82, line);
-    }
+    const Nodes nodes = nodes_of(shapes[m], places, survey, analysis, sensors, offset);
+    if (m == 0 && survey != nullptr) write_places(out, mesh, nodes, offset);
     const UffMode mode{m + 1, modes[m].pole,
                        shapes[m].normalisation == identify::Normalisation::unit_modal_mass ? 1.0 : 0.0};
     out.set(55, set55(mode, nodes));

@@ -6,10 +6,11 @@
 namespace percuss::report {
 
 /// Writes mode shapes as a universal file, which other packages animate. It holds sets 151 and 164, and each mode as 55
-/// and 2414 (complex, three translations per node). Where all positions are known, it also holds nodes (15 and 2411)
-/// and trace lines (82): the record's own, or on a tube its rings and the lines along it. A node is a point of the test
-/// (node = point + 1 where points begin at 0). A component is along the outward normal of a tube whose axis is x, else
-/// along z. The components of sensors at one point are along their angles (0° along y, 90° along z).
+/// and 2414 (complex, three translations per node). Where all positions are known, it also holds nodes (15 and 2411),
+/// trace lines (82) and faces (2412, triangles and quadrilaterals) as plot_mesh gives them. A node is a point of the
+/// test (node = point + 1 where points begin at 0). A component is along the normal of the structure, which points out
+/// of a tube or a closed surface. The components of sensors at one point of a structure that is no tube are along their
+/// angles (0° along y, 90° along z).
 /// errors  InputError: the file exists (without `force`) or cannot be written, no modes.
 void write_modes_uff(const std::string& path, const pipeline::Survey& survey, bool force);
 

@@ -47,7 +47,7 @@ TextTable hits_table(const pipeline::ResponseTest& test) {
     std::string verdict = hit.accepted ? "ok" : "rejected";
     if (hit.by_user) verdict += hit.accepted ? " (accepted by the user)" : " (by the user)";
     if (!hit.reason.empty()) verdict += ": " + hit.reason;
-    table.add({fmt::format("{}", h), fmt::format("{}", hit.impact.row),
+    table.add({fmt::format("{}", h + 1), fmt::format("{}", hit.impact.row),
                hit.impact.whole_pulse ? fmt::format("{:.4f} s", hit.onset_s) : "before the row", verdict},
               hit.accepted);
   }
@@ -66,7 +66,7 @@ TextTable modes_table(const pipeline::ResponseTest& test) {
   const std::size_t channels = test.record.accel.size();
   const std::size_t shown = channels > kMaxShapeColumns ? 0 : channels;
   std::vector<TextTable::Column> columns{{"mode", kRight}};
-  if (named) columns.push_back({"family"});
+  if (named) columns.insert(columns.end(), {{"family"}, {"confidence", kRight}});
   columns.push_back({"frequency", kRight});
   columns.push_back({"damping", kRight});
   for (std::size_t c = 0; c < shown; ++c) {
@@ -77,8 +77,11 @@ TextTable modes_table(const pipeline::ResponseTest& test) {
   TextTable table(columns);
   for (std::size_t m = 0; m < test.found.modes.size(); ++m) {
     const identify::Mode& mode = test.found.modes[m].mode;
-    std::vector<std::string> cells{fmt::format("{}", m)};
-    if (named) cells.push_back(mode_type_of(test.classifications[m]));
+    std::vector<std::string> cells{fmt::format("{}", m + 1)};
+    if (named) {
+      cells.push_back(mode_type_of(test.classifications[m]));
+      cells.push_back(confidence_text(test.classifications[m]));
+    }
     cells.push_back(value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz");
     cells.push_back(value_with_std(100 * mode.pole.damping_ratio, 100 * mode.damping_std) + " %");
     for (std::size_t c = 0; c < shown; ++c) {

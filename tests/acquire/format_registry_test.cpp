@@ -135,6 +135,10 @@ TEST_F(FormatRegistry, ReportsTheGeometryThatFilesOfFrfsLose) {
   frfs.trace_lines = {{0, 1}};
   EXPECT_THAT(losses_of("f.unv", frfs), IsEmpty());
   EXPECT_THAT(losses_of("f.h5", frfs), ElementsAre("the geometry", "the lines between points"));
+  frfs.trace_faces = {{0, 1, 2}};
+  EXPECT_THAT(losses_of("f.unv", frfs), IsEmpty());
+  EXPECT_THAT(losses_of("f.h5", frfs),
+              ElementsAre("the geometry", "the lines between points", "the faces between points"));
 }
 
 // "| HDF5 | .h5 .hdf5 .hdf | .h5 .hdf5 | read, written | yes |"

@@ -54,10 +54,11 @@ TEST(OptionFields, AreTheIdentifierAndItsUnit) {
   for (const auto& [id, field] : expected) EXPECT_EQ(option_field(id), field);
 }
 
-// Options without a C++ field. They concern the terminal, the command's output files, or documents that json() does not
-// contain.
-const std::set<std::string> kOfTheCommandLine{"bat",  "bat_id", "beam", "compare", "example", "explain", "help",
-                                              "hits", "json",   "only", "output",  "quiet",   "trace"};
+// Options without a C++ field. They concern the terminal, the output files and their title block, or documents that
+// json() does not contain.
+const std::set<std::string> kOfTheCommandLine{
+    "bat",  "bat_id", "beam", "compare",  "customer", "example", "explain", "help",     "hits",  "json",
+    "logo", "note",   "only", "operator", "output",   "paper",   "quiet",   "specimen", "title", "trace"};
 
 TEST(OptionFields, ExistForTheOptionsOfTheCommandLine) {
   for (const char* const command : {"analyze", "frf", "survey", "deflect"}) {

@@ -66,7 +66,7 @@ TEST_F(PublicResults, OptionsActAsTheFlagsOfAnalyze) {
                        "--estimator",
                        "hv",
                        "--reject-hit",
-                       "1",
+                       "2",
                        "--modes",
                        "2",
                        "--exponential",

@@ -60,7 +60,7 @@ TEST_F(AnalyzeChoices, StoresNoOptionsByDefault) {
 }
 
 TEST_F(AnalyzeChoices, AcceptsAndRejectsHitsAgainstTheirFindings) {
-  const json document = document_of({"--accept-hit", "1", "--reject-hit", "0"});
+  const json document = document_of({"--accept-hit", "2", "--reject-hit", "1"});
   EXPECT_EQ(document["options"]["accept_hits"], (json{1}));
   EXPECT_EQ(document["options"]["reject_hits"], (json{0}));
   EXPECT_EQ(document["hits"][0]["accepted"], false);
@@ -126,10 +126,11 @@ TEST_F(AnalyzeChoices, ReportsAnInvalidChoiceInOneLine) {
   EXPECT_THAT(rejection_of({"--band", "60:900:2"}, 2), HasSubstr("--band"));
   EXPECT_THAT(rejection_of({"--band", "60:9000"}, 3), AllOf(HasSubstr("--band"), HasSubstr("4096 Hz")));
   EXPECT_THAT(rejection_of({"--only", "hits,noise"}, 2), AllOf(HasSubstr("'noise'"), HasSubstr("coherence")));
-  EXPECT_THAT(rejection_of({"--accept-hit", "7"}, 3), AllOf(HasSubstr("no hit 7"), HasSubstr("count from 0")));
+  EXPECT_THAT(rejection_of({"--accept-hit", "7"}, 3), AllOf(HasSubstr("no hit 7"), HasSubstr("count from 1")));
   EXPECT_THAT(rejection_of({"--accept-hit", "1", "--reject-hit", "1"}, 2),
               HasSubstr("--accept-hit and --reject-hit both name hit 1"));
   EXPECT_THAT(rejection_of({"--accept-hit", "-1"}, 2), HasSubstr("--accept-hit"));
+  EXPECT_THAT(rejection_of({"--reject-hit", "0"}, 2), HasSubstr("hits count from 1"));
   EXPECT_THAT(rejection_of({"--modes", "0"}, 2), HasSubstr("--modes"));
   EXPECT_THAT(rejection_of({"--start", "-5"}, 2), HasSubstr("--start"));
   EXPECT_THAT(rejection_of({"--from", "0.5", "--to", "0.2"}, 2), HasSubstr("--to"));

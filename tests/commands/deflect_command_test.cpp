@@ -172,7 +172,7 @@ TEST_F(DeflectCommand, WorksWithoutAForce) {
 TEST_F(DeflectCommand, WritesEverySample) {
   const test::ScratchFolder out;
   const auto outcome = run_percuss(
-      {"deflect", file("bat.h5"), "--accept-hit", "0", "-o", "d.csv", "-o", "d.h5", "-o", "d.HDF5", "-o", "d.svg"},
+      {"deflect", file("bat.h5"), "--accept-hit", "1", "-o", "d.csv", "-o", "d.h5", "-o", "d.HDF5", "-o", "d.svg"},
       {.folder = out.path()});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(test::lines_of(test::bytes_of(out.file("d.csv"))).size(), 1 + 8 * kLength_s * kFs_Hz);

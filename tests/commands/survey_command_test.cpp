@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <memory>
 #include <numbers>
 
@@ -140,6 +142,41 @@ TEST_F(SurveyCommand, WritesShapesAndTheIndicator) {
     EXPECT_TRUE(stored.has(set)) << set;
   EXPECT_EQ(test::bytes_of(file("s.hdf5")), test::bytes_of(file("s.h5")));
   EXPECT_EQ(test::parse_json(test::bytes_of(file("s.json")))["schema"], "percuss/analysis/1");
+}
+
+// Rings of six points: 3 · 6 lines around and 2 · 6 along, 2 · 6 faces.
+TEST_F(SurveyCommand, DrawsTheTubeWithLinesAndFaces) {
+  ASSERT_EQ(survey({file("barrel.h5"), "--force", "-o", file("s.html"), "-o", file("s.glb"), "-o", file("s.uff")}).code,
+            0);
+  const std::string page = test::bytes_of(file("s.html"));
+  const std::string from = R"(<script type="application/json" id="data">)";
+  const std::size_t at = page.find(from) + from.size();
+  json shapes;
+  for (const json& part : json::parse(page.substr(at, page.find("</script>", at) - at))) {
+    if (part.contains("shapes")) shapes = part["shapes"];
+  }
+  EXPECT_EQ(shapes["points"].size(), 18U);
+  EXPECT_EQ(shapes["lines"].size(), 30U);
+  EXPECT_EQ(shapes["faces"].size(), 12U);
+  EXPECT_EQ(shapes["sensors"][0]["at"], 0) << "the driving point";
+  ASSERT_EQ(shapes["modes"].size(), 2U);
+  int largest = 0;
+  for (const json& move : shapes["modes"][1]["moves"]) largest = std::max(largest, std::abs(move.get<int>()));
+  EXPECT_NEAR(largest, 10000, 200) << "points at 0°, 60°, … around the antinode";
+  EXPECT_EQ(test::bytes_of(file("s.glb")).substr(0, 4), "glTF");
+  EXPECT_THAT(test::bytes_of(file("s.uff")), AllOf(HasSubstr("\n    82\n"), HasSubstr("\n  2412\n")));
+}
+
+TEST_F(SurveyCommand, DrawsTheLinesAndFacesOfTheGeometryFile) {
+  test::write_bytes(file("faces.csv"), test::bytes_of(file("points.csv")) + "line,0,6,12\nface,0,1,7,6\n");
+  ASSERT_EQ(survey({file("bare.h5"), "--geometry", file("faces.csv"), "--force", "-o", file("s.html")}).code, 0);
+  EXPECT_THAT(test::bytes_of(file("s.html")), HasSubstr(R"("lines":[[0,6],[6,12]],"faces":[[0,1,7,6]])"));
+}
+
+TEST_F(SurveyCommand, NeedsCoordinatesForAModel) {
+  const auto outcome = survey({file("bare.h5"), "-o", file("none.glb")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("coordinates"), HasSubstr("--geometry")));
 }
 
 TEST_F(SurveyCommand, AcceptsARovingSensor) {

@@ -109,7 +109,7 @@ TEST(Usage, StatesTheRuleForAValue) {
        {{"analyze", "x.h5", "--overlay-db", "0"}, "--overlay-db cannot be '0'; give a number above 0"},
        {{"analyze", "x.h5", "--angle", "0,x"}, "--angle cannot be 'x'; give a number"},
        {{"analyze", "x.h5", "--accept-hit", "1.5"},
-        "--accept-hit cannot be '1.5'; give whole numbers from 0 up, ranges such as 1-5, or all"},
+        "--accept-hit cannot be '1.5'; give whole numbers from 1 up, ranges such as 1-5, or all"},
        {{"calibrate", "x.csv", "--mass", "1m"}, "--mass cannot be '1m'; give a number above 0"},
        {{"calibrate", "x.csv", "--mass", "nan"}, "--mass cannot be 'nan'; give a number above 0"},
        {{"model", "beam", "--length", ""}, "--length cannot be ''; give a number above 0"},

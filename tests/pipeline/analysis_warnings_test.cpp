@@ -111,7 +111,7 @@ TEST(Warnings, NameAPretriggerShorterThanTheFiltersRinging) {
 TEST(Warnings, NameTheHitsInWhichAChannelIsDead) {
   const acquire::Record record =
       with_dead(synth::synthesise(bat()).record, 0, 0, [](std::size_t row) { return row != 1; });
-  EXPECT_THAT(warnings_of(record), Contains(AllOf(HasSubstr("dead_channel: accel 1 "), HasSubstr("hits 0, 2"))));
+  EXPECT_THAT(warnings_of(record), Contains(AllOf(HasSubstr("dead_channel: accel 1 "), HasSubstr("hits 1, 3"))));
 }
 
 TEST(Warnings, DoNotMentionChannelsThatWereNotRead) {

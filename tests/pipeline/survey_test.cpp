@@ -216,7 +216,7 @@ TEST(Survey, NamesTheSensorOnANode) {
   spec.sensors.push_back({.position_m = 0.05, .angle_rad = pi / 2});
   const Analysis analysis(synth::synthesise(spec).record, in_band());
   const auto warnings = Survey(analysis, {}).warnings();
-  EXPECT_THAT(warnings, Contains(Field(&Warning::message, HasSubstr("accel 2 sits on a node of mode 0"))));
+  EXPECT_THAT(warnings, Contains(Field(&Warning::message, HasSubstr("accel 2 sits on a node of mode 1"))));
 }
 
 TEST(Survey, WarnsOfAWrongDrivingPointSignAndBrokenReciprocity) {

@@ -29,4 +29,28 @@ TEST(CompareReport, DrawsDeflectionsOverAScaleThatAllPlacesHave) {
   EXPECT_THAT(order.curves.at(1).y, ElementsAre(1000, 2000));
 }
 
+// Two modes at four places: equal, opposite in sign, and orthogonal shapes.
+TEST(CompareReport, ListsTheMacOfAllModesWithCommonPlaces) {
+  const auto mode = [](double freq_Hz, const std::vector<double>& shape) {
+    metrics::ComparedMode out{.freq_Hz = freq_Hz};
+    for (std::size_t i = 0; i < shape.size(); ++i) out.shape[{static_cast<int>(i), 0}] = {.value = shape[i]};
+    return out;
+  };
+  const metrics::ComparedDocument a{
+      .name = "a", .schema = "", .modes = {mode(100, {1, 1, 1, 1}), mode(200, {1, -1, 1, -1})}, .deflections = {}};
+  const metrics::ComparedDocument b{
+      .name = "b", .schema = "", .modes = {mode(101, {-2, -2, -2, -2}), mode(300, {})}, .deflections = {}};
+  const CommandReport report = compare_report({a, b});
+  ASSERT_EQ(report.macs.size(), 1U);
+  const MacMatrix& matrix = report.macs[0];
+  EXPECT_THAT(matrix.rows, ElementsAre("100 Hz", "200 Hz"));
+  EXPECT_THAT(matrix.columns, ElementsAre("101 Hz", "300 Hz"));
+  constexpr double kRounding = 1e-12;
+  EXPECT_NEAR(matrix.values[0][0].value(), 1, kRounding);
+  EXPECT_NEAR(matrix.values[1][0].value(), 0, kRounding);
+  EXPECT_FALSE(matrix.values[0][1].has_value());
+  EXPECT_TRUE(
+      compare_report({b, {.name = "c", .schema = "", .modes = {mode(300, {})}, .deflections = {}}}).macs.empty());
+}
+
 }  // namespace percuss::report::compare_report_test

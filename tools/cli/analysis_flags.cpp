@@ -164,7 +164,7 @@ void require_distinct(const std::vector<std::size_t>& accepted, const std::vecto
   const std::set<std::size_t> first(accepted.begin(), accepted.end());
   for (const std::size_t hit : rejected) {
     if (!first.contains(hit)) continue;
-    const std::string which = hit == pipeline::kEveryHit ? "all hits" : fmt::format("hit {}", hit);
+    const std::string which = hit == pipeline::kEveryHit ? "all hits" : fmt::format("hit {}", hit + 1);
     throw OptionError({"accept_hit", "reject_hit"}, "both name " + which, "name it once");
   }
 }

@@ -44,9 +44,11 @@ std::vector<std::size_t> parse_hits(const OptionId& option, const std::vector<st
       continue;
     }
     const auto range = range_of(piece);
+    if (range && range->first == 0)
+      throw OptionError::wrong_value(option, piece, "hits count from 1, as in the table of hits");
     if (!range || hits.size() + (range->second - range->first) > kMaxHits)
       throw OptionError::wrong_value(option, piece, std::string("give ") + kHitsRequirement);
-    for (std::size_t hit = range->first; hit <= range->second; ++hit) hits.push_back(hit);
+    for (std::size_t number = range->first; number <= range->second; ++number) hits.push_back(number - 1);
   }
   return hits;
 }

@@ -14,6 +14,7 @@
 #include "cli/color.hpp"
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
+#include "cli/page_output.hpp"
 #include "core/error.hpp"
 #include "core/visible_text.hpp"
 
@@ -21,18 +22,38 @@ namespace percuss::tools {
 namespace {
 
 constexpr std::size_t kMaxNoteBytes = 2000;
+constexpr std::string_view kPageExtension = ".html";
+
+// Fails before anything is computed rather than at the end.
+void check_pages(const OutputFlags& flags) {
+  const bool page = std::any_of(flags.paths.begin(), flags.paths.end(), is_page);
+  if (flags.title.given()) {
+    if (!page && flags.host == nullptr) {
+      throw OptionError({"title", "customer", "operator", "specimen", "note", "logo", "paper"}, "need a page",
+                        "write a .html or .pdf file", {"output"});
+    }
+    title_block(flags.title);
+  }
+  for (const std::string& path : flags.paths) {
+    if (extension_of(path) == ".pdf") require_browser(path);
+  }
+}
 
 }  // namespace
 
 void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
   flags.host = command.host();
   const std::string previous = command.heading("Output");
-  const std::string help = std::string("Write this file; its extension sets the kind: ") + kinds + " (repeatable)";
+  std::string shown = kinds;
+  const std::size_t page = shown.find(kPageExtension);
+  if (page != std::string::npos) shown.insert(page + kPageExtension.size(), ", .pdf");
+  const std::string help = "Write this file; its extension sets the kind: " + shown + " (repeatable)";
   command.repeatable("-o,--output", flags.paths, help.c_str()).type("FILE");
   command.flag("--json", flags.json, "Print one JSON document on standard output");
   command.flag("--force", flags.force, "Overwrite existing files");
   command.flag("--quiet", flags.quiet, "Print no progress and no warnings");
   command.heading(previous);
+  if (page != std::string::npos) add_title_flags(command, flags.title);
 }
 
 void add_formula_flag(Command& command, bool& keep_formulas) {
@@ -100,16 +121,19 @@ std::string extension_of(const std::string& path) {
 
 bool is_uff(const std::string& path) { return extension_of(path) == ".uff" || extension_of(path) == ".unv"; }
 
-bool is_html(const std::string& path) { return extension_of(path) == ".html"; }
+bool is_page(const std::string& path) { return extension_of(path) == kPageExtension || extension_of(path) == ".pdf"; }
 
 bool is_json(const std::string& path) { return extension_of(path) == ".json"; }
 
 bool writes_charts(const OutputFlags& flags) {
   return std::any_of(flags.paths.begin(), flags.paths.end(),
-                     [](const std::string& path) { return is_html(path) || extension_of(path) == ".svg"; });
+                     [](const std::string& path) { return is_page(path) || extension_of(path) == ".svg"; });
 }
 
-void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known) {
+void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kinds) {
+  std::vector<std::string> known = kinds;
+  if (const auto page = std::find(known.begin(), known.end(), kPageExtension); page != known.end())
+    known.insert(page + 1, ".pdf");
   std::set<std::string> seen;
   for (const std::string& path : flags.paths) {
     if (std::find(known.begin(), known.end(), extension_of(path)) == known.end()) {
@@ -122,6 +146,7 @@ void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kno
     if (!flags.force && std::filesystem::exists(path, ignored))
       throw InputError("file exists", path, "give another name, or overwrite it", {"force"});
   }
+  check_pages(flags);
 }
 
 bool can_plot_in_terminal() {

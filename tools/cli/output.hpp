@@ -4,6 +4,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/host.hpp"
+#include "cli/title_flags.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_cell.hpp"
 
@@ -15,11 +16,13 @@ struct OutputFlags {
   bool json = false;
   bool force = false;
   bool quiet = false;
+  TitleFlags title;
   Host* host = nullptr;            // receives the results in place of standard output
   std::string equivalent_command;  // the host's command line, for files that it saves after the run
 };
 
-/// `kinds` lists the extensions that the command passes to check_outputs: ".json, .csv".
+/// `kinds` lists the extensions that the command passes to check_outputs: ".json, .csv". With .html, pages can be
+/// written as .pdf too, and have a title block.
 void add_output_flags(Command& command, OutputFlags& flags, const char* kinds);
 
 /// Adds --keep-formulas, for commands that write texts to CSV. csv_formulas() converts the flag.
@@ -46,14 +49,16 @@ std::string extension_of(const std::string& path);
 /// Whether the path ends in .uff or .unv (universal file).
 bool is_uff(const std::string& path);
 
-bool is_html(const std::string& path);
+/// Whether the path ends in .html or .pdf.
+bool is_page(const std::string& path);
 bool is_json(const std::string& path);
 
-/// Whether an output file holds charts: .svg or .html.
+/// Whether an output file holds charts: .svg or a page.
 bool writes_charts(const OutputFlags& flags);
 
 /// Checks the output paths before anything is computed. Throws UsageError for an extension that is not in `known` or a
-/// path given twice, InputError for an existing file unless --force is given.
+/// path given twice, or statements for a page where none is written; InputError for an existing file unless --force is
+/// given, for files of the title block that cannot be used, and for .pdf without a browser.
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known);
 
 /// Whether standard output is a terminal wide enough for a plot of characters.

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "acquire/channels/channel_setup.hpp"
 #include "report/html/creation_time.hpp"
 
 namespace percuss::tools {
@@ -39,7 +40,16 @@ std::string shell_quoted_argument(const std::string& word) {
 
 report::Provenance provenance_now(const OutputFlags& flags) {
   return {.command = flags.equivalent_command.empty() ? command_line() : flags.equivalent_command,
-          .made_at = report::creation_time()};
+          .made_at = report::creation_time(),
+          .title_block = title_block(flags.title)};
+}
+
+report::Provenance provenance_now(const OutputFlags& flags, const std::string& setup_path) {
+  report::Provenance provenance = provenance_now(flags);
+  if (setup_path.empty()) return provenance;
+  for (const acquire::ChannelInstrument& one : acquire::instruments_of_setup(setup_path))
+    provenance.title_block.facts.emplace_back("Instrument of " + one.channel, one.instrument);
+  return provenance;
 }
 
 }  // namespace percuss::tools

@@ -7,6 +7,9 @@ namespace percuss::tools {
 /// The command line of this process or of the host, and the time in UTC (SOURCE_DATE_EPOCH if it is set).
 report::Provenance provenance_now(const OutputFlags& flags);
 
+/// The same, with the instruments of the channel set-up in the title block.
+report::Provenance provenance_now(const OutputFlags& flags, const std::string& setup_path);
+
 /// The word quoted for a shell, if it needs quotes.
 std::string shell_quoted_argument(const std::string& word);
 

@@ -2,6 +2,7 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/option_names.hpp"
+#include "cli/page_output.hpp"
 #include "cli/provenance.hpp"
 #include "core/io/atomic_file.hpp"
 #include "report/html/command_page.hpp"
@@ -9,9 +10,7 @@
 namespace percuss::tools {
 namespace {
 
-std::string text_for(const std::string& path, const report::CommandReport& report,
-                     const std::vector<std::string>& inputs, const OutputFlags& flags) {
-  if (is_html(path)) return report::command_page(report, inputs, provenance_now(flags));
+std::string text_for(const std::string& path, const report::CommandReport& report) {
   const std::string kind = extension_of(path);
   return kind == ".json" ? report.json : kind == ".csv" ? report.csv() : report::line_charts_svg(report.charts);
 }
@@ -22,7 +21,11 @@ void check_report_outputs(const OutputFlags& flags) { check_outputs(flags, {".js
 
 void write_report(const std::string& path, const report::CommandReport& report, const std::vector<std::string>& inputs,
                   const OutputFlags& flags) {
-  write_file(path, text_for(path, report, inputs, flags), flags.force);
+  if (is_page(path)) {
+    write_page(path, report::command_page(report, inputs, provenance_now(flags)), flags);
+  } else {
+    write_file(path, text_for(path, report), flags.force);
+  }
 }
 
 void print_report(const report::CommandReport& report, const OutputFlags& flags) {

@@ -50,9 +50,10 @@ int analyze(const AnalyzeFlags& flags) {
   const auto lacks_force = [](const acquire::Record& record) { return !record.has_force; };
   const auto without = std::find_if(opened.records.begin(), opened.records.end(), lacks_force);
   if (without != opened.records.end()) {
-    if (!std::all_of(opened.records.begin(), opened.records.end(), lacks_force))
+    if (!std::all_of(opened.records.begin(), opened.records.end(), lacks_force)) {
       throw InputError("no force where another file has one", without->source(),
                        "analyse files with a force and files without one separately");
+    }
     return analyze_responses(flags, std::move(opened.records), bat);
   }
   const Progress progress("analysing", flags.output.quiet);
@@ -117,7 +118,7 @@ void add_analyze(CommandLine& line) {
   command.example("percuss analyze bat.h5 --band 60:3200 --frf bat.frf.csv --modes-file bat.modes.csv",
                   "Write FRFs and modes as tables");
   command.example("percuss analyze bat.h5 --only hits", "Check the hits only (fast; use it during a session)");
-  command.example("percuss analyze bat.h5 --reject-hit 2 --effort quick --json",
+  command.example("percuss analyze bat.h5 --reject-hit 3 --effort quick --json",
                   "Reject the third hit, fit quickly, and print a JSON document");
   command.example("percuss analyze frfs.h5", "Fit FRFs that another program measured or computed");
   command.example("percuss analyze ping.wav", "Fit the free decay after a blow that a microphone recorded");

@@ -8,6 +8,7 @@
 
 #include "acquire/write_record.hpp"
 #include "cli/option_error.hpp"
+#include "cli/page_output.hpp"
 #include "cli/provenance.hpp"
 #include "cli/report_output.hpp"
 #include "core/error.hpp"
@@ -31,7 +32,7 @@ std::string page_of(const AnalyzeFlags& flags, const AnalyzeResults& results) {
                                {.sections = results.sections,
                                 .deflection = test.deflection ? &*test.deflection : nullptr,
                                 .comparison = results.comparison ? &*results.comparison : nullptr},
-                               provenance_now(flags.output));
+                               provenance_now(flags.output, flags.read.setup_path));
 }
 
 std::string drawing_of(const AnalyzeFlags& flags, const pipeline::Analysis& analysis) {
@@ -157,8 +158,8 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
   for (const std::string& path : flags.output.paths) {
     if (is_json(path)) {
       write_file(path, results.document, flags.output.force);
-    } else if (is_html(path)) {
-      write_file(path, page_of(flags, results), flags.output.force);
+    } else if (is_page(path)) {
+      write_page(path, page_of(flags, results), flags.output);
     } else if (extension_of(path) == ".svg") {
       write_file(path, drawing_of(flags, analysis), flags.output.force);
     } else if (is_modes_table(path)) {

@@ -62,9 +62,9 @@ std::string text_of(const CalibrateFlags& flags, const acquire::Record& record,
                            {"N per unit", report::TextTable::Align::right},
                            {""}});
   for (const acquire::CalibrationHit& hit : calibration.hits) {
-    table.add({fmt::format("{}", hit.index), fmt::format("{:.3f} s", hit.time_s), fmt::format("{:.5g}", hit.peak_force),
-               fmt::format("{:.4g} m/s²", hit.peak_accel_mps2), report::value_with_std(hit.scale, hit.scale_std),
-               hit.used ? "" : "not used: too weak"});
+    table.add({fmt::format("{}", hit.index + 1), fmt::format("{:.3f} s", hit.time_s),
+               fmt::format("{:.5g}", hit.peak_force), fmt::format("{:.4g} m/s²", hit.peak_accel_mps2),
+               report::value_with_std(hit.scale, hit.scale_std), hit.used ? "" : "not used: too weak"});
   }
   return fmt::format("{}   {} kg free mass\n\n", record.source(), flags.mass_kg) + table.text(terminal_width()) +
          fmt::format("\n1 unit of the force channel is {} N{}: use --force-scale {:.8g}\n",

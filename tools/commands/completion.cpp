@@ -1,7 +1,7 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/completion_scripts.hpp"
+#include "cli/completion/completion_scripts.hpp"
 #include "commands/commands.hpp"
 
 namespace percuss::tools {

@@ -3,6 +3,7 @@
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
 #include "cli/output.hpp"
+#include "cli/page_output.hpp"
 #include "cli/progress.hpp"
 #include "cli/provenance.hpp"
 #include "commands/commands.hpp"
@@ -49,8 +50,8 @@ void write_frf_outputs(const OutputFlags& output, const pipeline::Analysis& anal
     } else if (extension_of(path) == ".svg") {
       write_file(path, report::svg_document(report::analysis_charts(analysis, {}, {"magnitude", "phase", "coherence"})),
                  output.force);
-    } else if (is_html(path)) {
-      write_file(path, report::analysis_page(analysis, {.sections = kShown}, provenance_now(output)), output.force);
+    } else if (is_page(path)) {
+      write_page(path, report::analysis_page(analysis, {.sections = kShown}, provenance_now(output)), output);
     } else {
       report::write_frfs(path, report::frf_record_of(analysis), kind, output.force);
     }

@@ -9,11 +9,13 @@
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "cli/output.hpp"
+#include "cli/page_output.hpp"
 #include "cli/progress.hpp"
 #include "cli/provenance.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
+#include "report/gltf/shapes_glb.hpp"
 #include "report/html/survey_page.hpp"
 #include "report/json/survey_json.hpp"
 #include "report/modes_uff.hpp"
@@ -87,7 +89,7 @@ std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags) {
 bool is_indicator(const std::string& path) { return path.ends_with(".cmif.csv"); }
 
 void check_survey_outputs(const OutputFlags& output) {
-  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".uff", ".unv"});
+  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".uff", ".unv", ".glb"});
 }
 
 void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, const std::string& document) {
@@ -96,8 +98,8 @@ void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, con
     const std::string kind = extension_of(path);
     if (kind == ".json") {
       write_file(path, document, flags.output.force);
-    } else if (is_html(path)) {
-      write_file(path, report::survey_page(survey, provenance_now(flags.output)), flags.output.force);
+    } else if (is_page(path)) {
+      write_page(path, report::survey_page(survey, provenance_now(flags.output, flags.read.setup_path)), flags.output);
     } else if (extension_of(path) == ".svg") {
       write_file(path, report::svg_document(report::survey_charts(survey, flags.pictures)), flags.output.force);
     } else if (!survey.analysis().possible()) {
@@ -108,6 +110,8 @@ void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, con
       write_file(path, is_indicator(path) ? report::cmif_csv(survey) : report::shapes_csv(survey), flags.output.force);
     } else if (is_uff(path)) {
       report::write_modes_uff(path, survey, flags.output.force);
+    } else if (kind == ".glb") {
+      write_file(path, report::shapes_glb(survey), flags.output.force);
     } else {
       report::write_survey_hdf5(path, survey, flags.output.force);
     }
@@ -189,10 +193,11 @@ void add_survey(CommandLine& line) {
       "percuss survey --example > points.csv; percuss survey barrel.h5 --geometry points.csv -o shapes.csv -o "
       "modes.cmif.csv",
       "Read the geometry from a file, and write shapes and mode indicator as tables");
-  command.example("percuss survey barrel.h5 --band 60:3200 -o survey.html", "Write a page that animates the shapes");
+  command.example("percuss survey barrel.h5 --band 60:3200 -o survey.html -o shapes.glb",
+                  "Write a page that animates the shapes, and a file for 3-D viewers");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .hdf5, .uff, .unv");
+  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .hdf5, .uff, .unv, .glb");
   command
       .value("--geometry", flags->geometry_path,
              "Read the geometry from this file, a CSV as --example prints it (default: from the record)")

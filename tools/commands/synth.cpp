@@ -85,7 +85,7 @@ void print_summary(const SynthFlags& flags, const synth::Truth& truth, const acq
                              m.family == synth::SynthFamily::bending ? "bending" : "hoop", m.order);
   }
   for (std::size_t h = 0; h < truth.hits.size(); ++h) {
-    if (truth.hits[h].flag != "good") std::cout << fmt::format("  hit {}: {}\n", h, truth.hits[h].flag);
+    if (truth.hits[h].flag != "good") std::cout << fmt::format("  hit {}: {}\n", h + 1, truth.hits[h].flag);
   }
   for (const std::string& output : flags.outputs)
     std::cout << fmt::format("{}, truth in {}\n", one_line(output, 400), one_line(truth_path(output), 400));

@@ -50,6 +50,13 @@ def analyze(
     object: Literal["auto", "tube", "other"] | None = None,
     threads: int | None = None,
     budget: Numbers | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
     only: _Only | Sequence[_Only] | None = None,
     picture: _Picture | Sequence[_Picture] | None = None,
     compare: File | Sequence[File] | None = None,
@@ -126,6 +133,20 @@ def analyze(
     budget : float or list of float, optional
         Stop an analysis that takes more than this time in seconds or memory in GB (default: 120 s
         plus 2 s per MB of input; 2.1 GB plus 16 times the input).
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
     only : {'hits', 'frf', 'coherence', 'modes', 'classes', 'deflection'} or a list of them, optional
         Compute and report only these sections.
     picture : {'magnitude', 'phase', 'coherence', 'force', 'response', 'spectrum', 'decay', 'stabilisation', 'movement'} or a list of them, optional
@@ -230,7 +251,8 @@ def analyze(
         "effort": effort, "estimator": estimator, "accept_hit": accept_hit, "reject_hit": reject_hit,
         "modes": modes, "start": start, "trigger": trigger, "pretrigger": pretrigger, "length": length,
         "from_": from_, "to": to, "force_window": force_window, "exponential": exponential, "delay": delay,
-        "overlay_db": overlay_db, "object": object, "threads": threads, "budget": budget, "only": only,
-        "picture": picture, "compare": compare, "per_hit": per_hit, "stabilisation": stabilisation,
-        "bat_id": bat_id, "bat": bat, "trace": trace, "explain": explain,
+        "overlay_db": overlay_db, "object": object, "threads": threads, "budget": budget, "title": title,
+        "customer": customer, "operator": operator, "specimen": specimen, "note": note, "logo": logo,
+        "paper": paper, "only": only, "picture": picture, "compare": compare, "per_hit": per_hit,
+        "stabilisation": stabilisation, "bat_id": bat_id, "bat": bat, "trace": trace, "explain": explain,
     }))

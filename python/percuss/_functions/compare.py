@@ -1,6 +1,8 @@
 # Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
 from __future__ import annotations
 
+from typing import Literal
+
 from .._call import command_function, of_documents
 from .._results import Result
 from .._types import File
@@ -11,6 +13,13 @@ def compare(
     *documents: File,
     furthest: float | None = None,
     least_mac: float | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Compare modes or deflections of tests and models side by side.
 
@@ -26,6 +35,20 @@ def compare(
         Pair modes only if their frequencies differ by at most this much. Default: 25.
     least_mac : float, optional
         Pair modes only if their MAC is at least this. Default: 0.6.
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
 
     Returns
     -------
@@ -58,5 +81,6 @@ def compare(
     True
     """
     return Result(of_documents("compare", "compare", documents, {
-        "furthest": furthest, "least_mac": least_mac,
+        "furthest": furthest, "least_mac": least_mac, "title": title, "customer": customer,
+        "operator": operator, "specimen": specimen, "note": note, "logo": logo, "paper": paper,
     }))

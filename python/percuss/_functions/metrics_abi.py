@@ -1,6 +1,8 @@
 # Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
 from __future__ import annotations
 
+from typing import Literal
+
 from .._call import command_function, of_documents
 from .._results import Result
 from .._types import File
@@ -12,6 +14,13 @@ def abi(
     /,
     *,
     limit: float | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Follow the break-in of a composite bat from its log: next step and verdict.
 
@@ -26,6 +35,20 @@ def abi(
         The log; `percuss.example("abi")` shows its keys.
     limit : float, optional
         Use this limit in place of the log's.
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
 
     Returns
     -------
@@ -46,5 +69,6 @@ def abi(
     The keywords are the options of `percuss abi`; docs/theory/theory.md has the equations.
     """
     return Result(of_documents("metrics.abi", "abi", (log,), {
-        "limit": limit,
+        "limit": limit, "title": title, "customer": customer, "operator": operator, "specimen": specimen,
+        "note": note, "logo": logo, "paper": paper,
     }))

@@ -16,6 +16,13 @@ def certify(
     metric: Literal["besr", "ncaa_besr", "bbcor"] | None = None,
     limit: float | None = None,
     accept_plateau: bool = False,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Check a bat's test session: valid shots, next impact position, verdict.
 
@@ -33,6 +40,20 @@ def certify(
         Use this limit in place of the session's.
     accept_plateau : bool, optional
         Accept the best location within the margin as the sweet spot if no location stands out.
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
 
     Returns
     -------
@@ -54,5 +75,7 @@ def certify(
     The keywords are the options of `percuss certify`; docs/theory/theory.md has the equations.
     """
     return Result(of_documents("metrics.certify", "certify", (session,), {
-        "metric": metric, "limit": limit, "accept_plateau": accept_plateau,
+        "metric": metric, "limit": limit, "accept_plateau": accept_plateau, "title": title,
+        "customer": customer, "operator": operator, "specimen": specimen, "note": note, "logo": logo,
+        "paper": paper,
     }))

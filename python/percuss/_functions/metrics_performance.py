@@ -1,9 +1,11 @@
 # Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
 from __future__ import annotations
 
+from typing import Literal
+
 from .._call import command_function, of_documents
 from .._results import Result
-from .._types import Assignments, Numbers, Path
+from .._types import Assignments, File, Numbers, Path
 
 
 @command_function("metrics.performance", "metrics")
@@ -45,6 +47,13 @@ def performance(
     swing_exponent: float | None = None,
     lot_correction: float | None = None,
     gravity_in_s2: float | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
     keep_formulas: bool = False,
 ) -> Result:
     """Compute a bat's performance: drop, MOI, BESR, BBS, BBCOR.
@@ -135,6 +144,20 @@ def performance(
     gravity_in_s2 : float in in/s², optional
         Set the acceleration of gravity, as printed in the protocol; standard gravity is 386.089.
         Default: 386.4.
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
     keep_formulas : bool, optional
         Write texts such as =1+1 to CSV without the apostrophe that keeps a spreadsheet from
         computing them.
@@ -177,5 +200,6 @@ def performance(
         "v_pitch_mph": v_pitch_mph, "nominal_mph": nominal_mph, "v0_mph": v0_mph,
         "swing_length_in": swing_length_in, "swing_moi_oz_in2": swing_moi_oz_in2,
         "swing_exponent": swing_exponent, "lot_correction": lot_correction, "gravity_in_s2": gravity_in_s2,
-        "keep_formulas": keep_formulas,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
+        "logo": logo, "paper": paper, "keep_formulas": keep_formulas,
     }))

@@ -1,6 +1,8 @@
 # Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
 from __future__ import annotations
 
+from typing import Literal
+
 from .._call import command_function, of_documents
 from .._results import Result
 from .._types import File, Path, Texts
@@ -14,6 +16,13 @@ def study(
     hoop_curve: File | None = None,
     blind: File | None = None,
     table: File | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
     keep_formulas: bool = False,
 ) -> Result:
     """Correlate the properties of a population of bats with their performance.
@@ -39,6 +48,20 @@ def study(
         Replace the ids of the bats by neutral ones, and write the key to this file.
     table : path, array, dict or Result, optional
         Write the joined table.
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
     keep_formulas : bool, optional
         Write texts such as =1+1 to CSV without the apostrophe that keeps a spreadsheet from
         computing them.
@@ -63,5 +86,6 @@ def study(
     """
     return Result(of_documents("metrics.study", "study", tables, {
         "figures": figures, "program": program, "hoop_curve": hoop_curve, "blind": blind, "table": table,
-        "keep_formulas": keep_formulas,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
+        "logo": logo, "paper": paper, "keep_formulas": keep_formulas,
     }))

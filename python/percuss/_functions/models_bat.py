@@ -40,6 +40,13 @@ def bat(
     measured_std: Numbers | None = None,
     measured_modes: int | Sequence[int] | None = None,
     budget: Numbers | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Predict the modes of a bat from its profile, and exit speeds along it.
 
@@ -113,6 +120,20 @@ def bat(
     budget : float or list of float, optional
         Stop a model that takes more than this time in seconds or memory in GB (default: 120 s; 2.1
         GB).
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
 
     Returns
     -------
@@ -143,5 +164,6 @@ def bat(
         "bat_speed": bat_speed, "swing_rate": swing_rate, "cor": cor, "ball_stiffness": ball_stiffness,
         "ball_exponent": ball_exponent, "modes": modes, "at": at, "wave": wave, "wave_times": wave_times,
         "fit": fit, "measured": measured, "measured_std": measured_std, "measured_modes": measured_modes,
-        "budget": budget,
+        "budget": budget, "title": title, "customer": customer, "operator": operator, "specimen": specimen,
+        "note": note, "logo": logo, "paper": paper,
     }))

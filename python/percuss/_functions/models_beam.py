@@ -36,6 +36,13 @@ def beam(
     measured_modes: int | Sequence[int] | None = None,
     static: Range | None = None,
     budget: Numbers | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Predict natural frequencies, nodes and shapes of a beam.
 
@@ -101,6 +108,20 @@ def beam(
     budget : float or list of float, optional
         Stop a model that takes more than this time in seconds or memory in GB (default: 120 s; 2.1
         GB).
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
 
     Returns
     -------
@@ -126,4 +147,6 @@ def beam(
         "young": young, "shear": shear, "total_mass": total_mass, "add_mass": add_mass, "modes": modes,
         "gyration": gyration, "shear_stiffness": shear_stiffness, "fit": fit, "measured": measured,
         "measured_std": measured_std, "measured_modes": measured_modes, "static": static, "budget": budget,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
+        "logo": logo, "paper": paper,
     }))

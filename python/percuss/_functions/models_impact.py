@@ -37,6 +37,13 @@ def impact(
     curves: bool = False,
     threads: int | None = None,
     budget: Numbers | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Predict the impact of a ball on a beam: restitution, force and deflection.
 
@@ -108,6 +115,20 @@ def impact(
     budget : float or list of float, optional
         Stop a model that takes more than this time in seconds or memory in GB (default: 120 s; 2.1
         GB).
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
 
     Returns
     -------
@@ -133,4 +154,6 @@ def impact(
         "young": young, "shear": shear, "total_mass": total_mass, "add_mass": add_mass, "at": at,
         "ball_mass": ball_mass, "speed": speed, "hertz": hertz, "contact_cor": contact_cor, "modes": modes,
         "method": method, "step": step, "sweep": sweep, "curves": curves, "threads": threads, "budget": budget,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
+        "logo": logo, "paper": paper,
     }))

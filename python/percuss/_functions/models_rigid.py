@@ -1,9 +1,11 @@
 # Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
 from __future__ import annotations
 
+from typing import Literal
+
 from .._call import command_function, of_documents
 from .._results import Result
-from .._types import Quantity, Range
+from .._types import File, Quantity, Range
 
 
 @command_function("models.rigid", "model rigid")
@@ -19,6 +21,13 @@ def rigid(
     bat_speed: Quantity | None = None,
     pivot: Quantity | None = None,
     cor: float | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Predict the exit speed of a ball from a rigid bat at each impact position.
 
@@ -49,6 +58,20 @@ def rigid(
         distance to the speed of the centre of mass.
     cor : float, optional
         Set the coefficient of restitution. Default: 0.55.
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
 
     Returns
     -------
@@ -71,4 +94,6 @@ def rigid(
     return Result(of_documents("models.rigid", "model rigid", (), {
         "ball_mass": ball_mass, "bat_mass": bat_mass, "inertia": inertia, "length": length, "at": at,
         "ball_speed": ball_speed, "swing_rate": swing_rate, "bat_speed": bat_speed, "pivot": pivot, "cor": cor,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
+        "logo": logo, "paper": paper,
     }))

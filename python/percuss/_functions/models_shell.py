@@ -5,7 +5,7 @@ from typing import Literal
 
 from .._call import command_function, of_documents
 from .._results import Result
-from .._types import Quantity, Range
+from .._types import File, Quantity, Range
 
 
 @command_function("models.shell", "model shell")
@@ -21,6 +21,13 @@ def shell(
     modes: int | None = None,
     measured: Range | None = None,
     fit: Literal["young", "wall", "both"] | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Predict hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Flügge.
 
@@ -51,6 +58,20 @@ def shell(
         deviation.
     fit : {'young', 'wall', 'both'}, optional
         Choose the parameters to fit to `measured`. Default: young.
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
 
     Returns
     -------
@@ -72,5 +93,7 @@ def shell(
     """
     return Result(of_documents("models.shell", "model shell", (), {
         "outer_diameter": outer_diameter, "wall": wall, "length": length, "young": young, "density": density,
-        "poisson": poisson, "n": n, "modes": modes, "measured": measured, "fit": fit,
+        "poisson": poisson, "n": n, "modes": modes, "measured": measured, "fit": fit, "title": title,
+        "customer": customer, "operator": operator, "specimen": specimen, "note": note, "logo": logo,
+        "paper": paper,
     }))

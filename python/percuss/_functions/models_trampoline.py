@@ -28,6 +28,13 @@ def trampoline(
     m2: Quantity | None = None,
     c2: float | None = None,
     budget: Numbers | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
     keep_formulas: bool = False,
 ) -> Result:
     """Predict the COR of a ball on a hollow barrel as a function of its hoop frequency.
@@ -77,6 +84,20 @@ def trampoline(
     budget : float or list of float, optional
         Stop a model that takes more than this time in seconds or memory in GB (default: 120 s; 2.1
         GB).
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
     keep_formulas : bool, optional
         Write texts such as =1+1 to CSV without the apostrophe that keeps a spreadsheet from
         computing them.
@@ -103,5 +124,7 @@ def trampoline(
     return Result(of_documents("models.trampoline", "model trampoline", (), {
         "ball": ball, "speed": speed, "hoop": hoop, "extra_mass": extra_mass, "free_hoop": free_hoop,
         "loaded_hoop": loaded_hoop, "fit_ccor": fit_ccor, "hold": hold, "bats": bats, "m1": m1, "k1": k1,
-        "c1": c1, "a": a, "b": b, "m2": m2, "c2": c2, "budget": budget, "keep_formulas": keep_formulas,
+        "c1": c1, "a": a, "b": b, "m2": m2, "c2": c2, "budget": budget, "title": title, "customer": customer,
+        "operator": operator, "specimen": specimen, "note": note, "logo": logo, "paper": paper,
+        "keep_formulas": keep_formulas,
     }))

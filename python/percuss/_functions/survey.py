@@ -49,6 +49,13 @@ def survey(
     object: Literal["auto", "tube", "other"] | None = None,
     threads: int | None = None,
     budget: Numbers | None = None,
+    title: str | None = None,
+    customer: str | None = None,
+    operator: str | None = None,
+    specimen: str | None = None,
+    note: str | None = None,
+    logo: File | None = None,
+    paper: Literal["a4", "letter"] | None = None,
     geometry: File | None = None,
     roving: Literal["hammer", "sensor"] | None = None,
     driving_point: Range | None = None,
@@ -121,6 +128,20 @@ def survey(
     budget : float or list of float, optional
         Stop an analysis that takes more than this time in seconds or memory in GB (default: 120 s
         plus 2 s per MB of input; 2.1 GB plus 16 times the input).
+    title : str, optional
+        Set the title of the page (default: the name of the file).
+    customer : str, optional
+        State the customer on the page.
+    operator : str, optional
+        State who did the test on the page.
+    specimen : str, optional
+        State what was tested on the page.
+    note : str, optional
+        Put this text, or the text of a file, at the top of the page.
+    logo : path, array, dict or Result, optional
+        Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
+    paper : {'a4', 'letter'}, optional
+        Set the paper on which the page is printed. Default: a4.
     geometry : path, array, dict or Result, optional
         Read the geometry from this file, a CSV as `percuss.example("survey")` prints it (default:
         from the record).
@@ -214,6 +235,8 @@ def survey(
         "effort": effort, "estimator": estimator, "accept_hit": accept_hit, "reject_hit": reject_hit,
         "modes": modes, "start": start, "trigger": trigger, "pretrigger": pretrigger, "length": length,
         "from_": from_, "to": to, "force_window": force_window, "exponential": exponential, "delay": delay,
-        "overlay_db": overlay_db, "object": object, "threads": threads, "budget": budget, "geometry": geometry,
-        "roving": roving, "driving_point": driving_point, "picture": picture, "hits": hits, "trace": trace,
+        "overlay_db": overlay_db, "object": object, "threads": threads, "budget": budget, "title": title,
+        "customer": customer, "operator": operator, "specimen": specimen, "note": note, "logo": logo,
+        "paper": paper, "geometry": geometry, "roving": roving, "driving_point": driving_point,
+        "picture": picture, "hits": hits, "trace": trace,
     }))

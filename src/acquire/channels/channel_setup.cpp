@@ -23,8 +23,9 @@ constexpr std::uint64_t kMaxSetup_bytes = std::uint64_t{1} << 20U;
 constexpr int kMaxDepth = 16;
 constexpr std::size_t kMaxChannels = 4096;
 
-constexpr std::array<std::string_view, 9> kSetupKeys = {
-    "name", "role", "sign", "direction", "angle_deg", "position_m", "sensitivity", "sensitivity_unit", "unit"};
+constexpr std::array<std::string_view, 10> kSetupKeys = {"name",      "role",       "sign",        "direction",
+                                                         "angle_deg", "position_m", "sensitivity", "sensitivity_unit",
+                                                         "unit",      "instrument"};
 
 Json entries_of(std::string_view text, const std::string& where) {
   if (text.size() > kMaxSetup_bytes) throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
@@ -161,6 +162,7 @@ ChannelSetup read_entry(const Json& json, std::size_t index, const std::string& 
     throw InputError("unknown unit \"" + one_line(*setup.unit, 40) + "\"", entry.where("unit"),
                      "use N, lbf, m/s^2, g, V or mV, for instance");
   }
+  entry.text("instrument");  // for reports alone, see instruments_of_setup
   return setup;
 }
 
@@ -191,9 +193,21 @@ std::vector<ChannelSetup> read_channel_setup(const std::string& path) {
   return parse_channel_setup(read_input(path, kMaxSetup_bytes).view(), input_name(path));
 }
 
+std::vector<ChannelInstrument> instruments_of_setup(const std::string& path) {
+  const Json document = entries_of(read_input(path, kMaxSetup_bytes).view(), input_name(path));
+  std::vector<ChannelInstrument> instruments;
+  for (const Json& entry : document) {
+    const auto instrument = entry.find("instrument");
+    if (instrument != entry.end())
+      instruments.push_back({entry.at("name").get<std::string>(), instrument->get<std::string>()});
+  }
+  return instruments;
+}
+
 std::string channel_setup_example() {
   return R"([
-  {"name": "CH1", "role": "force", "sensitivity": 2.25, "sensitivity_unit": "mV/N", "unit": "V"},
+  {"name": "CH1", "role": "force", "sensitivity": 2.25, "sensitivity_unit": "mV/N", "unit": "V",
+   "instrument": "hammer 086C03, no. 12345"},
   {"name": "CH2", "role": "acceleration", "direction": "+x", "angle_deg": 0, "position_m": 0.15,
    "sensitivity": 10.2, "sensitivity_unit": "mV/g", "unit": "V"},
   {"name": "CH3", "role": "acceleration", "sign": -1, "angle_deg": 90, "position_m": 0.15,

@@ -139,6 +139,7 @@ Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOp
   record.notes = std::move(table.notes);
   record.geometry = std::move(table.geometry);
   record.trace_lines = std::move(table.trace_lines);
+  record.trace_faces = std::move(table.trace_faces);
   record.files = table.files;
   record.format = table.format;
   record.rows = table.rows;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "acquire/geometry/geometry_connections.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_dialect.hpp"
 #include "core/io/csv_header.hpp"
@@ -21,7 +22,8 @@ constexpr std::size_t kMaxGeometryPoints = 100'000;
 constexpr double kMaxCoordinate_m = 1e4;  // m or rad: larger than any structure
 constexpr const char* kGeometryRemedy = "write a table like the example";
 
-enum Field : std::size_t { kPoint, kX, kY, kZ, kPosition, kAngle, kRadius, kFields };
+enum Field : std::size_t { kPoint, kX, kY, kZ, kPosition, kAngle, kRadius, kLines, kFaces, kFields };
+constexpr std::size_t kLengthsAndAngles = kLines;  // the fields from kX to here have units
 
 struct Column {
   std::optional<std::size_t> index;
@@ -36,9 +38,11 @@ constexpr std::array<std::array<std::string_view, 3>, kFields> kNames = {{{"poin
                                                                           {"z"},
                                                                           {"position", "pos", "axial"},
                                                                           {"angle", "theta", "phi"},
-                                                                          {"radius", "r"}}};
-constexpr std::array<std::string_view, kFields> kTitles = {"point",      "x_m",       "y_m",     "z_m",
-                                                           "position_m", "angle_deg", "radius_m"};
+                                                                          {"radius", "r"},
+                                                                          {"lines"},
+                                                                          {"faces"}}};
+constexpr std::array<std::string_view, kFields> kTitles = {"point",     "x_m",      "y_m",   "z_m",  "position_m",
+                                                           "angle_deg", "radius_m", "lines", "faces"};
 
 Quantity quantity_of(std::size_t field) { return field == kAngle ? Quantity::angle : Quantity::length; }
 
@@ -78,7 +82,8 @@ Columns columns_of(const std::vector<std::string_view>& names, const std::string
       if (columns[field].index)
         throw InputError(fmt::format("two columns are called {}", kNames[field].front()), where, "keep one");
       columns[field].index = i;
-      if (field != kPoint && !name.unit.empty()) set_unit(columns[field], field, name.unit, where);
+      if (field != kPoint && field < kLengthsAndAngles && !name.unit.empty())
+        set_unit(columns[field], field, name.unit, where);
     }
   }
   const auto has = [&](Field field) { return columns[field].index.has_value(); };
@@ -98,7 +103,7 @@ bool take_units(Columns& columns, const std::vector<std::string_view>& cells, co
     if (parse_number(cell, dialect.decimal_comma).problem != NumberProblem::not_a_number && !trimmed(cell).empty())
       return false;
   }
-  for (std::size_t field = kX; field < kFields; ++field) {
+  for (std::size_t field = kX; field < kLengthsAndAngles; ++field) {
     Column& column = columns[field];
     if (column.index && *column.index < cells.size() && !trimmed(cells[*column.index]).empty())
       set_unit(column, field, to_utf8(trimmed(cells[*column.index])), where);
@@ -107,7 +112,7 @@ bool take_units(Columns& columns, const std::vector<std::string_view>& cells, co
 }
 
 void require_units(const Columns& columns, const std::string& where) {
-  for (std::size_t field = kX; field < kFields; ++field) {
+  for (std::size_t field = kX; field < kLengthsAndAngles; ++field) {
     if (!columns[field].index || columns[field].unit) continue;
     throw InputError(fmt::format("no unit for {}", kNames[field].front()), where,
                      fmt::format("call the column {}, for instance", kTitles[field]));
@@ -131,6 +136,16 @@ class Row {
     const double value = parsed.value * columns[field].to_SI;
     if (std::abs(value) <= kMaxCoordinate_m || field == kPoint) return value;
     throw InputError(fmt::format("{} {:g} is too large", title, parsed.value), where_, "check its unit");
+  }
+
+  // The lines or faces that the columns of these names state for the point.
+  void add_connections(const Columns& columns, std::vector<Connection>& out) const {
+    for (const Field field : {kLines, kFaces}) {
+      const auto index = columns[field].index;
+      if (!index || *index >= cells_.size()) continue;
+      for (Connection& each : connections_of_cell(cells_[*index], point(columns), field == kFaces, where_))
+        out.push_back(std::move(each));
+    }
   }
 
   int point(const Columns& columns) const {
@@ -164,7 +179,8 @@ GeometryPoint point_of(const Row& row, const Columns& columns) {
 CsvDialect dialect_of(const std::vector<Line>& lines, char line_end) {
   std::vector<std::string_view> probes;
   for (const Line& line : lines) {
-    if (probes.size() < 64) probes.push_back(line.text);
+    const std::string_view word = line.text.substr(0, line.text.find_first_of(",;\t "));
+    if (probes.size() < 64 && (probes.empty() || !is_connection_row(word))) probes.push_back(line.text);
   }
   std::rotate(probes.begin(), probes.begin() + 1, probes.end());  // numbers first, names last
   return find_dialect(probes, line_end);
@@ -184,18 +200,26 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
   Columns columns = columns_of(split_cells(lines.front().text, dialect), place(where, lines.front().number));
   Geometry geometry;
   std::set<int> seen;
+  std::vector<Connection> connections;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::string at = place(where, lines[i].number);
     auto cells = split_cells(lines[i].text, dialect);
     if (i == 1 && take_units(columns, cells, dialect, at)) continue;
     if (geometry.points.empty()) require_units(columns, place(where, lines.front().number));
-    geometry.points.push_back(point_of(Row(std::move(cells), dialect.decimal_comma, at), columns));
+    if (!cells.empty() && is_connection_row(cells.front())) {
+      connections.push_back(connection_of_row(cells, at));
+      continue;
+    }
+    const Row row(std::move(cells), dialect.decimal_comma, at);
+    geometry.points.push_back(point_of(row, columns));
+    row.add_connections(columns, connections);
     if (geometry.points.size() > kMaxGeometryPoints)
       throw InputError("more than 100000 points", at, "keep only the points that were hit");
     if (!seen.insert(geometry.points.back().point).second)
       throw InputError(fmt::format("point {} is listed twice", geometry.points.back().point), at, "keep one");
   }
   if (geometry.points.empty()) throw InputError("no points", where, kGeometryRemedy, {"survey.example"});
+  add_connections(geometry, connections);
   geometry.tube = columns[kAngle].index.has_value();
   const bool spatial = columns[kX].index && columns[kY].index && columns[kZ].index;
   if (spatial) tube_from_coordinates(geometry);
@@ -204,29 +228,6 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
 
 Geometry read_geometry(const std::string& path) {
   return parse_geometry(read_input(path, kMaxGeometry_bytes).view(), input_name(path));
-}
-
-std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>>& rows) {
-  if (rows.empty()) return std::nullopt;
-  Geometry geometry;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    GeometryPoint point{.point = static_cast<int>(i)};
-    // NaN marks a number without a point, in formats whose point numbers have gaps.
-    if (std::any_of(rows[i].begin(), rows[i].end(), [](double x) { return std::isnan(x); })) continue;
-    if (rows[i].size() == 3) {
-      point.xyz_m = {rows[i][0], rows[i][1], rows[i][2]};
-    } else if (rows[i].size() == 2) {
-      point.position_m = rows[i][0];
-      point.angle_rad = rows[i][1] * kDegree_rad;
-    } else {
-      return std::nullopt;
-    }
-    geometry.points.push_back(point);
-  }
-  if (geometry.points.empty()) return std::nullopt;
-  geometry.tube = rows.front().size() == 2;
-  if (!geometry.tube) tube_from_coordinates(geometry);
-  return geometry;
 }
 
 std::string geometry_example() {

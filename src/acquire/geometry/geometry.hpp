@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,20 +18,24 @@ struct GeometryPoint {
 };
 
 struct Geometry {
-  std::vector<GeometryPoint> points;  // as in the file
-  bool tube = false;                  // position and angle are known for every point
+  std::vector<GeometryPoint> points;        // as in the file
+  bool tube = false;                        // position and angle are known for every point
+  std::size_t axis = 0;                     // of the tube: 0, 1, 2 for x, y, z; x without coordinates
+  std::vector<std::array<int, 2>> lines{};  // by point number, each once; empty: none stated
+  std::vector<std::vector<int>> faces{};    // corners in order around each face, by point number
 };
 
 /// Reads the places of a survey's points from a text with one line per point (docs/reference/formats.md, "Geometry of a
 /// survey"):
 ///   point, x_m, y_m, z_m                      or
 ///   point, position_m, angle_deg[, radius_m]
-/// A coordinate without a column is 0; positions without angles lie on a line. Columns may have any order. Units are m,
-/// mm, cm, in and deg, rad; they stand in the name ("x_mm", "angle (rad)") or in a line of units. Delimiters, quotes
-/// and comments are as in records. Coordinates of points around an axis are turned into position and angle
-/// (tube_from_coordinates). errors  InputError with file, line and remedy: no such columns, a cell that is not a
-/// number, a point twice, no unit,
-///         a text that is too long.
+/// A coordinate without a column is 0; positions without angles lie on a line. Drawings connect points by the optional
+/// columns `lines` and `faces`, or by rows "line,0,1,2" and "face,0,1,5,4" (see geometry_connections.hpp). Columns may
+/// have any order. Units are m, mm, cm, in and deg, rad; they stand in the name ("x_mm", "angle (rad)") or in a line of
+/// units. Delimiters, quotes and comments are as in records. Coordinates of points around an axis are turned into
+/// position and angle (tube_from_coordinates).
+/// errors  InputError with file, line and remedy: no such columns, a cell that is not a number, a point twice, no unit,
+///         a connection with a point that is not listed, a text that is too long.
 Geometry read_geometry(const std::string& path);
 
 /// As read_geometry, for a text in memory; `where` names it.

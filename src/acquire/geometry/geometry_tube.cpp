@@ -81,6 +81,7 @@ void tube_from_coordinates(Geometry& geometry) {
     p.radius_m = radius_about(p, *best);
   }
   geometry.tube = true;
+  geometry.axis = best->axis;
 }
 
 }  // namespace percuss::acquire

@@ -18,6 +18,10 @@ constexpr std::size_t kNoiseSamples = 1024;           // per chunk: give a stand
 // Standard deviations: one false alarm in 10^30 samples of Gaussian noise, if the standard deviation is 4 % too small.
 constexpr double kTriggerNoise = 12;
 constexpr double kTriggerFraction = 0.01;  // of the largest: a smaller hit is useless
+// A hammer bounces back within some tens of milliseconds, and with less force. A later pulse of this part of the other
+// is a hit of its own.
+constexpr double kOwnHit_s = 0.1;
+constexpr double kOwnHitFraction = 0.5;
 
 struct Envelope {
   std::vector<Extremes> blocks;
@@ -59,6 +63,40 @@ std::size_t index_of_max(const Record& record, std::size_t row, std::size_t begi
   return begin + static_cast<std::size_t>(std::max_element(x.begin(), x.end(), further) - x.begin());
 }
 
+std::size_t largest_in(const std::vector<double>& distance, std::size_t first, std::size_t end) {
+  const auto begin = distance.begin();
+  const auto largest =
+      std::max_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end));
+  return static_cast<std::size_t>(largest - begin);
+}
+
+// The largest block of each event, ascending.
+std::vector<std::size_t> event_blocks(const std::vector<double>& distance, double trigger_N, double separation_s,
+                                      double fs_Hz) {
+  const auto blocks_in = [&](double time_s) { return static_cast<std::size_t>(time_s * fs_Hz) / kBlock + 1; };
+  const std::size_t apart = blocks_in(separation_s), own = std::min(apart, blocks_in(kOwnHit_s));
+  std::vector<std::size_t> events;
+  for (std::size_t b = 0; b < distance.size();) {
+    if (distance[b] < trigger_N) {
+      ++b;
+      continue;
+    }
+    std::size_t end = std::min(b + apart, distance.size()), best = largest_in(distance, b, end);
+    // Hits of their own before the largest.
+    while (best >= b + own) {
+      const std::size_t before = largest_in(distance, b, best - own + 1);
+      if (distance[before] < kOwnHitFraction * distance[best]) break;
+      best = before;
+    }
+    events.push_back(best);
+    // Continue at a hit of its own, or after the separation from the largest block: the decay is not a second event.
+    const std::size_t next = std::min(std::max(best + apart, end), distance.size());
+    b = std::min(best + own, next);
+    while (b < next && distance[b] < kOwnHitFraction * distance[best]) ++b;
+  }
+  return events;
+}
+
 }  // namespace
 
 TriggerScan scan_for_triggers(const Record& record, std::size_t row, const TriggerOptions& options) {
@@ -79,19 +117,10 @@ TriggerScan scan_for_triggers(const Record& record, std::size_t row, const Trigg
       options.trigger_N.value_or(std::max(kTriggerNoise * scan.noise_N, kTriggerFraction * scan.largest_N));
   if (!(scan.largest_N > 0)) return scan;
 
-  const auto separation = static_cast<std::size_t>(options.separation_s * record.fs_Hz) / kBlock + 1;
-  for (std::size_t b = 0; b < distance.size(); ++b) {
-    if (distance[b] < scan.trigger_N) continue;
-    const std::size_t end = std::min(b + separation, distance.size());
-    std::size_t best = b;
-    for (std::size_t i = b; i < end; ++i) {
-      if (distance[i] > distance[best]) best = i;
-    }
-    const std::size_t begin_sample = options.first + best * kBlock;
+  for (const std::size_t block : event_blocks(distance, scan.trigger_N, options.separation_s, record.fs_Hz)) {
+    const std::size_t begin_sample = options.first + block * kBlock;
     scan.events.push_back(
         index_of_max(record, row, begin_sample, std::min(begin_sample + kBlock, last), scan.baseline_N));
-    // Continue after the separation from the largest block, so that the decay is not a second event.
-    b = std::max(best + separation, end) - 1;
   }
   return scan;
 }

@@ -49,6 +49,8 @@ struct ContiguousSignal {
 
 /// Two points that drawings of the structure connect by a line.
 using TraceLine = std::array<int, 2>;
+/// The corners of a face in drawings, in order around it: three points or more.
+using TraceFace = std::vector<int>;
 
 /// The description of a measurement over time. Samples are read on request only. A row is one hit, unless there is only
 /// one row or `continuous` is set: then each row is searched for hits.
@@ -63,6 +65,7 @@ struct Record {
   bool continuous = false;                    // every row may hold several hits
   std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored; NaN where not known; may be empty
   std::vector<TraceLine> trace_lines;         // may be empty
+  std::vector<TraceFace> trace_faces;         // may be empty; universal files hold them
   std::vector<ContiguousSignal> contiguous;   // the force and each channel, where all are contiguous; else empty
   std::vector<Message> notes;                 // assumptions, and parts that could not be read
   /// The first file's path, or the format where there is no file: the record's name in messages.

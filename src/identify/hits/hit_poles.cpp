@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/math/linear_algebra.hpp"
 #include "core/parallel/parallel.hpp"
@@ -22,16 +21,6 @@ constexpr double kMinModeGain =
     12;  // F statistic of a mode over the fits of all hits: in noise, a search for a mode reaches 6
 constexpr double kMinNoise = 1e-9;          // of the data: the weight of an FRF without residual stays finite
 constexpr std::size_t kFlopsPerLine = 600;  // of a window's projection, per line
-
-std::vector<VectorXcd> average_data(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window) {
-  std::vector<VectorXcd> data;
-  for (const FrfChannel& channel : set.channels)
-    data.emplace_back(Eigen::Map<const VectorXcd>(channel.frf.data() + window.first, static_cast<Index>(window.count)));
-  std::vector<std::size_t> same(data.size());
-  std::iota(same.begin(), same.end(), std::size_t{0});
-  subtract_other_modes(set, modes, window, same, data);
-  return data;
-}
 
 // [channels] rms of the residual per line.
 VectorXd noise_of(const ProjectedState& state, const std::vector<VectorXcd>& data, double freedom) {
@@ -182,7 +171,7 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
     return fit_by_residual(of, data, start, window);
   };
   std::vector<HitPoles> out(start.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size()), .together = {}});
-  const LocalFit together = fit(set, average_data(set, modes, window));
+  const LocalFit together = fit(set, window_data(set, modes, window));
   for (std::size_t i = 0; i < start.size(); ++i) out[i].together = pole_of_fit(together, i, start[i]);
   const auto data = hit_data(set, hits, modes, window);
   const std::size_t channels = data.size() / hits.points.size();

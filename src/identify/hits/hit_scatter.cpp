@@ -6,6 +6,7 @@
 
 #include "core/math/significance.hpp"
 #include "identify/hits/hit_laws.hpp"
+#include "identify/hits/moved_poles.hpp"
 #include "identify/hits/residues_by_hit.hpp"
 
 namespace percuss::identify {
@@ -15,7 +16,9 @@ constexpr double kSignificantScatter = 3.1;  // normal deviate of χ²: one clea
 constexpr double kSignificantTrend = 3.7;    // standard deviations of a slope: one clean pair of slopes in 2000
 constexpr double kCoverage = 1.96;           // normal deviate of the 95 % interval, which Student's factor keeps
 constexpr std::size_t kMinHits = 2;
-constexpr double kClear = 20;  // standard deviations of a residue in one hit: a fixed pole would then be determined
+// Standard deviations of a residue in one hit. Such a hit determines its pole, unless the pole changes during the hit
+// or differs much from the mean.
+constexpr double kClear = 20;
 
 // A mode's frequency and damping ratio in the hits that determine its pole.
 struct Known {
@@ -85,6 +88,7 @@ void add_part(const ScatterOfHits& scatter, StdParts& parts, double& spread, dou
 void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window, const std::vector<double>& peak_N,
             std::vector<Mode>& modes, std::vector<ModeScatter>& scatter) {
   const auto fitted = fitted_hit_poles(set, hits, modes, window);
+  const std::vector<Pole> before = window.poles(modes);
   for (std::size_t i = 0; i < window.modes.size(); ++i) {
     const std::size_t m = window.modes[i];
     const ModeScatter again = scatter_of_mode(fitted[i], peak_N);
@@ -92,6 +96,7 @@ void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window
     scatter[m] = again;
     if (again.significant()) take_mean(modes[m], again, fitted[i].together);
   }
+  move_residues(set, window, before, modes);
 }
 
 // Whether the mode is clear in a hit that does not determine its pole. Near a node, where the mode is not clear, no hit
@@ -126,7 +131,7 @@ ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vecto
   const auto [first, weights, squares] = weighted(0);
   double chi2 = 0;
   for (std::size_t i = 0; i < value.size(); ++i) chi2 += std::pow((value[i] - first) / std[i], 2);
-  const double degrees = static_cast<double>(value.size() - 1);
+  const auto degrees = static_cast<double>(value.size() - 1);
   const double spread2 = std::max(0.0, (chi2 - degrees) / (weights - squares / weights));
   const auto [mean, certainty, unused] = weighted(spread2);
   static_cast<void>(unused);

@@ -1,8 +1,10 @@
 #include "identify/hits/mode_windows.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "identify/fit/windowed_fit.hpp"
+#include "identify/model/frf_lines.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -40,6 +42,17 @@ std::vector<ModeWindow> mode_windows(const FrfDataset& set, const std::vector<Mo
   return windows;
 }
 
+ModeWindow window_around(const FrfDataset& set, const std::vector<Mode>& modes, double freq_Hz, double reach) {
+  const double at = set.lines.position(freq_Hz);
+  ModeWindow window{.first = set.lines.at(at - reach)};
+  window.count = set.lines.at(at + reach) - window.first + 1;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const double line = set.lines.position(modes[m].pole.freq_Hz) - static_cast<double>(window.first);
+    if (line >= 0 && line < static_cast<double>(window.count)) window.modes.push_back(m);
+  }
+  return window;
+}
+
 void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window,
                           const std::vector<std::size_t>& residue_of, std::vector<Eigen::VectorXcd>& data) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -51,14 +64,35 @@ void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes,
       const std::size_t point = set.channels[o].point;
       const PointForce& force = set.points[point];
       const bool same_point = last.point == point || decays_within_record(pole, force, set.lines);
-      if (!last.any || !(last.pole == pole) || !same_point)
+      if (!last.any || !(last.pole == pole) || !same_point) {
         last = {.any = true,
                 .pole = pole,
                 .point = point,
                 .column = mode_column(pole, force, set.lines, window.first, window.count, ColumnContent::value)};
+      }
       data[o] -= residue.value * last.column.value;
     }
   }
+}
+
+std::vector<Eigen::VectorXcd> window_data(const FrfDataset& set, const std::vector<Mode>& modes,
+                                          const ModeWindow& window) {
+  std::vector<Eigen::VectorXcd> data;
+  for (const FrfChannel& channel : set.channels) {
+    data.emplace_back(
+        Eigen::Map<const Eigen::VectorXcd>(channel.frf.data() + window.first, static_cast<Eigen::Index>(window.count)));
+  }
+  std::vector<std::size_t> same(data.size());
+  std::iota(same.begin(), same.end(), std::size_t{0});
+  subtract_other_modes(set, modes, window, same, data);
+  return data;
+}
+
+FrfDataset frfs_within(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window) {
+  FrfDataset part = lines_of(set, window.first, window.count);
+  const std::vector<Eigen::VectorXcd> data = window_data(set, modes, window);
+  for (std::size_t o = 0; o < data.size(); ++o) part.channels[o].frf.assign(data[o].begin(), data[o].end());
+  return part;
 }
 
 }  // namespace percuss::identify

@@ -1,6 +1,7 @@
 #include "identify/hits/residue_coherence.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "identify/fit/local_fit.hpp"
 #include "identify/fit/variable_projection.hpp"
@@ -45,6 +46,14 @@ std::vector<ResidueSums> residue_sums(const FrfDataset& set, const HitFrfs& hits
 
 }  // namespace
 
+std::optional<bool> follows_force(const ResidueCoherence& point) {
+  constexpr double kChance = 1e-3;
+  constexpr std::size_t kPhaseHits = 3;
+  if (point.hits < kPhaseHits) return std::nullopt;
+  // The coherence of n hits with independent phases exceeds c with the probability (1 − c)^(n − 1).
+  return point.coherence > 1 - std::pow(kChance, 1 / static_cast<double>(point.hits - 1));
+}
+
 std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
                                                 std::size_t mode) {
@@ -59,6 +68,19 @@ std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const Hit
   }
   for (std::size_t p = 0; p < out.size(); ++p) out[p].coherence = power[p] > 0 ? common[p] / power[p] : 0;
   return out;
+}
+
+std::vector<bool> follow_force(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes) {
+  std::vector<bool> follows(modes.size());
+  for (const ModeWindow& window : mode_windows(set, modes)) {
+    for (std::size_t i = 0; i < window.modes.size(); ++i) {
+      const auto points = residue_coherence(set, hits, modes, window, i);
+      follows[window.modes[i]] = std::any_of(points.begin(), points.end(), [](const ResidueCoherence& point) {
+        return follows_force(point).value_or(false);
+      });
+    }
+  }
+  return follows;
 }
 
 }  // namespace percuss::identify

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "identify/hits/hit_frfs.hpp"
@@ -12,6 +13,10 @@ struct ResidueCoherence {
   std::size_t hits = 0;
 };
 
+/// Whether the residues follow the force: independent phases give a higher coherence once in a thousand times. Nothing
+/// with fewer than three hits, which do not show whether the phases are independent.
+std::optional<bool> follows_force(const ResidueCoherence& point);
+
 /// [points of set] for the mode window.modes[mode]. Each hit is fitted over the window at the modes' poles, which gives
 /// a residue r per channel; w is one over the variance of r. Each channel has its own mean: the residues of the test
 /// are fitted to the same hits, and the part of r along them agrees better than independent residues do. The flanks of
@@ -19,5 +24,8 @@ struct ResidueCoherence {
 std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
                                                 std::size_t mode);
+
+/// [modes] whether the residues of each follow the force at some point.
+std::vector<bool> follow_force(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes);
 
 }  // namespace percuss::identify

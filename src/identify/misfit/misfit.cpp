@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/math/linear_algebra.hpp"
 #include "core/math/tall_products.hpp"
@@ -10,6 +9,7 @@
 #include "identify/fit/local_fit.hpp"
 #include "identify/fit/variable_projection.hpp"
 #include "identify/misfit/decay_terms.hpp"
+#include "identify/misfit/point_scatter.hpp"
 #include "identify/misfit/residual_correlation.hpp"
 
 namespace percuss::identify {
@@ -26,22 +26,13 @@ constexpr double kMinIndependent = 0.5;  // of the independent lines: at least t
 constexpr double kMinNoise = 1e-300;
 constexpr std::size_t kFlopsPerLine = 600;
 
-std::vector<VectorXcd> window_data(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window) {
-  std::vector<VectorXcd> data;
-  for (const FrfChannel& channel : set.channels)
-    data.emplace_back(Eigen::Map<const VectorXcd>(channel.frf.data() + window.first, static_cast<Index>(window.count)));
-  std::vector<std::size_t> same(data.size());
-  std::iota(same.begin(), same.end(), std::size_t{0});
-  subtract_other_modes(set, modes, window, same, data);
-  return data;
-}
-
 VectorXd noise_of(const ProjectedState& state, Index channels, double freedom) {
   VectorXd noise(channels);
   for (const ProjectedPart& part : state.parts) {
-    for (std::size_t i = 0; i < part.channels.size(); ++i)
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
       noise(static_cast<Index>(part.channels[i])) =
           std::max(kMinNoise, std::sqrt(part.residual.col(static_cast<Index>(i)).squaredNorm() / freedom));
+    }
   }
   return noise;
 }
@@ -53,9 +44,10 @@ MatrixXcd residue_products(const ProjectedPart& part, const VectorXd& noise) {
   for (std::size_t i = 0; i < part.channels.size(); ++i) {
     const double w = noise(static_cast<Index>(part.channels[i]));
     for (Index r = 0; r < n; ++r) {
-      for (Index c = 0; c < n; ++c)
+      for (Index c = 0; c < n; ++c) {
         sum(r, c) += std::conj(part.amplitude(r / 2, static_cast<Index>(i))) *
                      part.amplitude(c / 2, static_cast<Index>(i)) / (w * w);
+      }
     }
   }
   return sum;
@@ -139,11 +131,14 @@ void add_misfit_of_window(const FrfDataset& set, const ModeWindow& window, std::
   projection.set_weight(noise);
   const VectorXd shift = decay_term_shift(set, window, poles, projection, state, noise);
   const VectorXd smooth = smooth_misfit_std(projection, state, noise, used);
+  VectorXd misfit = smooth.cwiseMax(shift);
+  if (set.points.size() >= kMinScatterPoints)
+    misfit = misfit.cwiseMax(point_scatter_std(projection, state, poles.size()));
   for (std::size_t i = 0; i < poles.size(); ++i) {
     const auto f = static_cast<Index>(2 * i);
     Mode& mode = modes[window.modes[i]];
-    widen(std::max(smooth(f), shift(f)), mode.freq_std_parts_Hz, mode.freq_std_Hz);
-    widen(std::max(smooth(f + 1), shift(f + 1)), mode.damping_std_parts, mode.damping_std);
+    widen(misfit(f), mode.freq_std_parts_Hz, mode.freq_std_Hz);
+    widen(misfit(f + 1), mode.damping_std_parts, mode.damping_std);
   }
 }
 

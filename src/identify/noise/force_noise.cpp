@@ -10,9 +10,10 @@ namespace {
 
 using Eigen::Index;
 
-// Spacing of the delays, in periods of the highest line. Real and imaginary part share the noise equally where the
-// squares of the phase factors cancel. From one delay to the next, the square turns by at most 4 rad (2 · 2π · kDelay).
-// Below a full turn, the squares cancel over the delays as well as over all samples.
+// Spacing of the delays, in periods of the highest line, but at least one sample. Real and imaginary part share the
+// noise equally where the squares of the phase factors cancel. Over kDelay periods, the square turns by 4 rad (2 · 2π ·
+// kDelay). Below a full turn, the squares cancel over the delays as well as over all samples. With a spacing of one
+// sample, the delays are the samples themselves.
 constexpr double kDelay = 0.32;
 
 constexpr double kNarrow = 0.2;  // half of a band's width over its highest line

@@ -27,16 +27,20 @@ constexpr int kLinearRounds = 4;
 constexpr int kResidualRounds = 4;
 constexpr std::size_t kMaxTrials = 27;  // of one more mode
 
-// The starts with significant residues, by linear fits at the starts: a small part of the work.
-std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> poles) {
-  for (int round = 0; round < kLinearRounds && !poles.empty(); ++round) {
+// The starts with significant residues beside the `known` poles, by linear fits at the starts: a small part of the
+// work. Starts without them would cost the joint fit all its evaluations.
+std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> starts, const std::vector<Pole>& known) {
+  for (int round = 0; round < kLinearRounds && !starts.empty(); ++round) {
+    std::vector<Pole> poles = starts;
+    poles.insert(poles.end(), known.begin(), known.end());
     const auto unknowns = static_cast<Index>(2 * poles.size());
-    std::vector<Pole> kept =
+    const std::vector<Pole> kept =
         without_weakest(set, fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns)), Misfit::counted);
-    if (kept.size() == poles.size()) break;
-    poles = std::move(kept);
+    const auto dropped = std::erase_if(
+        starts, [&](const Pole& start) { return std::find(kept.begin(), kept.end(), start) == kept.end(); });
+    if (dropped == 0) break;
   }
-  return poles;
+  return starts;
 }
 
 // The starts: the modes found before, and every stable pole that is not one of these modes and around which the
@@ -67,20 +71,62 @@ bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit
   return true;
 }
 
-// Adds the resonances and the stable poles of the residual, all at once.
-JointFit with_residual_modes(const FrfDataset& set, JointFit fit, JointFitBudget& budget) {
+// The resonances and stable poles of the fit's residual.
+std::vector<Pole> residual_starts(const FrfDataset& set, const JointFit& fit) {
   FrfDataset rest = set;
+  for (std::size_t o = 0; o < rest.channels.size(); ++o)
+    rest.channels[o].frf.assign(fit.residual[o].begin(), fit.residual[o].end());
+  std::vector<Pole> starts = stable_poles(rest);
+  for (const Pole& pole : residual_mode_poles(set, fit.residual)) {
+    const auto near = [&](const Pole& other) { return same_place(other, pole); };
+    if (std::none_of(starts.begin(), starts.end(), near)) starts.push_back(pole);
+  }
+  if (fit.poles.size() + starts.size() > kMaxJointModes) return {};
+  return starts;
+}
+
+// The starts that are as significant as a mode, the clearest first, without those within a bandwidth of a mode.
+std::vector<Pole> clear_starts(const FrfDataset& set, std::vector<Pole> starts, const JointFit& fit) {
+  std::erase_if(starts, [&](const Pole& start) {
+    return std::any_of(fit.poles.begin(), fit.poles.end(), [&](const Pole& pole) {
+      return std::abs(start.freq_Hz - pole.freq_Hz) < least_width_Hz(set, pole);
+    });
+  });
+  if (starts.empty()) return starts;
+  std::vector<Pole> all = starts;
+  all.insert(all.end(), fit.poles.begin(), fit.poles.end());
+  const auto unknowns = static_cast<Index>(2 * all.size());
+  const JointFit linear = fit_residues(set, all, MatrixXd::Zero(unknowns, unknowns));
+  std::vector<std::pair<double, std::size_t>> ranks;
+  for (std::size_t m = 0; m < starts.size(); ++m) {
+    const double significance = standing_of(set, linear, m, Misfit::counted).significance;
+    if (significance > kJointSignificance) ranks.emplace_back(-significance, m);
+  }
+  std::sort(ranks.begin(), ranks.end());
+  std::vector<Pole> clear;
+  clear.reserve(ranks.size());
+  for (const auto& [rank, m] : ranks) clear.push_back(starts[m]);
+  return clear;
+}
+
+// Adds what the residual shows: the clear resonances, at once or else the clearest alone; then all significant ones;
+// and only then all. Starts close to a mode, and those that follow the misfit which a missing mode leaves, make a fit
+// so slow that it takes all evaluations. While strong modes are missing, their residual hides the others, and none may
+// be significant.
+JointFit with_residual_modes(const FrfDataset& set, JointFit fit, JointFitBudget& budget) {
   for (int round = 0; round < kResidualRounds; ++round) {
-    for (std::size_t o = 0; o < rest.channels.size(); ++o)
-      rest.channels[o].frf.assign(fit.residual[o].begin(), fit.residual[o].end());
-    std::vector<Pole> more = stable_poles(rest);
-    for (const Pole& pole : residual_mode_poles(set, fit.residual)) {
-      const auto near = [&](const Pole& other) { return same_place(other, pole); };
-      if (std::none_of(more.begin(), more.end(), near)) more.push_back(pole);
-    }
-    if (more.empty() || fit.poles.size() + more.size() > kMaxJointModes) break;
-    more.insert(more.end(), fit.poles.begin(), fit.poles.end());
-    if (!take_if_better(set, fit, settled_fit(set, std::move(more), budget))) break;
+    const std::vector<Pole> all = residual_starts(set, fit);
+    const std::vector<Pole> significant = significant_starts(set, all, fit.poles);
+    const std::vector<Pole> clear = clear_starts(set, significant, fit);
+    const auto taken = [&](std::size_t count, const std::vector<Pole>& from) {
+      if (count == 0) return false;
+      std::vector<Pole> poles(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
+      poles.insert(poles.end(), fit.poles.begin(), fit.poles.end());
+      return take_if_better(set, fit, settled_fit(set, std::move(poles), budget));
+    };
+    if (taken(clear.size(), clear) || (clear.size() > 1 && taken(1, clear))) continue;
+    if (significant.size() > clear.size() && taken(significant.size(), significant)) continue;
+    if (all.size() <= significant.size() || !taken(all.size(), all)) break;
   }
   return fit;
 }
@@ -145,7 +191,7 @@ std::optional<JointFit> best_joint_fit(const FrfDataset& set, const std::vector<
   JointFitBudget budget(set);
   std::optional<JointFit> fit = settled_fit(set, poles_of(modes), budget);
   if (starts.size() > modes.size()) {
-    std::optional<JointFit> after = settled_fit(set, significant_starts(set, std::move(starts)), budget);
+    std::optional<JointFit> after = settled_fit(set, significant_starts(set, std::move(starts), {}), budget);
     if (fit) {
       take_if_better(set, *fit, std::move(after));
     } else {

@@ -13,7 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXcd;
 
-constexpr double kJointSignificance = 6;    // standard deviations of a residue
 constexpr double kJointPeakToResidual = 3;  // a mode's peak over the rms residual around it
 constexpr double kJointMaxDamping = 0.98 * kMaxDampingRatio;
 constexpr double kJointCoincide = 0.05;   // bandwidths between two poles that the fit has merged

@@ -16,6 +16,9 @@ JointWindow window_around(const FrfDataset& set, const Pole& pole);
 /// The half-power bandwidth, at least half the line spacing.
 double least_width_Hz(const FrfDataset& set, const Pole& pole);
 
+/// Standard deviations of its largest residue that a mode of a joint fit needs.
+inline constexpr double kJointSignificance = 6;
+
 /// Misfit counts against a mode only once no mode is missing: the residual of a missing mode looks like misfit.
 enum class Misfit { ignored, counted };
 

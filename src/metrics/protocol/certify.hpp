@@ -17,7 +17,7 @@ struct ProtocolLimits {
   double humidity_percent = 50, humidity_tolerance_percent = 5;
   double ball_days = 14, bat_days = 2;
   double ball_g = 145.4, ball_tolerance_g = 1.0;
-  int impacts = 8, ear_impacts = 2;
+  int impacts = 8, ear_impacts = 2;  // of one ball; on one ear (SessionShot::ear)
   double inbound_tolerance_mph = 2, angle_deg = 5, pair_tolerance_mph = 1.5;
   std::size_t shots = 6, lot_hits = 30;
   double lot_ratio = 0.231;  // v_out/v_in of the standard bat
@@ -39,7 +39,7 @@ struct JudgedShot {
 
 struct BallUse {
   int impacts = 0;
-  std::array<int, 5> ears{};  // by ear; [0]: not stated
+  std::array<int, 5> ears{};  // impacts by SessionShot::ear; [0]: not stated
   double ball_g = 0;          // at the last weighing
   std::string spent;          // the reason not to use it again; empty: usable
 };

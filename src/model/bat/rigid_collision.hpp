@@ -8,7 +8,7 @@ struct RigidCollision {
   double bat_mass_kg = 0.83;
   double inertia_kgm2 = 0.039;   // of the bat about its centre of mass
   double ball_speed_mps = 67;    // of the ball towards the bat
-  double swing_rate_radps = 60;  // of the bat's rotation
+  double swing_rate_radps = 60;  // of the bat's rotation; positive: the barrel moves towards the ball
   double bat_speed_mps = 0;      // of the bat's centre of mass, towards the ball
   double restitution = 0.55;     // relative speed after / before, at the point of impact
 };
@@ -18,7 +18,7 @@ struct RigidCollision {
 /// theory (11.1)
 double effective_mass_kg(const RigidCollision& collision, double z_m);
 
-/// The speed of the bat at z_m, towards the ball: u = V + |ω| z.                                         (2)
+/// The speed of the bat at z_m, towards the ball: u = V + ω z.                                           (2)
 /// theory (11.2)
 double swing_speed_mps(const RigidCollision& collision, double z_m);
 

@@ -25,8 +25,8 @@ void require_hits(const std::vector<std::size_t>& numbers, std::size_t hits, con
                   const char* option) {
   for (const std::size_t i : numbers) {
     if (i < hits || i == kEveryHit) continue;
-    throw InputError(fmt::format("there is no hit {} among {} hits", i, hits), record.source(),
-                     "hits count from 0, as in the report", {option});
+    throw InputError(fmt::format("there is no hit {} among {} hits", i + 1, hits), record.source(),
+                     "hits count from 1, as in the table of hits", {option});
   }
 }
 

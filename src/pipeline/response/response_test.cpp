@@ -114,6 +114,7 @@ std::vector<identify::ModeClassification> classified(const ResponseTest& test) {
 void keep_most_energetic(std::vector<identify::DecayMode>& modes, std::size_t count) {
   if (modes.size() <= count) return;
   std::vector<double> energy;
+  energy.reserve(modes.size());
   for (const identify::DecayMode& one : modes) energy.push_back(one.energy);
   std::sort(energy.begin(), energy.end(), std::greater<>());
   std::erase_if(modes, [&](const identify::DecayMode& one) { return one.energy < energy[count - 1]; });

@@ -56,9 +56,10 @@ std::vector<Warning> response_warnings(const ResponseTest& test) {
   };
   add(input_warnings(test.record));
   out.push_back(no_force());
-  if (!test.possible())
+  if (!test.possible()) {
     out.push_back(with_remedy({"no_free_decay", "no impact is followed by a free decay", {"accept_hit", "from"}},
                               "record longer after each impact"));
+  }
   add(tones(test));
   add(pairs_or_scatter(test));
   add(object_warnings(test.classifications, test.options.classes));

@@ -9,6 +9,7 @@ namespace percuss::pipeline {
 ///   no_force         results that need a force are missing
 ///   no_free_decay    no impact can be used
 ///   tone             sinusoids that do not decay
+///   pair_or_scatter  one mode whose frequency differs between the hits, or two close modes
 ///   and the options' known warnings, the reader's notes (input_warnings), and object_warnings
 std::vector<Warning> response_warnings(const ResponseTest& test);
 

@@ -19,6 +19,7 @@ acquire::Record record_without_rows(const acquire::FrfRecord& frfs) {
   record.notes = frfs.notes;
   record.geometry = frfs.geometry;
   record.trace_lines = frfs.trace_lines;
+  record.trace_faces = frfs.trace_faces;
   return record;
 }
 

@@ -8,15 +8,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kChance = 1e-3;     // that independent phases give a higher coherence
-constexpr double kMaxOff = 4e-4;     // error of the fundamental, as part of its frequency
-constexpr std::size_t kMinHits = 3;  // of a point: fewer do not show whether the phases are independent
-
-// Whether the residues follow the force. The coherence of n hits with independent phases exceeds c with the probability
-// (1 − c)^(n − 1).
-bool follows_force(const identify::ResidueCoherence& point) {
-  return point.hits < kMinHits || point.coherence > 1 - std::pow(kChance, 1 / static_cast<double>(point.hits - 1));
-}
+constexpr double kMaxOff = 4e-4;  // error of the fundamental, as part of its frequency
 
 bool is_harmonic(double freq_Hz, const std::vector<Tone>& tones, double line_Hz) {
   return std::any_of(tones.begin(), tones.end(), [&](const Tone& tone) {
@@ -40,7 +32,9 @@ void remove_mains_modes(std::vector<identify::Mode>& modes, const std::vector<To
     for (std::size_t i = 0; i < window.modes.size(); ++i) {
       if (!may_be_hum(modes[window.modes[i]])) continue;
       const auto points = identify::residue_coherence(set, hits, modes, window, i);
-      hum[window.modes[i]] = std::none_of(points.begin(), points.end(), follows_force);
+      hum[window.modes[i]] = std::none_of(points.begin(), points.end(), [](const identify::ResidueCoherence& point) {
+        return identify::follows_force(point).value_or(true);
+      });
     }
   }
   std::size_t m = 0;

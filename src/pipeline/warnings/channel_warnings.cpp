@@ -7,14 +7,14 @@
 namespace percuss::pipeline {
 namespace {
 
-// "hits 0, 2", or "every accepted hit"; empty when the channel is dead in no hit.
+// "hits 1, 3", or "every accepted hit"; empty when the channel is dead in no hit.
 std::string dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
   std::string numbers;
   bool alive = false;
   for (const std::size_t h : accepted_hits(hits)) {
     if (hits[h].responses.size() <= channel) continue;
     if (hits[h].responses[channel].dead) {
-      numbers += fmt::format("{}{}", numbers.empty() ? "hits " : ", ", h);
+      numbers += fmt::format("{}{}", numbers.empty() ? "hits " : ", ", h + 1);
     } else {
       alive = true;
     }

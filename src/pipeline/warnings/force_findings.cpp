@@ -185,7 +185,7 @@ std::vector<Warning> duplicate_warnings(const acquire::Record& record, const std
       const AnalysedHit &a = hits[members[0]], &b = hits[members[i]];
       if (!equal_pulses(a.hit, b.hit)) continue;
       const std::size_t file_a = record.rows[a.hit.row].file, file_b = record.rows[b.hit.row].file;
-      pairs += fmt::format("{}hits {} and {}", pairs.empty() ? "" : ", ", members[0], members[i]);
+      pairs += fmt::format("{}hits {} and {}", pairs.empty() ? "" : ", ", members[0] + 1, members[i] + 1);
       if (file_a != file_b && file_b < record.files.size())
         pairs += " (" + one_line(record.files[file_a].path) + ", " + one_line(record.files[file_b].path) + ")";
     }

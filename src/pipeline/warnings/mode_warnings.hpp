@@ -5,7 +5,7 @@
 
 #include "identify/classify/classify.hpp"
 #include "identify/model/mode.hpp"
-#include "identify/select/held_starts.hpp"
+#include "identify/select/fitted_starts.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
 #include "pipeline/warnings/warning.hpp"
 

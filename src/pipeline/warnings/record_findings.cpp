@@ -20,7 +20,7 @@ constexpr double kMainsDeviation = 0.005;  // of the mains' frequency from 50 or
 
 // One kind of fault over all hits.
 struct FaultSummary {
-  std::string where;  // "hit 0 (3 samples, 81.3 ms after the blow), …"
+  std::string where;  // "hit 1 (3 samples, 81.3 ms after the blow), …"
   std::size_t hits = 0, most = 0;
   double size_mps2 = 0;
 };
@@ -37,7 +37,7 @@ FaultSummary summary_of(const std::vector<HitFaults>& faults, const acquire::Rec
         (static_cast<double>(hit.first + fault->first) - static_cast<double>(hit.peak)) / record.fs_Hz;
     if (out.hits < kMaxListed) {
       out.where += fmt::format("{}hit {} ({} sample{}, {:.4g} ms after the blow)", out.hits == 0 ? "" : ", ",
-                               of_hit.hit, fault->count, fault->count == 1 ? "" : "s", after_s * 1e3);
+                               of_hit.hit + 1, fault->count, fault->count == 1 ? "" : "s", after_s * 1e3);
     }
     ++out.hits;
     out.most = std::max(out.most, fault->count);
@@ -137,8 +137,10 @@ std::vector<Warning> tone_warnings(const std::vector<Tone>& tones) {
                                "tones that no hit excites and whose phase wanders, with their size relative to the "
                                "largest response: " +
                                    tone_list(wandering) +
-                                   ". They cannot be removed: modes near them may be missing or false, and damping "
-                                   "there is off by more than its ±"},
+                                   ". No sinusoid removes them. With several channels and three hits of one point, "
+                                   "modes near them come from combinations of the channels in which they cancel; "
+                                   "otherwise such modes may be missing or false, and their damping is off by more "
+                                   "than its ±"},
                               kStopMachine));
   }
   return out;

@@ -22,7 +22,7 @@ constexpr double kPoorFrac = 0.99, kStrong_dB = -20;
 constexpr std::size_t kMaxNamed = 8;
 
 std::string mode_name(const SurveyResults& survey, std::size_t m) {
-  return fmt::format("{} ({:.1f} Hz)", m, survey.modes[m].pole.freq_Hz);
+  return fmt::format("{} ({:.1f} Hz)", m + 1, survey.modes[m].pole.freq_Hz);
 }
 
 void add_name(std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; }
@@ -125,7 +125,7 @@ void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {
   std::string wrong;
   for (const identify::DrivingPointCheck& check : survey.driving_checks) {
     if (check.wrong_sign)
-      add_name(wrong, fmt::format("mode {} at point {}, channel {}", check.mode, check.at.point, check.at.channel));
+      add_name(wrong, fmt::format("mode {} at point {}, channel {}", check.mode + 1, check.at.point, check.at.channel));
   }
   if (!wrong.empty()) {
     out.push_back(with_remedy(
@@ -137,7 +137,7 @@ void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {
   std::string broken;
   for (const identify::ReciprocityCheck& check : survey.reciprocity) {
     if (check.difference > kMaxDifference && check.deviations > kMaxDeviations) {
-      add_name(broken, fmt::format("mode {}, points {} and {} ({:.0f} %)", check.mode, check.one.point,
+      add_name(broken, fmt::format("mode {}, points {} and {} ({:.0f} %)", check.mode + 1, check.one.point,
                                    check.other.point, check.difference * 100));
     }
   }

@@ -17,11 +17,12 @@ constexpr double kShort = 0.8;           // of the median hit
 constexpr double kDecides = 0.9;         // of the shortest hit: shorter transforms have another cause
 constexpr std::size_t kMaxNumbers = 20;  // of hits or points in a sentence
 
-std::string listed(const std::vector<std::size_t>& numbers) {
+// `first` is the number of index 0: points count from 0, hits from 1.
+std::string listed(const std::vector<std::size_t>& indices, std::size_t first) {
   std::string out;
-  for (std::size_t i = 0; i < std::min(numbers.size(), kMaxNumbers); ++i)
-    out += fmt::format("{}{}", i > 0 ? ", " : "", numbers[i]);
-  return numbers.size() > kMaxNumbers ? out + fmt::format(" and {} more", numbers.size() - kMaxNumbers) : out;
+  for (std::size_t i = 0; i < std::min(indices.size(), kMaxNumbers); ++i)
+    out += fmt::format("{}{}", i > 0 ? ", " : "", indices[i] + first);
+  return indices.size() > kMaxNumbers ? out + fmt::format(" and {} more", indices.size() - kMaxNumbers) : out;
 }
 
 struct UsedInSpite {
@@ -70,7 +71,7 @@ void add_short_hit(std::vector<Warning>& out, const acquire::Record& record, con
   out.push_back(with_remedy({"short_hit",
                              fmt::format("hit {}{} lasts {:.3g} s, the others {:.3g} s: every FRF is cut to its "
                                          "length, which costs resolution and makes damping less certain",
-                                         shortest, where, least / record.fs_Hz, typical / record.fs_Hz),
+                                         shortest + 1, where, least / record.fs_Hz, typical / record.fs_Hz),
                              {"reject_hit"}},
                             "leave this hit out or record it again"));
 }
@@ -88,7 +89,7 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
                      "of its peak is {:.0f} % as long as at 30 %; without clipping, at most 51 %): frequencies and "
                      "damping hold, but FRFs, "
                      "residues and masses are off by several percent or more",
-                     listed(clipped.hits), clipped.largest * 100)},
+                     listed(clipped.hits, 1), clipped.largest * 100)},
         "lower the gain of the hammer's amplifier or hit softer"));
   }
   if (const UsedInSpite twice = used_in_spite_of(hits, FindingCode::double_hit); !twice.hits.empty()) {
@@ -96,7 +97,7 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
         {"double_hits_used",
          fmt::format("hits {} have a second hit (up to {:.1f} % of the main one) and are used, because their points "
                      "have too few others. The force holds both contacts, but its spectrum is uneven",
-                     listed(twice.hits), twice.largest * 100)},
+                     listed(twice.hits, 1), twice.largest * 100)},
         "repeat the hits of these points"));
   }
   if (const std::vector<std::size_t> points = dropped_points(hits); !points.empty()) {
@@ -104,7 +105,7 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
         with_remedy({"dropped_points",
                      fmt::format("no hit can be used at point{} {}: FRFs and shapes lack {}. Each hit's "
                                  "verdict gives the reason",
-                                 points.size() == 1 ? "" : "s", listed(points), points.size() == 1 ? "it" : "them"),
+                                 points.size() == 1 ? "" : "s", listed(points, 0), points.size() == 1 ? "it" : "them"),
                      {"accept_hit"}},
                     "repeat these hits, or accept one despite its findings"));
   }

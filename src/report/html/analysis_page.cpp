@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "identify/start/cmif.hpp"
 #include "report/html/analysis_plot_data.hpp"
+#include "report/html/fit_plot_data.hpp"
 #include "report/html/html_page.hpp"
-#include "report/html/trust_section.hpp"
+#include "report/html/method_section.hpp"
+#include "report/json/json_document.hpp"
 #include "report/svg/deflection_chart.hpp"
 #include "report/text/analysis_summary.hpp"
 #include "report/text/analysis_tables.hpp"
@@ -24,9 +28,33 @@ std::string frf_section(const std::string& summary) {
           page_plot("coherence", "Coherence over frequency, 0 to 1."));
 }
 
-std::string hits_section(const pipeline::Analysis& analysis) {
+std::string fit_section(const PageWarnings& warnings) {
+  return page_section(
+      "fit", "Fit of the modes",
+      page_paragraph("Each measured FRF against the FRF synthesised from the modes. Triangles: peaks that no mode "
+                     "explains, with their level below the largest peak.") +
+          page_panel("fit", "Measured and synthesised frequency response of one point and channel.") +
+          warnings.beside(PagePart::fit));
+}
+
+std::string indicator_section() {
+  return page_section(
+      "indicator", "Mode indicators",
+      page_paragraph("Singular values of the FRFs (CMIF): if the second peaks with the first, two modes "
+                     "share a frequency. Below, the mode indicator function (MIF): it falls towards 0 "
+                     "where a mode dominates.") +
+          page_plot("indicator", "Singular values of the FRFs in decibels over frequency.") +
+          page_plot("mif", "Mode indicator function over frequency, 0 to 1."));
+}
+
+std::string stabilisation_section(const PageWarnings& warnings) {
+  return page_section("stabilisation", "Stabilisation",
+                      page_plot("stabilisation", "Poles of every model order over frequency.") +
+                          warnings.beside(PagePart::stabilisation));
+}
+
+std::string hits_section(const pipeline::Analysis& analysis, const PageWarnings& warnings) {
   constexpr std::size_t kMaxListed = 20;  // longer tables are folded
-  using enum acquire::FindingCode;
   const HitsTable table = hits_table(analysis, analysis.hits());
   const std::string more =
       table.left_out > 0 ? page_paragraph(fmt::format("… and {} more accepted hits.", table.left_out)) : "";
@@ -39,15 +67,18 @@ std::string hits_section(const pipeline::Analysis& analysis) {
     shown =
         fmt::format("<details>\n<summary>Table of {} hits</summary>\n{}</details>\n", analysis.hits().size(), shown);
   }
-  return page_section("hits", "Hits",
-                      shown + page_plot("force", "Force of the first hits over time.") +
-                          page_findings(analysis, {double_hit, overload, force_clipped, late_trigger, no_pulse, weak}) +
-                          page_plot("response", "Response of the first accelerometer to the pulses over time.") +
-                          page_findings(analysis, {polarity}) +
-                          page_plot("spectrum", "Spectrum of the force in decibels over frequency.") +
-                          page_findings(analysis, {low_bandwidth}) +
-                          page_plot("decay", "Decay of the responses in decibels over time.") +
-                          page_findings(analysis, {truncated_decay, low_coherence, outlier}));
+  return page_section(
+      "hits", "Hits",
+      shown + page_plot("force", "Force of the first hits over time.") + warnings.beside(PagePart::force) +
+          page_plot("response", "Response of the first accelerometer to the pulses over time.") +
+          warnings.beside(PagePart::response) +
+          page_plot("spectrum", "Spectrum of the force in decibels over frequency.") +
+          warnings.beside(PagePart::spectrum) + page_plot("decay", "Decay of the responses in decibels over time.") +
+          warnings.beside(PagePart::decay));
+}
+
+std::set<PagePart> parts_of_hits() {
+  return {PagePart::force, PagePart::response, PagePart::spectrum, PagePart::decay};
 }
 
 std::string quoted_modes_key(const std::vector<identify::ModeClassification>& classifications) {
@@ -74,6 +105,12 @@ std::string deflection_section(const pipeline::Analysis& analysis, const pipelin
                       deflection_tables(analysis, test).html() + page_chart(deflection_chart(analysis, test)));
 }
 
+std::string fit_data(const pipeline::Analysis& analysis) {
+  const Eigen::MatrixXd values = identify::cmif(analysis.fitted_frfs(), analysis.band_lines());
+  return ascii_text(nlohmann::ordered_json{{"fit", fit_plot_json(analysis, nullptr)},
+                                           {"indicator", indicator_plot_json(analysis, values)}});
+}
+
 std::string comparison_section(const CommandReport& comparison) {
   std::string charts;
   for (const LineChart& chart : comparison.charts) charts += page_chart(chart);
@@ -97,25 +134,34 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
   if (!classifications.empty()) found += modes_table(analysis, wants(ReportSection::classes)).html();
   if (wants(ReportSection::classes)) found += quoted_modes_key(classifications);
   const std::string title = title_of(analysis.record().files);
-  std::string body = page_header(title, test_conditions(analysis, with_hits ? analysis.hits().size() : 0)) + "<main>\n";
+  std::string body = page_header(title, test_conditions(analysis, with_hits ? analysis.hits().size() : 0),
+                                 with_file_facts(provenance.title_block, analysis)) +
+                     "<main>\n";
   body += page_section(modes ? "modes" : "result", modes ? "Modes" : "Result", found);
-  body += trust_section(analysis.warnings(), with_hits ? analysis.hits() : std::vector<pipeline::AnalysedHit>());
+  const bool fitted = possible && modes;
+  std::set<PagePart> parts = with_hits ? parts_of_hits() : std::set<PagePart>();
+  if (fitted) parts.insert({PagePart::fit, PagePart::stabilisation});
+  const PageWarnings warnings(analysis.warnings(), with_hits ? analysis.hits() : std::vector<pipeline::AnalysedHit>(),
+                              parts);
+  body += warnings.section();
   if (options.comparison != nullptr) body += comparison_section(*options.comparison);
   if (frfs) body += frf_section(summary);
-  if (with_hits) body += hits_section(analysis);
+  if (fitted) body += fit_section(warnings);
+  if (with_hits) body += hits_section(analysis, warnings);
   if (options.deflection != nullptr) body += deflection_section(analysis, *options.deflection);
-  if (possible && modes) {
+  if (fitted) {
     body += page_section("movement", "Cross-section of the barrel",
                          page_plot("movement", "Cross-section of the barrel in each mode."));
-    body += page_section("stabilisation", "Stabilisation",
-                         page_plot("stabilisation", "Poles of every model order over frequency."));
+    body += indicator_section() + stabilisation_section(warnings);
   }
-  body += page_section("provenance", "Method and provenance", page_provenance(analysis.record().files, provenance)) +
-          "</main>\n";
+  body += method_section(analysis, {.modes = modes});
+  body += page_section("provenance", "Provenance", page_provenance(analysis.record().files, provenance)) + "</main>\n";
   const PlotSelection wanted{.hits = with_hits, .frfs = frfs, .stabilisation = modes};
-  return HtmlPage{.title = title + " – percuss",
+  return HtmlPage{.title = page_title(title, provenance.title_block),
                   .body = body,
-                  .data = "[" + analysis_plot_data(analysis, classifications, wanted) + "]"}
+                  .block = provenance.title_block,
+                  .data = "[" + analysis_plot_data(analysis, classifications, wanted) +
+                          (fitted ? "," + fit_data(analysis) : "") + "]"}
       .text();
 }
 

@@ -20,6 +20,9 @@ using Json = nlohmann::ordered_json;
 // Quantisation steps, below the resolution of the plots.
 constexpr double kMagnitudeStep_dB = 0.01, kPhaseStep_deg = 0.1, kCoherenceStep = 1e-4;
 
+// A test of many points shows fewer curves here, because the plot "fit" has every FRF and the page a limited size.
+constexpr std::size_t kManyFrfs = 12, kFrfsOfMany = 3, kManyHits = 32, kHitsOfMany = 6, kFrfsShown = 8, kHitsShown = 12;
+
 Json numbers_json(std::span<const double> values, double min_step) {
   QuantisedCurve numbers = quantised_curve(values, min_step);
   return {{"from", numbers.from}, {"step", numbers.step}, {"u16", std::move(numbers.u16)}};
@@ -40,7 +43,8 @@ Json frf_plot_json(const pipeline::Analysis& analysis) {
             {"df_hz", analysis.lines().df_Hz()},
             {"of", analysis.frfs().size()},
             {"curves", Json::array()}};
-  for (const FrfCurve& curve : frf_curves(analysis)) json["curves"].push_back(curve_plot_json(curve));
+  for (const FrfCurve& curve : frf_curves(analysis, analysis.frfs().size() > kManyFrfs ? kFrfsOfMany : kFrfsShown))
+    json["curves"].push_back(curve_plot_json(curve));
   return json;
 }
 
@@ -70,8 +74,8 @@ Json samples_json(const HitSamples& samples, double min_step) {
 
 Json hits_plot_json(const pipeline::Analysis& analysis) {
   Json out = Json::array();
-  for (const HitCurves& hit : hit_curves(analysis)) {
-    out.push_back({{"name", fmt::format("hit {}", hit.number)},
+  for (const HitCurves& hit : hit_curves(analysis, analysis.hits().size() > kManyHits ? kHitsOfMany : kHitsShown)) {
+    out.push_back({{"name", fmt::format("hit {}", hit.number + 1)},
                    {"accepted", hit.accepted},
                    {"bandwidth_hz", hit.bandwidth_Hz},
                    {"force_n", samples_json(hit.force_N, 0)},

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "report/html/html_page.hpp"
+#include "report/html/mac_table.hpp"
 #include "report/text/html_escape.hpp"
 
 namespace percuss::report {
@@ -29,7 +30,8 @@ std::vector<acquire::InputFile> files_of(const std::vector<std::string>& inputs)
 std::string command_page(const CommandReport& report, const std::vector<std::string>& inputs,
                          const Provenance& provenance) {
   const std::string title = title_of(report, inputs);
-  std::string body = page_header(title, "") + "<main>\n" + page_section("found", "Result", report.text.html());
+  std::string body =
+      page_header(title, "", provenance.title_block) + "<main>\n" + page_section("found", "Result", report.text.html());
   const bool bends = !report.bending.modes.empty();
   if (bends) {
     body += page_section("bending", "Bending modes of the bat",
@@ -38,10 +40,14 @@ std::string command_page(const CommandReport& report, const std::vector<std::str
   std::string charts;
   for (const LineChart& chart : report.charts) charts += page_chart(chart);
   if (!charts.empty()) body += page_section("charts", "Charts", charts);
-  body +=
-      page_section("provenance", "Method and provenance", page_provenance(files_of(inputs), provenance)) + "</main>\n";
-  return HtmlPage{
-      .title = title + " – percuss", .body = body, .data = bends ? "[" + bending_plot_json(report.bending) + "]" : ""}
+  std::string macs;
+  for (const MacMatrix& matrix : report.macs) macs += mac_table_html(matrix);
+  if (!macs.empty()) body += page_section("mac", "Likeness of the shapes (MAC)", macs);
+  body += page_section("provenance", "Provenance", page_provenance(files_of(inputs), provenance)) + "</main>\n";
+  return HtmlPage{.title = page_title(title, provenance.title_block),
+                  .body = body,
+                  .block = provenance.title_block,
+                  .data = bends ? "[" + bending_plot_json(report.bending) + "]" : ""}
       .text();
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "report/json/bending_plot.hpp"
+#include "report/json/mac_matrix.hpp"
 #include "report/svg/line_chart.hpp"
 #include "report/text/numeric_csv.hpp"
 #include "report/text/report_text.hpp"
@@ -19,6 +20,7 @@ struct CommandReport {
   std::string table;              // in place of `columns` in .csv, for a table that contains words
   std::vector<LineChart> charts;  // for .svg, and for the page
   BendingPlot bending;            // for the page
+  std::vector<MacMatrix> macs;    // for the page
 
   std::string csv() const { return table.empty() ? numeric_csv(columns, words, formulas) : table; }
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "report/html/page_assets.hpp"
 #include "report/text/digest.hpp"
 #include "report/text/html_escape.hpp"
@@ -24,11 +25,21 @@ std::string data_text(const std::string& json) {
   return out;
 }
 
+std::string paper_style(const TitleBlock& block) {
+  return fmt::format(":root {{ --print-width: {}; }}\n@page {{ size: {}; margin: 15mm; }}\n", block.print_width,
+                     block.paper);
+}
+
 }  // namespace
+
+std::string page_title(const std::string& name, const TitleBlock& block) {
+  return (block.title.empty() ? name : one_line(block.title, 400)) + " – percuss";
+}
 
 std::string HtmlPage::text() const {
   const bool draws = !data.empty();
-  const std::string style = (draws ? std::string(page_assets().plot_style) : "") + std::string(page_assets().style);
+  const std::string style =
+      (draws ? std::string(page_assets().plot_style) : "") + std::string(page_assets().style) + paper_style(block);
   const std::string program = std::string(page_assets().plot_program) + std::string(page_assets().program);
   const std::string scripts = draws ? fmt::format(R"(<script type="application/json" id="data">{}</script>
 <script>{}</script>
@@ -39,7 +50,7 @@ std::string HtmlPage::text() const {
 <html lang="en">
 <head>
 <meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; base-uri 'none'; form-action 'none'; script-src {}; style-src {}">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; base-uri 'none'; form-action 'none'; script-src {}; style-src {}{}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <title>{}</title>
@@ -49,7 +60,8 @@ std::string HtmlPage::text() const {
 {}{}</body>
 </html>
 )",
-                     draws ? source_of(program) : "'none'", source_of(style), html_escape(title), style, body, scripts);
+                     draws ? source_of(program) : "'none'", source_of(style),
+                     block.logo.empty() ? "" : "; img-src data:", html_escape(title), style, body, scripts);
 }
 
 }  // namespace percuss::report

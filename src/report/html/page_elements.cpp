@@ -49,18 +49,25 @@ std::string title_of(const std::vector<acquire::InputFile>& files) {
 
 std::string page_paragraph(const std::string& text) { return "<p>" + html_escape(text) + "</p>\n"; }
 
-std::string page_plot(const char* kind, const std::string& description) {
-  return fmt::format("<figure class=\"picture\" data-plot=\"{}\" role=\"img\" aria-label=\"{}\"></figure>\n", kind,
+namespace {
+
+std::string figure_html(const char* kind, const char* role, const std::string& description) {
+  return fmt::format("<figure class=\"picture\" data-plot=\"{}\" role=\"{}\" aria-label=\"{}\"></figure>\n", kind, role,
                      html_escape(description));
+}
+
+}  // namespace
+
+std::string page_plot(const char* kind, const std::string& description) {
+  return figure_html(kind, "img", description);
+}
+
+std::string page_panel(const char* kind, const std::string& description) {
+  return figure_html(kind, "group", description);
 }
 
 std::string page_chart(const LineChart& chart) {
   return "<figure class=\"picture chart\">\n" + line_chart_svg(chart, ChartTheme::page) + "</figure>\n";
-}
-
-std::string page_header(const std::string& title, const std::string& conditions) {
-  return "<header>\n<h1>" + html_escape(title) + "</h1>\n<p class=\"conditions\">" + html_escape(conditions) +
-         "</p>\n</header>\n";
 }
 
 std::string page_warnings(const std::vector<pipeline::Warning>& warnings) {
@@ -68,19 +75,6 @@ std::string page_warnings(const std::vector<pipeline::Warning>& warnings) {
   for (const pipeline::Warning& warning : warnings)
     items += "<li>" + html_escape(one_line(warning.message, 4000)) + "</li>\n";
   return items.empty() ? "" : "<ul class=\"warnings\" aria-label=\"Warnings\">\n" + items + "</ul>\n";
-}
-
-std::string page_findings(const pipeline::Analysis& analysis, const std::vector<acquire::FindingCode>& codes) {
-  constexpr std::size_t kMaxListed = 12;
-  std::vector<pipeline::Warning> found;
-  const auto& hits = analysis.hits();
-  for (std::size_t i = 0; i < hits.size() && found.size() < kMaxListed; ++i) {
-    for (const acquire::Finding& finding : hits[i].hit.findings) {
-      if (std::find(codes.begin(), codes.end(), finding.code) != codes.end())
-        found.push_back({.code = "", .message = fmt::format("hit {}: {}", i, finding.message)});
-    }
-  }
-  return page_warnings(found);
 }
 
 std::string page_provenance(const std::vector<acquire::InputFile>& inputs, const Provenance& provenance) {

@@ -3,14 +3,16 @@
 #include <vector>
 
 #include "pipeline/analysis.hpp"
+#include "report/html/title_block.hpp"
 #include "report/svg/line_chart.hpp"
 
 namespace percuss::report {
 
-/// The provenance of a page. Nothing else on the page depends on time or machine.
+/// The provenance of a page, and what its user states. Nothing else on the page depends on time or machine.
 struct Provenance {
   std::string command;  // the command line
   std::string made_at;  // UTC, "2026-11-22 21:45"
+  TitleBlock title_block{};
 };
 
 // Elements of a page's body, as HTML. Plain texts are escaped here.
@@ -20,13 +22,11 @@ std::string page_section(const char* id, const char* heading, const std::string&
 std::string page_paragraph(const std::string& text);
 /// A figure for the scripts in src/report/html/page to draw in, with a text for screen readers.
 std::string page_plot(const char* kind, const std::string& description);
+/// The same for a figure with controls, which a screen reader must reach.
+std::string page_panel(const char* kind, const std::string& description);
 /// A figure with a chart.
 std::string page_chart(const LineChart& chart);
-/// The title of the page, and the conditions of the test.
-std::string page_header(const std::string& title, const std::string& conditions);
 std::string page_warnings(const std::vector<pipeline::Warning>& warnings);
-/// Findings with these codes, hit by hit, for the plot that shows them.
-std::string page_findings(const pipeline::Analysis& analysis, const std::vector<acquire::FindingCode>& codes);
 std::string page_provenance(const std::vector<acquire::InputFile>& files, const Provenance& provenance);
 /// A heading for files: the name of the first without its folder, with "and 3 more".
 std::string file_list_title(const std::vector<std::string>& paths);

@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
 #include "pipeline/warnings/ranking.hpp"
 #include "report/html/page_elements.hpp"
 #include "report/text/html_escape.hpp"
@@ -41,15 +46,123 @@ std::string statement_html(const pipeline::Warning& warning) {
   return out + "</li>\n";
 }
 
+std::string list_html(const std::vector<pipeline::Warning>& statements, const char* kind) {
+  std::string items;
+  for (const pipeline::Warning& one : statements) items += statement_html(one);
+  return items.empty() ? "" : fmt::format("<ol class=\"warnings {}\" aria-label=\"Warnings\">\n{}</ol>\n", kind, items);
+}
+
+struct PlacedCode {
+  std::string_view code;
+  PagePart part;
+};
+
+constexpr auto kPlaces = std::to_array<PlacedCode>({
+    {"double_hit", PagePart::force},
+    {"double_hits_used", PagePart::force},
+    {"overload", PagePart::force},
+    {"force_clipped", PagePart::force},
+    {"late_trigger", PagePart::force},
+    {"no_pulse", PagePart::force},
+    {"weak", PagePart::force},
+    {"duplicate", PagePart::force},
+    {"short_pretrigger", PagePart::force},
+    {"dropped_points", PagePart::force},
+    {"rejected_hits", PagePart::force},
+    {"ac_coupling", PagePart::force},
+    {"force_noise_unknown", PagePart::force},
+    {"polarity", PagePart::response},
+    {"response_clipped", PagePart::response},
+    {"coarse_steps", PagePart::response},
+    {"spike", PagePart::response},
+    {"dropout", PagePart::response},
+    {"lost_samples", PagePart::response},
+    {"zero_shift", PagePart::response},
+    {"offset", PagePart::response},
+    {"drift", PagePart::response},
+    {"low_bandwidth", PagePart::spectrum},
+    {"truncated_decay", PagePart::decay},
+    {"low_coherence", PagePart::decay},
+    {"outlier", PagePart::decay},
+    {"not_at_rest", PagePart::decay},
+    {"no_rest", PagePart::decay},
+    {"short_hit", PagePart::decay},
+    {"hum", PagePart::fit},
+    {"tone", PagePart::fit},
+    {"frac", PagePart::fit},
+    {"model_misfit", PagePart::fit},
+    {"unclaimed_peaks", PagePart::fit},
+    {"local_fits", PagePart::fit},
+    {"pair_or_scatter", PagePart::fit},
+    {"unmodelled_poles", PagePart::stabilisation},
+    {"start_refused", PagePart::stabilisation},
+    {"sensor_on_node", PagePart::shapes},
+    {"driving_point_sign", PagePart::shapes},
+    {"reciprocity", PagePart::shapes},
+    {"no_geometry", PagePart::shapes},
+    {"missing_position", PagePart::shapes},
+    {"mass_loading", PagePart::shapes},
+});
+
+const char* name_of_part(PagePart part) {
+  switch (part) {
+    case PagePart::whole:
+      return "";
+    case PagePart::force:
+      return "the force";
+    case PagePart::response:
+      return "the response";
+    case PagePart::spectrum:
+      return "the spectrum of the force";
+    case PagePart::decay:
+      return "the decay";
+    case PagePart::fit:
+      return "the fit";
+    case PagePart::stabilisation:
+      return "the stabilisation diagram";
+    case PagePart::shapes:
+      return "the mode shapes";
+  }
+  return "";
+}
+
 }  // namespace
 
-std::string trust_section(const std::vector<pipeline::Warning>& warnings,
-                          const std::vector<pipeline::AnalysedHit>& hits) {
-  std::string items;
-  for (const pipeline::Warning& one : pipeline::trust_statements(warnings, hits)) items += statement_html(one);
-  const std::string content = items.empty()
-                                  ? page_paragraph("Nothing was found that puts the results or their ± in doubt.")
-                                  : "<ol class=\"warnings trust\" aria-label=\"Warnings\">\n" + items + "</ol>\n";
+PagePart part_of(const std::string& code) {
+  const auto* const it =
+      std::find_if(kPlaces.begin(), kPlaces.end(), [&](const PlacedCode& known) { return known.code == code; });
+  return it == kPlaces.end() ? PagePart::whole : it->part;
+}
+
+PageWarnings::PageWarnings(const std::vector<pipeline::Warning>& warnings,
+                           const std::vector<pipeline::AnalysedHit>& hits, std::set<PagePart> shown)
+    : statements_(pipeline::trust_statements(warnings, hits)), shown_(std::move(shown)) {}
+
+std::vector<pipeline::Warning> PageWarnings::of(PagePart part) const {
+  std::vector<pipeline::Warning> out;
+  for (const pipeline::Warning& one : statements_) {
+    const PagePart own = part_of(one.code);
+    const bool beside = one.severity != Severity::reject && shown_.contains(own);
+    if ((beside ? own : PagePart::whole) == part) out.push_back(one);
+  }
+  return out;
+}
+
+std::string PageWarnings::beside(PagePart part) const { return list_html(of(part), "trust beside"); }
+
+std::string PageWarnings::section() const {
+  std::string content = list_html(of(PagePart::whole), "trust"), elsewhere;
+  for (const PagePart part : shown_) {
+    if (const std::size_t count = part == PagePart::whole ? 0 : of(part).size(); count > 0)
+      elsewhere += fmt::format("{}{} ({})", elsewhere.empty() ? "" : ", ", name_of_part(part), count);
+  }
+  if (statements_.empty()) {
+    content = page_paragraph("Nothing was found that puts the results or their ± in doubt.");
+  } else if (content.empty()) {
+    content = page_paragraph("Nothing was found that makes the results wrong.");
+  }
+  if (!elsewhere.empty())
+    content += page_paragraph("Further warnings stand beside what they concern: " + elsewhere + ".");
   return page_section("trust", "How far can this test be trusted?", content);
 }
 

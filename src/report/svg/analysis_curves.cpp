@@ -14,7 +14,7 @@
 namespace percuss::report {
 namespace {
 
-constexpr std::size_t kMaxFrfs = 8, kMaxHitsShown = 12, kDecayPoints = 400, kSpectrumPoints = 300;
+constexpr std::size_t kDecayPoints = 400, kSpectrumPoints = 300;
 constexpr double kMaxAbove_dB = 40;  // limit of above_dB, which is unbounded near a zero of the FRF
 constexpr double kBeyondBandwidth = 1.5;
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
@@ -28,12 +28,12 @@ double level_of(const acquire::PointFrf& frf) {
 }
 
 // The strongest FRFs, in the order of the file.
-std::vector<std::size_t> strongest_frfs_of(const std::vector<acquire::PointFrf>& frfs) {
+std::vector<std::size_t> strongest_frfs_of(const std::vector<acquire::PointFrf>& frfs, std::size_t most) {
   std::vector<std::size_t> order(frfs.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return level_of(frfs[a]) > level_of(frfs[b]); });
-  order.resize(std::min(order.size(), kMaxFrfs));
+  order.resize(std::min(order.size(), most));
   std::sort(order.begin(), order.end());
   return order;
 }
@@ -135,23 +135,23 @@ Decay decay_of(const pipeline::Analysis& analysis, const acquire::Hit& hit, std:
 
 }  // namespace
 
-std::vector<FrfCurve> frf_curves(const pipeline::Analysis& analysis) {
+std::vector<FrfCurve> frf_curves(const pipeline::Analysis& analysis, std::size_t most) {
   const auto& frfs = analysis.frfs();
   const identify::FrfDataset& set = analysis.fitted_frfs();
   std::vector<identify::SynthesisedFrf> made;
   if (!analysis.modes().empty() && set.channels.size() == frfs.size())
     made = identify::synthesised_frfs(set, analysis.modes(), set.lines);
   std::vector<FrfCurve> curves;
-  for (const std::size_t i : strongest_frfs_of(frfs))
+  for (const std::size_t i : strongest_frfs_of(frfs, most))
     curves.push_back(curve_of_frf(analysis, frfs[i], i < made.size() ? &made[i].value : nullptr));
   return curves;
 }
 
-std::vector<HitCurves> hit_curves(const pipeline::Analysis& analysis) {
+std::vector<HitCurves> hit_curves(const pipeline::Analysis& analysis, std::size_t most) {
   std::vector<HitCurves> out;
   const auto& hits = analysis.hits();
   const double fs_Hz = analysis.record().fs_Hz;
-  for (std::size_t i = 0; i < hits.size() && out.size() < kMaxHitsShown; ++i) {
+  for (std::size_t i = 0; i < hits.size() && out.size() < most; ++i) {
     const acquire::Hit& hit = hits[i].hit;
     if (hit.gated_N.empty()) continue;
     const bool seen = !hits[i].responses.empty();

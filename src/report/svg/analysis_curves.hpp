@@ -17,8 +17,8 @@ struct FrfCurve {
   std::vector<double> fit_dB;    // of the fitted modes
 };
 
-/// Curves of the strongest FRFs, eight at most, in the order of the file.
-std::vector<FrfCurve> frf_curves(const pipeline::Analysis& analysis);
+/// Curves of the strongest FRFs, in the order of the file.
+std::vector<FrfCurve> frf_curves(const pipeline::Analysis& analysis, std::size_t most = 8);
 
 /// Equally spaced values of a hit.
 struct HitSamples {
@@ -38,7 +38,7 @@ struct HitCurves {
   HitSamples decay_dB;       // of the first accelerometer over seconds from the peak, 0 at its largest; may be empty
 };
 
-/// Curves of the first hits with a pulse, twelve at most.
-std::vector<HitCurves> hit_curves(const pipeline::Analysis& analysis);
+/// Curves of the first hits with a pulse.
+std::vector<HitCurves> hit_curves(const pipeline::Analysis& analysis, std::size_t most = 12);
 
 }  // namespace percuss::report

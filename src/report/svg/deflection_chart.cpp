@@ -64,7 +64,7 @@ LineChart deflection_chart(const pipeline::Analysis& analysis, const pipeline::I
                   .curves = {}};
   for (const pipeline::DeflectedHit* hit : several ? hits_of_points(test) : largest_hits(test)) {
     const std::string sensor = channel_name(analysis, hit->channel);
-    ChartCurve curve{.name = !several      ? fmt::format("hit {}, {}", hit->hit, sensor)
+    ChartCurve curve{.name = !several      ? fmt::format("hit {}, {}", hit->hit + 1, sensor)
                              : one_channel ? place_of(*hit)
                                            : fmt::format("{}, {}", place_of(*hit), sensor)};
     for (std::size_t i = 0; i < hit->deflection.deflection_m.size(); ++i) {

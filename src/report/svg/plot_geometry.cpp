@@ -2,12 +2,54 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <map>
+#include <span>
+#include <utility>
 
-#include "core/units.hpp"
+#include "report/svg/tube_mesh.hpp"
 
 namespace percuss::report {
+namespace {
+
+constexpr double kBarrelRadius_m = 0.0333;
+constexpr double kMinRadius = 0.05, kMaxRadius = 0.5;  // of a tube's length
+
+double drawn_radius_m(const acquire::Geometry& geometry, const acquire::GeometryPoint& point) {
+  if (point.radius_m > 0) return point.radius_m;
+  const auto [low, high] =
+      std::minmax_element(geometry.points.begin(), geometry.points.end(),
+                          [](const auto& a, const auto& b) { return a.position_m < b.position_m; });
+  const double length_m = high->position_m - low->position_m;
+  return length_m > 0 ? std::clamp(kBarrelRadius_m, kMinRadius * length_m, kMaxRadius * length_m) : kBarrelRadius_m;
+}
+
+// The given lines between drawn points, by index.
+std::vector<std::array<std::size_t, 2>> drawn_lines(std::span<const std::array<int, 2>> lines,
+                                                    const std::map<int, std::size_t>& index) {
+  std::vector<std::array<std::size_t, 2>> out;
+  for (const auto& [from, to] : lines) {
+    const auto a = index.find(from), b = index.find(to);
+    if (a != index.end() && b != index.end()) out.push_back({a->second, b->second});
+  }
+  return out;
+}
+
+// The given faces whose corners are all drawn, by index.
+std::vector<std::vector<std::size_t>> drawn_faces(const std::vector<std::vector<int>>& faces,
+                                                  const std::map<int, std::size_t>& index) {
+  std::vector<std::vector<std::size_t>> out;
+  for (const auto& face : faces) {
+    std::vector<std::size_t> corners;
+    for (const int point : face) {
+      const auto at = index.find(point);
+      if (at != index.end()) corners.push_back(at->second);
+    }
+    if (corners.size() == face.size()) out.push_back(std::move(corners));
+  }
+  return out;
+}
+
+}  // namespace
+
 const acquire::GeometryPoint* geometry_point_of(const pipeline::Survey& survey, std::size_t point) {
   if (!survey.geometry()) return nullptr;
   const auto& points = survey.geometry()->points;
@@ -20,44 +62,55 @@ std::optional<std::array<double, 3>> plot_position(const pipeline::Survey& surve
   const acquire::GeometryPoint* place = geometry_point_of(survey, point);
   if (place == nullptr) return std::nullopt;
   if (place->xyz_m) return place->xyz_m;
-  return std::array{place->position_m, place->radius_m * std::cos(place->angle_rad),
-                    place->radius_m * std::sin(place->angle_rad)};
+  const double radius_m = drawn_radius_m(*survey.geometry(), *place);
+  return std::array{place->position_m, radius_m * std::cos(place->angle_rad), radius_m * std::sin(place->angle_rad)};
 }
 
-std::array<double, 3> outward_normal(const pipeline::Survey* survey, const pipeline::Analysis& analysis,
-                                     std::size_t point, std::size_t channel, bool sensors) {
-  const auto outwards = [](double angle_rad) { return std::array{0.0, std::cos(angle_rad), std::sin(angle_rad)}; };
-  if (survey != nullptr && survey->geometry() && survey->geometry()->tube) {
-    for (const acquire::GeometryPoint& p : survey->geometry()->points) {
-      if (p.point == static_cast<int>(point)) return outwards(p.angle_rad);
-    }
+PlotMesh plot_mesh(const pipeline::Survey& survey) {
+  PlotMesh mesh;
+  for (const identify::ShapePlace& place : survey.shapes().front().places) {
+    if (geometry_point_of(survey, place.point) != nullptr) mesh.index.emplace(static_cast<int>(place.point), 0);
   }
+  for (auto& [number, index] : mesh.index) {
+    index = mesh.points.size();
+    mesh.number.push_back(number);
+    mesh.points.push_back(*plot_position(survey, static_cast<std::size_t>(number)));
+  }
+  if (mesh.points.empty()) return mesh;
+  const bool tube = survey.geometry()->tube;
+  acquire::StructureMesh made = tube ? tube_mesh(*survey.geometry(), mesh.index) : acquire::structure_mesh(mesh.points);
+  if (tube && 2 * made.lines.size() < mesh.points.size()) {  // no rings: points all over the tube
+    acquire::StructureMesh surface = acquire::structure_mesh(mesh.points);
+    surface.normals = std::move(made.normals);
+    made = std::move(surface);
+  }
+  mesh.layout = made.layout;
+  mesh.normals = std::move(made.normals);
+  const acquire::Geometry& geometry = *survey.geometry();
+  mesh.lines = drawn_lines(geometry.lines, mesh.index);
+  mesh.faces = drawn_faces(geometry.faces, mesh.index);
+  if (mesh.lines.empty() && mesh.faces.empty()) {
+    mesh.lines = drawn_lines(survey.analysis().record().trace_lines, mesh.index);
+    mesh.faces = drawn_faces(survey.analysis().record().trace_faces, mesh.index);
+  }
+  if (mesh.lines.empty() && mesh.faces.empty()) {
+    mesh.lines = std::move(made.lines);
+    mesh.faces = std::move(made.faces);
+  }
+  if (mesh.lines.empty()) mesh.lines = acquire::edges_of(mesh.faces);
+  return mesh;
+}
+
+std::array<double, 3> response_direction(const PlotMesh* mesh, const pipeline::Survey* survey,
+                                         const pipeline::Analysis& analysis, std::size_t point, std::size_t channel,
+                                         bool sensors) {
+  const bool tube = survey != nullptr && survey->geometry() && survey->geometry()->tube;
   const auto& accel = analysis.record().accel;
-  if (sensors && channel < accel.size() && accel[channel].angle_rad) return outwards(*accel[channel].angle_rad);
-  return {0, 0, 1};
-}
-
-std::vector<acquire::TraceLine> plot_lines(const pipeline::Survey& survey, const std::set<int>& points) {
-  std::vector<acquire::TraceLine> out;
-  for (const acquire::TraceLine& line : survey.analysis().record().trace_lines) {
-    if (points.contains(line[0]) && points.contains(line[1])) out.push_back(line);
-  }
-  if (!out.empty() || !survey.geometry() || !survey.geometry()->tube) return out;
-  std::map<long, std::map<long, int>> rings, lines;  // by position in µm and angle in 0.001°
-  for (const acquire::GeometryPoint& p : survey.geometry()->points) {
-    if (!points.contains(p.point)) continue;
-    const long along = std::lround(p.position_m * 1e6), around = std::lround(p.angle_rad * kRadian_deg * 1e3);
-    rings[along][around] = p.point;
-    lines[around][along] = p.point;
-  }
-  const auto connect = [&](const std::map<long, int>& members, bool ring) {
-    for (auto at = members.begin(); std::next(at) != members.end(); ++at)
-      out.push_back({at->second, std::next(at)->second});
-    if (ring && members.size() > 2) out.push_back({members.rbegin()->second, members.begin()->second});
-  };
-  for (const auto& [place, members] : rings) connect(members, true);
-  for (const auto& [place, members] : lines) connect(members, false);
-  return out;
+  if (!tube && sensors && channel < accel.size() && accel[channel].angle_rad)
+    return {0.0, std::cos(*accel[channel].angle_rad), std::sin(*accel[channel].angle_rad)};
+  if (mesh == nullptr) return {0, 0, 1};
+  const auto found = mesh->index.find(static_cast<int>(point));
+  return found == mesh->index.end() ? std::array{0.0, 0.0, 1.0} : mesh->normals[found->second];
 }
 
 }  // namespace percuss::report

@@ -1,10 +1,11 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
-#include <set>
 #include <vector>
 
+#include "acquire/geometry/structure_mesh.hpp"
 #include "pipeline/survey.hpp"
 
 namespace percuss::report {
@@ -12,15 +13,29 @@ namespace percuss::report {
 /// A point of the survey's geometry; nullptr if the geometry lacks it.
 const acquire::GeometryPoint* geometry_point_of(const pipeline::Survey& survey, std::size_t point);
 
-/// A point's coordinates for drawing: its own, or from its position on the tube (axis along x); nothing if not known.
+/// A point's coordinates for drawing: its own, or from its position on the tube (axis along x); nothing if not known. A
+/// tube whose radius is not stated is drawn with the radius of a bat's barrel, or a twentieth of its length.
 std::optional<std::array<double, 3>> plot_position(const pipeline::Survey& survey, std::size_t point);
 
-/// Direction of a positive response at a point: along the normal of a tube whose axis is x; with `sensors`, along the
-/// sensor's angle where it is known; else along z. `survey` may be nullptr.
-std::array<double, 3> outward_normal(const pipeline::Survey* survey, const pipeline::Analysis& analysis,
-                                     std::size_t point, std::size_t channel, bool sensors);
+/// The measured points of a survey, how drawings connect them, and the direction of a positive response at each.
+struct PlotMesh {
+  std::map<int, std::size_t> index;           // of each point number
+  std::vector<int> number;                    // [points], ascending
+  std::vector<std::array<double, 3>> points;  // m
+  std::vector<std::array<std::size_t, 2>> lines;
+  std::vector<std::vector<std::size_t>> faces;
+  std::vector<std::array<double, 3>> normals;  // unit vectors
+  acquire::PointLayout layout = acquire::PointLayout::scattered;
+};
 
-/// Lines between these points: the record's own; else rings around a tube and lines along it.
-std::vector<acquire::TraceLine> plot_lines(const pipeline::Survey& survey, const std::set<int>& points);
+/// Contains the points whose coordinates are known. Lines and faces are the geometry file's, or the record's own lines,
+/// where there are any; else rings around a tube and lines along it, or structure_mesh. The survey must have modes.
+PlotMesh plot_mesh(const pipeline::Survey& survey);
+
+/// Direction of a positive response: the point's normal; with `sensors`, along the sensor's angle where it is known on
+/// a structure that is no tube; along z without a mesh.
+std::array<double, 3> response_direction(const PlotMesh* mesh, const pipeline::Survey* survey,
+                                         const pipeline::Analysis& analysis, std::size_t point, std::size_t channel,
+                                         bool sensors);
 
 }  // namespace percuss::report

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "report/svg/analysis_charts.hpp"
 #include "report/svg/line_chart.hpp"
@@ -16,10 +17,9 @@
 namespace percuss::report {
 namespace {
 
-constexpr double kTurn_rad = 0.35 * std::numbers::pi,
-                 kTilt_rad = 0.15 * std::numbers::pi;  // the initial view of the page
-constexpr double kShapeAmplitude = 0.15;               // of the frame's radius
-constexpr double kCross = 0.02;                        // half the width of a point's cross, of the frame's radius
+constexpr double kTurn_rad = std::numbers::pi / 6, kTilt_rad = std::numbers::pi / 6;  // the initial view of the page
+constexpr double kShapeAmplitude = 0.15;                                              // of the frame's radius
+constexpr double kCross = 0.02;  // half the width of a point's cross, of the frame's radius
 constexpr double kLevelFloor = 1e-300;
 
 // Projects a point onto the drawing.
@@ -29,47 +29,84 @@ std::array<double, 2> seen(const std::array<double, 3>& at) {
   return {across, at[2] * std::cos(kTilt_rad) + away * std::sin(kTilt_rad)};
 }
 
-double radius_of(const Wireframe& frame) {
+double radius_of(const PlotMesh& mesh) {
   std::array<double, 3> middle{};
-  for (const auto& at : frame.points) {
-    for (std::size_t i = 0; i < 3; ++i) middle.at(i) += at.at(i) / static_cast<double>(frame.points.size());
+  for (const auto& at : mesh.points) {
+    for (std::size_t i = 0; i < 3; ++i) middle.at(i) += at.at(i) / static_cast<double>(mesh.points.size());
   }
   double radius = 0;
-  for (const auto& at : frame.points)
+  for (const auto& at : mesh.points)
     radius = std::max(radius, std::hypot(at[0] - middle[0], at[1] - middle[1], at[2] - middle[2]));
   return radius;
 }
 
-std::vector<Polyline> lines_of(const Wireframe& frame, const WireframeMode& mode, double amount, double arm) {
-  const auto place = [&](std::size_t i) {
-    std::array<double, 3> at = frame.points[i];
-    for (std::size_t k = 0; k < 3; ++k) at.at(k) += amount * mode.moves[i].at(k).real();
+// The mesh on the drawing; lines in halves, so that each half has the colour of its end.
+class DrawnMesh {
+ public:
+  DrawnMesh(const PlotMesh& mesh, const WireframeMode& mode, double amount)
+      : mesh_(mesh), mode_(mode), amount_(amount), arm_(kCross * radius_of(mesh)) {}
+
+  std::array<double, 2> place(std::size_t i) const {
+    std::array<double, 3> at = mesh_.points[i];
+    for (std::size_t k = 0; k < 3; ++k) at.at(k) += amount_ * mode_.moves[i].at(k).real();
     return seen(at);
-  };
-  std::vector<Polyline> lines;
-  for (const auto& [from, to] : frame.lines) lines.push_back({place(from), place(to)});
-  if (!lines.empty()) return lines;
-  for (std::size_t i = 0; i < frame.points.size(); ++i) {  // points without lines are drawn as crosses
-    const auto [x, y] = place(i);
-    lines.push_back({{x - arm, y}, {x + arm, y}});
-    lines.push_back({{x, y - arm}, {x, y + arm}});
   }
-  return lines;
-}
+  double value(std::size_t i) const {
+    double along = 0;
+    for (std::size_t k = 0; k < 3; ++k) along += mode_.moves[i].at(k).real() * mesh_.normals[i].at(k);
+    return std::clamp(along, -1.0, 1.0);
+  }
+  void add_lines(std::vector<Polyline>& lines, std::vector<double>* values) const {
+    const auto add = [&](const Polyline& line, std::size_t point) {
+      lines.push_back(line);
+      if (values != nullptr) values->push_back(value(point));
+    };
+    for (const auto& ends : mesh_.lines) {
+      const auto a = place(ends[0]), b = place(ends[1]);
+      const std::array<double, 2> middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+      add({a, middle}, ends[0]);
+      add({middle, b}, ends[1]);
+    }
+    if (!mesh_.lines.empty()) return;
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {  // points without lines are drawn as crosses
+      const auto [x, y] = place(i);
+      add({{x - arm_, y}, {x + arm_, y}}, i);
+      add({{x, y - arm_}, {x, y + arm_}}, i);
+    }
+  }
+  // Points whose deflection exceeds that of their neighbours, and half of the largest of all.
+  std::vector<DeformedShape::Sign> signs() const {
+    std::vector<bool> extreme(mesh_.points.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < extreme.size(); ++i) largest = std::max(largest, std::abs(value(i)));
+    for (std::size_t i = 0; i < extreme.size(); ++i) extreme[i] = largest > 0 && std::abs(value(i)) >= 0.5 * largest;
+    for (const auto& [a, b] : mesh_.lines) extreme[std::abs(value(a)) < std::abs(value(b)) ? a : b] = false;
+    std::vector<DeformedShape::Sign> out;
+    for (std::size_t i = 0; i < extreme.size(); ++i) {
+      if (extreme[i]) out.push_back({.at = place(i), .positive = value(i) > 0});
+    }
+    return out;
+  }
+
+ private:
+  const PlotMesh& mesh_;
+  const WireframeMode& mode_;
+  double amount_, arm_;
+};
 
 std::vector<DeformedShape> shape_drawings(const pipeline::Survey& survey) {
   const Wireframe frame = wireframe(survey);
-  const double radius = radius_of(frame);
+  if (frame.mesh.points.size() < 2) return {};
+  const double amplitude = kShapeAmplitude * radius_of(frame.mesh);
   std::vector<DeformedShape> drawings;
   for (const WireframeMode& mode : frame.modes) {
-    double largest = 0;
-    for (const auto& move : mode.moves) {
-      for (const Complex& component : move) largest = std::max(largest, std::abs(component));
-    }
-    if (frame.points.size() < 2 || !(largest > 0)) continue;
-    drawings.push_back({.name = fmt::format("{}, {} Hz", mode.name, hertz_text(mode.freq_Hz)),
-                        .rest = lines_of(frame, mode, 0, kCross * radius),
-                        .moved = lines_of(frame, mode, kShapeAmplitude * radius / largest, kCross * radius)});
+    DeformedShape drawing{
+        .name = fmt::format("{}, {} Hz", mode.name, hertz_text(mode.freq_Hz)), .rest = {}, .moved = {}, .values = {}};
+    DrawnMesh(frame.mesh, mode, 0).add_lines(drawing.rest, nullptr);
+    const DrawnMesh moved(frame.mesh, mode, amplitude);
+    moved.add_lines(drawing.moved, &drawing.values);
+    drawing.signs = moved.signs();
+    drawings.push_back(std::move(drawing));
   }
   return drawings;
 }

@@ -1,50 +1,83 @@
 #include "report/svg/wireframe.hpp"
 
-#include <map>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
 
-#include "report/svg/plot_geometry.hpp"
 #include "report/text/analysis_tables.hpp"
 
 namespace percuss::report {
 namespace {
 
-// Maps the number of each point with known coordinates to its index in the drawing.
-std::map<int, std::size_t> drawn_points(const pipeline::Survey& survey) {
-  std::map<int, std::size_t> out;
-  for (const identify::ShapePlace& place : survey.shapes().front().places) {
-    if (plot_position(survey, place.point)) out.emplace(static_cast<int>(place.point), 0);
+// The deflection Re(φ e^{jα}) has its largest sum of squares at α = −arg(Σφ²)/2.
+void turn_to_largest(std::vector<std::array<Complex, 3>>& moves, const PlotMesh& mesh) {
+  Complex squares = 0;
+  double largest = 0;
+  for (const auto& move : moves) {
+    double square = 0;
+    for (const Complex& component : move) {
+      squares += component * component;
+      square += std::norm(component);
+    }
+    largest = std::max(largest, square);
   }
-  std::size_t next = 0;
-  for (auto& [number, index] : out) index = next++;
-  return out;
+  if (!(largest > 0)) return;
+  Complex factor = std::polar(1 / std::sqrt(largest), -std::arg(squares) / 2);
+  double strongest = 0;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    double along = 0;
+    for (std::size_t k = 0; k < 3; ++k) along += (factor * moves[i].at(k)).real() * mesh.normals[i].at(k);
+    if (std::abs(along) > std::abs(strongest)) strongest = along;
+  }
+  if (strongest < 0) factor = -factor;
+  for (auto& move : moves) {
+    for (Complex& component : move) component *= factor;
+  }
 }
 
 std::vector<std::array<Complex, 3>> movement(const pipeline::Survey& survey, const identify::ModeShape& shape,
-                                             const std::map<int, std::size_t>& points) {
-  std::vector<std::array<Complex, 3>> moves(points.size());
+                                             const PlotMesh& mesh) {
+  std::vector<std::array<Complex, 3>> moves(mesh.points.size());
   const bool sensors = survey.options().roving == identify::Roving::sensor;
   for (const identify::ShapePlace& place : shape.places) {
-    const auto at = points.find(static_cast<int>(place.point));
-    if (at == points.end()) continue;
-    const auto normal = outward_normal(&survey, survey.analysis(), place.point, place.channel, sensors);
-    for (std::size_t i = 0; i < 3; ++i) moves[at->second].at(i) += place.value * normal.at(i);
+    const auto at = mesh.index.find(static_cast<int>(place.point));
+    if (at == mesh.index.end()) continue;
+    const auto along = response_direction(&mesh, &survey, survey.analysis(), place.point, place.channel, sensors);
+    for (std::size_t i = 0; i < 3; ++i) moves[at->second].at(i) += place.value * along.at(i);
   }
+  turn_to_largest(moves, mesh);
   return moves;
+}
+
+std::vector<WireframeSensor> sensors_of(const pipeline::Survey& survey, const PlotMesh& mesh) {
+  std::vector<WireframeSensor> out;
+  const bool roving = survey.options().roving == identify::Roving::sensor;
+  const auto add = [&](std::size_t point, std::size_t channel) {
+    const auto at = mesh.index.find(static_cast<int>(point));
+    if (at == mesh.index.end()) return;
+    out.push_back({at->second, response_direction(&mesh, &survey, survey.analysis(), point, channel, roving)});
+  };
+  if (roving) {
+    for (const identify::ShapePlace& place : survey.shapes().front().places) add(place.point, place.channel);
+  } else {
+    for (const identify::DrivingPoint& at : survey.driving_points()) add(at.point, at.channel);
+  }
+  return out;
 }
 
 }  // namespace
 
 Wireframe wireframe(const pipeline::Survey& survey) {
-  const auto points = drawn_points(survey);
-  std::set<int> numbers;
-  for (const auto& [number, index] : points) numbers.insert(number);
-  Wireframe frame;
-  for (const int number : numbers) frame.points.push_back(*plot_position(survey, static_cast<std::size_t>(number)));
-  for (const auto& [from, to] : plot_lines(survey, numbers)) frame.lines.push_back({points.at(from), points.at(to)});
+  Wireframe frame{.mesh = plot_mesh(survey), .sensors = {}, .modes = {}};
+  frame.sensors = sensors_of(survey, frame.mesh);
   for (std::size_t m = 0; m < survey.shapes().size(); ++m) {
+    const identify::Pole& pole = survey.analysis().modes()[m].pole;
     frame.modes.push_back({.name = mode_name(survey.classifications()[m], m),
-                           .freq_Hz = survey.analysis().modes()[m].pole.freq_Hz,
-                           .moves = movement(survey, survey.shapes()[m], points)});
+                           .freq_Hz = pole.freq_Hz,
+                           .damping_ratio = pole.damping_ratio,
+                           .mpc = survey.shapes()[m].mpc,
+                           .moves = movement(survey, survey.shapes()[m], frame.mesh)});
   }
   return frame;
 }

@@ -5,24 +5,33 @@
 #include <vector>
 
 #include "pipeline/survey.hpp"
+#include "report/svg/plot_geometry.hpp"
 
 namespace percuss::report {
 
-/// A mode's displacements of the frame's points along x, y and z.
+/// A mode's displacements of the frame's points along x, y and z, as a motion Re(φ e^{jωt}): scaled to 1 at the
+/// largest, and turned so that the deflection is largest at ωt = 0, where the strongest point moves along its normal.
 struct WireframeMode {
   std::string name;
-  double freq_Hz = 0;
+  double freq_Hz = 0, damping_ratio = 0, mpc = 0;
   std::vector<std::array<Complex, 3>> moves;  // [points]
 };
 
-/// The structure of a survey as points and lines, and its mode shapes.
+/// A sensor at a point, and its axis.
+struct WireframeSensor {
+  std::size_t at = 0;  // index of the point
+  std::array<double, 3> direction{};
+};
+
+/// The structure of a survey as points, lines and faces, and its mode shapes.
 struct Wireframe {
-  std::vector<std::array<double, 3>> points;      // m
-  std::vector<std::array<std::size_t, 2>> lines;  // pairs of indices into points
+  PlotMesh mesh;
+  std::vector<WireframeSensor> sensors;
   std::vector<WireframeMode> modes;
 };
 
-/// Contains the points whose coordinates are known. The survey must have modes.
+/// Contains the points whose coordinates are known. Sensors are drawn at driving points; a roving sensor was at each
+/// point. The survey must have modes.
 Wireframe wireframe(const pipeline::Survey& survey);
 
 }  // namespace percuss::report

@@ -67,7 +67,7 @@ HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipel
     ++shown;
     const acquire::Hit& hit = hits[i].hit;
     const bool pulse = !hit.gated_N.empty();
-    std::vector<std::string> cells{fmt::format("{}", i)};
+    std::vector<std::string> cells{fmt::format("{}", i + 1)};
     if (points) cells.push_back(fmt::format("{}", hits[i].point));
     if (files) {
       const std::string& path = analysis.record().files[analysis.record().rows[hit.row].file].path;
@@ -103,7 +103,8 @@ std::string shared_order_note(const pipeline::Analysis& analysis, std::size_t m)
   for (std::size_t other = 0; other < all.size(); ++other) {
     if (other == m || all[other].family != all[m].family || all[other].order != all[m].order) continue;
     const double apart_Hz = std::abs(analysis.modes()[m].pole.freq_Hz - analysis.modes()[other].pole.freq_Hz);
-    return fmt::format("same order as mode {}, {} Hz apart: too far for a split mode", other, significant(apart_Hz, 3));
+    return fmt::format("same order as mode {}, {} Hz apart: too far for a split mode", other + 1,
+                       significant(apart_Hz, 3));
   }
   return "";
 }
@@ -118,8 +119,6 @@ std::string note_of(const pipeline::Analysis& analysis, std::size_t m) {
                      : "second peak of the split mode");
     if (split->quoted) note += ": this peak is quoted";
   }
-  if (classification.family != identify::ModeType::unknown && classification.confidence < 0.95)
-    add(fmt::format("{:.0f} % sure", classification.confidence * 100));
   if (classification.alternative) add(fmt::format("could be {}", name_of(*classification.alternative)));
   const std::string source = source_of_std(analysis.modes()[m]);
   if (!source.empty()) add(source);
@@ -137,7 +136,7 @@ TextTable modes_table(const pipeline::Analysis& analysis, bool classes) {
   const bool named = classes && std::any_of(analysis.classifications().begin(), analysis.classifications().end(),
                                             [](const identify::ModeClassification& v) { return v.ratio.has_value(); });
   std::vector<TextTable::Column> columns{{"mode", TextTable::Align::right}};
-  if (named) columns.push_back({"family"});
+  if (named) columns.insert(columns.end(), {{"family"}, {"confidence", TextTable::Align::right}});
   columns.push_back({"frequency", TextTable::Align::right});
   columns.push_back({"damping", TextTable::Align::right});
   if (named) columns.push_back({"overlay", TextTable::Align::right});
@@ -145,8 +144,11 @@ TextTable modes_table(const pipeline::Analysis& analysis, bool classes) {
   TextTable table(columns);
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     const identify::Mode& mode = analysis.modes()[m];
-    std::vector<std::string> cells{fmt::format("{}", m)};
-    if (named) cells.push_back(mode_type_of(analysis.classifications()[m]));
+    std::vector<std::string> cells{fmt::format("{}", m + 1)};
+    if (named) {
+      cells.push_back(mode_type_of(analysis.classifications()[m]));
+      cells.push_back(confidence_text(analysis.classifications()[m]));
+    }
     cells.push_back(value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz");
     cells.push_back(value_with_std(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %");
     if (named) {
@@ -166,6 +168,13 @@ bool is_quoted(const identify::ModeClassification& classification) {
 std::string mode_type_of(const identify::ModeClassification& classification) {
   return classification.order > 0 ? fmt::format("{} {}", name_of(classification.family), classification.order)
                                   : name_of(classification.family);
+}
+
+std::string confidence_text(const identify::ModeClassification& classification) {
+  if (classification.family == identify::ModeType::unknown) return "–";
+  const double percent = 100 * classification.confidence;
+  if (percent >= 99.95) return "> 99.9 %";
+  return percent >= 99 ? fmt::format("{:.1f} %", percent) : fmt::format("{:.0f} %", std::floor(percent));
 }
 
 std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits) {
@@ -190,8 +199,8 @@ std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits
   return text;
 }
 
-std::string mode_name(const identify::ModeClassification& classification, std::size_t number) {
-  return classification.order > 0 ? mode_type_of(classification) : fmt::format("mode {}", number);
+std::string mode_name(const identify::ModeClassification& classification, std::size_t index) {
+  return classification.order > 0 ? mode_type_of(classification) : fmt::format("mode {}", index + 1);
 }
 
 std::string source_name(const pipeline::Analysis& analysis) {

@@ -13,7 +13,7 @@ struct HitsTable {
   std::size_t left_out = 0;  // accepted hits without a row, because the table is full
 };
 
-/// Each hit with its force and its findings.
+/// Each hit with its force and its findings. Hits and modes count from 1 in every table.
 HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipeline::AnalysedHit>& hits);
 
 /// Each mode with its standard deviations and, with `classes`, its type.
@@ -27,12 +27,14 @@ bool is_quoted(const identify::ModeClassification& classification);
 
 /// "hoop 1"; "bending" or "unknown" without an order.
 std::string mode_type_of(const identify::ModeClassification& classification);
+/// The confidence of a mode's type: "97 %", "99.6 %", "> 99.9 %"; "–" for an unknown type.
+std::string confidence_text(const identify::ModeClassification& classification);
 /// Names the parts of the frequency's or the damping ratio's standard deviation that exceed the noise, such as "± from
 /// the misfit"; empty for none.
 std::string source_of_std(const identify::Mode& mode);
 
-/// "hoop 1"; "mode 3", by its number, for a mode without an order.
-std::string mode_name(const identify::ModeClassification& classification, std::size_t number);
+/// "hoop 1"; for a mode without an order, "mode 3" for index 2: people count from 1.
+std::string mode_name(const identify::ModeClassification& classification, std::size_t index);
 
 /// The name of the first file, with "and 3 more".
 std::string source_name(const pipeline::Analysis& analysis);

@@ -69,7 +69,8 @@ std::string per_hit_text(const pipeline::Analysis& analysis, std::size_t width) 
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     for (const pipeline::HitMode& found : analysis.modes_per_hit()) {
       if (found.mode != m) continue;
-      table.add({fmt::format("{}", m), fmt::format("{}", found.hit), force_text(analysis.hits()[found.hit].hit.peak_N),
+      table.add({fmt::format("{}", m + 1), fmt::format("{}", found.hit + 1),
+                 force_text(analysis.hits()[found.hit].hit.peak_N),
                  value_with_std(found.pole.freq_Hz, found.freq_std_parts_Hz.total()) + " Hz",
                  value_with_std(found.pole.damping_ratio * 100, found.damping_std_parts.total() * 100) + " %", ""});
     }

@@ -39,7 +39,7 @@ ReportText deflection_tables(const pipeline::Analysis& analysis, const pipeline:
                   {"method"}});
   for (const pipeline::DeflectedHit& hit : test.hits) {
     const metrics::Deflection& d = hit.deflection;
-    hits.add({fmt::format("{}", hit.hit), fmt::format("{}", hit.point), channel_name(analysis, hit.channel),
+    hits.add({fmt::format("{}", hit.hit + 1), fmt::format("{}", hit.point), channel_name(analysis, hit.channel),
               millimetres(d.peak_m, d.peak_std_m),
               d.has_peak() ? fmt::format("{:.4f} s", sample_time_s(analysis, hit, d.peak)) : "",
               fmt::format("{:.2g} mm", 1000 * d.drift_m), name_of(d.method)});
@@ -59,8 +59,8 @@ ReportText deflection_tables(const pipeline::Analysis& analysis, const pipeline:
     text += points;
   }
   for (const pipeline::ImpactSpeed& speed : test.speeds) {
-    text +=
-        fmt::format("hit {}: speed of the ball {} m/s\n", speed.hit, value_with_std(speed.speed_mps, speed.std_mps));
+    text += fmt::format("hit {}: speed of the ball {} m/s\n", speed.hit + 1,
+                        value_with_std(speed.speed_mps, speed.std_mps));
   }
   if (!test.warnings.empty()) text += "\n";
   text += warnings_text(test.warnings);

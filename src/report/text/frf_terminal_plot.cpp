@@ -68,7 +68,7 @@ std::string numbers_below(const pipeline::Analysis& analysis, std::size_t column
     const double part = (analysis.modes()[m].pole.freq_Hz - low_Hz) / (high_Hz - low_Hz);
     if (!(part >= 0 && part < 1)) continue;
     const auto at = static_cast<std::size_t>(part * static_cast<double>(columns));
-    const std::string number = std::to_string(m);
+    const std::string number = std::to_string(m + 1);
     if (at < free || at + number.size() > columns) continue;
     out.replace(at, number.size(), number);
     free = at + number.size() + 1;

@@ -42,7 +42,8 @@ TextTable survey_modes_table(const pipeline::Survey& survey) {
   const bool mass = std::any_of(survey.shapes().begin(), survey.shapes().end(),
                                 [](const identify::ModeShape& s) { return s.modal_mass_kg.has_value(); });
   constexpr auto kRight = TextTable::Align::right;
-  std::vector<TextTable::Column> columns{{"mode", kRight}, {"family"}, {"frequency", kRight}, {"damping", kRight}};
+  std::vector<TextTable::Column> columns{
+      {"mode", kRight}, {"family"}, {"confidence", kRight}, {"frequency", kRight}, {"damping", kRight}};
   if (tube) columns.insert(columns.end(), {{"n", kRight}, {"share", kRight}, {"nodes", kRight}, {"plane", kRight}});
   columns.push_back({"MPC", kRight});
   if (mass) columns.push_back({"modal mass", kRight});
@@ -51,7 +52,8 @@ TextTable survey_modes_table(const pipeline::Survey& survey) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
     const identify::Mode& mode = modes[m];
     const identify::ModeShape& shape = survey.shapes()[m];
-    std::vector<std::string> cells{fmt::format("{}", m), mode_type_of(survey.classifications()[m]),
+    std::vector<std::string> cells{fmt::format("{}", m + 1), mode_type_of(survey.classifications()[m]),
+                                   confidence_text(survey.classifications()[m]),
                                    value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz",
                                    value_with_std(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %"};
     if (tube) {
@@ -100,8 +102,10 @@ std::string mac_text(const pipeline::Survey& survey) {
     for (std::size_t j = 0; j < i; ++j) {
       const identify::Mac& mac = survey.macs()[i][j];
       most = std::max(most, mac.value);
-      if (mac.value > kMinMac)
-        text += fmt::format("{}{} and {} ({})", text.empty() ? "" : ", ", j, i, value_with_std(mac.value, mac.std));
+      if (mac.value > kMinMac) {
+        text +=
+            fmt::format("{}{} and {} ({})", text.empty() ? "" : ", ", j + 1, i + 1, value_with_std(mac.value, mac.std));
+      }
     }
   }
   if (survey.macs().size() < 2) return "";

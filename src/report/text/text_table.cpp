@@ -13,7 +13,9 @@
 namespace percuss::report {
 namespace {
 
-constexpr std::size_t kMinWrap = 24;  // narrower columns are harder to read than a line that is too long
+// The last column is at least kMinWrap wide: a narrower one is harder to read than a line that is too long. It may have
+// kTightWrap where the table then fits.
+constexpr std::size_t kMinWrap = 24, kTightWrap = 14;
 
 std::string padded(const std::string& cell, std::size_t width, TextTable::Align align) {
   const std::string space(width - std::min(width, text_width(cell)), ' ');
@@ -92,7 +94,7 @@ std::string TextTable::text(std::size_t width) const {
   }
   std::size_t before_last = 0;
   for (std::size_t c = 0; c + 1 < widths.size(); ++c) before_last += widths[c] + 2;
-  const std::size_t limit = std::max(width, before_last + kMinWrap);
+  const std::size_t limit = before_last + kTightWrap <= width ? width : before_last + kMinWrap;
   const auto line = [&](const std::vector<std::string>& cells) {
     std::string text;
     for (std::size_t c = 0; c + 1 < cells.size(); ++c) text += padded(cells[c], widths[c], columns_[c].align) + "  ";

@@ -69,19 +69,36 @@ TEST(TriggerScan, JoinsPulsesWithinTheSeparation) {
   for (const double bounce : {30.0, 170.0}) {  // smaller or larger than the first
     std::vector<double> x(50000);
     add_pulse(x, 10000, 100);
-    add_pulse(x, 10000 + kSeparation / 2, bounce);
+    add_pulse(x, 10000 + kSeparation / 3, bounce);
     add_pulse(x, 30000, 80);
-    EXPECT_EQ(scan(x).events, (Events{bounce < 100 ? 10000 : 10000 + kSeparation / 2, 30000}));
+    EXPECT_EQ(scan(x).events, (Events{bounce < 100 ? 10000 : 10000 + kSeparation / 3, 30000}));
   }
 }
 
 TEST(TriggerScan, SeparatesPulsesFurtherApart) {
   std::vector<double> x(50000);
   add_pulse(x, 10000, 100);
-  add_pulse(x, 10000 + kSeparation + 256, 90);
+  add_pulse(x, 10000 + kSeparation + 256, 45);
   EXPECT_EQ(scan(x).events, (Events{10000, 10000 + kSeparation + 256}));
   EXPECT_EQ(scan(x, {.separation_s = 0.5}).events, (Events{10000}));
   EXPECT_EQ(scan(x, {.separation_s = 0}).events.size(), 2U);
+}
+
+TEST(TriggerScan, SeparatesHitsInQuickSuccession) {
+  const std::size_t apart = kSeparation * 3 / 5;
+  for (const double second : {60.0, 100.0, 160.0}) {
+    std::vector<double> x(50000);
+    for (std::size_t hit = 0; hit < 5; ++hit) add_pulse(x, 10000 + hit * apart, hit % 2 == 0 ? 100 : second);
+    EXPECT_EQ(scan(x).events, (Events{10000, 10000 + apart, 10000 + 2 * apart, 10000 + 3 * apart, 10000 + 4 * apart}))
+        << second;
+  }
+}
+
+TEST(TriggerScan, JoinsAWeakerPulseThatFollowsLate) {
+  std::vector<double> x(50000);
+  add_pulse(x, 10000, 100);
+  add_pulse(x, 10000 + kSeparation * 3 / 5, 40);
+  EXPECT_EQ(scan(x).events, Events{10000});
 }
 
 TEST(TriggerScan, TakesAForceThatRingsAtTheTriggerAsOneEvent) {

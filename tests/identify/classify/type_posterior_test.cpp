@@ -52,7 +52,7 @@ TEST(TypePosterior, StaysUncertainWhereTheLowestModeHasTheHoopRatio) {
   EXPECT_LT(one[3][0], 0.5 * all[3][0]);
 }
 
-TEST(TypePosterior, AssumesBendingOfTheLowestModeOnlyAtItsFrequencies) {
+TEST(TypePosterior, AssumesThatTheLowestModeBendsOnlyBelowTheHoopFrequencies) {
   EXPECT_GT(posteriors({mode_at(169, -45)})[0][0], 0.5);
   EXPECT_GT(posteriors({mode_at(1900, -45)})[0][1], 0.9);
 }

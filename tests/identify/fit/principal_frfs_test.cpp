@@ -37,7 +37,7 @@ TEST(PrincipalFrfs, HoldThreeModesInThreeComponents) {
   for (std::size_t i = 3; i < energy.size(); ++i) EXPECT_LE(energy[i], kRounding * energy[0]) << i;
 }
 
-// The truncation of the points' records differs, and none describes the combinations.
+// The truncation differs between the points' records. No point's truncation holds for a combination of their FRFs.
 TEST(PrincipalFrfs, CountAsUntruncated) {
   FrfDataset set = survey();
   ASSERT_FALSE(set.points.at(0).blocks.empty());

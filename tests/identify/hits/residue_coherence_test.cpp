@@ -44,8 +44,8 @@ double coherence_of(const std::function<double(std::size_t, std::size_t)>& phase
 
 // The mean of |Σ r|²/(n Σ|r|²) over independent phases is 1/n. The coherence of two channels with about equal weights
 // has the variance (n − 1)/(2 n³), so that the mean of 60 draws has the standard deviation 0.016. The noise makes the
-// weights of the hits differ by a tenth. One residue for both channels, along the mean,
-// would give 0.35.
+// weights of the hits differ by a tenth. A single residue per hit, the projection of both channels onto their mean
+// residues, would give 0.35.
 TEST(ResidueCoherence, IsOneOverTheHitsForIndependentPhases) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> turns(0, 1);

@@ -14,7 +14,8 @@
 
 namespace percuss::identify::line_noise_test {
 
-// Five standard deviations of a median over a few thousand roughness values. Neighbouring values share noise.
+// Five standard deviations of the median of a few thousand second differences of neighbouring lines. Neighbouring
+// differences share noise.
 constexpr double kTolerance = 0.1;
 constexpr double kPart = 0.01;  // standard deviation of a real part
 constexpr double kWhole = kPart * std::numbers::sqrt2;

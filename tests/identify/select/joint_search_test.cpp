@@ -40,7 +40,7 @@ TEST(KeepClearest, GivesAsManyModesAsAskedFor) {
   }
 }
 
-TEST(HeldStarts, RefuseAFitThatLeavesItsPlaceAndKeepTheOthers) {
+TEST(FittedStarts, RefuseAFitThatLeavesItsPlaceAndKeepTheOthers) {
   const std::vector<Pole> truth{{200, 0.01}, {780, 0.008}};
   const FrfDataset set = set_of(truth);
   const IdentifyOptions options{.start_Hz = {200, 900}};

@@ -105,8 +105,8 @@ TEST(BeamStructure, MatchesBesselFunctionsForAWedgeAndACone) {
 }
 
 // The classical values ω L² √(ρA/EI) of a complete wedge and cone, clamped at the base: 5.315 and 8.719 (k²/4, with k
-// the roots of J1 I2 + I1 J2 and of J2 I3 + I2 J3). The tip of the model has a ten-thousandth of the base's thickness:
-// a thousandth lowers the values by 0.2 %.
+// the roots of J1 I2 + I1 J2 and of J2 I3 + I2 J3). The tip of the model has a ten-thousandth of the base's thickness.
+// A tip of a thousandth would lower the values by 0.2 %.
 TEST(BeamStructure, ApproachesTheCompleteWedgeAndCone) {
   for (const auto& [round, classical] : {std::pair{false, 5.315}, std::pair{true, 8.719}}) {
     BeamStructure beam{.table = {.kind = ProfileKind::points, .round = round}, .material = {}, .slender = true};
@@ -251,9 +251,10 @@ TEST(BeamStructure, AgreesWithIntegratedEquationsOnEachSupport) {
       {BeamSupport::clamped, {37.09876125, 398.8287044, 968.6491113, 1299.939292, 2355.513044}}};
   for (const auto& [kind, exact_Hz] : reference) {
     const BatModes modes = bat_modes(hollow_bat(kind), kFine);
-    for (std::size_t i = 0; i < exact_Hz.size(); ++i)
+    for (std::size_t i = 0; i < exact_Hz.size(); ++i) {
       EXPECT_NEAR(modes.freq_Hz[static_cast<Eigen::Index>(i)], exact_Hz[i], 2 * kElements * exact_Hz[i])
           << static_cast<int>(kind) << " " << i;
+    }
   }
 }
 

@@ -33,20 +33,22 @@ constexpr double kRounding = 1e-12;  // a dozen operations on numbers of some te
 
 // Momentum, angular momentum and restitution, written out with the speeds of ball and bat.
 TEST(RigidBat, ConservesMomentumAndAngularMomentum) {
-  const RigidCollision c{.bat_speed_mps = 4};
-  for (const double z_m : {-0.3, 0.0, 0.1, 0.4}) {
-    const double out = exit_speed_mps(c, z_m);
-    const double impulse = c.ball_mass_kg * (out + c.ball_speed_mps);
-    const double bat = c.bat_speed_mps - impulse / c.bat_mass_kg;
-    const double rate = c.swing_rate_radps - impulse * z_m / c.inertia_kgm2;
-    EXPECT_NEAR(out - (bat + rate * z_m),
-                c.restitution * (c.ball_speed_mps + c.bat_speed_mps + c.swing_rate_radps * z_m), 100 * kRounding);
+  for (const double swing_rate : {60.0, -20.0}) {
+    const RigidCollision c{.swing_rate_radps = swing_rate, .bat_speed_mps = 4};
+    for (const double z_m : {-0.3, 0.0, 0.1, 0.4}) {
+      const double out = exit_speed_mps(c, z_m);
+      const double impulse = c.ball_mass_kg * (out + c.ball_speed_mps);
+      const double bat = c.bat_speed_mps - impulse / c.bat_mass_kg;
+      const double rate = c.swing_rate_radps - impulse * z_m / c.inertia_kgm2;
+      EXPECT_NEAR(out - (bat + rate * z_m),
+                  c.restitution * (c.ball_speed_mps + c.bat_speed_mps + c.swing_rate_radps * z_m), 100 * kRounding);
+    }
   }
 }
 
 TEST(RigidBat, HasItsFastestExitAtTheBestImpact) {
   for (const double bat_speed : {-5.0, 0.0, 10.0}) {
-    for (const double rate : {0.0, 20.0, 60.0}) {
+    for (const double rate : {-20.0, 0.0, 20.0, 60.0}) {
       const RigidCollision c{.swing_rate_radps = rate, .bat_speed_mps = bat_speed};
       const BestImpact best = best_impact(c, -0.4, 0.4);
       for (double z_m = -0.4; z_m <= 0.4; z_m += 0.001)

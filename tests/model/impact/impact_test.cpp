@@ -147,10 +147,10 @@ TEST(BeamImpact, RisesAndSaturatesWithMass) {
   std::vector<double> cor;
   for (int i = 0; i <= 12; ++i) cor.push_back(simulate_impact(with_mass(0.6 + 0.2 * i)).cor);
   expect_rise_and_saturation(cor);
-  EXPECT_LT(cor.front(), 0);  // the ball follows the light beam
+  EXPECT_LT(cor.front(), 0);  // the ball still moves in its first direction
 }
 
-TEST(BeamImpact, TouchesALightBeamAgain) {
+TEST(BeamImpact, TouchesABeamOfSmallMassAgain) {
   for (const double mass : {0.6, 0.8}) {
     const ImpactResult r = simulate_impact(with_mass(mass));
     ASSERT_TRUE(r.recontact_s.has_value());

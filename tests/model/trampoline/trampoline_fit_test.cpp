@@ -116,8 +116,8 @@ TEST(TrampolineFit, SaysThatThePairIsNotDetermined) {
   EXPECT_TRUE(fit_exponents(baseball_on_barrel(), with_std(exact(), 1e-4)).determined);
 }
 
-// Where the model is linear within the deviations, the pairs with chi2 + 1 span ± one standard deviation.
-TEST(TrampolineFit, HasARimThatSpansTheStandardDeviations) {
+// Where the model is linear within the standard deviations, the pairs with chi2 + 1 span ± one standard deviation.
+TEST(TrampolineFit, HasAContourThatSpansTheStandardDeviations) {
   const ExponentFit fit = fit_exponents(baseball_on_barrel(), with_std(exact(), 2e-5));
   constexpr double kSteps = 0.03;  // eight steps over half the contour miss its extremes by up to 2 %
   EXPECT_NEAR((fit.a_interval.high - fit.a_interval.low) / (2 * fit.stiffness_exponent_std), 1, kSteps);

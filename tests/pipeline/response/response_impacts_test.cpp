@@ -10,7 +10,7 @@
 #include "pipeline/response/response_test.hpp"
 #include "support/response_records.hpp"
 
-// Weak blows, by the modes that the decays after them give.
+// Weak blows are tested by the modes that are fitted to the decays after them.
 namespace percuss::pipeline::response_impacts_test {
 
 constexpr double kFs_Hz = 8192;
@@ -50,7 +50,8 @@ TEST(ResponseImpacts, FindsAWeakBlowOnASlowMode) {
   EXPECT_NEAR(std::sqrt(squares / kSeeds), 1, 0.28);  // and of their RMS
 }
 
-// The constant of the signal is no sign of a second mode. In two of 400 rows of noise it was, and left no mode.
+// The constant of the signal is no sign of a second mode. With these two of 400 seeds, it once counted as one, and no
+// mode was found.
 TEST(ResponseImpacts, IsNotSplitByAConstant) {
   for (const unsigned seed : {231U, 351U}) {
     std::mt19937 random(seed);

@@ -124,7 +124,7 @@ TEST(ResponseTest, SaysWhereItCannotTellAPairFromScatter) {
     ++merged;
     silent += warned(pair) ? 0 : 1;
   }
-  EXPECT_GE(merged, 2);  // a fifth of the pairs; without one, this test would say nothing
+  EXPECT_GE(merged, 2);  // without pairs that count as one mode, the next check would test nothing
   EXPECT_LT(2 * silent, merged) << merged;
   const ResponseTest scattering = test_of(0, 2, 1);
   EXPECT_EQ(scattering.found.modes.size(), 1U);

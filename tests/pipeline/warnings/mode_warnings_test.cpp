@@ -29,6 +29,7 @@ TEST(LocalFitWarnings, CountTheModesBeyondTheirLimit) {
 
 TEST(UnmodelledPoleWarnings, CountThePolesBeyondTheirLimit) {
   std::vector<identify::Pole> poles;
+  poles.reserve(12);
   for (int p = 0; p < 12; ++p) poles.push_back({.freq_Hz = 100.0 + 10 * p, .damping_ratio = 0.01});
   const std::pair band_Hz{105.0, 1000.0};
   EXPECT_THAT(unmodelled_pole_warnings(poles, band_Hz).at(0).message, HasSubstr("180 Hz (1 %) and 3 more."));

@@ -48,8 +48,8 @@ TEST(TrustStatements, NameEachFindingOnceWithItsHits) {
                                       hit_with(FindingCode::weak, Severity::warn, true)};
   const auto out = trust_statements({{"hits_disagree", "a mixture"}}, hits);
   EXPECT_THAT(codes_of(out), ElementsAre("hits_disagree", "weak", "double_hit"));
-  EXPECT_EQ(out[1].message, "hits 1, 2: what was found (the first of them)");
-  EXPECT_EQ(out[2].message, "hit 0 (not used): what was found");
+  EXPECT_EQ(out[1].message, "hits 2, 3: what was found (the first of them)");
+  EXPECT_EQ(out[2].message, "hit 1 (not used): what was found");
   EXPECT_EQ(*out[2].severity, Severity::info);
 }
 
@@ -65,19 +65,19 @@ TEST(TrustStatements, StateEqualMessagesOnce) {
 
 // double_hits_used summarises the findings of used hits, but not the findings of rejected hits.
 TEST(TrustStatements, StateDoubleHitsOnce) {
-  const Warning used{"double_hits_used", "hits 0"};
+  const Warning used{"double_hits_used", "hits 1"};
   std::vector<AnalysedHit> hits{hit_with(FindingCode::double_hit, Severity::warn, true)};
   EXPECT_THAT(codes_of(trust_statements({used}, hits)), ElementsAre("double_hits_used"));
   hits.push_back(hit_with(FindingCode::double_hit, Severity::reject, false));
   const auto out = trust_statements({used}, hits);
   EXPECT_THAT(codes_of(out), ElementsAre("double_hits_used", "double_hit"));
-  EXPECT_EQ(out[1].message, "hit 1 (not used): what was found");
+  EXPECT_EQ(out[1].message, "hit 2 (not used): what was found");
 }
 
 TEST(HitList, NamesEightHitsAndCountsTheOthers) {
-  EXPECT_EQ(hit_list({3}), "hit 3");
-  EXPECT_EQ(hit_list({0, 2}), "hits 0, 2");
-  EXPECT_EQ(hit_list({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}), "hits 0, 1, 2, 3, 4, 5, 6, 7 and 2 more");
+  EXPECT_EQ(hit_list({3}), "hit 4");
+  EXPECT_EQ(hit_list({0, 2}), "hits 1, 3");
+  EXPECT_EQ(hit_list({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}), "hits 1, 2, 3, 4, 5, 6, 7, 8 and 2 more");
 }
 
 }  // namespace percuss::pipeline::ranking_test

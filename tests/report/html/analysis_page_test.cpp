@@ -77,8 +77,8 @@ TEST_F(AnalysisPage, StrikesThroughTheValuesOfRejectedHits) {
   const std::string whole = page_of(folder_.file("bat.h5"));
   EXPECT_THAT(whole, Not(HasSubstr("<tr class=\"excluded\">")));
   EXPECT_THAT(whole, Not(HasSubstr("rejected hits and are in no result")));
-  const std::string page = page_of(folder_.file("bat.h5"), {"--reject-hit", "1"});
-  EXPECT_THAT(page, HasSubstr("<tr class=\"excluded\"><td class=\"right\">1</td>"));
+  const std::string page = page_of(folder_.file("bat.h5"), {"--reject-hit", "2"});
+  EXPECT_THAT(page, HasSubstr("<tr class=\"excluded\"><td class=\"right\">2</td>"));
   EXPECT_THAT(page, HasSubstr("rejected hits and are in no result"));
 }
 
@@ -133,7 +133,7 @@ TEST_F(AnalysisPage, EscapesNames) {
 
 TEST_F(AnalysisPage, ShowsThatARecordCannotBeUsed) {
   test::write_small_test(folder_.file("bat.h5"), R"("hits": 1)");
-  const std::string page = page_of(folder_.file("bat.h5"), {"--reject-hit", "0"});
+  const std::string page = page_of(folder_.file("bat.h5"), {"--reject-hit", "1"});
   EXPECT_THAT(page, HasSubstr("No hit can be used"));
   EXPECT_THAT(page, HasSubstr(R"(id="hits")"));
   for (const char* id : {"frf", "stabilisation", "movement"})
@@ -157,7 +157,12 @@ TEST_F(AnalysisPage, OfASurveyContainsShapesAndMac) {
   ASSERT_EQ(shapes["modes"].size(), 5U);
   EXPECT_EQ(shapes["modes"][3]["moves"].size(), 24U * 6);
   EXPECT_THAT(page, HasSubstr(R"(<td class="right shade4">1.00</td>)"));
-  EXPECT_LT(page.size(), 2'000'000U);
+  EXPECT_LT(page.size(), 500'000U);
+  const auto fit = data_of(page)["fit"];
+  EXPECT_EQ(fit["frfs"].size(), 24U * fit["channels"].size());
+  EXPECT_EQ(fit["places"].size(), 24U);
+  EXPECT_GT(data_of(page)["stabilisation"]["order"].size(), 10U);
+  EXPECT_TRUE(data_of(page)["indicator"].contains("mif"));
 }
 
 }  // namespace percuss::report::analysis_page_test

@@ -6,11 +6,13 @@
 namespace percuss::report::trust_section_test {
 
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(TrustSection, StatesConsequenceAndRemedyOnceEach) {
-  const std::string html = trust_section(
-      {pipeline::with_remedy({"frac", "the modes explain 98 % < 99 %"}, "take more hits"), {"reversed", "accel 2"}},
+  const PageWarnings warnings(
+      {pipeline::with_remedy({"frac", "the modes explain 98 % < 99 %"}, "take more hits"), {"reversed", "accel 2"}}, {},
       {});
+  const std::string html = warnings.section();
   EXPECT_THAT(html, HasSubstr("How far can this test be trusted?"));
   EXPECT_THAT(html, HasSubstr("<li class=\"warn\"><b>Results may be off.</b> the modes explain 98 % &lt; 99 % "
                               "<span class=\"remedy\">Remedy: take more hits.</span></li>"));
@@ -18,6 +20,24 @@ TEST(TrustSection, StatesConsequenceAndRemedyOnceEach) {
   EXPECT_EQ(html.find("take more hits"), html.rfind("take more hits"));
 }
 
-TEST(TrustSection, SaysThatNothingWasFound) { EXPECT_THAT(trust_section({}, {}), HasSubstr("Nothing was found")); }
+TEST(TrustSection, LeavesWarningsToThePartThatTheyConcern) {
+  const PageWarnings warnings({{"frac", "of the fit"}, {"reversed", "wrong"}, {"moving_modes", "of all"}}, {},
+                              {PagePart::fit, PagePart::force});
+  EXPECT_THAT(warnings.beside(PagePart::fit), HasSubstr("of the fit"));
+  EXPECT_EQ(warnings.beside(PagePart::force), "");
+  const std::string section = warnings.section();
+  EXPECT_THAT(section, Not(HasSubstr("of the fit")));
+  EXPECT_THAT(section, testing::AllOf(HasSubstr("wrong"), HasSubstr("of all"), HasSubstr("the fit (1)")));
+}
+
+TEST(TrustSection, KeepsWrongResultsOnTop) {
+  const PageWarnings warnings({{"response_clipped", "clipped"}}, {}, {PagePart::response});
+  EXPECT_THAT(warnings.section(), HasSubstr("clipped"));
+  EXPECT_EQ(warnings.beside(PagePart::response), "");
+}
+
+TEST(TrustSection, SaysThatNothingWasFound) {
+  EXPECT_THAT(PageWarnings({}, {}, {}).section(), HasSubstr("Nothing was found that puts"));
+}
 
 }  // namespace percuss::report::trust_section_test

@@ -105,8 +105,8 @@ TEST(FrfTerminalPlot, ShowsThePeaksAboveTheirNumbers) {
   ASSERT_EQ(rows.size(), 10U);
   EXPECT_THAT(rows[9], AllOf(HasSubstr("60 Hz"), HasSubstr("3.2 kHz")));
   EXPECT_THAT(rows[0], HasSubstr(" dB "));
-  EXPECT_EQ(rows[8].find('0') - 8, 100 * (200 - 60) / (3200 - 60));
-  const std::size_t hoop = rows[8].find('1') - 8;
+  EXPECT_EQ(rows[8].find('1') - 8, 100 * (200 - 60) / (3200 - 60));
+  const std::size_t hoop = rows[8].find('2') - 8;
   EXPECT_EQ(hoop, 100 * (1900 - 60) / (3200 - 60));
   const auto cell = [&](std::size_t row, std::size_t column) {
     return rows[row].substr(rows[row].size() - 300 + 3 * column, 3);  // three bytes a character

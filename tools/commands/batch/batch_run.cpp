@@ -132,9 +132,10 @@ void print_open_records(const batch::Manifest& manifest, const std::vector<batch
                                one_line(record.reason, kLongestReason_bytes));
     }
   }
-  if (open > 0)
+  if (open > 0) {
     std::cerr << fmt::format("percuss: the machine failed at {} {}; run the batch again\n", open,
                              open == 1 ? "record" : "records");
+  }
 }
 
 // Absolute, since run_shards() changes the working folder.

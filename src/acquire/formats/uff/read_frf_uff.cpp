@@ -196,7 +196,10 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   const UffAnnotation stated = uff_annotation(first);
   out.record.decay_per_s = std::max(0.0, stated.decay_per_s.value_or(0));
   out.record.geometry = uff_geometry(contents, stated.node_offset, out.record.notes);
-  if (!out.record.geometry.empty()) out.record.trace_lines = uff_trace_lines(contents, stated.node_offset);
+  if (!out.record.geometry.empty()) {
+    out.record.trace_lines = uff_trace_lines(contents, stated.node_offset);
+    out.record.trace_faces = uff_trace_faces(contents, stated.node_offset);
+  }
   const Grid grid = grid_of(frfs);
   out.record.accel.resize(grid.channels.size());
   const auto coherences = coherences_of(contents);

@@ -182,7 +182,10 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
                           .run = stated.by_percuss ? row.front()->load_case : 0});
   }
   table.geometry = uff_geometry(open->contents, stated.node_offset, table.notes);
-  if (!table.geometry.empty()) table.trace_lines = uff_trace_lines(open->contents, stated.node_offset);
+  if (!table.geometry.empty()) {
+    table.trace_lines = uff_trace_lines(open->contents, stated.node_offset);
+    table.trace_faces = uff_trace_faces(open->contents, stated.node_offset);
+  }
   std::string note;
   if (!options.fs_Hz) table.fs_Hz = rate_of_function_Hz(*first.front(), uff_location(file, first.front()->at), note);
   if (!note.empty()) table.notes.emplace_back(note, std::vector<OptionId>{"fs"});

@@ -95,4 +95,16 @@ std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset) 
   return out;
 }
 
+std::vector<TraceFace> uff_trace_faces(const UffContents& contents, int offset) {
+  std::vector<TraceFace> out;
+  for (TraceFace face : contents.connections.faces) {
+    const std::set<int> corners(face.begin(), face.end());
+    if (corners.size() != face.size()) continue;
+    if (!std::all_of(face.begin(), face.end(), [&](int node) { return contents.nodes_m.contains(node); })) continue;
+    for (int& node : face) node -= offset;
+    out.push_back(std::move(face));
+  }
+  return out;
+}
+
 }  // namespace percuss::acquire

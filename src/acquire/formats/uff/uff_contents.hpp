@@ -39,6 +39,8 @@ std::vector<Message> uff_notes(const UffContents& contents);
 std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset, std::vector<Message>& notes);
 /// The lines whose two nodes are in the file, by point = node − `offset`.
 std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset);
+/// The faces whose corners are all in the file, by point.
+std::vector<TraceFace> uff_trace_faces(const UffContents& contents, int offset);
 
 /// The statements of percuss in a function's fifth line ("percuss; node = point + 1; dx = 3.90625e-05") and fourth line
 /// ("averages = 5; angle_deg = 90; ").

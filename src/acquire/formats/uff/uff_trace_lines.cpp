@@ -12,7 +12,7 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kNodesPerLine = 8, kNodeWidth = 10, kMaxNodes = 250;
+constexpr std::size_t kNodesPerLine = 8, kNodeWidth = 10, kMaxNodes = 250, kMaxCorners = 16;
 constexpr int kColour = 11;
 
 using Edges = std::span<const std::array<int, 2>>;
@@ -112,7 +112,10 @@ class LineReader {
         add(nodes[static_cast<std::size_t>(from)], nodes[static_cast<std::size_t>(to)]);
     } else if ((is_beam(kind) || is_face(kind)) && nodes.size() >= 2) {
       for (std::size_t i = 1; i < nodes.size(); ++i) add(nodes[i - 1], nodes[i]);
-      if (is_face(kind) && nodes.size() > 2) add(nodes.back(), nodes.front());
+      if (is_face(kind) && nodes.size() > 2) {
+        add(nodes.back(), nodes.front());
+        if (nodes.size() <= kMaxCorners) out_.faces.push_back(nodes);
+      }
     } else {
       ++out_.other_elements;
     }
@@ -153,6 +156,20 @@ std::vector<std::string> uff_trace_line_sets(const std::vector<TraceLine>& lines
     for (std::size_t n = 0; n < path.size(); ++n)
       text += fmt::format("{}{:10}", n % kNodesPerLine == 0 ? "\n" : "", path[n] + offset);
     out.push_back(text + '\n');
+  }
+  return out;
+}
+
+std::string uff_element_lines(const std::vector<TraceFace>& faces, int offset) {
+  constexpr int kTriangle = 91, kQuadrilateral = 94;
+  std::string out;
+  int number = 0;
+  for (const TraceFace& face : faces) {
+    if (face.size() != 3 && face.size() != 4) continue;
+    out += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", ++number, face.size() == 3 ? kTriangle : kQuadrilateral, 1,
+                       1, kColour, face.size());
+    for (const int corner : face) out += fmt::format("{:10}", corner + offset);
+    out += '\n';
   }
   return out;
 }

@@ -11,6 +11,7 @@ namespace percuss::acquire {
 /// The connections between nodes of a universal file.
 struct UffTraceLines {
   std::vector<TraceLine> lines;    // by node, in the file's order, without duplicates
+  std::vector<TraceFace> faces;    // by node: plane elements and shells of the sets 2412
   std::size_t other_elements = 0;  // of kinds whose edges are not known
   std::string unreadable;          // the first error message of an unreadable set; empty: none
 };
@@ -23,5 +24,9 @@ UffTraceLines read_uff_trace_lines(const std::vector<UffSet>& sets, const FileBy
 /// The bodies of sets 82 that draw these lines (by point; node = point + offset). A set continues while each line
 /// starts at the end of the previous one.
 std::vector<std::string> uff_trace_line_sets(const std::vector<TraceLine>& lines, int offset);
+
+/// The body of a set 2412 of these faces (by point; node = point + offset): triangles and quadrilaterals as thin
+/// shells. Other faces are left out.
+std::string uff_element_lines(const std::vector<TraceFace>& faces, int offset);
 
 }  // namespace percuss::acquire

@@ -41,6 +41,8 @@ void write_frf_record_uff(const std::string& path, const FrfRecord& record, FrfK
   if (!nodes.empty()) out.set(2411, nodes);
   for (const std::string& line : uff_trace_line_sets(uff_drawable_lines(record.geometry, record.trace_lines), offset))
     out.set(82, line);
+  const std::string elements = uff_element_lines(uff_drawable_faces(record.geometry, record.trace_faces), offset);
+  if (!elements.empty()) out.set(2412, elements);
   for (const PointFrf& frf : record.frfs) {
     const Frf shown = converted(frf.frf, record.lines, kind, record.decay_per_s);
     UffFunction function = described_frf(record, frf, kind, offset);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "core/error.hpp"
@@ -33,7 +34,7 @@ UffFunction described(const Record& record, const RowInfo& row, int offset) {
 void write_row_functions(UffOutput& out, const Record& record, std::size_t row, int offset) {
   const RowInfo& info = record.rows[row];
   UffFunction function = described(record, info, offset);
-  function.id[0] = fmt::format("hit {}", row);
+  function.id[0] = fmt::format("hit {}", row + 1);
   function.response = {"force", info.point + offset, 0};
   function.ordinate = {Uff58::excitation_force, "Force", "N"};
   out.function_of(function, info.samples,
@@ -45,6 +46,19 @@ void write_row_functions(UffOutput& out, const Record& record, std::size_t row, 
     out.function_of(function, info.samples,
                     [&](std::size_t first, std::span<double> part) { record.read_accel_mps2(row, c, first, part); });
   }
+}
+
+// The lines or faces whose points all have coordinates.
+template <class Points>
+std::vector<Points> drawable(const std::vector<std::vector<double>>& geometry, const std::vector<Points>& all) {
+  const auto is_node = [&](int point) {
+    const auto row = static_cast<std::size_t>(point);
+    return point >= 0 && row < geometry.size() && has_place(geometry[row]);
+  };
+  std::vector<Points> out;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(out),
+               [&](const Points& each) { return std::all_of(each.begin(), each.end(), is_node); });
+  return out;
 }
 
 }  // namespace
@@ -72,15 +86,12 @@ std::string uff_sensor_text(const SignalInfo& sensor) {
 
 std::vector<TraceLine> uff_drawable_lines(const std::vector<std::vector<double>>& geometry,
                                           const std::vector<TraceLine>& lines) {
-  const auto is_node = [&](int point) {
-    const auto row = static_cast<std::size_t>(point);
-    return point >= 0 && row < geometry.size() && has_place(geometry[row]);
-  };
-  std::vector<TraceLine> out;
-  for (const TraceLine& line : lines) {
-    if (is_node(line[0]) && is_node(line[1])) out.push_back(line);
-  }
-  return out;
+  return drawable(geometry, lines);
+}
+
+std::vector<TraceFace> uff_drawable_faces(const std::vector<std::vector<double>>& geometry,
+                                          const std::vector<TraceFace>& faces) {
+  return drawable(geometry, faces);
 }
 
 std::string uff_node_lines(const std::vector<std::vector<double>>& geometry, int node_offset) {
@@ -107,6 +118,8 @@ void write_uff(const std::string& path, const Record& record, bool force, UffDat
   }
   for (const std::string& line : uff_trace_line_sets(uff_drawable_lines(record.geometry, record.trace_lines), offset))
     out.set(82, line);
+  const std::string elements = uff_element_lines(uff_drawable_faces(record.geometry, record.trace_faces), offset);
+  if (!elements.empty()) out.set(2412, elements);
   for (std::size_t row = 0; row < record.rows.size(); ++row) write_row_functions(out, record, row, offset);
   out.commit();
 }

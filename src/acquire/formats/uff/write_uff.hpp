@@ -16,6 +16,10 @@ void write_uff(const std::string& path, const Record& record, bool force, UffDat
 std::vector<TraceLine> uff_drawable_lines(const std::vector<std::vector<double>>& geometry,
                                           const std::vector<TraceLine>& lines);
 
+/// The faces whose corners all have coordinates.
+std::vector<TraceFace> uff_drawable_faces(const std::vector<std::vector<double>>& geometry,
+                                          const std::vector<TraceFace>& faces);
+
 /// The lines of set 2411 for coordinates [points][3]; rows that are not finite are omitted.
 std::string uff_node_lines(const std::vector<std::vector<double>>& geometry, int node_offset);
 

@@ -47,6 +47,10 @@ const legend = (figure, names) => {
 
 const axis = (label, more) => ({ label, stroke: () => colour("--ink"), grid: { stroke: () => colour("--rule"), width: 1 }, ticks: { stroke: () => colour("--rule") }, font: "13px system-ui", labelFont: "13px system-ui", ...more });
 const plots = [];
+// Functions by figure that draw what is no uPlot, for a change of colours or paper.
+const redraws = new Map();
+// Functions that draw other figures again: of a width, and of whether it is paper.
+const resizable = [];
 
 // Plots curves over one x. Plots with `shared` zoom together.
 const plot = (figure, height, x, y, xs, series, options = {}) => {
@@ -60,7 +64,7 @@ const plot = (figure, height, x, y, xs, series, options = {}) => {
     series: [{}, ...series.map((s) => ({ stroke: s.stroke, width: s.width || 1.5, dash: s.dash, points: { show: false }, spanGaps: false, paths: s.paths }))],
     hooks: options.hooks || {},
     bands: options.bands,
-    padding: [options.top || 12, 16, null, null],
+    padding: [options.top || 12, 28, null, null],
   };
   const newPlot = new uPlot(opts, [xs, ...series.map((s) => s.values)], target);
   plots.push({ plot: newPlot, figure, height });

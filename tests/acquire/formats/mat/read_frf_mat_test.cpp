@@ -107,7 +107,7 @@ TEST(ReadFrfMat, ReadsAnArrayOfOneDimension) {
   EXPECT_THAT(frfs.frfs[0].value, ElementsAre(Complex(1, 0.5), Complex(2, 0.5), Complex(3, 0.5)));
 }
 
-// Once read out of bounds by the reader.
+// The reader once read beyond the end of this coherence.
 TEST(ReadFrfMat, ReadsTheFileWhoseCoherenceIsText) {
   const std::string path = std::string(PERCUSS_SOURCE_DIR "/fuzz/corpus/foreign/text_coherence.mat");
   const auto record = std::get<FrfRecord>(open_measurement(path, {.read = {.sandboxed = false}}));

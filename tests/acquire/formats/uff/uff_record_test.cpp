@@ -165,7 +165,7 @@ TEST_F(UffWritten, FollowsTheLayout) {
   record.rows[0].point = 7;
   write_uff(path_, record, false, UffData::text);
   const std::string bytes = test::bytes_of(path_);
-  EXPECT_THAT(bytes, HasSubstr("    -1\n    58\nhit 0\nNONE\nNONE\nNONE\npercuss; dx = 0.001\n"
+  EXPECT_THAT(bytes, HasSubstr("    -1\n    58\nhit 1\nNONE\nNONE\nNONE\npercuss; dx = 0.001\n"
                                "    1         0    0         0 force              7   0 NONE               7   0\n"
                                "         4         2         1  0.00000E+00  1.00000E-03  0.00000E+00\n"
                                "        17    0    0    0 Time                 s                   \n"
@@ -176,7 +176,7 @@ TEST_F(UffWritten, FollowsTheLayout) {
   EXPECT_TRUE(bytes.starts_with("    -1\n   151\n"));
   write_uff(path_, record, true);
   EXPECT_THAT(test::bytes_of(path_),
-              HasSubstr("    58b     1     2          11          16     0     0           0           0\nhit 0\n"));
+              HasSubstr("    58b     1     2          11          16     0     0           0           0\nhit 1\n"));
 }
 
 TEST_F(UffWritten, IsRefusedWhenTruncatedAnywhere) {

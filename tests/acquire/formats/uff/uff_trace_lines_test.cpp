@@ -42,6 +42,19 @@ std::string cells(const std::vector<int>& numbers) {
   return out.ends_with('\n') ? out : out + '\n';
 }
 
+TEST(UffTraceFaces, ArePlaneElementsAndShells) {
+  const UffTraceLines found =
+      lines_in(set_of(2412, head(94, 4) + cells({1, 2, 3, 4}) + head(91, 3) + cells({3, 4, 5}) + head(111, 4) +
+                                cells({1, 2, 3, 4}) + head(11, 2) + cells({0, 1, 1}) + cells({4, 7})));
+  EXPECT_THAT(found.faces, ElementsAre(TraceFace{1, 2, 3, 4}, TraceFace{3, 4, 5}));
+}
+
+TEST(UffTraceFaces, AreWrittenAndReadBack) {
+  const std::vector<TraceFace> faces{{0, 1, 5, 4}, {4, 5, 9}, {0, 1, 2, 3, 4}};
+  const UffTraceLines found = lines_in(set_of(2412, uff_element_lines(faces, 1)));
+  EXPECT_THAT(found.faces, ElementsAre(TraceFace{1, 2, 6, 5}, TraceFace{5, 6, 10})) << "five corners are no element";
+}
+
 TEST(UffTraceLines, FollowSet82AndBreakAtZero) {
   const UffTraceLines found =
       lines_in(set_of(82, fmt::format("{:10}{:10}{:10}\nNONE\n", 1, 10, 0) + cells({1, 2, 3, 0, 5, 6, 0, 3, 2, 9})));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "cli/completion_scripts.hpp"
+#include "cli/completion/completion_scripts.hpp"
 
 namespace percuss::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "identify/select/held_starts.hpp"
+#include "identify/select/fitted_starts.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -15,18 +15,18 @@ using Eigen::Index;
 
 // A stated frequency stands for the highest line around it: within this part of the frequency, or this many lines if
 // that is more.
-constexpr double kHeldReach = 0.005;
-constexpr double kHeldReachLines = 4;
-constexpr double kHeldMaxWidth = 0.05;  // of a stated frequency: a broader fit may move by this much
-constexpr double kHeldDamping = 3;      // standard deviations of the damping ratio
-constexpr double kHeldPeakToResidual = 3;
+constexpr double kStartRange = 0.005;
+constexpr double kStartRangeLines = 4;
+constexpr double kMaxStartWidth = 0.05;  // of a stated frequency: a broader fit may move by this much
+constexpr double kMinStartDamping = 3;   // standard deviations of the damping ratio
+constexpr double kMinStartPeakToResidual = 3;
 
 // How far a fit has moved from a stated frequency, beyond the range that the frequency stands for, in bandwidths.
 double moved(const FrfDataset& set, double asked_Hz, const Pole& pole) {
-  const double reach_Hz = std::max(kHeldReach * asked_Hz, kHeldReachLines * set.lines.df_Hz());
+  const double range_Hz = std::max(kStartRange * asked_Hz, kStartRangeLines * set.lines.df_Hz());
   const double width_Hz =
-      std::clamp(pole.half_power_Hz(), set.lines.df_Hz(), std::max(kHeldMaxWidth * asked_Hz, reach_Hz));
-  return std::max(0.0, std::abs(pole.freq_Hz - asked_Hz) - reach_Hz) / width_Hz;
+      std::clamp(pole.half_power_Hz(), set.lines.df_Hz(), std::max(kMaxStartWidth * asked_Hz, range_Hz));
+  return std::max(0.0, std::abs(pole.freq_Hz - asked_Hz) - range_Hz) / width_Hz;
 }
 
 // Which mode belongs to which start.
@@ -50,9 +50,9 @@ std::optional<RefusedStart> refusal(const FrfDataset& set, double asked_Hz, cons
                   .peak_to_residual = found.peak_to_residual};
   if (moved(set, asked_Hz, at.pole) > 1) {
     at.reason = RefusedStart::Reason::moved;
-  } else if (at.pole.damping_ratio < kHeldDamping * at.damping_std) {
+  } else if (at.pole.damping_ratio < kMinStartDamping * at.damping_std) {
     at.reason = RefusedStart::Reason::undamped;
-  } else if (at.peak_to_residual < kHeldPeakToResidual) {
+  } else if (at.peak_to_residual < kMinStartPeakToResidual) {
     at.reason = RefusedStart::Reason::no_resonance;
   } else {
     return std::nullopt;
@@ -62,21 +62,21 @@ std::optional<RefusedStart> refusal(const FrfDataset& set, double asked_Hz, cons
 
 }  // namespace
 
-HeldStarts fit_held_starts(const FrfDataset& set, std::vector<double> start_Hz, Effort effort) {
-  HeldStarts out;
+FittedStarts fit_starts(const FrfDataset& set, std::vector<double> start_Hz, Effort effort) {
+  FittedStarts out;
   SequentialFitOptions options = sequential_fit_options(effort);
   options.start_Hz = std::move(start_Hz);
   while (!options.start_Hz.empty()) {
     out.modes = fit_sequentially(set, options);
     const auto partner = partners(set, options.start_Hz, out.modes);
-    std::vector<double> held_Hz;
+    std::vector<double> accepted_Hz;
     for (std::size_t s = 0; s < options.start_Hz.size(); ++s) {
       const auto why = partner[s] ? refusal(set, options.start_Hz[s], out.modes[*partner[s]]) : std::nullopt;
       if (why) out.refused.push_back(*why);
-      if (!why) held_Hz.push_back(options.start_Hz[s]);
+      if (!why) accepted_Hz.push_back(options.start_Hz[s]);
     }
-    if (held_Hz.size() == options.start_Hz.size()) return out;
-    options.start_Hz = std::move(held_Hz);
+    if (accepted_Hz.size() == options.start_Hz.size()) return out;
+    options.start_Hz = std::move(accepted_Hz);
   }
   out.modes.clear();
   return out;

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "cli/completion_scripts.hpp"
+#include "cli/completion/completion_scripts.hpp"
 
 namespace percuss::tools {
 namespace {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "cli/completion_scripts.hpp"
+#include "cli/completion/completion_scripts.hpp"
 
 namespace percuss::tools {
 namespace {

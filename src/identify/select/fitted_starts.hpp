@@ -21,14 +21,14 @@ struct RefusedStart {
   Reason reason = Reason::moved;
 };
 
-/// The modes of the accepted starts, and the refused starts.
-struct HeldStarts {
+/// The modes fitted from the accepted starts, and the refused starts.
+struct FittedStarts {
   std::vector<FittedMode> modes;
   std::vector<RefusedStart> refused;
 };
 
 /// At most one mode from each start. A start is refused where its fit moves away, does not decay or shows no resonance.
 /// The other modes are then fitted without it.
-HeldStarts fit_held_starts(const FrfDataset& set, std::vector<double> start_Hz, Effort effort);
+FittedStarts fit_starts(const FrfDataset& set, std::vector<double> start_Hz, Effort effort);
 
 }  // namespace percuss::identify

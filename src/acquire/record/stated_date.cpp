@@ -1,0 +1,133 @@
+#include "acquire/record/stated_date.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/io/csv_header.hpp"
+#include "core/io/input_file.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+constexpr std::size_t kDateHead_bytes = std::size_t{1} << 16U, kMaxHeadLines = 400, kMaxDate_bytes = 60;
+
+std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\r\n\"'\0") {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+// The text if it can be a date: at least three digits, printable, and short.
+std::string plausible_date(std::string_view text) {
+  text = trimmed(text);
+  const auto digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  const auto printable = [](unsigned char c) { return c >= 0x20 && c < 0x7F; };
+  if (text.size() > kMaxDate_bytes || std::count_if(text.begin(), text.end(), digit) < 3 ||
+      !std::all_of(text.begin(), text.end(), printable))
+    return "";
+  return std::string(text);
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty() && lines.size() < kMaxHeadLines) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+// Data set 58 begins with five lines of text; the third one is the date.
+std::string uff_date(const std::vector<std::string_view>& lines) {
+  for (std::size_t i = 1; i + 3 < lines.size(); ++i) {
+    const std::string_view number = trimmed(lines[i]);
+    if (trimmed(lines[i - 1]) == "-1" && (number == "58" || number.starts_with("58b")))
+      return plausible_date(lines[i + 3]);
+  }
+  return "";
+}
+
+// What follows the word in a line such as "# Date: 2026-11-20"; empty for other lines.
+std::string_view after_word(std::string_view line, std::string_view word) {
+  line = trimmed(line, " \t\r\n\"'#%;/*");
+  const std::string lower = lower_case(std::string(line.substr(0, std::min<std::size_t>(line.size(), 40))));
+  const std::size_t at = lower.find(word);
+  if (at == std::string::npos || (at > 0 && lower[at - 1] != ' ' && lower[at - 1] != '_')) return {};
+  const std::size_t end = at + word.size();
+  if (end >= line.size() || std::string_view(" \t,;:=\"").find(line[end]) == std::string_view::npos) return {};
+  return trimmed(line.substr(end), " \t\r\n,;:=\"");
+}
+
+std::string text_date(const std::vector<std::string_view>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string date = plausible_date(after_word(lines[i], "date"));
+    if (date.empty()) continue;
+    // LabVIEW writes the time of day in the next line.
+    const std::string_view time = i + 1 < lines.size() ? after_word(lines[i + 1], "time") : std::string_view{};
+    const bool clock = time.find(':') != std::string_view::npos;
+    const std::string both = clock ? date + " " + std::string(time.substr(0, time.find_first_of(".,\t"))) : date;
+    return plausible_date(both);
+  }
+  return "";
+}
+
+std::string mat_date(std::string_view head) {
+  constexpr std::size_t kDescription_bytes = 116;
+  constexpr std::string_view kWord = "Created on: ";
+  const std::string_view description = head.substr(0, kDescription_bytes);
+  const std::size_t at = description.find(kWord);
+  return at == std::string_view::npos ? "" : plausible_date(description.substr(at + kWord.size()));
+}
+
+std::uint32_t little_endian(std::string_view bytes) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<std::uint8_t>(bytes[i]);
+  return value;
+}
+
+std::string sound_date(std::string_view head) {
+  constexpr std::size_t kFirstChunk = 12, kBextDate = 320, kBextDate_bytes = 10, kBextTime_bytes = 8;
+  for (std::size_t at = kFirstChunk; at + 8 <= head.size();) {
+    const std::string_view id = head.substr(at, 4);
+    const std::size_t size = little_endian(head.substr(at + 4, 4));
+    const std::string_view chunk = head.substr(at + 8, size);
+    if (id == "bext" && chunk.size() >= kBextDate + kBextDate_bytes + kBextTime_bytes) {
+      return plausible_date(std::string(chunk.substr(kBextDate, kBextDate_bytes)) + " " +
+                            std::string(chunk.substr(kBextDate + kBextDate_bytes, kBextTime_bytes)));
+    }
+    if (id == "LIST" && chunk.starts_with("INFO")) {
+      const std::size_t word = chunk.find("ICRD");
+      if (word != std::string_view::npos && word + 8 <= chunk.size())
+        return plausible_date(chunk.substr(word + 8, little_endian(chunk.substr(word + 4, 4))));
+    }
+    at += 8 + size + size % 2;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string stated_date(std::string_view head) {
+  if (head.starts_with("MATLAB 5.0")) return mat_date(head);
+  if (head.starts_with("RIFF") || head.starts_with("RF64")) return sound_date(head);
+  if (head.find('\0') != std::string_view::npos) return "";
+  const std::vector<std::string_view> lines = lines_of(head);
+  const bool universal =
+      std::any_of(lines.begin(), lines.end(), [](std::string_view line) { return trimmed(line) == "-1"; });
+  return universal ? uff_date(lines) : text_date(lines);
+}
+
+std::string stated_date_of_file(const std::string& path) {
+  if (path == "-") return "";
+  try {
+    return stated_date(first_bytes(path, kDateHead_bytes));
+  } catch (const InputError&) {
+    return "";  // data in memory, or a file that is gone
+  }
+}
+
+}  // namespace percuss::acquire

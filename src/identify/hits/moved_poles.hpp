@@ -1,0 +1,17 @@
+#pragma once
+#include <vector>
+
+#include "identify/hits/mode_windows.hpp"
+#include "identify/model/frf_dataset.hpp"
+#include "identify/model/mode.hpp"
+
+namespace percuss::identify {
+
+/// Lets the residues of close modes follow their poles, which were `before` and have moved since: adds the change of
+/// the residues that fit the FRFs best over the window. Residues of close modes are large and cancel one another in
+/// part; at another distance of the poles they describe no measured FRF. Separate modes keep their residues: an average
+/// of different resonances is broader than each of them, but has their residue. Real residues stay real.
+void move_residues(const FrfDataset& set, const ModeWindow& window, const std::vector<Pole>& before,
+                   std::vector<Mode>& modes);
+
+}  // namespace percuss::identify

@@ -1,0 +1,67 @@
+#include "identify/modes_at_frequencies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identify/hits/mode_windows.hpp"
+#include "identify/identify.hpp"
+#include "identify/start/unmodelled_peaks.hpp"
+
+namespace percuss::identify {
+namespace {
+
+constexpr std::size_t kMaxFrequencies = 40;
+constexpr double kPeakRange_dB = 65;  // below the largest line: lower peaks are not searched
+constexpr double kAwayFromModes = 3;  // half-power bandwidths, and lines
+// On either side of a peak: enough lines for residual terms and two modes, and enough of the band for a wide mode.
+constexpr double kMinLines = 40, kPartOfFrequency = 0.01;
+constexpr double kNearLines = 1.5;  // a peak is the line nearest to its mode, or its neighbour
+
+bool describes(const Mode& mode, double freq_Hz, double line_Hz) {
+  return std::abs(mode.pole.freq_Hz - freq_Hz) <= std::max(mode.pole.half_power_Hz(), kNearLines * line_Hz);
+}
+
+bool is_among(const std::vector<Mode>& modes, const Mode& mode, double line_Hz) {
+  return std::any_of(modes.begin(), modes.end(), [&](const Mode& other) {
+    const double width_Hz = std::max({mode.pole.half_power_Hz(), other.pole.half_power_Hz(), line_Hz});
+    return std::abs(mode.pole.freq_Hz - other.pole.freq_Hz) <= width_Hz;
+  });
+}
+
+}  // namespace
+
+std::vector<double> unmodelled_frequencies_Hz(const FrfDataset& set, const std::vector<Mode>& modes) {
+  std::vector<UnmodelledPeak> peaks = unmodelled_peaks(set, modes, kPeakRange_dB);
+  std::stable_sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.level_dB > b.level_dB; });
+  std::vector<double> out;
+  out.reserve(peaks.size());
+  for (const UnmodelledPeak& peak : peaks) out.push_back(peak.freq_Hz);
+  for (const Pole& pole : unmodelled_poles(set, modes)) {
+    const bool away = std::all_of(modes.begin(), modes.end(), [&](const Mode& mode) {
+      const double width_Hz = std::max(mode.pole.half_power_Hz(), set.lines.df_Hz());
+      return std::abs(mode.pole.freq_Hz - pole.freq_Hz) > kAwayFromModes * width_Hz;
+    });
+    if (away) out.push_back(pole.freq_Hz);
+  }
+  return out;
+}
+
+std::vector<Mode> modes_at_frequencies(const FrfDataset& set, const std::vector<Mode>& modes,
+                                       const std::vector<double>& freq_Hz, Effort effort) {
+  const double line_Hz = set.lines.df_Hz();
+  std::vector<Mode> added;
+  for (std::size_t f = 0; f < std::min(freq_Hz.size(), kMaxFrequencies); ++f) {
+    const auto is_there = [&, at_Hz = freq_Hz[f]](const Mode& mode) { return describes(mode, at_Hz, line_Hz); };
+    if (std::any_of(added.begin(), added.end(), is_there)) continue;
+    const double reach = std::max(kMinLines, kPartOfFrequency * freq_Hz[f] / line_Hz);
+    const ModeWindow window = window_around(set, modes, freq_Hz[f], reach);
+    for (Mode& mode : identify_modes(frfs_within(set, modes, window), {.effort = effort})) {
+      if (is_there(mode) && !is_among(modes, mode, line_Hz) && !is_among(added, mode, line_Hz))
+        added.push_back(std::move(mode));
+    }
+  }
+  std::sort(added.begin(), added.end(), [](const Mode& a, const Mode& b) { return a.pole.freq_Hz < b.pole.freq_Hz; });
+  return added;
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,27 @@
+#pragma once
+#include <vector>
+
+#include "identify/hits/hit_frfs.hpp"
+#include "identify/model/effort.hpp"
+#include "identify/model/mode.hpp"
+#include "pipeline/findings/tones.hpp"
+
+namespace percuss::pipeline {
+
+/// Whether the channels of the test can cancel a tone that wanders: several channels of one point, and three hits.
+bool can_cancel_tones(const identify::FrfDataset& set, const identify::HitFrfs& hits);
+
+/// Those of the frequencies at which the force does not explain the responses: tones that wander too much to be found
+/// in time. None where the channels cannot cancel tones.
+std::vector<Tone> tones_at(const std::vector<double>& freq_Hz, const identify::FrfDataset& set,
+                           const identify::HitFrfs& hits);
+
+/// Fits the modes near each tone that wanders again, in the combinations of the channels in which the tone cancels, and
+/// adds modes that the tone hides. No sinusoid removes such a tone, but it reaches the channels in one ratio, whatever
+/// its phase. A mode takes the values of a combination where they have the smaller standard deviation. A mode that is
+/// added must follow the force from hit to hit. Changes nothing where the channels cannot cancel tones. `modes` belong
+/// to `set`, the average of the hits, and ascend in frequency. theory (4.25)
+void refit_modes_near_tones(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
+                            const identify::FrfDataset& set, const identify::HitFrfs& hits, identify::Effort effort);
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,24 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "identify/hits/hit_frfs.hpp"
+#include "identify/identify.hpp"
+#include "pipeline/findings/tones.hpp"
+#include "pipeline/stages/frf_averages.hpp"
+
+namespace percuss::pipeline {
+
+/// Whether to search modes that the fit of the whole band did not find. Not with many points: where their resonances
+/// differ, a narrow band shows weak modes that half of the points do not confirm.
+bool may_hide_modes(const identify::FrfDataset& set, const TestSpectra& spectra,
+                    const identify::IdentifyOptions& options);
+
+/// Adds the modes that narrow bands show around what `modes` do not explain (add_modes_at). Returns the tones that
+/// wander: those of `tones`, and what is left that the force does not explain (tones_at). `hits` is called only where
+/// it is needed.
+std::vector<Tone> add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
+                                   const identify::FrfDataset& set,
+                                   const std::function<const identify::HitFrfs&()>& hits, identify::Effort effort);
+
+}  // namespace percuss::pipeline

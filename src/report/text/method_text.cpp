@@ -1,0 +1,189 @@
+#include "report/text/method_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/io/significant_digits.hpp"
+#include "core/units.hpp"
+#include "report/text/number_format.hpp"
+
+namespace percuss::report {
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+constexpr std::size_t kMaxListedHits = 20;  // hits that were not used, each with its reason
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string reason_of(const pipeline::AnalysedHit& hit) {
+  if (hit.by_user) return "rejected by the user";
+  for (const acquire::Finding& finding : hit.hit.findings) {
+    if (finding.severity == acquire::Severity::reject) return finding.message;
+  }
+  return "its point has better hits";
+}
+
+void add_hits(const pipeline::Analysis& analysis, Sentences& out) {
+  const auto& hits = analysis.hits();
+  const std::size_t used = pipeline::accepted_hits(hits).size();
+  out.push_back(fmt::format("{} found where the force leaves its rest (1.1), (1.2); {} used.",
+                            hits.size() == 1 ? "1 hit was" : fmt::format("{} hits were", hits.size()),
+                            used == hits.size() ? (used == 1 ? "it was" : "all were")
+                            : used == 1         ? "1 was"
+                                                : fmt::format("{} were", used)));
+  std::size_t listed = 0, more = 0;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    if (hits[h].accepted) {
+      if (hits[h].by_user) out.push_back(fmt::format("Hit {} was accepted by the user, whatever its findings.", h + 1));
+    } else if (listed < kMaxListedHits) {
+      ++listed;
+      out.push_back(fmt::format("Hit {} was not used: {}.", h + 1, reason_of(hits[h])));
+    } else {
+      ++more;
+    }
+  }
+  if (more > 0) out.push_back(fmt::format("{} more were not used; the table of hits says why.", counted(more, "hit")));
+}
+
+void add_signals(const pipeline::Analysis& analysis, Sentences& out) {
+  const acquire::Record& record = analysis.record();
+  const pipeline::AnalysisOptions& options = analysis.options();
+  out.push_back(fmt::format("Force and {} were sampled at {} ({}).", counted(record.accel.size(), "response"),
+                            rounded_frequency_text(record.fs_Hz), record.format));
+  add_hits(analysis, out);
+  if (!analysis.possible()) return;
+  out.emplace_back(
+      options.hits.gate_force
+          ? "The force entered the transforms within a gate around each pulse, and as zero elsewhere (1.4)."
+          : "The whole force record entered the transforms, with its noise.");
+  out.push_back(
+      options.exponential_end > 0
+          ? fmt::format("An exponential window fell to {:g} at the end of each hit (2.2); the damping that it "
+                        "adds was taken out exactly (3.5).",
+                        options.exponential_end)
+          : "No window was applied to the responses; the decay that a record cuts off is part of the model "
+            "(3.3).");
+  const auto& delays = analysis.corrected_delays();
+  if (!delays.empty()) {
+    out.emplace_back(options.delays.automatic ? "Delays of channels that the phases of the modes show were taken out."
+                                              : "The stated delays of the channels were taken out.");
+  }
+}
+
+const char* equation_of(frf::Estimator estimator) {
+  return estimator == frf::Estimator::h1 ? "2.4" : estimator == frf::Estimator::h2 ? "2.5" : "2.6";
+}
+
+void add_frfs(const pipeline::Analysis& analysis, Sentences& out) {
+  const acquire::LineRange& lines = analysis.lines();
+  if (const acquire::FrfRecord* given = analysis.given_frfs()) {
+    out.push_back(fmt::format("{} of {} were given ({}), measured by another program; its estimator: {}.",
+                              counted(given->frfs.size(), "FRF"), counted(lines.count, "line"), given->format,
+                              one_line(given->estimator, 60)));
+    return;
+  }
+  const frf::Estimator estimator = analysis.options().estimator;
+  out.push_back(
+      fmt::format("FRFs were averaged over the used hits of each point by the estimator {} ({}), with coherence "
+                  "(2.7) and standard deviation (2.8); their lines are {} Hz apart.",
+                  name_of(estimator), equation_of(estimator), significant(lines.df_Hz(), 4)));
+}
+
+const char* effort_sentence(identify::Effort effort) {
+  switch (effort) {
+    case identify::Effort::quick:
+      return "Each peak was fitted over its own spectral lines (effort quick; (4.2), (4.14)).";
+    case identify::Effort::standard:
+      return "Modes with and without a peak were fitted over their own spectral lines (effort standard; (4.2), "
+             "(4.14)).";
+    case identify::Effort::best:
+      return "All modes were fitted together to all lines of all FRFs by maximum likelihood (effort best; (4.8) to "
+             "(4.10)).";
+  }
+  return "";
+}
+
+void add_classes(const pipeline::Analysis& analysis, Sentences& out, bool shapes_decide) {
+  const auto& all = analysis.classifications();
+  const bool named = std::any_of(all.begin(), all.end(), [](const identify::ModeClassification& one) {
+    return one.family != identify::ModeType::unknown;
+  });
+  if (shapes_decide) {
+    out.emplace_back("Bending or hoop was decided from the waves of the mode shapes around the tube (5.7).");
+  } else if (named) {
+    out.push_back(
+        fmt::format("Bending or hoop was decided from the ratio of the residues at two angles{}, with a "
+                    "confidence by (6.6).",
+                    analysis.options().classes.angles_assumed ? ", assumed 90° apart" : ""));
+  }
+}
+
+void add_modes(const pipeline::Analysis& analysis, Sentences& out, bool shapes_decide) {
+  const pipeline::AnalysisOptions& options = analysis.options();
+  const auto [low_Hz, high_Hz] = analysis.band_Hz();
+  out.push_back(fmt::format("Modes were sought from {} to {} Hz{}, in H1 whatever the estimator shown.",
+                            hertz_text(low_Hz), hertz_text(high_Hz),
+                            options.band_Hz ? "" : ", the band that the hammer excited (1.5)"));
+  if (analysis.given_frfs() != nullptr)
+    out.back() = fmt::format("Modes were sought from {} to {} Hz.", hertz_text(low_Hz), hertz_text(high_Hz));
+  out.emplace_back(effort_sentence(options.modes.effort));
+  if (options.modes.modes)
+    out.push_back(fmt::format("The user limited the modes to the {} clearest.", *options.modes.modes));
+  if (!options.modes.start_Hz.empty()) {
+    out.push_back(fmt::format("The user gave {} to fit from; no others were sought.",
+                              counted(options.modes.start_Hz.size(), "frequency") == "1 frequency"
+                                  ? "1 frequency"
+                                  : fmt::format("{} frequencies", options.modes.start_Hz.size())));
+  }
+  const auto& modes = analysis.modes();
+  const bool hits = std::any_of(modes.begin(), modes.end(), [](const auto& m) { return m.freq_std_parts_Hz.hits > 0; });
+  const bool misfit =
+      std::any_of(modes.begin(), modes.end(), [](const auto& m) { return m.freq_std_parts_Hz.misfit > 0; });
+  if (!modes.empty()) {
+    out.push_back(fmt::format("Each ± is one standard deviation, from the noise (4.12){}{}.",
+                              hits ? ", the scatter between the hits (4.19)" : "",
+                              misfit ? " and the misfit of the model (4.20)" : ""));
+  }
+  add_classes(analysis, out, shapes_decide);
+  if (!modes.empty()) out.emplace_back("The fit was judged by FRFs synthesised from the modes, with their FRAC (5.5).");
+}
+
+std::string cell(const std::optional<double>& value, double factor, const char* unit) {
+  return value ? fmt::format("{:.4g}{}", *value * factor, unit) : "–";
+}
+
+}  // namespace
+
+std::vector<std::string> method_sentences(const pipeline::Analysis& analysis, const MethodScope& scope) {
+  Sentences out;
+  if (analysis.given_frfs() == nullptr) add_signals(analysis, out);
+  if (analysis.possible()) {
+    add_frfs(analysis, out);
+    if (scope.modes) add_modes(analysis, out, scope.shapes_decide);
+  }
+  return out;
+}
+
+TextTable channels_table(const pipeline::Analysis& analysis) {
+  const acquire::Record& record = analysis.record();
+  constexpr auto kRight = TextTable::Align::right;
+  TextTable table({{"channel"}, {"name"}, {"stored in"}, {"factor", kRight}, {"angle", kRight}, {"position", kRight}});
+  const auto add = [&](const std::string& channel, const acquire::SignalInfo& signal, const char* unit) {
+    table.add({channel, one_line(signal.name, 100),
+               signal.unit.empty() ? "–" : one_line(signal.unit, 40) + (signal.unit_assumed ? " (assumed)" : ""),
+               fmt::format("{} {}", significant(signal.to_SI, 6), unit), cell(signal.angle_rad, kRadian_deg, "°"),
+               cell(signal.position_m, 1, " m")});
+  };
+  if (analysis.given_frfs() == nullptr) add("force", record.force, "N");
+  const bool given = analysis.given_frfs() != nullptr;
+  for (std::size_t c = 0; c < record.accel.size(); ++c)
+    add(fmt::format("response {}", c + 1), record.accel[c], given ? "(m/s²)/N" : "m/s²");
+  return table;
+}
+
+}  // namespace percuss::report

@@ -1,0 +1,75 @@
+#include "identify/misfit/point_scatter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/math/significance.hpp"
+#include "support/modal_frfs.hpp"
+
+namespace percuss::identify::point_scatter_test {
+
+constexpr std::size_t kFirst = 150, kCount = 101, kTerms = 3;
+constexpr double kNoise = 0.01;  // standard deviation of the real and of the imaginary part
+constexpr Pole kPole{.freq_Hz = 350, .damping_ratio = 0.01};
+
+// The scatter of points with one FRF each, whose pole has the frequency kPole.freq_Hz + off_Hz[point].
+Eigen::VectorXd scatter_of(const std::vector<double>& off_Hz, const std::vector<double>& residue, std::uint64_t seed) {
+  FrfDataset set = test::empty_set(1000, 1000, 100, 490, off_Hz.size());
+  for (std::size_t p = 0; p < off_Hz.size(); ++p) {
+    if (p > 0) set.points.push_back(set.points.front());
+    set.channels[p].point = p;
+    Pole pole = kPole;
+    pole.freq_Hz += off_Hz[p];
+    test::add_mode(set, p, pole, residue[p]);
+  }
+  test::add_frf_noise(set, kNoise, seed);
+  std::vector<Eigen::VectorXcd> data;
+  for (const FrfChannel& channel : set.channels)
+    data.emplace_back(Eigen::Map<const Eigen::VectorXcd>(channel.frf.data() + kFirst, kCount));
+  const Eigen::VectorXd noise =
+      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data.size()), std::sqrt(2.0) * kNoise);
+  const VariableProjection projection(set, data, noise, kFirst, kCount, kTerms);
+  return point_scatter_std(projection, projection.evaluate({kPole}), 1);
+}
+
+std::vector<double> equal(std::size_t points) {
+  std::vector<double> ones(points, 1);
+  return ones;
+}
+
+// The mean of n frequencies whose squared deviations have the sum S has the variance S/(n (n − 1)). The points weigh
+// alike. The deviations are 500 times those that the noise causes, and the step is linear to (0.1 Hz/7 Hz)² in each.
+TEST(PointScatter, IsThatOfTheMeanOfThePoints) {
+  const std::vector<double> off_Hz{0.1, -0.1, 0.05, -0.05, 0.08, -0.08, 0.02, -0.02};
+  double squares = 0;
+  for (const double off : off_Hz) squares += off * off;
+  const double expected = student_quantile(1.96, 7) / 1.96 * std::sqrt(squares / (8 * 7));
+  EXPECT_NEAR(scatter_of(off_Hz, equal(8), 1)(0), expected, 0.02 * expected);
+}
+
+// A limit of 4.5 standard deviations: one clean unknown in 300 000 scatters.
+TEST(PointScatter, IsZeroForNoise) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const Eigen::VectorXd std = scatter_of(std::vector<double>(8, 0.0), equal(8), seed);
+    EXPECT_EQ(std(0), 0) << seed;
+    EXPECT_EQ(std(1), 0) << seed;
+  }
+}
+
+TEST(PointScatter, NeedsThreePoints) {
+  EXPECT_EQ(scatter_of({0.1, -0.1}, equal(2), 1)(0), 0);
+  EXPECT_GT(scatter_of({0.1, -0.1, 0}, equal(3), 1)(0), 0);
+}
+
+// Two of eight points determine the pole: the mean of two frequencies 0.1 Hz from it has one degree of freedom, and
+// Student's factor for it. The other points have a hundredth of the residue.
+TEST(PointScatter, CountsThePointsThatDetermineThePole) {
+  const std::vector<double> off_Hz{0.1, -0.1, 0, 0, 0, 0, 0, 0};
+  const std::vector<double> residue{1, 1, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01};
+  const double expected = student_quantile(1.96, 1) / 1.96 * std::sqrt(0.02 / 4 * 8 / 7);
+  EXPECT_NEAR(scatter_of(off_Hz, residue, 1)(0), expected, 0.05 * expected);
+}
+
+}  // namespace percuss::identify::point_scatter_test

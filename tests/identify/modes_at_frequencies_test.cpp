@@ -1,0 +1,81 @@
+#include "identify/modes_at_frequencies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "identify/identify.hpp"
+#include "identify/model/frf_lines.hpp"
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::identify {
+namespace {
+
+constexpr double kDeviations = 5;  // of a few values: one false alarm in a million
+constexpr std::array<Pole, 2> kPair = {
+    {{.freq_Hz = 518.1, .damping_ratio = 0.0009}, {.freq_Hz = 520.3, .damping_ratio = 0.001}}};
+
+// A strong mode, and two close ones that are its hundredth.
+FrfDataset strong_mode_and_pair() {
+  FrfDataset set = test::empty_set(2000, 2000, 10, 990, 1);
+  test::add_mode(set, 0, {.freq_Hz = 431, .damping_ratio = 0.005}, 100);
+  test::add_mode(set, 0, kPair[0], 1);
+  test::add_mode(set, 0, kPair[1], 0.7);
+  test::add_frf_noise(set, 0.5, 1);
+  return set;
+}
+
+std::vector<Mode> strong_mode(const FrfDataset& set) {
+  std::vector<Mode> modes = identify_modes(set);
+  std::erase_if(modes, [](const Mode& mode) { return std::abs(mode.pole.freq_Hz - 431) > 20; });
+  return modes;
+}
+
+TEST(ModesAtFrequencies, FindsAClosePair) {
+  const FrfDataset set = strong_mode_and_pair();
+  const std::vector<Mode> known = strong_mode(set);
+  ASSERT_EQ(known.size(), 1U);
+  const auto freq_Hz = unmodelled_frequencies_Hz(set, known);
+  ASSERT_FALSE(freq_Hz.empty());
+  const auto found = modes_at_frequencies(set, known, freq_Hz, Effort::best);
+  ASSERT_EQ(found.size(), 2U);
+  for (std::size_t m = 0; m < 2; ++m) {
+    EXPECT_NEAR(found[m].pole.freq_Hz, kPair[m].freq_Hz, kDeviations * found[m].freq_std_Hz);
+    EXPECT_NEAR(found[m].pole.damping_ratio, kPair[m].damping_ratio, kDeviations * found[m].damping_std);
+    EXPECT_LT(found[m].freq_std_Hz, 0.1 * kPair[m].half_power_Hz());
+  }
+}
+
+TEST(ModesAtFrequencies, RepeatsNoModeAndInventsNone) {
+  const FrfDataset set = strong_mode_and_pair();
+  const std::vector<Mode> known = strong_mode(set);
+  EXPECT_TRUE(modes_at_frequencies(set, known, {431, 700}, Effort::best).empty());
+}
+
+TEST(ModesAtFrequencies, FindsNothingUnmodelledWhereAllModesAreKnown) {
+  FrfDataset set = test::empty_set(2000, 2000, 10, 990, 1);
+  test::add_mode(set, 0, {.freq_Hz = 431, .damping_ratio = 0.005}, 100);
+  test::add_frf_noise(set, 0.5, 1);
+  EXPECT_TRUE(unmodelled_frequencies_Hz(set, identify_modes(set)).empty());
+}
+
+// The mode of a truncated record: its column depends on the force at each line.
+TEST(LinesOf, GiveTheSameModeAsAllLines) {
+  const synth::SynthSpec spec =
+      test::bat_spec({{.freq_Hz = 169, .damping_ratio = 0.002, .residue_per_kg = {1.1, -0.4}}}, 0.5);
+  const FrfDataset set = test::frf_set_of(synth::synthesise(spec).record, 60, 800);
+  const std::size_t first = set.lines.nearest(120), count = set.lines.nearest(230) - first;
+  const FrfDataset part = lines_of(set, first, count);
+  EXPECT_EQ(part.lines.freq_Hz(0), set.lines.freq_Hz(first));
+  EXPECT_EQ(part.lines.count, count);
+  EXPECT_EQ(part.channels[1].frf.back(), set.channels[1].frf[first + count - 1]);
+  const auto modes = identify_modes(part);
+  ASSERT_EQ(modes.size(), 1U);
+  EXPECT_NEAR(modes[0].pole.freq_Hz, 169, 1e-7);  // without noise, the truncation is the only difference
+  EXPECT_NEAR(modes[0].pole.damping_ratio, 0.002, 1e-8);
+}
+
+}  // namespace
+}  // namespace percuss::identify

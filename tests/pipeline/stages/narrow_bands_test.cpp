@@ -1,0 +1,45 @@
+#include "pipeline/stages/narrow_bands.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/hits_with_phases.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kWeak_Hz = 620.4;
+
+// The modes after a search at the weak mode, which the strong one is known to miss.
+std::vector<identify::Mode> modes_after_search(std::size_t hits, double turns) {
+  const test::HitsWithPhases test(test::mode_at(kWeak_Hz, 2, 1), hits, turns);
+  std::vector<identify::Mode> modes = {test.strong};
+  add_modes_at({620}, modes, test.set, test.frfs, identify::Effort::best);
+  return modes;
+}
+
+TEST(NarrowBands, AddAModeThatFollowsTheForce) {
+  const auto modes = modes_after_search(5, 0);
+  ASSERT_EQ(modes.size(), 2U);
+  EXPECT_NEAR(modes[1].pole.freq_Hz, kWeak_Hz, 5 * modes[1].freq_std_Hz);
+  EXPECT_LT(modes[1].freq_std_Hz, 0.01);  // 1 % of the bandwidth and less
+}
+
+// 0.23 turns from hit to hit leave 0.14 of the residue in the mean, far above the noise.
+TEST(NarrowBands, AddNoModeWhosePhaseChangesFromHitToHit) { EXPECT_EQ(modes_after_search(5, 0.23).size(), 1U); }
+
+TEST(NarrowBands, NeedThreeHits) {
+  EXPECT_EQ(modes_after_search(2, 0).size(), 1U);
+  EXPECT_EQ(modes_after_search(3, 0).size(), 2U);
+}
+
+TEST(NarrowBands, KeepAllModesThatAreKnown) {
+  const test::HitsWithPhases test(test::mode_at(kWeak_Hz, 2, 1), 5, 0.23);
+  std::vector<identify::Mode> modes = {test.strong, test.weak_mean};
+  add_modes_at({800}, modes, test.set, test.frfs, identify::Effort::best);
+  EXPECT_EQ(modes.size(), 2U);
+}
+
+}  // namespace
+}  // namespace percuss::pipeline

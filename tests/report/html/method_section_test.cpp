@@ -1,0 +1,125 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+// What makes a page a test report: its title block, its section "Method", and the PDF.
+namespace percuss::report::method_section_test {
+
+using test::run_percuss;
+using testing::HasSubstr;
+
+std::string between(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t start = text.find(from) + from.size();
+  return text.substr(start, text.find(to, start) - start);
+}
+
+class TestReport : public testing::Test {
+ protected:
+  std::string page_of(const std::string& record, const std::vector<std::string>& more = {}) {
+    const std::string path = folder_.file("page.html");
+    std::vector<std::string> words{"analyze", record, "-o", path, "--force"};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto outcome = run_percuss(words);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return test::bytes_of(path);
+  }
+  test::ScratchFolder folder_;
+};
+
+TEST_F(TestReport, CarriesItsTitleBlock) {
+  test::write_small_test(folder_.file("bat.h5"));
+  test::write_bytes(folder_.file("note.txt"), "First line\n\n<b>second</b>\n");
+  test::write_bytes(folder_.file("logo.svg"), R"(<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0"/></svg>)");
+  const std::string page =
+      page_of(folder_.file("bat.h5"),
+              {"--title", "Test of <a> bat", "--customer", "A & B", "--operator", "O", "--specimen", "S 1", "--note",
+               "@" + folder_.file("note.txt"), "--logo", folder_.file("logo.svg"), "--paper", "letter"});
+  for (const char* part :
+       {"<h1>Test of &lt;a&gt; bat</h1>", "<dd>A &amp; B</dd>", "<dt>Operator</dt><dd>O</dd>", "<dd>S 1</dd>",
+        "<p>First line</p>\n<p>&lt;b&gt;second&lt;/b&gt;</p>", "src=\"data:image/svg+xml;base64,",
+        "; img-src data:", "@page { size: letter;", "<dt>Date of the test</dt><dd>not stated in the file</dd>"})
+    EXPECT_THAT(page, HasSubstr(part));
+}
+
+TEST_F(TestReport, SaysHowItsResultsWereMade) {
+  test::write_small_test(folder_.file("bat.h5"));
+  const std::string method = between(page_of(folder_.file("bat.h5"), {"--reject-hit", "2", "--estimator", "hv",
+                                                                      "--effort", "standard", "--exponential", "0.01"}),
+                                     "<h2 id=\"method-h\">", "</section>");
+  for (const char* part : {"3 hits were found", "2 were used", "Hit 2 was not used: rejected by the user",
+                           "within a gate around each pulse", "fell to 0.01", "estimator Hv (2.6)", "effort standard",
+                           "Bending or hoop was decided"})
+    EXPECT_THAT(method, HasSubstr(part));
+}
+
+TEST_F(TestReport, RefusesTitleBlocksThatItCannotShow) {
+  const auto refused = [&](const std::vector<std::string>& words, int code) {
+    std::vector<std::string> all{"analyze", folder_.file("bat.h5")};
+    all.insert(all.end(), words.begin(), words.end());
+    const auto outcome = run_percuss(all);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    return outcome.err;
+  };
+  test::write_small_test(folder_.file("bat.h5"));
+  test::write_bytes(folder_.file("bad.svg"), "<svg onload=\"x\"/>");
+  EXPECT_THAT(refused({"--title", "a", "--json"}, 2), HasSubstr("need a page"));
+  const std::string page = folder_.file("p.html");
+  EXPECT_THAT(refused({"-o", page, "--logo", folder_.file("bad.svg")}, 3), HasSubstr("event handler"));
+  EXPECT_THAT(refused({"-o", page, "--note", "@" + folder_.file("none.txt")}, 3), HasSubstr("none.txt"));
+  EXPECT_THAT(refused({"-o", page, "--title", std::string(501, 'a')}, 2), HasSubstr("--title"));
+}
+
+TEST_F(TestReport, NamesTheBrowserThatAPdfNeeds) {
+  test::write_small_test(folder_.file("bat.h5"));
+  const auto outcome = run_percuss({"analyze", folder_.file("bat.h5"), "-o", folder_.file("p.pdf")},
+                                   {.environment = {"PERCUSS_BROWSER=", "PATH=/nowhere"}});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, testing::AllOf(HasSubstr("no browser is installed"), HasSubstr("PERCUSS_BROWSER")));
+  const auto named = run_percuss({"analyze", folder_.file("bat.h5"), "-o", folder_.file("p.pdf")},
+                                 {.environment = {"PERCUSS_BROWSER=/nowhere/chrome"}});
+  EXPECT_EQ(named.code, 3);
+  EXPECT_THAT(named.err, HasSubstr("PERCUSS_BROWSER names no program"));
+}
+
+// A program in place of the browser: it copies the page to the document.
+TEST_F(TestReport, IsPrintedByABrowser) {
+  test::write_small_test(folder_.file("bat.h5"));
+  const std::string browser = folder_.file("browser");
+  test::write_bytes(browser,
+                    "#!/bin/sh\nfor word; do case $word in --print-to-pdf=*) pdf=${word#*=};; file://*) "
+                    "page=${word#file://};; esac; done\ncp \"$page\" \"$pdf\"\n");
+  std::filesystem::permissions(browser, std::filesystem::perms::owner_all);
+  const auto outcome = run_percuss({"analyze", folder_.file("bat.h5"), "-o", folder_.file("p.pdf"), "--quiet"},
+                                   {.environment = {"PERCUSS_BROWSER=" + browser}});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(test::bytes_of(folder_.file("p.pdf")), HasSubstr("<!DOCTYPE html>"));
+  test::write_bytes(browser, "#!/bin/sh\nexit 1\n");
+  const auto failed = run_percuss({"analyze", folder_.file("bat.h5"), "-o", folder_.file("q.pdf"), "--quiet"},
+                                  {.environment = {"PERCUSS_BROWSER=" + browser}});
+  EXPECT_EQ(failed.code, 3);
+  EXPECT_THAT(failed.err, HasSubstr("the browser printed nothing"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("q.pdf")));
+}
+
+TEST_F(TestReport, StatesTheDateOfTheFile) {
+  test::write_small_test(folder_.file("bat.csv"));
+  test::write_bytes(folder_.file("dated.csv"), "# Date: 2026-11-20 14:03\n" + test::bytes_of(folder_.file("bat.csv")));
+  EXPECT_THAT(page_of(folder_.file("dated.csv")), HasSubstr("<dt>Date of the test</dt><dd>2026-11-20 14:03</dd>"));
+}
+
+TEST_F(TestReport, NamesTheInstrumentsOfTheSetup) {
+  test::write_small_test(folder_.file("bat.h5"));
+  test::write_bytes(
+      folder_.file("setup.json"),
+      R"([{"name": "force", "instrument": "hammer <1>"}, {"name": "accel 1", "instrument": "352C22, no. 7"}])");
+  const std::string page = page_of(folder_.file("bat.h5"), {"--setup", folder_.file("setup.json")});
+  EXPECT_THAT(page, HasSubstr("<dt>Instrument of force</dt><dd>hammer &lt;1&gt;</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dt>Instrument of accel 1</dt><dd>352C22, no. 7</dd>"));
+}
+
+}  // namespace percuss::report::method_section_test

@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+
+#include "cli/output.hpp"
+
+namespace percuss::tools {
+
+/// Writes a page: HTML as it is, PDF as a browser prints it.
+/// errors  InputError: no browser, or it fails; as write_file
+void write_page(const std::string& path, const std::string& html, const OutputFlags& flags);
+
+/// Throws InputError unless a browser is installed that can print `path`.
+void require_browser(const std::string& path);
+
+}  // namespace percuss::tools

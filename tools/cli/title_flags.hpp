@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+
+#include "cli/command_line.hpp"
+#include "report/html/title_block.hpp"
+
+namespace percuss::tools {
+
+/// The user's statements on a page, as typed.
+struct TitleFlags {
+  std::string title, customer, operator_name, specimen;
+  std::string note;  // a text, or @FILE
+  std::string logo;  // a file
+  std::string paper = "a4";
+
+  bool given() const;
+};
+
+void add_title_flags(Command& command, TitleFlags& flags);
+
+/// The statements with the files read. errors  InputError: a file that cannot be read, or is no picture; OptionError: a
+/// text that is too long or is not UTF-8.
+report::TitleBlock title_block(const TitleFlags& flags);
+
+}  // namespace percuss::tools
