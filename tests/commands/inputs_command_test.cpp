@@ -1,6 +1,10 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -79,10 +83,10 @@ TEST_F(Inputs, AcceptHitsAsRangesAndAll) {
     for (const auto& hit : test::parse_json(outcome.out)["hits"]) accepted += hit["accepted"] ? "1" : "0";
     return accepted;
   };
-  EXPECT_EQ(judged({"--reject-hit", "0-1,3"}), "0010");
-  EXPECT_EQ(judged({"--reject-hit", "all", "--accept-hit", "2"}), "0010");
+  EXPECT_EQ(judged({"--reject-hit", "1-2,4"}), "0010");
+  EXPECT_EQ(judged({"--reject-hit", "all", "--accept-hit", "3"}), "0010");
   EXPECT_EQ(judged({"--accept-hit", "ALL"}), "1111");
-  for (const char* wrong : {"3-1", "1-", "0-99999999999", "-1", "every"}) {
+  for (const char* wrong : {"3-1", "1-", "0-2", "1-99999999999", "-1", "every"}) {
     const auto outcome = run_percuss({"analyze", file("bat.h5"), "--accept-hit", wrong});
     EXPECT_EQ(outcome.code, 2) << wrong;
     EXPECT_THAT(outcome.err, HasSubstr("--accept-hit")) << wrong;

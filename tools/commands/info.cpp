@@ -213,8 +213,7 @@ void add_info(CommandLine& line) {
       line.command("info", "Describe files: kind, channels, units, rate, rows, and parts that cannot be read",
                    [flags] { return run_info(*flags); });
   command.about(
-      "Describes each file and its samples: rate, rows, hits, and of each channel the rms, the peak and whether it "
-      "looks "
+      "Describes each file and its samples: rate, rows and hits; rms and peak of each channel, and whether it looks "
       "like a hammer; on a terminal also a picture over time. Reports parts that cannot be understood. Start here with "
       "a new file: analyze makes the same assumptions, and the options under Reading change them.");
   command.example("percuss info bat.h5", "Show channels, units, rate and rows");
