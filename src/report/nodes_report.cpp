@@ -112,7 +112,7 @@ ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeSc
     std::vector<std::string> nodes;
     for (const identify::Node& node : along.nodes)
       nodes.push_back(value_with_std(node.position_m / kInch_m, node.std_m / kInch_m) + " in");
-    table.add({fmt::format("{}", along.mode),
+    table.add({fmt::format("{}", along.mode + 1),
                classification.order > 0 ? fmt::format("{} {}", name_of(classification.family), classification.order)
                                         : std::string(name_of(classification.family)),
                value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz", joined(nodes),

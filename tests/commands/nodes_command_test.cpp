@@ -67,6 +67,12 @@ TEST_F(NodesCommand, ReadsInchesUnlessAUnitFollows) {
   }
 }
 
+TEST_F(NodesCommand, CountsModesFromOneInItsTable) {
+  const std::string text = nodes({file("scan.h5"), "--quiet"}).out;
+  EXPECT_THAT(text, testing::ContainsRegex("\n +1  [a-z]"));
+  EXPECT_THAT(text, testing::Not(testing::ContainsRegex("\n +0  [a-z]")));
+}
+
 TEST_F(NodesCommand, TakesAListOrTheGeometryOfTheRecord) {
   for (const std::vector<std::string>& positions :
        std::vector<std::vector<std::string>>{{"--positions", "6,6.5,7,7.5,8,8.5,9in"}, {}}) {

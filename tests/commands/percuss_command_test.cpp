@@ -77,14 +77,32 @@ TEST(PercussCommand, AcceptsValuesInEitherLetterCaseAndRangesAsTwoNumbers) {
 
 // The result is not part of the progress.
 TEST(PercussCommand, PrintsTheResultInQuiet) {
+  const test::ScratchFolder folder;
+  const auto run = [&](const std::vector<std::string>& words) { return run_percuss(words, {.folder = folder.path()}); };
+  test::write_small_test(folder.file("hits.h5"));
+  test::write_bytes(folder.file("session.json"), run({"certify", "--example"}).out);
+  test::write_bytes(folder.file("log.json"), run({"abi", "--example"}).out);
+  test::write_bytes(folder.file("bats.csv"), run({"study", "--example"}).out);
+  test::write_bytes(folder.file("modes.json"), run({"analyze", "hits.h5", "--effort", "quick", "--json"}).out);
   for (const std::vector<std::string>& command :
-       std::vector<std::vector<std::string>>{{"model", "beam"}, {"model", "shell"}, {"metrics", "--length-in", "33"}}) {
+       std::vector<std::vector<std::string>>{{"model", "beam"},
+                                             {"model", "shell"},
+                                             {"metrics", "--length-in", "33"},
+                                             {"certify", "session.json"},
+                                             {"abi", "log.json"},
+                                             {"study", "bats.csv"},
+                                             {"compare", "modes.json", "modes.json"},
+                                             {"info", "hits.h5"},
+                                             {"analyze", "hits.h5", "--effort", "quick"},
+                                             {"deflect", "hits.h5", "--effort", "quick"},
+                                             {"synth", "wood-bat", "-o", "wood.h5", "--force"}}) {
     std::vector<std::string> quiet = command;
     quiet.emplace_back("--quiet");
-    const auto outcome = run_percuss(command);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.out, "");
-    EXPECT_EQ(run_percuss(quiet).out, outcome.out);
+    const auto outcome = run(command);
+    EXPECT_EQ(outcome.code, 0) << testing::PrintToString(command) << outcome.err;
+    EXPECT_NE(outcome.out, "") << testing::PrintToString(command);
+    EXPECT_EQ(run(quiet).out, outcome.out) << testing::PrintToString(command);
+    EXPECT_EQ(run(quiet).err, "") << testing::PrintToString(command);
   }
 }
 

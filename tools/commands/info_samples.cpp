@@ -45,8 +45,20 @@ ChannelSamples summary_of(const std::vector<double>& samples) {
     largest = std::max(largest, std::abs(samples[i]));
   }
   out.rms = samples.empty() ? 0 : std::sqrt(squares / static_cast<double>(samples.size()));
-  out.hammer = acquire::hammer_measure(samples) < kHammerMeasure;
+  out.hammer_measure = acquire::hammer_measure(samples);
   return out;
+}
+
+// A light structure moves like the force during the pulse: a response is taken for a hammer only where the force is
+// none and the response resembles one clearly more than all others.
+void find_hammers(const acquire::Record& record, std::vector<ChannelSamples>& channels) {
+  constexpr double kAlike = 10;  // between hammers; a response differs from its hammer by a factor of 20 and more
+  double least = 1;
+  for (const ChannelSamples& channel : channels) least = std::min(least, channel.hammer_measure);
+  for (ChannelSamples& channel : channels)
+    channel.hammer = channel.hammer_measure < kHammerMeasure && channel.hammer_measure <= kAlike * least;
+  if (!record.has_force || !channels.front().hammer) return;
+  for (std::size_t c = 1; c < channels.size(); ++c) channels[c].hammer = false;
 }
 
 std::size_t pulses_in(const acquire::Record& record) {
@@ -73,6 +85,7 @@ RecordSamples samples_of(const acquire::Record& record) {
       out.channels.push_back(summary_of(
           all_samples(record, [&](std::size_t row, std::span<double> to) { record.read_accel_mps2(row, c, 0, to); })));
     }
+    find_hammers(record, out.channels);
   } catch (const InputError& error) {
     out.problem = error.what();
     return out;

@@ -13,7 +13,8 @@ namespace percuss::tools {
 /// What the samples of one channel show.
 struct ChannelSamples {
   double rms = 0, peak = 0;        // in SI; the peak is the largest magnitude, with its sign
-  bool hammer = false;             // short pulses of one sign
+  double hammer_measure = 1;       // acquire::hammer_measure
+  bool hammer = false;             // short pulses of one sign; of a response only where the force has none
   std::vector<double> envelope{};  // largest magnitudes over time
 };
 

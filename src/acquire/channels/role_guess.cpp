@@ -81,7 +81,8 @@ bool rises_evenly(std::span<const double> samples) {
 }
 
 RoleGuess guess_roles(const std::vector<CsvColumn>& signals,
-                      const std::function<std::vector<double>(std::size_t index, std::size_t most)>& read) {
+                      const std::function<std::vector<double>(std::size_t index, std::size_t most)>& read,
+                      const std::function<std::string(const CsvColumn&)>& name_of) {
   RoleGuess guess{.force = {}, .accel = {}, .rate_known = false};
   std::vector<const CsvColumn*> found;
   std::size_t force = 0;
@@ -108,10 +109,11 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals,
       continue;
     }
   }
+  const auto value = [&](const CsvColumn& signal) { return name_of ? name_of(signal) : option_value(signal, signals); };
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (i != force || found.size() == 1) guess.accel.push_back(option_value(*found[i], signals));
+    if (i != force || found.size() == 1) guess.accel.push_back(value(*found[i]));
   }
-  if (found.size() > 1) guess.force = option_value(*found[force], signals);
+  if (found.size() > 1) guess.force = value(*found[force]);
   return guess;
 }
 

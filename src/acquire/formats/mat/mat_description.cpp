@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -13,6 +14,13 @@
 namespace percuss::acquire {
 namespace {
 
+// Names of percuss's own layout that are not signals.
+bool is_description(const std::string& name) {
+  static const std::vector<std::string> kNames{"point",     "run",        "geometry",   "trace_lines",
+                                               "angle_deg", "position_m", "continuous", "fs"};
+  return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+}
+
 // Lower case without underscores: accel_unit and accelUnit are equal.
 std::string bare(std::string_view name) {
   std::string out = lower_case(name);
@@ -21,6 +29,11 @@ std::string bare(std::string_view name) {
 }
 
 }  // namespace
+
+bool may_be_signal(const MatVariable& variable) {
+  return !variable.is_text && !variable.is_abscissa && variable.size() > 1 &&
+         !is_description(lower_case(field_name(variable.name)));
+}
 
 std::string unit_in(const MatFile& file, const std::string& name) {
   const std::string base(field_name(name)), parent = name.substr(0, name.size() - base.size());

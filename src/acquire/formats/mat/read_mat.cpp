@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "acquire/channels/column_words.hpp"
+#include "acquire/channels/csv_columns.hpp"
 #include "acquire/channels/signal_table.hpp"
 #include "acquire/formats/mat/mat_description.hpp"
+#include "acquire/formats/mat/mat_guess.hpp"
 #include "acquire/formats/mat/mat_layout.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
 #include "acquire/record/point_number.hpp"
@@ -18,18 +20,6 @@
 
 namespace percuss::acquire {
 namespace {
-
-// Names of percuss's own layout that are not signals.
-bool is_description(const std::string& name) {
-  static const std::vector<std::string> kNames{"point",     "run",        "geometry",   "trace_lines",
-                                               "angle_deg", "position_m", "continuous", "fs"};
-  return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
-}
-
-bool may_be_signal(const MatVariable& variable) {
-  return !variable.is_text && !variable.is_abscissa && variable.size() > 1 &&
-         !is_description(lower_case(field_name(variable.name)));
-}
 
 // Lists each variable as one signal, to find the roles. lay_out divides variables into channels.
 SignalTable variables_of(const MatFile& file, std::vector<std::size_t>& index) {
@@ -77,6 +67,18 @@ ReadOptions variable_options(const MatFile& file, const ReadOptions& options) {
   return out;
 }
 
+SignalRoles roles_of(const SignalTable& table, const MatFile& file, const std::vector<std::size_t>& index,
+                     const ReadOptions& options) {
+  try {
+    return find_roles(table, variable_options(file, options));
+  } catch (AmbiguousColumns& error) {
+    const bool rate_known = error.guess.rate_known;
+    error.guess = guess_mat_roles(file, index);
+    error.guess.rate_known = rate_known;
+    throw;
+  }
+}
+
 struct OpenMat {
   MatFile file;
   struct Source {
@@ -105,16 +107,17 @@ MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const st
       unit && (unit->quantity == Quantity::acceleration || unit->quantity == Quantity::pressure);
   const bool named = !options.accel_channels.empty() || !options.setup.empty();
   if (!named && !measures_response && quantity_named(signal.name) != Quantity::acceleration) {
-    std::string remedy = "name all of it as accelerations, or save the force as a variable of its own";
-    if (first.shape[0] > first.shape[1]) {
-      remedy += fmt::format(
-          "; or name its columns, such as \"{0}(:,{1})\" for the force and \"{0}(:,{2})\" for an "
-          "acceleration",
-          one_line(first.name, 40), first.columns_taken + 1, first.columns_taken + 2);
-    }
-    throw InputError(fmt::format("one of the channels of {} ({}) could be the force", one_line(first.name, 40),
-                                 shape_name(first.shape)),
-                     open.file.path, remedy, {"force_channel", "accel_channel"});
+    CsvHeader header{.named = true, .text = false};
+    header.columns.push_back({.index = 0, .name = first.name, .base = first.name, .unit = shape_name(first.shape)});
+    AmbiguousColumns error(fmt::format("one of the channels of {} ({}) could be the force", one_line(first.name, 40),
+                                       shape_name(first.shape)),
+                           open.file.path,
+                           "name all of it as accelerations, or save the force as a variable of its own", header,
+                           {"force_channel", "accel_channel"});
+    error.format = table.format;
+    error.guess = guess_mat_roles(open.file, index);
+    error.guess.rate_known = true;
+    throw error;
   }
   table.notes.emplace_back(fmt::format("{} is {}: taken as {} channels of one row", one_line(first.name, 40),
                                        shape_name(first.shape), first.size() / layout.samples));
@@ -211,15 +214,8 @@ Record open_mat(MatFile file, const ReadOptions& options) {
   table.fs_Hz = rate_Hz.value_or(0);
   if (table.signals.empty())
     throw InputError("no arrays of numbers", open->file.path, "save force and accelerations as arrays");
-  // For a guess of the roles; a signal is a whole variable here.
-  table.read = [open, index](std::size_t /*row*/, std::size_t signal, std::size_t first, std::span<double> out) {
-    const std::vector<double>& values = open->file.variables[index[signal]].real;
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = first + i < values.size() ? values[first + i] : 0;
-  };
-  table.rows.push_back({.samples = open->file.variables[index.front()].size()});
   if (!rate_Hz) refuse_spectral_densities(open->file);
-  const SignalRoles variables = find_roles(table, variable_options(open->file, options));
-  table.rows.clear();
+  const SignalRoles variables = roles_of(table, open->file, index, options);
   if (!rate_Hz) {
     throw InputError("no sampling rate among the variables", open->file.path, "state it in Hz, or name its variable",
                      {"fs"});

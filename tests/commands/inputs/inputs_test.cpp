@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <complex>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
+#include "commands/inputs/input_files.hpp"
 #include "support/json.hpp"
 #include "support/mat_builder.hpp"
 #include "support/percuss_process.hpp"
@@ -18,45 +16,20 @@
 #include "support/uff_text.hpp"
 
 // Files as users have them: percuss reads them, or one message says what would work.
-namespace percuss::inputs_command_test {
+namespace percuss::inputs_test {
 
+using test::kFrequency_Hz;
 using test::run_percuss;
-using test::SmallRecord;
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double kFrequency_Hz = 0.1;  // of a mode at 200 Hz, 1 %, in samples of 0.3 s without noise
-
-class Inputs : public testing::Test {
- protected:
-  std::string file(const std::string& name) const { return folder_.file(name); }
-  test::ProcessOutcome analyze(std::vector<std::string> words, const std::string& input = "") const {
-    words.insert(words.begin(), {"analyze", "--band", "60:1000", "--effort", "quick"});
-    return run_percuss(words, {.input = input, .folder = folder_.path()});
-  }
-  // Runs the command that the message suggests, in the folder of the files.
-  test::ProcessOutcome run_suggestion(const std::string& message) const {
-    const std::string mark = "the samples suggest: percuss ";
-    std::istringstream words(message.substr(message.find(mark) + mark.size()));
-    std::vector<std::string> command;
-    for (std::string word; words >> word;) command.push_back(word);
-    return run_percuss(command, {.folder = folder_.path()});
-  }
-  static double first_mode_Hz(const test::ProcessOutcome& outcome) {
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return test::parse_json(outcome.out)["modes"].at(0)["frequency_hz"].get<double>();
-  }
-
-  test::ScratchFolder folder_;
-  SmallRecord record_ = test::small_record();
-};
+class Inputs : public test::InputFiles {};
 
 TEST_F(Inputs, MayBeAFolderOrAQuotedPattern) {
   for (int i : {2, 10, 1}) test::write_small_test(file("hit" + std::to_string(i) + ".h5"), R"("hits": 1)");
   test::write_bytes(file("notes.md"), "no record");
-  std::string expected;
   for (const std::vector<std::string>& words :
        std::vector<std::vector<std::string>>{{"hit1.h5", "hit2.h5", "hit10.h5"}, {"hit*.h5"}, {"."}}) {
     std::vector<std::string> command{"analyze", "--json", "--only", "hits"};
@@ -176,6 +149,41 @@ TEST_F(Inputs, WithSwappedChannelsAreNamedWithTheirCure) {
               200, kFrequency_Hz);
 }
 
+TEST_F(Inputs, ShowTheHammerInTheirSamples) {
+  std::vector<double> mass;
+  for (const double force : record_.force_N) mass.push_back(force / 2);
+  test::write_columns(file("mass.csv"), "time_s,force_N,accel_m_s2", {record_.time_s, record_.force_N, mass});
+  test::write_columns(file("swapped.csv"), "time_s,force,accel", {record_.time_s, record_.accel_mps2, record_.force_N});
+  const auto hammers = [&](const char* name) {
+    const auto document = test::parse_json(run_percuss({"info", file(name), "--json"}).out);
+    std::string found;
+    for (const auto& channel : document["files"][0]["channels"]) found += channel["hammer"] ? "1" : "0";
+    return found;
+  };
+  EXPECT_EQ(hammers("mass.csv"), "10") << "a free mass moves as the force does";
+  EXPECT_EQ(hammers("swapped.csv"), "01");
+  EXPECT_THAT(run_percuss({"info", file("swapped.csv")}).out, HasSubstr("accel looks like a hammer's pulses"));
+  EXPECT_THAT(run_percuss({"info", file("mass.csv")}).out, Not(HasSubstr("looks like a hammer's pulses")));
+}
+
+TEST_F(Inputs, WithAReversedSensorAreNamedWithTheirCure) {
+  std::string modes;
+  for (int i = 1; i <= 5; ++i)
+    modes += fmt::format(R"({}{{"frequency_hz": {}, "damping_ratio": 0.005, "residue_per_kg": [{}, {}]}})",
+                         i > 1 ? ", " : "", 150 * i, 0.1 * i, -0.1 * i - 0.01);
+  test::write_bytes(file("spec.json"),
+                    R"({"schema": "percuss/synth/1", "fs_hz": 4096, "duration_s": 1, "hits": 2, "modes": [)" + modes +
+                        R"(], "structure": {"rigid_line_per_kg": [0.1, -0.1]},
+                           "pulse": {"kind": "haversine", "width_s": 0.0005, "peak_n": 300},
+                           "sensors": [{"position_m": 0.05}, {"position_m": 0.06}]})");
+  ASSERT_EQ(run_percuss({"synth", file("spec.json"), "-o", file("rev.h5")}).code, 0);
+  std::string text = analyze({"rev.h5", "--angle", "0,0"}).out;
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  EXPECT_THAT(text, HasSubstr("accel 2 moves against accel 1 in each of 5 modes"));
+  EXPECT_THAT(text, HasSubstr("(--accel-scale)"));
+  EXPECT_THAT(analyze({"rev.h5", "--angle", "0,0", "--accel-scale", "1,-1"}).out, Not(HasSubstr("moves against")));
+}
+
 TEST_F(Inputs, OfSoundMayComeThroughAPipe) {
   test::write_columns(file("x.csv"), "time_s,force_N,accel_m_s2",
                       {record_.time_s, record_.force_N, record_.accel_mps2});
@@ -187,52 +195,4 @@ TEST_F(Inputs, OfSoundMayComeThroughAPipe) {
   }
 }
 
-TEST_F(Inputs, OfMatlabMayHoldTheTimeBesideTheSignal) {
-  const std::size_t n = record_.time_s.size();
-  const auto beside = [&](std::vector<double> x) {
-    std::vector<double> out = record_.time_s;
-    out.insert(out.end(), x.begin(), x.end());
-    return out;
-  };
-  test::MatBuilder(file("tx.mat"), test::MatLevel::v5)
-      .numbers("force", {n, 2}, beside(record_.force_N))
-      .numbers("accel", {n, 2}, beside(record_.accel_mps2));
-  EXPECT_NEAR(first_mode_Hz(analyze({"tx.mat", "--json"})), 200, kFrequency_Hz);
-  std::vector<double> all = beside(record_.force_N);
-  all.insert(all.end(), record_.accel_mps2.begin(), record_.accel_mps2.end());
-  test::MatBuilder(file("all.mat"), test::MatLevel::v5).numbers("data", {n, 3}, all);
-  EXPECT_THAT(analyze({"all.mat"}).err, HasSubstr("\"data(:,2)\" for the force and \"data(:,3)\" for an acceleration"));
-  EXPECT_NEAR(
-      first_mode_Hz(analyze({"all.mat", "--force-channel", "data(:,2)", "--accel-channel", "data(:,3)", "--json"})),
-      200, kFrequency_Hz);
-}
-
-TEST_F(Inputs, OfMatlabMayStateUnitsAndCoherence) {
-  const std::size_t n = record_.force_N.size();
-  for (const char* unit : {"accel_unit", "accelUnit", "unit_accel"}) {
-    test::MatBuilder(file("u.mat"), test::MatLevel::v5)
-        .numbers("force", {1, n}, record_.force_N)
-        .numbers("accel", {1, n}, record_.accel_mps2)
-        .numbers("fs", {1, 1}, {4096})
-        .text(unit, "g");
-    const auto document = test::parse_json(run_percuss({"info", file("u.mat"), "--json"}).out);
-    EXPECT_EQ(document["files"][0]["channels"][1]["unit"], "g") << unit;
-    std::filesystem::remove(file("u.mat"));
-  }
-  std::vector<std::complex<double>> frf, beside;
-  std::vector<double> freq_Hz, coherence(400, 0.9);
-  for (int k = 0; k < 400; ++k) {
-    freq_Hz.push_back(k + 1);
-    beside.emplace_back(k + 1, 0);
-    frf.push_back(1.0 / std::complex<double>(1 - std::pow(freq_Hz.back() / 200, 2), 0.02 * freq_Hz.back() / 200));
-  }
-  beside.insert(beside.end(), frf.begin(), frf.end());
-  test::MatBuilder(file("h.mat"), test::MatLevel::v5)
-      .complex("H", {400, 2}, beside)
-      .numbers("Cxy", {400, 1}, coherence);
-  const auto outcome = run_percuss({"info", file("h.mat")});
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("400 lines of 1 Hz from 1 to 400 Hz"), HasSubstr("with coherence")))
-      << outcome.err;
-}
-
-}  // namespace percuss::inputs_command_test
+}  // namespace percuss::inputs_test
