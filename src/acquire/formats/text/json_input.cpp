@@ -48,8 +48,8 @@ std::string_view schema_in(std::string_view head) {
 }  // namespace
 
 void refuse_json(std::string_view head, const std::string& name) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+  if (head.starts_with(kUtf8Mark)) head.remove_prefix(kUtf8Mark.size());
   head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
   if (head.empty() || (head.front() != '{' && !head.starts_with("[{"))) return;
   const std::string_view schema = schema_in(head);
