@@ -147,7 +147,7 @@ TEST(Usage, NamesTheOptionsOfTheRemedy) {
         "--period-s and --gate-times-s exclude each other; give one of them"},
        {{"nodes", "x.h5", "--positions", "3:0.3:9.1"},
         "--positions cannot be '3:0.3:9.1': the end is not a whole number of steps from the start; give START:STEP:END "
-        "with a unit (in, m, mm, cm, ft), such as 3:0.25:9in; without a unit, inches"},
+        "or a list, with a unit (in, m, mm, cm, ft), such as 3:0.25:9in or 3,3.5,5in; without a unit, inches"},
        {{"synth"}, "no spec is given; name a JSON file, a preset, or - for standard input (see percuss synth --list)"},
        {{"study"},
         "no table is given; name a table of bats, or documents of analyze, metrics, certify or abi that name their bat "

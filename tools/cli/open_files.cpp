@@ -115,7 +115,9 @@ bool is_folder(const std::string& path) {
 
 bool is_pattern(const std::string& path) {
   std::error_code ignored;
-  return path.find_first_of("*?[") != std::string::npos && !std::filesystem::exists(path, ignored);
+  const std::size_t bracket = path.find('[');
+  const bool set = bracket != std::string::npos && path.find(']', bracket) != std::string::npos;
+  return (set || path.find_first_of("*?") != std::string::npos) && !std::filesystem::exists(path, ignored);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "acquire/channels/channel_setup.hpp"
+#include "acquire/channels/column_words.hpp"
 #include "acquire/channels/csv_columns.hpp"
 #include "cli/open_files.hpp"
 #include "cli/option_error.hpp"
@@ -144,16 +145,29 @@ void write_outputs(const OutputFlags& output, const std::string& document) {
   outputs.commit();
 }
 
-// As analyze, which accepts records without a force.
+// Whether the record uses all columns of numbers but the time.
+bool uses_all_columns(const acquire::Record& record, const std::vector<CsvColumn>& columns) {
+  return std::all_of(columns.begin(), columns.end(), [&](const CsvColumn& column) {
+    const bool time = column.index == 0 || acquire::is_one_of(lower_case(column.base), acquire::kTimeWords);
+    return !column.has_numbers || time ||
+           std::any_of(record.accel.begin(), record.accel.end(),
+                       [&](const acquire::SignalInfo& signal) { return signal.name == column.name; });
+  });
+}
+
+// As analyze, which accepts records without a force. Where another column may be the force, the columns say more.
 std::variant<acquire::Record, acquire::FrfRecord> opened_at(const ReadFlags& read, const acquire::ReadOptions& options,
                                                             std::size_t index) {
   try {
     return open_measurement_at(read, options, index);
-  } catch (const acquire::AmbiguousColumns&) {
+  } catch (const acquire::AmbiguousColumns& seen) {
+    if (read.paths[index] == "-") throw;
     acquire::ReadOptions without_force = options;
     without_force.force_optional = true;
     try {
-      if (read.paths[index] != "-") return open_measurement_at(read, without_force, index);
+      auto opened = open_measurement_at(read, without_force, index);
+      const auto* const record = std::get_if<acquire::Record>(&opened);
+      if (record == nullptr || uses_all_columns(*record, seen.columns)) return opened;
     } catch (const InputError&) {  // the first error says more
     }
     throw;

@@ -89,15 +89,22 @@ std::unique_ptr<pipeline::Analysis> analysis_of(const NodesFlags& flags,
     throw OptionError::wrong_value("files", "tests", "give points, or the files of one scan", "a scan is one test");
   const pipeline::AnalysisOptions options = analysis_options(flags.analysis);
   Measurements opened = open_measurements(flags.read);
+  // Several files are numbered as points in their order, whatever the geometry of the first says.
+  const bool renumbered = grouping == acquire::FileGrouping::points && opened.records.size() + opened.frfs.size() > 1;
+  using Places = std::vector<std::vector<double>>;
   if (!opened.frfs.empty()) {
     acquire::FrfRecord frfs = join_frfs_of(flags.read, std::move(opened.frfs));
     std::set<int> points;
     for (const acquire::PointFrf& frf : frfs.frfs) points.insert(frf.point);
-    if (!positions) positions = pipeline::positions_of_geometry(frfs.geometry, points, frfs.source());
+    if (!positions)
+      positions = pipeline::positions_of_geometry(renumbered ? Places{} : frfs.geometry, points, frfs.source());
     return std::make_unique<pipeline::Analysis>(std::move(frfs), options);
   }
   acquire::Record record = acquire::join_records(std::move(opened.records), grouping);
-  if (!positions) positions = pipeline::positions_of_geometry(record.geometry, record.points(), record.source());
+  if (!positions) {
+    positions =
+        pipeline::positions_of_geometry(renumbered ? Places{} : record.geometry, record.points(), record.source());
+  }
   assumed = record.points().size() != positions->count;
   return std::make_unique<pipeline::Analysis>(pipeline::as_scan(std::move(record), *positions), options);
 }

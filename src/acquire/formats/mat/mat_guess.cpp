@@ -14,7 +14,7 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kMostColumns = 64;  // more than a command line should list
+constexpr std::size_t kMostGuessed = 64;  // more than a command line should list
 
 // Signals that may be the force or an acceleration, as the options name them.
 struct Candidates {
@@ -56,7 +56,7 @@ Candidates columns_of_matrix(const MatFile& file, const std::vector<std::size_t>
   for (const std::size_t v : index) {
     const MatVariable& variable = file.variables[v];
     const auto& shape = variable.shape;
-    if (variable.is_complex() || shape.size() != 2 || shape[1] < 2 || shape[1] > kMostColumns || shape[0] < shape[1])
+    if (variable.is_complex() || shape.size() != 2 || shape[1] < 2 || shape[1] > kMostGuessed || shape[0] < shape[1])
       continue;
     for (std::size_t c = 0; c < shape[1]; ++c) {
       const double* const first = variable.real.data() + c * shape[0];
