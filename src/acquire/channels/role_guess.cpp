@@ -6,6 +6,7 @@
 #include "acquire/channels/column_words.hpp"
 #include "core/error.hpp"
 #include "core/math/statistics.hpp"
+#include "core/units.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -36,6 +37,11 @@ std::string option_value(const CsvColumn& signal, const std::vector<CsvColumn>& 
   const bool unique = std::count_if(all.begin(), all.end(), same) == 1;
   if (unique && is_plain_name(signal.name) && !is_number(signal.name)) return signal.name;
   return std::to_string(signal.index + 1);
+}
+
+bool measures_response(const CsvColumn& signal) {
+  const auto unit = parse_unit(signal.unit);
+  return unit && (unit->quantity == Quantity::acceleration || unit->quantity == Quantity::pressure);
 }
 
 }  // namespace
@@ -85,8 +91,9 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals,
                       const std::function<std::string(const CsvColumn&)>& name_of) {
   RoleGuess guess{.force = {}, .accel = {}, .rate_known = false};
   std::vector<const CsvColumn*> found;
+  constexpr double kNone = 2;  // above every measure
   std::size_t force = 0;
-  double least = 2;
+  double least = kNone;
   const std::size_t most = std::clamp(kMaxInAll / std::max<std::size_t>(signals.size(), 1), kMinSamples, kMaxSamples);
   for (const CsvColumn& signal : signals) {
     const std::string base = lower_case(signal.base);
@@ -100,7 +107,7 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals,
         continue;
       }
       const double share = hammer_measure(samples);
-      if (share < least) {
+      if (share < least && !measures_response(signal)) {
         least = share;
         force = found.size();
       }
@@ -109,11 +116,12 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals,
       continue;
     }
   }
+  const bool with_force = found.size() > 1 && least < kNone;
   const auto value = [&](const CsvColumn& signal) { return name_of ? name_of(signal) : option_value(signal, signals); };
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (i != force || found.size() == 1) guess.accel.push_back(value(*found[i]));
+    if (i != force || !with_force) guess.accel.push_back(value(*found[i]));
   }
-  if (found.size() > 1) guess.force = value(*found[force]);
+  if (with_force) guess.force = value(*found[force]);
   return guess;
 }
 

@@ -29,9 +29,9 @@ double hammer_measure(std::span<const double> samples);
 bool rises_evenly(std::span<const double> samples);
 
 /// Guesses the roles from the samples: a first signal that rises evenly is the time, the signal with the smallest
-/// hammer_measure() the force, all others are accelerations. `read` gives up to the demanded number of samples. A
-/// single signal is an acceleration. `name_of`: how the options name a signal; by default its name if it is unique and
-/// holds no character that a shell changes, else its number.
+/// hammer_measure() the force unless its unit is another's, all others are accelerations. `read` gives up to the
+/// demanded number of samples. A single signal is an acceleration. `name_of`: how the options name a signal; by default
+/// its name if it is unique and holds no character that a shell changes, else its number.
 /// errors  None: a signal that cannot be read is no candidate.
 RoleGuess guess_roles(const std::vector<CsvColumn>& signals,
                       const std::function<std::vector<double>(std::size_t index, std::size_t most)>& read,

@@ -71,6 +71,17 @@ TEST(GuessRoles, TakesThePulseAsTheForce) {
   EXPECT_EQ(guess_roles(signals, read).force, "3") << "the name is not the only one";
 }
 
+TEST(GuessRoles, TakesNoAccelerationAsTheForce) {
+  const std::vector<std::vector<double>> columns{pulse(1000, 10, 1), sine(1000)};
+  const auto read = [&](std::size_t index, std::size_t) { return columns[index]; };
+  std::vector<CsvColumn> signals{{.index = 0, .name = "a", .base = "a", .unit = "cm/s2"},
+                                 {.index = 1, .name = "b", .base = "b", .unit = "V"}};
+  EXPECT_EQ(guess_roles(signals, read).force, "b");
+  signals[1].unit = "g";
+  EXPECT_EQ(guess_roles(signals, read).force, "");
+  EXPECT_THAT(guess_roles(signals, read).accel, ElementsAre("a", "b"));
+}
+
 TEST(GuessRoles, LeavesOutSignalsThatCannotBeRead) {
   const std::vector<CsvColumn> signals{{.index = 0, .name = "a", .base = "a"}, {.index = 1, .name = "b", .base = "b"}};
   const RoleGuess guess = guess_roles(signals, [](std::size_t index, std::size_t) -> std::vector<double> {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "acquire/formats/mat/mat_description.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
 #include "core/io/csv_header.hpp"
 
@@ -21,8 +22,8 @@ struct Candidates {
   std::vector<CsvColumn> signals;
   std::vector<std::pair<const double*, std::size_t>> samples;
 
-  void add(std::string name, const double* first, std::size_t count) {
-    signals.push_back({.index = signals.size(), .name = std::move(name), .base = ""});
+  void add(std::string name, std::string unit, const double* first, std::size_t count) {
+    signals.push_back({.index = signals.size(), .name = std::move(name), .base = "", .unit = std::move(unit)});
     samples.emplace_back(first, count);
   }
 };
@@ -46,7 +47,8 @@ Candidates longest_vectors(const MatFile& file, const std::vector<std::size_t>& 
   }
   Candidates out;
   for (const MatVariable* variable : vectors) {
-    if (variable->size() == longest) out.add(variable->name, variable->real.data(), longest);
+    if (variable->size() == longest)
+      out.add(variable->name, unit_in(file, variable->name), variable->real.data(), longest);
   }
   return out;
 }
@@ -61,7 +63,7 @@ Candidates columns_of_matrix(const MatFile& file, const std::vector<std::size_t>
     for (std::size_t c = 0; c < shape[1]; ++c) {
       const double* const first = variable.real.data() + c * shape[0];
       if (rises_evenly({first, shape[0]})) continue;
-      out.add(fmt::format("{}(:,{})", variable.name, variable.columns_taken + c + 1), first, shape[0]);
+      out.add(fmt::format("{}(:,{})", variable.name, variable.columns_taken + c + 1), "", first, shape[0]);
     }
     break;
   }

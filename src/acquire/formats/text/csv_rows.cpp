@@ -125,6 +125,7 @@ double clock_rate_Hz(const CsvTable& table, std::size_t index, const std::vector
   const double first_s = time_s.front();
   for (double& t_s : time_s) t_s -= first_s;
   std::vector<TimeStamps> stamps;
+  stamps.reserve(rows.size());
   for (const CsvRow& row : rows)
     stamps.push_back({std::span(time_s).subspan(row.first_line, row.info.samples), std::pow(10.0, -decimals)});
   StampProblem problem;
