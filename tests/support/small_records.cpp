@@ -14,6 +14,7 @@ SmallRecord small_record() {
   spec.sensors = {{}};
   spec.pulse.width_s = 1e-3;
   spec.hits = 1;
+  spec.band_high_Hz = 1000;
   const acquire::Record record = synth::synthesise(spec).record;
   SmallRecord out;
   out.force_N.resize(spec.samples);

@@ -171,9 +171,11 @@ TEST_F(Inputs, WithAReversedSensorAreNamedWithTheirCure) {
   for (int i = 1; i <= 5; ++i)
     modes += fmt::format(R"({}{{"frequency_hz": {}, "damping_ratio": 0.005, "residue_per_kg": [{}, {}]}})",
                          i > 1 ? ", " : "", 150 * i, 0.1 * i, -0.1 * i - 0.01);
-  test::write_bytes(file("spec.json"),
-                    R"({"schema": "percuss/synth/1", "fs_hz": 4096, "duration_s": 1, "hits": 2, "modes": [)" + modes +
-                        R"(], "structure": {"rigid_line_per_kg": [0.1, -0.1]},
+  test::write_bytes(
+      file("spec.json"),
+      R"({"schema": "percuss/synth/1", "fs_hz": 4096, "duration_s": 1, "hits": 2, "band_hz": [60, 1000], "modes": [)" +
+          modes +
+          R"(], "structure": {"rigid_line_per_kg": [0.1, -0.1]},
                            "pulse": {"kind": "haversine", "width_s": 0.0005, "peak_n": 300},
                            "sensors": [{"position_m": 0.05}, {"position_m": 0.06}]})");
   ASSERT_EQ(run_percuss({"synth", file("spec.json"), "-o", file("rev.h5")}).code, 0);
