@@ -128,6 +128,7 @@ std::optional<std::vector<double>> along_an_axis(const std::vector<std::array<do
   }
   const auto longest = static_cast<std::size_t>(std::max_element(span_m.begin(), span_m.end()) - span_m.begin());
   std::vector<double> out;
+  out.reserve(xyz_m.size());
   for (std::size_t axis = 0; axis < span_m.size(); ++axis) {
     if (axis != longest && span_m.at(axis) > kMaxSide * span_m.at(longest)) return std::nullopt;
   }
@@ -145,7 +146,7 @@ ScanPositions listed_positions(std::vector<double> position_m, const std::string
     throw InputError(fmt::format("two points of the scan lie at {:.6g} m", *twice), where,
                      "state a position of its own for each point", {"positions"});
   }
-  return {.start_m = ascending.front(), .step_m = 0, .count = position_m.size(), .listed_m = std::move(position_m)};
+  return {.start_m = ascending.front(), .step_m = 0, .count = ascending.size(), .listed_m = std::move(position_m)};
 }
 
 ScanPositions positions_of_geometry(const std::vector<std::vector<double>>& geometry, const std::set<int>& points,

@@ -1,11 +1,11 @@
 #include "core/io/spooled_file.hpp"
 
 #include <fcntl.h>
-#include <stdlib.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
@@ -20,9 +20,10 @@ SpooledFile::SpooledFile(std::string_view bytes) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path(problem);
   path_ = (problem ? std::filesystem::path("/tmp") : folder) / "percuss-input-XXXXXX";
   descriptor_ = ::mkostemp(path_.data(), O_CLOEXEC);
-  if (descriptor_ < 0)
+  if (descriptor_ < 0) {
     throw_system_error("cannot keep standard input in a temporary file", errno, path_,
                        "set TMPDIR to a folder with room");
+  }
   registered_ = std::make_unique<TemporaryFile>(path_, descriptor_);
   ::flock(descriptor_, LOCK_UN);  // the HDF5 library locks the files that it opens
   while (!bytes.empty()) {
