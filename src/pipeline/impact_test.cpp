@@ -169,9 +169,10 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
                      {"method", "effective_mass", "force_channel"});
   }
   for (const acquire::SignalInfo& signal : record.accel) {
-    if (signal.measures == Quantity::pressure)
+    if (signal.measures == Quantity::pressure) {
       throw InputError(one_line(signal.name, 40) + " is a pressure: it has no deflection", record.source(),
                        "name the accelerations, or find the modes alone", {"accel_channel"});
+    }
   }
   const std::vector<AnalysedHit> impacts = record.has_force ? analysis.force_hits() : impacts_without_force(record);
   std::vector<std::size_t> hits;
