@@ -1,5 +1,7 @@
 #include <cxxabi.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -8,8 +10,11 @@
 #include <typeinfo>
 
 #include "acquire/calibrate.hpp"
+#include "acquire/channels/csv_columns.hpp"
+#include "cli/color.hpp"
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
+#include "cli/suggested_command.hpp"
 #include "cli/visible_output.hpp"
 #include "commands/commands.hpp"
 #include "core/budget.hpp"
@@ -25,7 +30,10 @@ using namespace percuss;
 using namespace percuss::tools;
 
 int print_error(std::string_view what, int code) {
+  const bool color = wants_color(STDERR_FILENO);
+  if (color) std::fputs(kRed, stderr);
   std::cerr << "percuss: " << what << '\n';
+  if (color) std::fputs(kPlain, stderr);
   return code;
 }
 
@@ -71,6 +79,8 @@ static int run_guarded(int argc, char** argv) {
     return print_error(e.written(flag_of), kUsage);
   } catch (const UsageError& e) {
     return print_error(e.what(), kUsage);
+  } catch (const acquire::AmbiguousColumns& e) {
+    return print_error(e.written(flag_of) + suggested_command({argv, argv + argc}, e.guess), kBadInput);
   } catch (const acquire::NoHitError& e) {
     return print_error(e.written(flag_of), kImpossible);
   } catch (const BudgetSpent& e) {

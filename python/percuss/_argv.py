@@ -14,7 +14,9 @@ from . import _percuss
 from ._errors import InputError, UsageError
 
 # Options of the shell only: Python returns results, and save() writes them.
-_SHELL_ONLY = {"help", "output", "json", "force", "quiet", "example", "example_table", "list"}
+_SHELL_ONLY = {
+    "help", "output", "json", "force", "quiet", "example", "example_table", "list", "frf", "modes_file",
+}  # fmt: skip
 
 
 class Option:

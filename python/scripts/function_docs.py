@@ -43,6 +43,8 @@ def annotation(option: Option) -> str:
         return "File | Sequence[File]" if option.repeatable else "File"
     if option.choices:
         return f"{alias_of(option)} | Sequence[{alias_of(option)}]" if option.list else _choices(option)
+    if option.requirement.startswith("whole numbers"):
+        return "int | str | Sequence[int | str]"
     if option.requirement.startswith("a whole number"):
         return "int | Sequence[int]" if option.list else "int"
     if option.requirement.startswith("a number"):
@@ -69,7 +71,8 @@ def _in_words(option: Option) -> str:
     kind = annotation(option)
     words = {
         "bool": "bool", "File": "path, array, dict or Result", "File | Sequence[File]": "path, array, dict or Result, or a list of them",
-        "int": "int", "int | Sequence[int]": "int or list of int", "float": "float", "Numbers": "float or list of float", "Quantity": "float",
+        "int": "int", "int | Sequence[int]": "int or list of int",
+        "int | str | Sequence[int | str]": "int, str, or a list of them", "float": "float", "Numbers": "float or list of float", "Quantity": "float",
         "Quantities": "float or list of float", "Band": "(low, high)", "Rate": "float", "Assignments": "dict or str", "str": "str", "str | int": "str or int",
         "Texts": "str or list of str", "str | Sequence[float]": "str, float or list of float",
     }  # fmt: skip

@@ -63,7 +63,6 @@ def test_files_and_arguments_raise_the_error_of_the_command_line(tool):
 
 def test_missing_keywords_are_named():
     for call, keyword, form in [
-        (lambda: percuss.nodes("none.h5"), "positions", "START:STEP:END[UNIT]"),
         (lambda: percuss.models.bat(), "profile", "FILE"),
         (lambda: percuss.calibrate("none.h5"), "mass", "KG"),
     ]:

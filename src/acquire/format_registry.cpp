@@ -56,6 +56,8 @@ const std::vector<std::string>& frf_extensions() {
   return kExtensions;
 }
 
+bool writes_hdf5(const std::string& path) { return written_format(path) == &kHdf5Format; }
+
 bool has_known_extension(const std::string& path) {
   const std::string extension = file_extension(path);
   return std::any_of(kFormats.begin(), kFormats.end(),

@@ -1,14 +1,14 @@
 #include "acquire/open_measurement.hpp"
 
-#include <fmt/format.h>
-
 #include <string_view>
 #include <utility>
 
+#include "acquire/channels/csv_columns.hpp"
 #include "acquire/format_registry.hpp"
 #include "acquire/sandbox/fork_server.hpp"
 #include "acquire/sandbox/sandbox_measurement.hpp"
 #include "core/error.hpp"
+#include "core/io/spooled_file.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -22,17 +22,39 @@ void refuse_variable_name(const FrfReadOptions& options, const std::string& path
                    "state it in Hz (in MAT files it may be a variable)", {"fs"});
 }
 
-// Reads all of a pipe, unless its first bytes show a format that cannot be read from one.
+Measurement open_file(const std::string& path, const FrfReadOptions& options, Content content);
+
+// Opens the bytes of a pipe as a file, for libraries that read files only. The file has a name until it is open.
+Measurement open_spooled(std::string_view bytes, const FrfReadOptions& options, Content content) {
+  const SpooledFile file(bytes);
+  const auto named = [&](const InputError& error) {
+    std::string where = error.where();
+    if (const std::size_t at = where.find(file.path()); at != std::string::npos)
+      where.replace(at, file.path().size(), input_name("-"));
+    return InputError(error.problem(), where, error.remedy(), error.options());
+  };
+  try {
+    Measurement opened = open_file(file.path(), options, content);
+    std::visit([](auto& one) { one.files.front().path = "-"; }, opened);
+    return opened;
+  } catch (const AmbiguousColumns& error) {
+    AmbiguousColumns renamed = error;
+    static_cast<InputError&>(renamed) = named(error);
+    throw renamed;
+  } catch (const MachineFault&) {
+    throw;
+  } catch (const InputError& error) {
+    throw named(error);
+  }
+}
+
+// Reads all of a pipe, unless its first bytes show that it cannot be read.
 Measurement open_standard_input(const FrfReadOptions& options, Content content) {
-  refuse_variable_name(options, "-");
   GrowthCheck check_growth;
   const auto check_head = [&](std::string_view bytes) {
     const FileHead head{"-", bytes};
     const FileFormat& format = detected_format(head);
-    if (format.sandboxed) {
-      throw InputError(fmt::format("{} files cannot be read from a pipe", format.name), input_name("-"),
-                       "give the file's name");
-    }
+    if (!format.names_variables) refuse_variable_name(options, "-");
     if (format.check != nullptr) format.check(head);
     if (format.growth_check != nullptr) check_growth = format.growth_check("-");
   };
@@ -40,11 +62,11 @@ Measurement open_standard_input(const FrfReadOptions& options, Content content) 
     if (check_growth) check_growth(text);
   });
   const FileFormat& format = detected_format({"-", stream.view()});
-  return format.open({"-", &stream}, options, content);
+  return format.sandboxed ? open_spooled(stream.view(), options, content)
+                          : format.open({"-", &stream}, options, content);
 }
 
-Measurement open_content(const std::string& path, const FrfReadOptions& options, Content content) {
-  if (path == "-") return open_standard_input(options, content);
+Measurement open_file(const std::string& path, const FrfReadOptions& options, Content content) {
   const std::string bytes = first_bytes(path, kHead_bytes);
   const FileHead head{path, bytes};
   const FileFormat& format = detected_format(head);
@@ -52,6 +74,10 @@ Measurement open_content(const std::string& path, const FrfReadOptions& options,
   if (format.check != nullptr) format.check(head);
   const auto open = [&] { return format.open({path}, options, content); };
   return options.read.sandboxed && format.sandboxed ? open_in_sandbox(path, open) : open();
+}
+
+Measurement open_content(const std::string& path, const FrfReadOptions& options, Content content) {
+  return path == "-" ? open_standard_input(options, content) : open_file(path, options, content);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "acquire/format_registry.hpp"
 #include "acquire/write_record.hpp"
 #include "api/handles.hpp"
 #include "core/error.hpp"
@@ -48,7 +49,6 @@ std::string checked_extension(const std::string& path, const std::vector<std::st
   return extension;
 }
 
-bool is_hdf5(const std::string& extension) { return extension == ".h5" || extension == ".hdf5"; }
 bool is_uff(const std::string& extension) { return extension == ".uff" || extension == ".unv"; }
 
 report::Provenance provenance(const WriteOptions& options) {
@@ -137,7 +137,7 @@ void write(const std::string& path, const Deflections& deflections, const WriteO
   const std::string kind = api::checked_extension(path, {".json", ".csv", ".h5", ".hdf5"}, options);
   const pipeline::Analysis& analysis = deflections.data().analysis->analysis;
   const pipeline::ImpactTest& test = deflections.data().test;
-  if (api::is_hdf5(kind)) {
+  if (acquire::writes_hdf5(path)) {
     report::write_deflection_hdf5(path, analysis, test, options.overwrite);
   } else {
     write_file(path, kind == ".csv" ? report::deflection_csv(analysis, test) : deflections.json(), options.overwrite);

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "acquire/format_registry.hpp"
 #include "acquire/formats/hdf5/hdf5_output.hpp"
 #include "acquire/formats/hdf5/write_frf_hdf5.hpp"
 #include "acquire/record/file_format.hpp"
@@ -129,7 +130,7 @@ std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals
                                       CsvFormulas formulas) {
   const std::string extension = acquire::file_extension(path);
   if (extension == ".csv") return std::make_unique<CsvTable>(path, force, formulas);
-  if (extension != ".h5" && extension != ".hdf5") return std::make_unique<JsonLines>(path, totals, force);
+  if (!acquire::writes_hdf5(path)) return std::make_unique<JsonLines>(path, totals, force);
   if (totals.head.frf) return std::make_unique<FrfFile>(path, totals, force);
   throw InputError("the batch was planned without FRFs", path, "plan the batch with FRFs", {"batch.plan.frf"});
 }

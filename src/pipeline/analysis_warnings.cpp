@@ -10,6 +10,7 @@
 #include "pipeline/warnings/object_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "pipeline/warnings/record_findings.hpp"
+#include "pipeline/warnings/role_warnings.hpp"
 #include "pipeline/warnings/truncation_warnings.hpp"
 #include "pipeline/warnings/used_hit_warnings.hpp"
 
@@ -28,6 +29,7 @@ std::vector<Warning> Analysis::warnings() const {
   if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
   add(hit_warnings(record(), graded));
   if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
+  if (force_known) add(role_warnings(record(), graded));
   add(channel_warnings(record(), graded));
   if (force_known && responses_.ready() && hits_.ready()) add(record_findings(record(), graded, responses()));
   if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));

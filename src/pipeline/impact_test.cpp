@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
+#include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/impact_speed.hpp"
 #include "pipeline/warnings/deflection_warnings.hpp"
 
@@ -22,11 +23,8 @@ namespace {
 constexpr std::size_t kMinRestSamples = 16;
 
 bool usable(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t index) {
-  const auto has = [](const std::vector<std::size_t>& list, std::size_t i) {
-    return std::find(list.begin(), list.end(), i) != list.end();
-  };
-  if (has(options.reject_hits, index)) return false;
-  if (has(options.accept_hits, index)) return true;
+  if (names_hit(options.reject_hits, options.accept_hits, index)) return false;
+  if (names_hit(options.accept_hits, options.reject_hits, index)) return true;
   return std::none_of(hit.hit.findings.begin(), hit.hit.findings.end(),
                       [](const acquire::Finding& finding) { return finding.code == acquire::FindingCode::no_pulse; });
 }
@@ -171,9 +169,10 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
                      {"method", "effective_mass", "force_channel"});
   }
   for (const acquire::SignalInfo& signal : record.accel) {
-    if (signal.measures == Quantity::pressure)
+    if (signal.measures == Quantity::pressure) {
       throw InputError(one_line(signal.name, 40) + " is a pressure: it has no deflection", record.source(),
                        "name the accelerations, or find the modes alone", {"accel_channel"});
+    }
   }
   const std::vector<AnalysedHit> impacts = record.has_force ? analysis.force_hits() : impacts_without_force(record);
   std::vector<std::size_t> hits;

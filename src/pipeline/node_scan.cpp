@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "acquire/geometry/geometry.hpp"
 #include "core/error.hpp"
@@ -39,11 +41,12 @@ MeasuredPoints measured_points(const Analysis& analysis, const ScanPositions& po
                                std::vector<Warning>& warnings) {
   std::set<int> with_frf;
   for (const acquire::PointFrf& frf : analysis.frfs()) with_frf.insert(frf.point);
+  std::vector<std::pair<double, int>> ascending;
+  for (const int point : analysis.points()) ascending.emplace_back(positions.at_m(ascending.size()), point);
+  std::sort(ascending.begin(), ascending.end());
   MeasuredPoints measured;
   std::string missing;
-  std::size_t i = 0;
-  for (const int point : analysis.points()) {
-    const double position_m = positions.at_m(i++);
+  for (const auto& [position_m, point] : ascending) {
     if (with_frf.contains(point)) {
       measured.point.push_back(point);
       measured.position_m.push_back(position_m);
@@ -84,10 +87,12 @@ void require_geometry_of_scan(const Analysis& analysis, const ScanPositions& pos
   constexpr double kMaxDifference = 0.1;  // of the scan's length: sensors and hits are placed by hand
   const auto known_m = distances_m(analysis.record(), analysis.points());
   if (!known_m) return;
-  const double length_m = positions.at_m(positions.count - 1) - positions.start_m;
-  double difference_m = 0;
-  for (std::size_t i = 0; i < known_m->size(); ++i)
-    difference_m = std::max(difference_m, std::abs(known_m->at(i) - (positions.at_m(i) - positions.start_m)));
+  double length_m = 0, difference_m = 0;
+  for (std::size_t i = 0; i < known_m->size(); ++i) {
+    const double from_first_m = std::abs(positions.at_m(i) - positions.at_m(0));
+    length_m = std::max(length_m, from_first_m);
+    difference_m = std::max(difference_m, std::abs(known_m->at(i) - from_first_m));
+  }
   if (difference_m <= kMaxDifference * length_m) return;
   throw InputError(
       fmt::format("the positions span {:.4g} mm, but the record's geometry places the points up to {:.4g} mm from the "
@@ -112,7 +117,62 @@ void require_different_points(const Analysis& analysis, const NodeScan& scan) {
       analysis.record().source(), "give a record with hits at every position", {"positions"});
 }
 
+// Along the axis in which the places differ most, provided that they hardly differ in the others.
+std::optional<std::vector<double>> along_an_axis(const std::vector<std::array<double, 3>>& xyz_m) {
+  constexpr double kMaxSide = 0.1;  // of the length
+  std::array<double, 3> span_m{};
+  for (std::size_t axis = 0; axis < span_m.size(); ++axis) {
+    const auto [low, high] = std::minmax_element(xyz_m.begin(), xyz_m.end(),
+                                                 [&](const auto& a, const auto& b) { return a.at(axis) < b.at(axis); });
+    span_m.at(axis) = high->at(axis) - low->at(axis);
+  }
+  const auto longest = static_cast<std::size_t>(std::max_element(span_m.begin(), span_m.end()) - span_m.begin());
+  std::vector<double> out;
+  out.reserve(xyz_m.size());
+  for (std::size_t axis = 0; axis < span_m.size(); ++axis) {
+    if (axis != longest && span_m.at(axis) > kMaxSide * span_m.at(longest)) return std::nullopt;
+  }
+  for (const auto& at : xyz_m) out.push_back(at.at(longest));
+  return out;
+}
+
 }  // namespace
+
+ScanPositions listed_positions(std::vector<double> position_m, const std::string& where) {
+  std::vector<double> ascending = position_m;
+  std::sort(ascending.begin(), ascending.end());
+  const auto twice = std::adjacent_find(ascending.begin(), ascending.end());
+  if (twice != ascending.end()) {
+    throw InputError(fmt::format("two points of the scan lie at {:.6g} m", *twice), where,
+                     "state a position of its own for each point", {"positions"});
+  }
+  return {.start_m = ascending.front(), .step_m = 0, .count = ascending.size(), .listed_m = std::move(position_m)};
+}
+
+ScanPositions positions_of_geometry(const std::vector<std::vector<double>>& geometry, const std::set<int>& points,
+                                    const std::string& where) {
+  const auto refuse = [&](const std::string& problem) {
+    return InputError(problem, where, "state the positions of the hits, such as 3:0.25:9in or 3,3.5,5in",
+                      {"positions"});
+  };
+  const auto known = acquire::geometry_of_record(geometry);
+  if (!known || points.empty()) throw refuse("the record does not say where its points lie");
+  std::vector<double> position_m;
+  std::vector<std::array<double, 3>> xyz_m;
+  for (const int point : points) {
+    const auto at = std::find_if(known->points.begin(), known->points.end(),
+                                 [&](const acquire::GeometryPoint& one) { return one.point == point; });
+    if (at == known->points.end()) throw refuse(fmt::format("the record's geometry lacks point {}", point));
+    position_m.push_back(at->position_m);
+    if (at->xyz_m) xyz_m.push_back(*at->xyz_m);
+  }
+  if (xyz_m.size() == points.size()) {
+    const auto along_m = along_an_axis(xyz_m);
+    if (!along_m && !known->tube) throw refuse("the points of the record's geometry do not lie on a line");
+    if (along_m) position_m = *along_m;
+  }
+  return listed_positions(std::move(position_m), where);
+}
 
 acquire::Record as_scan(acquire::Record record, const ScanPositions& positions) {
   const std::size_t points = record.points().size();
@@ -121,8 +181,7 @@ acquire::Record as_scan(acquire::Record record, const ScanPositions& positions) 
   if (points != 1 || rows < positions.count || rows % positions.count != 0 || record.continuous) {
     throw InputError(fmt::format("{} point{} and {} row{} of hits for {} positions", points, points == 1 ? "" : "s",
                                  rows, rows == 1 ? "" : "s", positions.count),
-                     record.source(), "state START:STEP:END with one position per point, file or row, in their order",
-                     {"positions"});
+                     record.source(), "state one position per point, file or row, in their order", {"positions"});
   }
   const std::size_t each = rows / positions.count;
   for (std::size_t row = 0; row < rows; ++row) record.rows[row].point = static_cast<int>(row / each);

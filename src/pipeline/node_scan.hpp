@@ -1,6 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "identify/shapes/nodes.hpp"
@@ -8,12 +10,24 @@
 
 namespace percuss::pipeline {
 
-/// Evenly spaced positions of a scan of impacts, one per point, ascending by the points' numbers.
+/// Positions of a scan of impacts, one per point in the order of the points' numbers: evenly spaced, or listed.
 struct ScanPositions {
   double start_m = 0, step_m = 0;
   std::size_t count = 0;
-  double at_m(std::size_t i) const { return start_m + static_cast<double>(i) * step_m; }
+  std::vector<double> listed_m{};  // [count]; empty: evenly spaced
+  double at_m(std::size_t i) const {
+    return listed_m.empty() ? start_m + static_cast<double>(i) * step_m : listed_m[i];
+  }
 };
+
+/// errors  InputError with the option "positions": two positions are equal.
+ScanPositions listed_positions(std::vector<double> position_m, const std::string& where);
+
+/// The positions by the record's geometry: along the tube, or the coordinate in which the points differ.
+/// errors  InputError with the option "positions": no geometry, a point without a place, points that lie on no line
+/// parallel to an axis.
+ScanPositions positions_of_geometry(const std::vector<std::vector<double>>& geometry, const std::set<int>& points,
+                                    const std::string& where);
 
 /// One mode along the scan.
 struct ModeAlongScan {

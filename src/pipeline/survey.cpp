@@ -68,8 +68,27 @@ bool Survey::is_tube() const {
   return geometry_ && geometry_->tube && analysis_.options().classes.object != identify::ObjectKind::other;
 }
 
+// A file may number the points from 1 where the record counts from 0.
+void Survey::renumber_points() {
+  if (!options_.geometry) return;
+  std::set<int> known;
+  for (const acquire::GeometryPoint& p : geometry_->points) known.insert(p.point);
+  const std::set<int> measured = analysis_.points();
+  const auto lacks = [&](int offset) {
+    return std::any_of(measured.begin(), measured.end(), [&](int point) { return !known.contains(point + offset); });
+  };
+  if (!lacks(0) || lacks(1) || known.contains(0)) return;
+  for (acquire::GeometryPoint& p : geometry_->points) --p.point;
+  geometry_warnings_.push_back(
+      {"points_from_one",
+       fmt::format("the geometry numbers its points from {}, the record from {}: one is subtracted from the geometry's",
+                   *known.begin(), *measured.begin()),
+       {"geometry"}});
+}
+
 void Survey::place_points() {
   if (!geometry_) return;
+  renumber_points();
   std::set<int> known;
   for (const acquire::GeometryPoint& p : geometry_->points) {
     known.insert(p.point);
@@ -224,6 +243,7 @@ std::vector<Warning> Survey::warnings() const {
                               .reciprocity = reciprocity(),
                               .synthesis = synthesis(),
                               .frf_points = analysis_.frf_points()};
+  out.insert(out.end(), geometry_warnings_.begin(), geometry_warnings_.end());
   for (Warning& warning : survey_warnings(results)) out.push_back(std::move(warning));
   return ranked(std::move(out));
 }

@@ -55,6 +55,7 @@ class Survey {
  private:
   bool is_tube() const;
   void place_points();
+  void renumber_points();
   void find_driving_points();
   std::vector<identify::ModeClassification> classify_by_shapes() const;
   identify::LowerOrders lower_orders(const std::vector<identify::ModeClassification>& found) const;
@@ -62,6 +63,7 @@ class Survey {
   const Analysis& analysis_;
   SurveyOptions options_;
   std::optional<acquire::Geometry> geometry_;
+  std::vector<Warning> geometry_warnings_;
   identify::TubeGeometry tube_places_;
   std::vector<identify::DrivingPoint> driving_;
   Lazy<std::vector<identify::ModeShape>> shapes_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
@@ -58,13 +59,19 @@ std::string joined(const std::vector<std::string>& texts) {
   return all.empty() ? "–" : all;
 }
 
+double end_m(const pipeline::ScanPositions& positions) {
+  if (positions.listed_m.empty()) return positions.at_m(positions.count - 1);
+  return *std::max_element(positions.listed_m.begin(), positions.listed_m.end());
+}
+
 std::string heading(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
   const acquire::Record& record = analysis.record();
   std::string name = one_line(input_name(record.source()), 400);
   if (record.files.size() > 1) name += fmt::format(" and {} more", record.files.size() - 1);
   const pipeline::ScanPositions& p = scan.positions;
-  return fmt::format("{}   {} positions, {:.5g} to {:.5g} in from the barrel's end, {:.4g} in apart\n", name, p.count,
-                     p.start_m / kInch_m, p.at_m(p.count - 1) / kInch_m, p.step_m / kInch_m);
+  const std::string apart = p.listed_m.empty() ? fmt::format(", {:.4g} in apart", p.step_m / kInch_m) : "";
+  return fmt::format("{}   {} positions, {:.5g} to {:.5g} in from the barrel's end{}\n", name, p.count,
+                     p.start_m / kInch_m, end_m(p) / kInch_m, apart);
 }
 
 std::vector<pipeline::Warning> all_warnings(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
@@ -77,10 +84,13 @@ std::string nodes_json(const pipeline::Analysis& analysis, const pipeline::NodeS
   Json json{{"schema", "percuss/nodes/1"}, {"version", version()}, {"inputs", Json::array()}};
   for (const acquire::InputFile& file : analysis.record().files)
     json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
-  json["positions"] = {{"start_m", scan.positions.start_m},
-                       {"step_m", scan.positions.step_m},
-                       {"end_m", scan.positions.at_m(scan.positions.count - 1)},
-                       {"count", scan.positions.count}};
+  const pipeline::ScanPositions& positions = scan.positions;
+  const bool listed = !positions.listed_m.empty();
+  json["positions"] = {{"start_m", positions.start_m},
+                       {"step_m", listed ? Json() : Json(positions.step_m)},
+                       {"end_m", end_m(positions)},
+                       {"count", positions.count}};
+  if (listed) json["positions"]["listed_m"] = positions.listed_m;
   json["modes"] = Json::array();
   for (const pipeline::ModeAlongScan& along : scan.modes) json["modes"].push_back(mode_json(analysis, along));
   json["warnings"] = Json::array();
@@ -102,7 +112,7 @@ ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeSc
     std::vector<std::string> nodes;
     for (const identify::Node& node : along.nodes)
       nodes.push_back(value_with_std(node.position_m / kInch_m, node.std_m / kInch_m) + " in");
-    table.add({fmt::format("{}", along.mode),
+    table.add({fmt::format("{}", along.mode + 1),
                classification.order > 0 ? fmt::format("{} {}", name_of(classification.family), classification.order)
                                         : std::string(name_of(classification.family)),
                value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz", joined(nodes),

@@ -47,7 +47,8 @@ std::string_view synth_example() {
     {"position_m": 0.0508, "angle_deg": 0},
     {"position_m": 0.0508, "angle_deg": 90, "sign": -1, "gain": 1.0}  // opposite direction; recorded / true value
   ],
-  "impact": {"position_m": 0.1524, "angle_deg": 20},  // a list of such points: roving hammer
+  "impact": {"position_m": 0.1524, "angle_deg": 20,    // a list of such points: roving hammer
+             "xyz_m": [0.1524, 0.0333, 0]},  // optional: the place for the record's geometry alone
   "pulse": {"kind": "haversine", "width_s": 0.00025, "peak_n": 300, "width_spread": 0.1, "peak_spread": 0.25},  // or halfsine, sine-cubed
   "hits": 5,                   // per point and run
   "runs": 1,                   // repetitions of the hits with new noise

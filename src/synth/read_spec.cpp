@@ -79,6 +79,7 @@ void read_sensor(StrictObject& o, SynthSensor& to) {
 void read_point(StrictObject& o, SynthPoint& to) {
   o.read("position_m", to.position_m);
   read_degrees(o, "angle_deg", to.angle_rad);
+  o.read("xyz_m", to.xyz_m);
 }
 
 void read_pulse(StrictObject& o, SynthPulse& to) {

@@ -36,6 +36,7 @@ struct SynthSensor {
 struct SynthPoint {
   double position_m = 6 * kInch_m;
   double angle_rad = 0;
+  std::vector<double> xyz_m{};  // [3], for the record's geometry only; empty: from position and angle
 };
 
 /// A free bat. The inertia is about the centre of mass.

@@ -118,7 +118,8 @@ acquire::Record record_of(const Truth& truth, SynthSamples samples) {
   if (spec.points.size() < 2) return record;
   for (const SynthPoint& p : spec.points) {
     const double r = spec.structure.radius_m;
-    record.geometry.push_back({p.position_m, r * std::cos(p.angle_rad), r * std::sin(p.angle_rad)});
+    record.geometry.push_back(
+        p.xyz_m.empty() ? std::vector{p.position_m, r * std::cos(p.angle_rad), r * std::sin(p.angle_rad)} : p.xyz_m);
   }
   return record;
 }

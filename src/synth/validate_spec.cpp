@@ -99,6 +99,9 @@ void Checker::places() const {
     const std::string key = fmt::format("impact[{}].", i);
     in_range(spec.points[i].position_m, 0, spec.structure.length_m, key + "position_m");
     in_range(spec.points[i].angle_rad, -100, 100, key + "angle_deg (in rad)");
+    const std::vector<double>& xyz_m = spec.points[i].xyz_m;
+    require(xyz_m.empty() || xyz_m.size() == 3, "not three coordinates", key + "xyz_m", "give [x, y, z] in m");
+    for (const double x : xyz_m) in_range(x, -100, 100, key + "xyz_m");
   }
 }
 

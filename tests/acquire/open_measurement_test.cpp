@@ -76,13 +76,21 @@ TEST_F(OpenRecord, ReadsALongTextFromStandardInput) {
   EXPECT_EQ(open_record("-").rows.at(0).samples, 20000U);
 }
 
-TEST_F(OpenRecord, RefusesFormatsThatCannotComeFromStandardInput) {
+TEST_F(OpenRecord, NamesStandardInputInErrors) {
   {
     const StandardInput input("/dev/zero");
     EXPECT_THAT(input_error_of([] { open_record("-"); }), HasSubstr("standard input"));
   }
   const StandardInput input(file_with("\x89HDF\r\n\x1a\n"));
-  EXPECT_THAT(input_error_of([] { open_record("-"); }), HasSubstr("give the file's name"));
+  EXPECT_THAT(input_error_of([] { open_record("-"); }), HasSubstr("(standard input"));
+}
+
+TEST_F(OpenRecord, ReadsForeignFormatsFromStandardInput) {
+  write_hdf5(folder_.file("r.h5"), record_in_memory(100, {{1, 2, 3}}, {{{4, 5, 6}}}), false);
+  const StandardInput input(folder_.file("r.h5"));
+  const Record record = open_record("-");
+  EXPECT_EQ(record.files.at(0).path, "-");
+  EXPECT_THAT(test::force_N(record), ElementsAre(1, 2, 3));
 }
 
 TEST_F(OpenRecord, NamesFormatsThatItCannotRead) {

@@ -100,7 +100,7 @@ TEST_F(CompletionCommand, CompletesFilesAndFolders) {
   EXPECT_THAT(in_bash({"analyze", "bat.h5", "-o", "b"}), ElementsAre("bat.h5"));
   EXPECT_THAT(in_bash({"analyze", "--setup", "b"}), ElementsAre("bat.h5"));
   EXPECT_THAT(in_bash({"study", "--figures", ""}), ElementsAre("figures"));
-  EXPECT_THAT(in_bash({"synth", "b"}), ElementsAre("bat.h5")) << "a spec is a file too";
+  EXPECT_THAT(in_bash({"synth", "bat."}), ElementsAre("bat.h5")) << "a spec is a file too";
   EXPECT_THAT(in_bash({"model", "beam", "b"}), IsEmpty()) << "model beam takes no file";
 }
 

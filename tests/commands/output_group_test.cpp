@@ -37,6 +37,7 @@ class OutputGroups : public testing::Test {
 TEST_F(OutputGroups, AreAbsentWhenOneFails) {
   const std::vector<std::vector<std::string>> commands{
       {"analyze", record_, "-o", folder_.file("a.html"), "-o", folder_.file("a.h5"), "-o", missing_},
+      {"analyze", record_, "--frf", folder_.file("a.mat"), "--modes-file", folder_.file("m.csv"), "-o", missing_},
       {"frf", record_, "-o", folder_.file("f.csv"), "-o", folder_.file("f.mat"), "-o", missing_},
       {"survey", record_, "-o", folder_.file("s.uff"), "-o", folder_.file("s.h5"), "-o", missing_},
       {"deflect", record_, "-o", folder_.file("d.csv"), "-o", folder_.file("d.h5"), "-o", missing_},
@@ -56,6 +57,33 @@ TEST_F(OutputGroups, AppearTogether) {
                                     folder_.file("a.h5"), "-o", folder_.file("a.csv")});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(files(), UnorderedElementsAre("a.json", "a.h5", "a.csv"));
+}
+
+// The first line of a table tells what it holds.
+TEST_F(OutputGroups, HoldModesOrFrfsByNameOrOption) {
+  const auto outcome = run_percuss({"analyze", record_, "--quiet", "--frf", folder_.file("a.csv"), "--modes-file",
+                                    folder_.file("b.csv"), "-o", folder_.file("frf.csv"), "-o",
+                                    folder_.file("modes.csv"), "-o", folder_.file("bat.modes.csv")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto lines = [&](const std::string& name) {
+    std::ifstream file(folder_.file(name));
+    std::vector<std::string> all;
+    for (std::string line; std::getline(file, line);) all.push_back(line);
+    return all;
+  };
+  for (const char* frf : {"a.csv", "frf.csv"})
+    EXPECT_THAT(lines(frf).at(1), testing::StartsWith("frequency_hz,")) << frf;
+  const auto modes = lines("b.csv");
+  EXPECT_THAT(modes.front(), testing::StartsWith("mode,frequency_hz,"));
+  EXPECT_EQ(modes.size(), 1U + 2 * 2) << "two modes at one point and two channels";
+  EXPECT_EQ(lines("modes.csv"), modes);
+  EXPECT_EQ(lines("bat.modes.csv"), modes);
+}
+
+TEST_F(OutputGroups, RefuseOneFileTwice) {
+  const auto outcome = run_percuss({"analyze", record_, "--frf", folder_.file("a.csv"), "-o", folder_.file("a.csv")});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, testing::HasSubstr("is to be written twice"));
 }
 
 }  // namespace percuss::output_group_test

@@ -71,20 +71,54 @@ TEST(PercussCommand, AcceptsValuesInEitherLetterCaseAndRangesAsTwoNumbers) {
   };
   const std::string expected = analyzed({"--band", "60:1500", "--estimator", "h2"});
   EXPECT_EQ(analyzed({"--band", "60", "1500", "--estimator", "H2"}), expected);
+  EXPECT_EQ(analyzed({"--band", "+60:1.5D3", "--estimator", "h2", "--overlay-db", "1.0D0"}), expected);
   EXPECT_NE(analyzed({"--band", "60:1500"}), expected);
 }
 
 // The result is not part of the progress.
 TEST(PercussCommand, PrintsTheResultInQuiet) {
+  const test::ScratchFolder folder;
+  const auto run = [&](const std::vector<std::string>& words) { return run_percuss(words, {.folder = folder.path()}); };
+  test::write_small_test(folder.file("hits.h5"));
+  test::write_bytes(folder.file("session.json"), run({"certify", "--example"}).out);
+  test::write_bytes(folder.file("log.json"), run({"abi", "--example"}).out);
+  test::write_bytes(folder.file("bats.csv"), run({"study", "--example"}).out);
+  test::write_bytes(folder.file("modes.json"), run({"analyze", "hits.h5", "--effort", "quick", "--json"}).out);
   for (const std::vector<std::string>& command :
-       std::vector<std::vector<std::string>>{{"model", "beam"}, {"model", "shell"}, {"metrics", "--length-in", "33"}}) {
+       std::vector<std::vector<std::string>>{{"model", "beam"},
+                                             {"model", "shell"},
+                                             {"metrics", "--length-in", "33"},
+                                             {"certify", "session.json"},
+                                             {"abi", "log.json"},
+                                             {"study", "bats.csv"},
+                                             {"compare", "modes.json", "modes.json"},
+                                             {"info", "hits.h5"},
+                                             {"analyze", "hits.h5", "--effort", "quick"},
+                                             {"deflect", "hits.h5", "--effort", "quick"},
+                                             {"synth", "wood-bat", "-o", "wood.h5", "--force"}}) {
     std::vector<std::string> quiet = command;
     quiet.emplace_back("--quiet");
-    const auto outcome = run_percuss(command);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.out, "");
-    EXPECT_EQ(run_percuss(quiet).out, outcome.out);
+    const auto outcome = run(command);
+    EXPECT_EQ(outcome.code, 0) << testing::PrintToString(command) << outcome.err;
+    EXPECT_NE(outcome.out, "") << testing::PrintToString(command);
+    EXPECT_EQ(run(quiet).out, outcome.out) << testing::PrintToString(command);
+    EXPECT_EQ(run(quiet).err, "") << testing::PrintToString(command);
   }
+}
+
+TEST(PercussCommand, PrintsTheSummaryOfABatchInQuiet) {
+  const test::ScratchFolder folder;
+  test::write_small_test(folder.file("hits.h5"));
+  const auto run = [&](std::vector<std::string> words) {
+    words.emplace_back("--quiet");
+    const auto outcome = run_percuss(words, {.folder = folder.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return outcome.out;
+  };
+  EXPECT_THAT(run({"batch", "plan", "hits.h5", "--effort", "quick", "-o", "m.jsonl"}), HasSubstr("1 record"));
+  EXPECT_THAT(run({"batch", "run", "--manifest", "m.jsonl", "-o", "out"}), HasSubstr("1 records finished"));
+  EXPECT_THAT(run({"batch", "merge", "--manifest", "m.jsonl", "out", "-o", "all.csv"}), HasSubstr("1 records"));
 }
 
 TEST(PercussCommand, ReportsThatStandardOutputIsFull) {

@@ -95,6 +95,20 @@ TEST_F(SurveyCommand, PrintsTheDocumentWithShapes) {
   EXPECT_EQ(document["frac"].size(), 18U);
 }
 
+// The record counts its points from 0.
+TEST_F(SurveyCommand, ReadsGeometryNumberedFromOne) {
+  std::string text = "point,position_mm,angle_deg\n";
+  for (std::size_t p = 0; p < 18; ++p)
+    text += std::to_string(p + 1) + "," + std::to_string(50 + 80 * (p / 6)) + "," + std::to_string(60 * (p % 6)) + "\n";
+  test::write_bytes(file("from_one.csv"), text);
+  const json document = document_of({file("bare.h5"), "--geometry", file("from_one.csv")});
+  const json expected = document_of({file("bare.h5"), "--geometry", file("points.csv")});
+  EXPECT_EQ(document["modes"], expected["modes"]);
+  bool said = false;
+  for (const json& warning : document["warnings"]) said = said || warning["code"] == "points_from_one";
+  EXPECT_TRUE(said);
+}
+
 TEST_F(SurveyCommand, UsesTheGeometryAndDrivingPointOfTheRecord) {
   const json document = document_of({file("barrel.h5")});
   EXPECT_EQ(document["geometry"]["from"], "record");

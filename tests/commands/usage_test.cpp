@@ -108,7 +108,8 @@ TEST(Usage, StatesTheRuleForAValue) {
        {{"analyze", "x.h5", "--threads", "-1"}, "--threads cannot be '-1'; give a whole number from 0 to 1024"},
        {{"analyze", "x.h5", "--overlay-db", "0"}, "--overlay-db cannot be '0'; give a number above 0"},
        {{"analyze", "x.h5", "--angle", "0,x"}, "--angle cannot be 'x'; give a number"},
-       {{"analyze", "x.h5", "--accept-hit", "1.5"}, "--accept-hit cannot be '1.5'; give a whole number from 0 up"},
+       {{"analyze", "x.h5", "--accept-hit", "1.5"},
+        "--accept-hit cannot be '1.5'; give whole numbers from 1 up, ranges such as 1-5, or all"},
        {{"calibrate", "x.csv", "--mass", "1m"}, "--mass cannot be '1m'; give a number above 0"},
        {{"calibrate", "x.csv", "--mass", "nan"}, "--mass cannot be 'nan'; give a number above 0"},
        {{"model", "beam", "--length", ""}, "--length cannot be ''; give a number above 0"},
@@ -146,7 +147,7 @@ TEST(Usage, NamesTheOptionsOfTheRemedy) {
         "--period-s and --gate-times-s exclude each other; give one of them"},
        {{"nodes", "x.h5", "--positions", "3:0.3:9.1"},
         "--positions cannot be '3:0.3:9.1': the end is not a whole number of steps from the start; give START:STEP:END "
-        "with a unit (in, m, mm, cm, ft), such as 3:0.25:9in; without a unit, inches"},
+        "or a list, with a unit (in, m, mm, cm, ft), such as 3:0.25:9in or 3,3.5,5in; without a unit, inches"},
        {{"synth"}, "no spec is given; name a JSON file, a preset, or - for standard input (see percuss synth --list)"},
        {{"study"},
         "no table is given; name a table of bats, or documents of analyze, metrics, certify or abi that name their bat "

@@ -121,7 +121,8 @@ TEST_F(HostileInput, RejectsBadStandardInput) {
   test::write_bytes(file("empty"), "");
   test::write_bytes(file("garbage"), garbage(100000));
   test::write_small_test(file("bat.h5"), R"("hits": 1)");
-  for (const char* name : {"empty", "garbage", "bat.h5"})
+  test::write_bytes(file("cut.h5"), test::bytes_of(file("bat.h5")).substr(0, 1000));
+  for (const char* name : {"empty", "garbage", "cut.h5"})
     expect_every_command_rejects("-", "standard input", {.input = file(name)});
   expect_every_command_rejects("-", "standard input", {.input = "/dev/null"});
   expect_every_command_rejects("-", "standard input", {.input = "/dev/zero", .limit = std::chrono::seconds(20)});

@@ -17,7 +17,7 @@ constexpr double kNode_in = 0.02;  // positions by hand are accurate to a few hu
 constexpr double kDeviations = 3;
 constexpr double kMinimum_in = 0.125;  // resolution of the smallest peak's position, the source's estimate of a node
 
-constexpr ScanPositions kScan{.start_m = 3 * kInch_m, .step_m = 0.25 * kInch_m, .count = 25};
+const ScanPositions kScan{.start_m = 3 * kInch_m, .step_m = 0.25 * kInch_m, .count = 25};
 
 synth::SynthSpec scan_spec(const char* preset, std::uint64_t seed) {
   synth::SynthSpec spec = synth::synth_preset(preset);

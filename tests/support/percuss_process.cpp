@@ -54,7 +54,8 @@ std::vector<char*> c_strings(std::vector<std::string>& texts) {
                                  const Pipe& out, const Pipe& err) {
   const int program = ::open(PERCUSS_EXECUTABLE, O_RDONLY | O_CLOEXEC);
   const int input = ::open(options.input.empty() ? "/dev/null" : options.input.c_str(), O_RDONLY | O_CLOEXEC);
-  const int output = options.output.empty() ? out.ends[1] : ::open(options.output.c_str(), O_WRONLY | O_CLOEXEC);
+  const int output =
+      options.output.empty() ? out.ends[1] : ::open(options.output.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
   bool ready = program >= 0 && ::dup2(input, 0) == 0 && ::dup2(output, 1) == 1 && ::dup2(err.ends[1], 2) == 2;
   ready = ready && (options.folder.empty() || ::chdir(options.folder.c_str()) == 0);
   if (options.max_address_bytes > 0) {

@@ -3,23 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "cli/hit_list.hpp"
 #include "cli/option_error.hpp"
 #include "core/error.hpp"
+#include "core/io/parse_number.hpp"
+#include "pipeline/hits/hit_grading.hpp"
 
 namespace percuss::tools {
 namespace {
 
 std::optional<double> number(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const ParsedNumber parsed = parse_number(text, false);
+  return parsed.problem == NumberProblem::none ? std::optional(parsed.value) : std::nullopt;
 }
 
 std::vector<double> without_duplicates(std::vector<double> values) {
@@ -62,9 +62,12 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
       .show_default();
   command
       .list("--accept-hit", flags.accept_hits,
-            "Accept these hits whatever their findings; numbers as in the table of hits")
-      .type("I,...");
-  command.list("--reject-hit", flags.reject_hits, "Reject these hits; numbers as in the table of hits").type("I,...");
+            "Accept these hits whatever their findings: numbers as in the table of hits, ranges, or all; such as 1-5,8")
+      .type("I,...")
+      .add_check(kHitsRequirement, names_hits);
+  command.list("--reject-hit", flags.reject_hits, "Reject these hits, written as for --accept-hit")
+      .type("I,...")
+      .add_check(kHitsRequirement, names_hits);
   command.value("--modes", flags.modes, "Report this many modes, the clearest ones").within(1, 1000);
   command.list("--start", flags.start_Hz, "Fit modes near these frequencies and no others").above_zero().type("HZ,...");
   command.value("--trigger", flags.trigger_N, "Detect a hit above this force (default: from the noise)")
@@ -157,14 +160,13 @@ pipeline::DelayCorrection parse_delay(const std::string& text) {
   return out;
 }
 
-// People count hits from 1, as the tables do.
-std::vector<std::size_t> hit_indices(const char* option, const std::vector<std::size_t>& numbers) {
-  std::vector<std::size_t> indices;
-  for (const std::size_t number : numbers) {
-    if (number == 0) throw OptionError::wrong_value(option, "0", "hits count from 1, as in the table of hits");
-    indices.push_back(number - 1);
+void require_distinct(const std::vector<std::size_t>& accepted, const std::vector<std::size_t>& rejected) {
+  const std::set<std::size_t> first(accepted.begin(), accepted.end());
+  for (const std::size_t hit : rejected) {
+    if (!first.contains(hit)) continue;
+    const std::string which = hit == pipeline::kEveryHit ? "all hits" : fmt::format("hit {}", hit + 1);
+    throw OptionError({"accept_hit", "reject_hit"}, "both name " + which, "name it once");
   }
-  return indices;
 }
 
 // A mode outside the band would be fitted but not reported.
@@ -196,14 +198,9 @@ pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags) {
     throw OptionError({"to"}, "is not later than the start of the time selection",
                       "give a later time, in seconds from the start of each row", {"from"});
   }
-  options.accept_hits = hit_indices("accept_hit", flags.accept_hits);
-  options.reject_hits = hit_indices("reject_hit", flags.reject_hits);
-  for (const std::size_t hit : flags.accept_hits) {
-    for (const std::size_t other : flags.reject_hits) {
-      if (hit == other)
-        throw OptionError({"accept_hit", "reject_hit"}, fmt::format("both name hit {}", hit), "name it once");
-    }
-  }
+  options.accept_hits = parse_hits("accept_hit", flags.accept_hits);
+  options.reject_hits = parse_hits("reject_hit", flags.reject_hits);
+  require_distinct(options.accept_hits, options.reject_hits);
   options.exponential_end = flags.exponential_end;
   options.delays = parse_delay(flags.delay);
   require_within_band(options.band_Hz, flags.start_Hz);

@@ -15,7 +15,7 @@ struct AnalysisFlags {
   std::string band;
   std::string effort = "best";
   std::string estimator = "h1";
-  std::vector<std::size_t> accept_hits, reject_hits;
+  std::vector<std::string> accept_hits, reject_hits;  // "1-5", "8", "all"
   std::optional<std::size_t> modes;
   std::vector<double> start_Hz;
   std::optional<double> trigger_N, pretrigger_s, length_s, to_s;

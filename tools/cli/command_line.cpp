@@ -81,13 +81,24 @@ void reject_mismatch(const DeclaredCommand& command, const CLI::App& app, const 
 
 bool is_number(const std::string& text) { return parse_number(text, false).problem == NumberProblem::none; }
 
+// The command that the first words name; a group or the program where they name no command.
+const DeclaredCommand& named_command(const Declaration& all, const std::vector<std::string>& typed) {
+  const DeclaredCommand* at = &all.commands.front();
+  for (const std::string& word : typed) {
+    const std::string name = at->name.empty() ? word : at->name + " " + word;
+    const DeclaredCommand* const next = at->is_group ? find_command(all, name) : nullptr;
+    if (next == nullptr) break;
+    at = next;
+  }
+  return *at;
+}
+
 // "--band 60 3200" as "--band 60:3200": the second number would be taken for a file.
 std::vector<std::string> with_whole_ranges(const Declaration& all, const std::vector<std::string>& typed) {
+  const DeclaredCommand& command = named_command(all, typed);
   const auto takes_range = [&](const std::string& word) {
-    return std::any_of(all.commands.begin(), all.commands.end(), [&](const DeclaredCommand& command) {
-      const DeclaredOption* const option = word.starts_with("--") ? find_option(command, word) : nullptr;
-      return option != nullptr && option->value == "LO:HI";
-    });
+    const DeclaredOption* const option = word.starts_with("--") ? find_option(command, word) : nullptr;
+    return option != nullptr && option->value == "LO:HI";
   };
   std::vector<std::string> out;
   for (std::size_t i = 0; i < typed.size(); ++i) {

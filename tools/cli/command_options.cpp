@@ -5,30 +5,28 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <string_view>
 #include <utility>
 
 #include "cli/option_units.hpp"
 #include "cli/usage_errors.hpp"
 #include "core/io/csv_header.hpp"
+#include "core/io/parse_number.hpp"
 
 namespace percuss::tools {
 namespace {
 
-double number_in(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);  // from_chars rejects a plus sign
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc{} && end == text.data() + text.size();
-  return whole ? value : std::numeric_limits<double>::quiet_NaN();
+// "1.5D3" as "1500": CLI11 reads fewer forms of numbers than parse_number.
+std::string plain_number(const std::string& text) {
+  const ParsedNumber number = parse_number(text, false);
+  const bool plain = text.find_first_not_of("0123456789+-.eE") == std::string::npos;
+  return number.problem == NumberProblem::none && !plain ? fmt::format("{}", number.value) : text;
 }
 
 std::function<bool(const std::string&)> number_check(const std::function<bool(double)>& accepts) {
   return [accepts](const std::string& text) {
-    const double value = number_in(text);
-    return std::isfinite(value) && accepts(value);
+    const ParsedNumber number = parse_number(text, false);
+    return number.problem == NumberProblem::none && accepts(number.value);
   };
 }
 
@@ -93,6 +91,7 @@ Option Option::not_negative() {
   return add_check("a number from 0 up", number_check([](double value) { return value >= 0; }));
 }
 Option Option::finite() {
+  option_->transform(plain_number);
   return add_check("a number", number_check([](double) { return true; }));
 }
 Option Option::counted() {

@@ -30,12 +30,13 @@ class Option {
   Option not_negative();
   Option finite();
   Option counted();  // digits only: CLI11 reads −1 as a very large count
+  /// Checks each value; `requirement` completes "give …" where the check fails.
+  Option add_check(std::string requirement, const std::function<bool(const std::string&)>& check);
   Option required();
   Option show_default();
 
  private:
   friend class Command;
-  Option add_check(std::string requirement, const std::function<bool(const std::string&)>& check);
 
   CLI::Option* option_;
   DeclaredOption* declared_;

@@ -1,10 +1,15 @@
 #pragma once
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "cli/read_flags.hpp"
 
 namespace percuss::tools {
+
+/// The files that the arguments name: folders and patterns (* ? [ ]) are replaced by the records in them, "hit2" before
+/// "hit10". Throws InputError for a folder without records and a pattern without a match.
+std::vector<std::string> found_files(const std::vector<std::string>& paths);
 
 /// Opens the path (or the host's input) of this index as a record. `options` come from resolved_read_options().
 acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOptions& options, std::size_t index);

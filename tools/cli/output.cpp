@@ -6,14 +6,17 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <set>
 
+#include "cli/color.hpp"
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "cli/page_output.hpp"
 #include "core/error.hpp"
+#include "core/visible_text.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -79,6 +82,12 @@ OutputFlags single_output(const OutputFlags& kept, const std::string& path, bool
 void print(const OutputFlags& flags, const std::string& text) {
   if (flags.host != nullptr) {
     flags.host->outcome.document = text;
+  } else if (!flags.json && wants_color(STDOUT_FILENO)) {
+    std::cout << std::flush;
+    // std::cout would write the control characters as escapes (VisibleOutput).
+    const std::string shown = in_color(visible_text(text));
+    if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size() || std::fflush(stdout) != 0)
+      std::cout.setstate(std::ios::badbit);
   } else {
     std::cout << text << std::flush;
   }
@@ -88,7 +97,9 @@ void print_note(const OutputFlags& flags, const Message& note) {
   if (flags.host != nullptr) {
     flags.host->outcome.notes.push_back(note);
   } else if (!flags.quiet) {
+    if (wants_color(STDERR_FILENO)) fmt::print(stderr, "{}", kYellow);
     std::cerr << "percuss: " << one_line(note.written(flag_of), kMaxNoteBytes) << '\n';
+    if (wants_color(STDERR_FILENO)) fmt::print(stderr, "{}", kPlain);
   }
 }
 
@@ -107,8 +118,6 @@ std::string extension_of(const std::string& path) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
 }
-
-bool is_hdf5(const std::string& path) { return extension_of(path) == ".h5" || extension_of(path) == ".hdf5"; }
 
 bool is_uff(const std::string& path) { return extension_of(path) == ".uff" || extension_of(path) == ".unv"; }
 
@@ -146,9 +155,10 @@ bool can_plot_in_terminal() {
 }
 
 std::size_t terminal_width() {
+  constexpr std::size_t kWidest = 140;  // longer lines are hard to read
   winsize size{};
   if (isatty(STDOUT_FILENO) == 1 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40)
-    return size.ws_col;
+    return std::min<std::size_t>(size.ws_col, kWidest);
   return 100;
 }
 

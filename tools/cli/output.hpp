@@ -34,7 +34,8 @@ OutputFlags captured_output(const OutputFlags& flags);
 /// `kept` with this path alone, and this value of --force.
 OutputFlags single_output(const OutputFlags& kept, const std::string& path, bool force);
 
-/// Prints the result of a command on standard output, or gives it to the host.
+/// Prints the result of a command on standard output, a text in colour where wants_color() allows it, or gives it to
+/// the host.
 void print(const OutputFlags& flags, const std::string& text);
 /// Prints a note on standard error unless --quiet is given, or gives it to the host. The note's options become flags.
 void print_note(const OutputFlags& flags, const Message& note);
@@ -44,9 +45,6 @@ std::string with_display_names(const Host* host, std::string text);
 
 /// The extension of a path in lower case with its dot, or "".
 std::string extension_of(const std::string& path);
-
-/// Whether the path ends in .h5 or .hdf5.
-bool is_hdf5(const std::string& path);
 
 /// Whether the path ends in .uff or .unv (universal file).
 bool is_uff(const std::string& path);
@@ -66,7 +64,7 @@ void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kno
 /// Whether standard output is a terminal wide enough for a plot of characters.
 bool can_plot_in_terminal();
 
-/// Columns of the terminal on standard output; 100 if it is not a terminal or has fewer than 40.
+/// Columns of the terminal on standard output, at most 140; 100 if it is not a terminal or has fewer than 40.
 std::size_t terminal_width();
 
 }  // namespace percuss::tools

@@ -140,8 +140,10 @@ void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
   flags.host = command.host();
   command.arguments("FILE", flags.paths,
                     reads == Reads::records
-                        ? "Records to read: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input"
-                        : "Records or FRFs to read: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input");
+                        ? "Records to read: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; also folders and patterns in "
+                          "quotes; - is standard input"
+                        : "Records or FRFs to read: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; also folders and "
+                          "patterns in quotes; - is standard input");
   add_reading_options(command, flags);
   add_setup_option(command, flags);
   const std::string previous = command.heading(kReadingHeading);

@@ -35,9 +35,9 @@ pipeline::ImpactTest deflection_of(const pipeline::Analysis& analysis) {
 
 int analyze(const AnalyzeFlags& flags) {
   const ThreadLimit limit(flags.analysis.threads);
-  check_analyze_outputs(flags.output);
+  check_analyze_outputs(flags);
   const auto sections = flags.only.empty() ? report::default_sections() : report::parse_report_sections(flags.only);
-  const bool wants_json = flags.output.json || !flags.compared.empty() ||
+  const bool wants_json = flags.output.json || !flags.compared.empty() || is_json(flags.modes_path) ||
                           std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
   if (flags.stabilisation && !wants_json) {
     throw OptionError({"stabilisation"}, "needs a JSON document to be written in", "print one, or write a .json file",
@@ -115,6 +115,8 @@ void add_analyze(CommandLine& line) {
   command.example("percuss analyze bat.h5 --band 60:3200", "Print hits and modes from 60 to 3200 Hz as tables");
   command.example("percuss analyze bat.h5 --band 60:3200 -o report.html -o modes.json",
                   "Write the same as an HTML page and as a JSON document");
+  command.example("percuss analyze bat.h5 --band 60:3200 --frf bat.frf.csv --modes-file bat.modes.csv",
+                  "Write FRFs and modes as tables");
   command.example("percuss analyze bat.h5 --only hits", "Check the hits only (fast; use it during a session)");
   command.example("percuss analyze bat.h5 --reject-hit 3 --effort quick --json",
                   "Reject the third hit, fit quickly, and print a JSON document");
@@ -123,6 +125,17 @@ void add_analyze(CommandLine& line) {
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .hdf5, .mat, .uff, .unv");
+  const std::string previous = command.heading("Output");
+  command
+      .value("--frf", flags->frf_path,
+             "Write the FRFs to this file: .csv, .h5, .hdf5, .mat, .uff, .unv (with -o, .uff holds mode shapes, and a "
+             ".csv named modes.csv or NAME.modes.csv the modes)")
+      .type("FILE");
+  command
+      .value("--modes-file", flags->modes_path,
+             "Write the modes to this file: .csv with a row per mode, point and channel; .json; .uff, .unv")
+      .type("FILE");
+  command.heading(previous);
   command.list("--only", flags->only, "Compute and report only these sections")
       .type("SECTION,...")
       .one_of({"hits", "frf", "coherence", "modes", "classes", "deflection"});

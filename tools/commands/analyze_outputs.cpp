@@ -3,16 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <string_view>
 
+#include "acquire/write_record.hpp"
 #include "cli/option_error.hpp"
 #include "cli/page_output.hpp"
 #include "cli/provenance.hpp"
 #include "cli/report_output.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/csv_header.hpp"
 #include "report/deflection_report.hpp"
 #include "report/frf_files.hpp"
 #include "report/html/analysis_page.hpp"
+#include "report/modes_csv.hpp"
 #include "report/modes_uff.hpp"
 #include "report/svg/analysis_charts.hpp"
 #include "report/text/analysis_tables.hpp"
@@ -55,14 +60,39 @@ std::string html_of(const AnalyzeResults& results) {
 
 }  // namespace
 
-void check_analyze_outputs(const OutputFlags& output) {
+void check_analyze_outputs(const AnalyzeFlags& flags) {
+  const OutputFlags& output = flags.output;
   check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".mat", ".uff", ".unv"});
+  std::vector<std::string> all = output.paths;
+  const auto check = [&](const std::string& path, const std::vector<std::string>& known) {
+    if (path.empty()) return;
+    check_outputs(single_output(output, path, output.force), known);
+    if (std::find(all.begin(), all.end(), path) != all.end())
+      throw OptionError({}, "'" + path + "' is to be written twice", "name each file once");
+    all.push_back(path);
+  };
+  check(flags.frf_path, acquire::frf_extensions());
+  check(flags.modes_path, {".csv", ".json", ".uff", ".unv"});
+}
+
+bool is_modes_table(const std::string& path) {
+  constexpr std::string_view kName = "modes";
+  const std::string stem = lower_case(std::filesystem::path(path).stem().string());
+  if (extension_of(path) != ".csv" || !stem.ends_with(kName)) return false;
+  return stem == kName || std::string_view("._-").find(stem[stem.size() - kName.size() - 1]) != std::string_view::npos;
+}
+
+bool holds_several_tests(const AnalyzeFlags& flags) {
+  const auto holds = [](const std::string& path) { return is_json(path) || is_modes_table(path); };
+  const std::string kind = extension_of(flags.modes_path);
+  return std::all_of(flags.output.paths.begin(), flags.output.paths.end(), holds) && flags.frf_path.empty() &&
+         (flags.modes_path.empty() || kind == ".csv" || kind == ".json");
 }
 
 void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSection>& sections, std::size_t tests) {
   if (tests < 2) return;
   const char* const remedy = "analyse one file or run at a time";
-  if (!std::all_of(flags.output.paths.begin(), flags.output.paths.end(), is_json))
+  if (!holds_several_tests(flags))
     throw OptionError({}, "several tests cannot be written to one file of FRFs or one page", remedy);
   if (sections.contains(report::ReportSection::deflection) || !flags.compared.empty())
     throw OptionError({}, "several tests cannot be integrated to deflection or compared", remedy);
@@ -84,9 +114,47 @@ std::string text_of(const AnalyzeResults& results, std::size_t width, bool sketc
   return text;
 }
 
+namespace {
+
+std::string modes_table(const AnalyzeResults& results) {
+  std::vector<report::NumberedAnalysis> tests;
+  for (const Test& test : results.tests) tests.push_back({.run = test.run, .analysis = test.analysis.get()});
+  return report::modes_csv(tests);
+}
+
+void note_missing(const AnalyzeFlags& flags, const char* what, const std::string& path) {
+  print_note(flags.output, {fmt::format("no hit can be used, so no {} are written ({}); see the findings of the hits",
+                                        what, one_line(path)),
+                            {}});
+}
+
+// The files that --frf and --modes-file name.
+void write_named_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
+  const pipeline::Analysis& analysis = *results.tests.front().analysis;
+  const std::string &frf = flags.frf_path, &modes = flags.modes_path;
+  if (!frf.empty() && analysis.possible()) {
+    report::write_frfs(frf, report::frf_record_of(analysis), acquire::FrfKind::accelerance, flags.output.force);
+  } else if (!frf.empty()) {
+    note_missing(flags, "FRFs", frf);
+  }
+  if (modes.empty()) return;
+  if (is_json(modes)) {
+    write_file(modes, results.document, flags.output.force);
+  } else if (extension_of(modes) == ".csv") {
+    write_file(modes, modes_table(results), flags.output.force);
+  } else if (analysis.possible()) {
+    report::write_modes_uff(modes, analysis, flags.output.force);
+  } else {
+    note_missing(flags, "modes", modes);
+  }
+}
+
+}  // namespace
+
 void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
   const pipeline::Analysis& analysis = *results.tests.front().analysis;
   OutputGroup outputs;
+  write_named_outputs(flags, results);
   for (const std::string& path : flags.output.paths) {
     if (is_json(path)) {
       write_file(path, results.document, flags.output.force);
@@ -94,10 +162,10 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
       write_page(path, page_of(flags, results), flags.output);
     } else if (extension_of(path) == ".svg") {
       write_file(path, drawing_of(flags, analysis), flags.output.force);
+    } else if (is_modes_table(path)) {
+      write_file(path, modes_table(results), flags.output.force);
     } else if (!analysis.possible()) {
-      print_note(
-          flags.output,
-          {"no hit can be used, so no FRFs are written (" + one_line(path) + "); see the findings of the hits", {}});
+      note_missing(flags, "FRFs", path);
     } else if (is_uff(path)) {
       report::write_modes_uff(path, analysis, flags.output.force);
     } else {
@@ -118,7 +186,9 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const Analyze
   outcome.save = [results, captured = captured_output(output)](const std::string& path, bool force) {
     AnalyzeFlags flags = results->flags;
     flags.output = single_output(captured, path, force);
-    check_analyze_outputs(flags.output);
+    flags.frf_path.clear();
+    flags.modes_path.clear();
+    check_analyze_outputs(flags);
     require_one_test(flags, results->sections, results->tests.size());
     write_outputs(flags, *results);
   };

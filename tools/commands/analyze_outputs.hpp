@@ -22,7 +22,13 @@ struct AnalyzeResults {
 };
 
 /// Checks the output paths. Throws as check_outputs.
-void check_analyze_outputs(const OutputFlags& output);
+void check_analyze_outputs(const AnalyzeFlags& flags);
+
+/// Whether the path names a table of modes, not of FRFs: "modes.csv", "NAME.modes.csv", "NAME-modes.csv".
+bool is_modes_table(const std::string& path);
+
+/// Whether all outputs can hold several tests: documents and tables of modes.
+bool holds_several_tests(const AnalyzeFlags& flags);
 
 /// Rejects, before anything is computed, outputs and sections that allow only one test. Throws UsageError.
 void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSection>& sections, std::size_t tests);

@@ -70,21 +70,27 @@ std::vector<pipeline::ResponseTest> tests_of(const AnalyzeFlags& flags, std::vec
 int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> records,
                       const std::optional<report::BatLabel>& bat) {
   refuse_force_options(flags);
-  refuse_frf_files(flags.output, records.front().source());
-  check_report_outputs(flags.output);
+  OutputFlags output = flags.output;
+  if (!flags.frf_path.empty()) output.paths.push_back(flags.frf_path);
+  refuse_frf_files(output, records.front().source());
+  if (!flags.modes_path.empty()) output.paths.push_back(flags.modes_path);
+  if (!flags.frf_path.empty())
+    throw OptionError({"frf"}, "needs a force, and none was recorded", "leave it out, or name the force's channel",
+                      {"force_channel"});
+  check_report_outputs(output);
   const Progress progress("fitting decays", flags.output.quiet);
   std::vector<std::string> inputs;
   for (const acquire::Record& record : records) {
     for (const acquire::InputFile& file : record.files) inputs.push_back(file.path);
   }
   const std::vector<pipeline::ResponseTest> tests = tests_of(flags, std::move(records));
-  report::CommandReport report = report::response_report(tests, bat, writes_charts(flags.output));
+  report::CommandReport report = report::response_report(tests, bat, writes_charts(output));
   if (!flags.compared.empty()) {
     report.text += "\n";
     report.text += comparison_of(flags, report.json, inputs.front()).text;
   }
   progress.stop();
-  show_report(report, flags.output, inputs);
+  show_report(report, output, inputs);
   const bool possible = std::all_of(tests.begin(), tests.end(), [](const auto& test) { return test.possible(); });
   return possible ? kOk : kImpossible;
 }

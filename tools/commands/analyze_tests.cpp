@@ -53,7 +53,7 @@ std::vector<Test> tests_of_joined(const AnalyzeFlags& flags, const std::vector<a
   const auto found = analysis.possible() ? analysis.file_disagreement() : std::nullopt;
   if (!found) return tests;
   const pipeline::Warning said = files_disagree(analysis, *found);
-  if (!std::all_of(flags.output.paths.begin(), flags.output.paths.end(), is_json) || !flags.compared.empty()) {
+  if (!holds_several_tests(flags) || !flags.compared.empty()) {
     throw InputError(said.message.substr(0, said.message.find(" and are not averaged")), analysis.record().source(),
                      "write one file at a time, or state how the files belong together", {"files"});
   }

@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "acquire/format_registry.hpp"
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
 #include "cli/option_error.hpp"
@@ -70,11 +71,11 @@ void write_deflection(const OutputFlags& output, report::CommandReport report, c
   OutputGroup outputs;
   for (const std::string& path : output.paths) {
     const std::string kind = extension_of(path);
-    if (is_hdf5(path) && !test.hits.empty()) {
+    if (acquire::writes_hdf5(path) && !test.hits.empty()) {
       report::write_deflection_hdf5(path, analysis, test, output.force);
     } else if (kind == ".csv") {
       write_file(path, report::deflection_csv(analysis, test), output.force);
-    } else if (!is_hdf5(path)) {
+    } else if (!acquire::writes_hdf5(path)) {
       write_report(path, report, inputs_of(analysis), output);
     }
   }

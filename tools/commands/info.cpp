@@ -5,15 +5,19 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <variant>
 
 #include "acquire/channels/channel_setup.hpp"
+#include "acquire/channels/column_words.hpp"
 #include "acquire/channels/csv_columns.hpp"
 #include "cli/open_files.hpp"
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
+#include "commands/info_columns.hpp"
 #include "commands/info_frfs.hpp"
+#include "commands/info_samples.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/input_file.hpp"
@@ -51,21 +55,29 @@ Extent extent_of(const acquire::Record& record) {
   return extent;
 }
 
-Json channel_json(const acquire::SignalInfo& signal, const char* role, const char* si_unit) {
-  return {{"role", role},
-          {"name", signal.name},
-          {"unit", signal.unit.empty() ? si_unit : signal.unit},
-          {"si_unit", si_unit},
-          {"to_si", signal.to_SI},
-          {"angle_deg", optional_json(signal.angle_rad, kRadian_deg)},
-          {"position_m", optional_json(signal.position_m, 1)}};
+Json channel_json(const Channel& channel, const ChannelSamples* samples) {
+  const acquire::SignalInfo& signal = *channel.signal;
+  Json json{{"role", channel.role},
+            {"name", signal.name},
+            {"unit", signal.unit.empty() ? channel.si_unit : signal.unit},
+            {"si_unit", channel.si_unit},
+            {"to_si", signal.to_SI},
+            {"angle_deg", optional_json(signal.angle_rad, kRadian_deg)},
+            {"position_m", optional_json(signal.position_m, 1)}};
+  if (samples == nullptr) return json;
+  json["rms"] = samples->rms;
+  json["peak"] = samples->peak;
+  json["hammer"] = samples->hammer;
+  return json;
 }
 
-Json record_json(const acquire::Record& record) {
+Json record_json(const acquire::Record& record, const RecordSamples& samples) {
   const Extent extent = extent_of(record);
   Json channels = Json::array();
-  channels.push_back(channel_json(record.force, "force", "N"));
-  for (const auto& signal : record.accel) channels.push_back(channel_json(signal, "acceleration", "m/s^2"));
+  for (const Channel& channel : channels_of(record)) {
+    const std::size_t c = channels.size();
+    channels.push_back(channel_json(channel, c < samples.channels.size() ? &samples.channels[c] : nullptr));
+  }
   return {{"path", record.files.front().path},
           {"bytes", record.files.front().bytes},
           {"kind", record.format},
@@ -78,17 +90,14 @@ Json record_json(const acquire::Record& record) {
           {"points", extent.points},
           {"runs", extent.runs},
           {"continuous", record.continuous || record.rows.size() == 1},
+          {"hits", samples.hits ? Json(*samples.hits) : Json(nullptr)},
           {"channels", channels},
           {"geometry_points", record.geometry.size()},
           {"trace_lines", record.trace_lines.size()},
-          {"notes", note_texts(record.notes)}};
+          {"notes", note_texts(notes_of(record, samples))}};
 }
 
-std::string plural(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
-std::string record_text(const acquire::Record& record, std::size_t width) {
+std::string record_text(const acquire::Record& record, const RecordSamples& samples, std::size_t width, bool pictures) {
   const Extent extent = extent_of(record);
   std::string rows = plural(record.rows.size(), "row") + " of " + plural(extent.longest, "sample");
   if (extent.shortest != extent.longest)
@@ -96,6 +105,7 @@ std::string record_text(const acquire::Record& record, std::size_t width) {
   std::string text =
       fmt::format("{}: {}, {}, {:.10g} Hz, {:.4g} s", one_line(input_name(record.files.front().path), 400),
                   record.format, rows, record.fs_Hz, static_cast<double>(extent.samples) / record.fs_Hz);
+  if (samples.hits) text += fmt::format(", {}", plural(*samples.hits, "hit"));
   if (extent.points > 1) text += fmt::format(", {}", plural(extent.points, "point"));
   if (extent.runs > 1) text += fmt::format(", {}", plural(extent.runs, "run"));
   text += '\n';
@@ -106,44 +116,27 @@ std::string record_text(const acquire::Record& record, std::size_t width) {
                            {"SI per unit", Align::right},
                            {"angle/°", Align::right},
                            {"position/m", Align::right},
-                           {""}});
-  const auto add = [&](const acquire::SignalInfo& signal, const char* role, const char* si_unit) {
-    table.add({std::string("  ") + role, one_line(signal.name, 40),
-               signal.unit.empty() ? si_unit : one_line(signal.unit, 20), fmt::format("{:.6g}", signal.to_SI),
-               optional_text(signal.angle_rad, kRadian_deg), optional_text(signal.position_m, 1), ""});
-  };
-  add(record.force, "force", "N");
-  for (const auto& signal : record.accel) add(signal, "acceleration", "m/s^2");
+                           {"rms", Align::right},
+                           {"peak", Align::right},
+                           {"looks like"}});
+  const std::vector<Channel> channels = channels_of(record);
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const acquire::SignalInfo& signal = *channels[c].signal;
+    const ChannelSamples* const shown = c < samples.channels.size() ? &samples.channels[c] : nullptr;
+    const auto value = [&](double x) { return fmt::format("{:.3g} {}", x, channels[c].si_unit); };
+    table.add({std::string("  ") + channels[c].role, one_line(signal.name, 40),
+               signal.unit.empty() ? channels[c].si_unit : one_line(signal.unit, 20),
+               fmt::format("{:.6g}", signal.to_SI), optional_text(signal.angle_rad, kRadian_deg),
+               optional_text(signal.position_m, 1), shown != nullptr ? value(shown->rms) : "-",
+               shown != nullptr ? value(shown->peak) : "-",
+               shown == nullptr ? "-"
+               : shown->hammer  ? "hammer"
+                                : "response"});
+  }
   text += table.text(width);
-  return text + notes_paragraphs(record.notes, width);
-}
-
-// A text file whose channels only the user can identify.
-Json columns_json(const std::string& path, const acquire::AmbiguousColumns& seen) {
-  Json columns = Json::array();
-  for (const auto& column : seen.columns) {
-    columns.push_back({{"number", column.index + 1},
-                       {"name", column.name},
-                       {"unit", column.unit.empty() ? Json(nullptr) : Json(column.unit)},
-                       {"numbers", column.has_numbers}});
-  }
-  return {{"path", path},
-          {"kind", seen.format},
-          {"fs_hz", optional_json(seen.fs_Hz, 1)},
-          {"columns", columns},
-          {"needs", seen.what()}};
-}
-
-std::string columns_text(const std::string& path, const acquire::AmbiguousColumns& seen, std::size_t width) {
-  std::string text = one_line(input_name(path), 400) + ": " + seen.format + ", " +
-                     plural(seen.columns.size(), seen.format == "CSV" ? "column" : "signal");
-  if (seen.fs_Hz) text += fmt::format(", {:.10g} Hz", *seen.fs_Hz);
-  report::TextTable table({{"  number", report::TextTable::Align::right}, {"name"}, {"unit"}, {""}});
-  for (const auto& column : seen.columns) {
-    table.add({fmt::format("{}", column.index + 1), one_line(column.name, 40),
-               column.unit.empty() ? "-" : one_line(column.unit, 20), column.has_numbers ? "" : "no numbers"});
-  }
-  return text + '\n' + table.text(width) + "  " + report::wrapped("needed: " + seen.written(flag_of), width, 2) + '\n';
+  for (std::size_t c = 0; pictures && c < samples.channels.size(); ++c)
+    text += fmt::format("  {:<14}{}\n", channels[c].role, picture_of(samples.channels[c].envelope));
+  return text + notes_paragraphs(notes_of(record, samples), width);
 }
 
 void write_outputs(const OutputFlags& output, const std::string& document) {
@@ -152,26 +145,62 @@ void write_outputs(const OutputFlags& output, const std::string& document) {
   outputs.commit();
 }
 
-int run_info(const InfoFlags& flags) {
+// Whether the record uses all columns of numbers but the time.
+bool uses_all_columns(const acquire::Record& record, const std::vector<CsvColumn>& columns) {
+  return std::all_of(columns.begin(), columns.end(), [&](const CsvColumn& column) {
+    const bool time = column.index == 0 || acquire::is_one_of(lower_case(column.base), acquire::kTimeWords);
+    return !column.has_numbers || time ||
+           std::any_of(record.accel.begin(), record.accel.end(),
+                       [&](const acquire::SignalInfo& signal) { return signal.name == column.name; });
+  });
+}
+
+// As analyze, which accepts records without a force. Where another column may be the force, the columns say more.
+std::variant<acquire::Record, acquire::FrfRecord> opened_at(const ReadFlags& read, const acquire::ReadOptions& options,
+                                                            std::size_t index) {
+  try {
+    return open_measurement_at(read, options, index);
+  } catch (const acquire::AmbiguousColumns& seen) {
+    if (read.paths[index] == "-") throw;
+    acquire::ReadOptions without_force = options;
+    without_force.force_optional = true;
+    try {
+      auto opened = open_measurement_at(read, without_force, index);
+      const auto* const record = std::get_if<acquire::Record>(&opened);
+      if (record == nullptr || uses_all_columns(*record, seen.columns)) return opened;
+    } catch (const InputError&) {  // the first error says more
+    }
+    throw;
+  }
+}
+
+int run_info(InfoFlags flags) {
   if (flags.example) {
     print(flags.output, acquire::channel_setup_example());
     return kOk;
   }
   if (flags.read.paths.empty()) throw OptionError({}, "no file is given", "name at least one, or - for standard input");
   check_outputs(flags.output, {".json"});
+  if (flags.output.host == nullptr || flags.output.host->inputs.empty())
+    flags.read.paths = found_files(flags.read.paths);
   const acquire::ReadOptions options = resolved_read_options(flags.read);
   Json files = Json::array();
   int code = kOk;
   bool any = false;
   for (std::size_t i = 0; i < flags.read.paths.size(); ++i) {
     try {
-      const auto opened = open_measurement_at(flags.read, options, i);
+      const auto opened = opened_at(flags.read, options, i);
       const auto* const frfs = std::get_if<acquire::FrfRecord>(&opened);
-      files.push_back(frfs != nullptr ? frfs_json(*frfs) : record_json(std::get<acquire::Record>(opened)));
       any = true;
-      if (flags.output.json) continue;
-      std::cout << (frfs != nullptr ? frfs_text(*frfs, terminal_width())
-                                    : record_text(std::get<acquire::Record>(opened), terminal_width()));
+      if (frfs != nullptr) {
+        files.push_back(frfs_json(*frfs));
+        if (!flags.output.json) std::cout << frfs_text(*frfs, terminal_width());
+        continue;
+      }
+      const auto& record = std::get<acquire::Record>(opened);
+      const RecordSamples samples = samples_of(record);
+      files.push_back(record_json(record, samples));
+      if (!flags.output.json) std::cout << record_text(record, samples, terminal_width(), can_plot_in_terminal());
     } catch (const acquire::AmbiguousColumns& seen) {
       files.push_back(columns_json(flags.read.paths[i], seen));
       any = true;
@@ -198,8 +227,9 @@ void add_info(CommandLine& line) {
       line.command("info", "Describe files: kind, channels, units, rate, rows, and parts that cannot be read",
                    [flags] { return run_info(*flags); });
   command.about(
-      "Reads only the description of a file, and reports parts that cannot be understood. Start here with a new file: "
-      "analyze makes the same assumptions, and the options under Reading change them.");
+      "Describes each file and its samples: rate, rows and hits; rms and peak of each channel, and whether it looks "
+      "like a hammer; on a terminal also a picture over time. Reports parts that cannot be understood. Start here with "
+      "a new file: analyze makes the same assumptions, and the options under Reading change them.");
   command.example("percuss info bat.h5", "Show channels, units, rate and rows");
   command.example("percuss info hits.csv --force-channel CH8 --json", "Print a document; the force is in column CH8");
   command.example("percuss info --example > channels.json",

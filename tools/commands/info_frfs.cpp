@@ -6,6 +6,7 @@
 
 #include "cli/option_names.hpp"
 #include "core/error.hpp"
+#include "core/io/input_file.hpp"
 #include "core/units.hpp"
 #include "report/text/text_table.hpp"
 

@@ -1,6 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
@@ -12,6 +18,7 @@
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/parse_number.hpp"
 #include "core/units.hpp"
 #include "pipeline/node_scan.hpp"
 #include "report/json/analysis_json.hpp"
@@ -27,42 +34,84 @@ struct NodesFlags {
   ReadFlags read;
   AnalysisFlags analysis;
   OutputFlags output;
-  std::string positions;
+  std::optional<std::string> positions;
 };
 
-// "3:0.25:9", "3:0.25:9in", "80:5:250mm"
-pipeline::ScanPositions parse_positions(const std::string& text) {
-  const char* const remedy =
-      "give START:STEP:END with a unit (in, m, mm, cm, ft), such as 3:0.25:9in; without a unit, inches";
-  const auto [range, name] = parse_range_with_unit("positions", text, remedy);
-  double to_m = kInch_m;
-  if (!name.empty()) {
-    const auto unit = parse_unit(name);
-    if (!unit || unit->quantity != Quantity::length)
-      throw OptionError::wrong_value("positions", text, remedy, "its unit does not measure length");
-    to_m = unit->to_SI;
+constexpr const char* kPositionsRemedy =
+    "give START:STEP:END or a list, with a unit (in, m, mm, cm, ft), such as 3:0.25:9in or 3,3.5,5in; without a unit, "
+    "inches";
+
+double to_metres(std::string_view unit_name, const std::string& text) {
+  if (unit_name.empty()) return kInch_m;
+  const auto unit = parse_unit(unit_name);
+  if (unit && unit->quantity == Quantity::length) return unit->to_SI;
+  throw OptionError::wrong_value("positions", text, kPositionsRemedy, "its unit does not measure length");
+}
+
+// "3,3.5,5in": the last unit holds for the numbers without one.
+pipeline::ScanPositions parse_list(const std::string& text) {
+  constexpr std::string_view kDigits = "0123456789.";
+  std::vector<double> numbers;
+  std::vector<std::string> units;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t end = std::min(text.find(',', from), text.size());
+    const std::string_view piece = trimmed(std::string_view(text).substr(from, end - from));
+    const std::size_t digits = piece.find_last_of(kDigits) + 1;  // 0 for none
+    const ParsedNumber number = parse_number(piece.substr(0, digits), false);
+    if (number.problem != NumberProblem::none)
+      throw OptionError::wrong_value("positions", text, kPositionsRemedy,
+                                     "it is neither a range nor a list of numbers");
+    numbers.push_back(number.value);
+    units.emplace_back(trimmed(piece.substr(digits)));
+    from = end + 1;
   }
+  if (numbers.size() < 2) throw OptionError::wrong_value("positions", text, kPositionsRemedy, "it is one position");
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] *= to_metres(units[i].empty() ? units.back() : units[i], text);
+  return pipeline::listed_positions(std::move(numbers), text);
+}
+
+// "3:0.25:9", "3:0.25:9in", "80:5:250mm", "3,3.5,5in"
+pipeline::ScanPositions parse_positions(const std::string& text) {
+  if (text.find(':') == std::string::npos) return parse_list(text);
+  const auto [range, name] = parse_range_with_unit("positions", text, kPositionsRemedy);
+  const double to_m = to_metres(name, text);
   return {.start_m = range.low * to_m, .step_m = range.step * to_m, .count = range.count};
 }
 
-// `assumed`: the record does not state the points of its hits.
-std::unique_ptr<pipeline::Analysis> analysis_of(const NodesFlags& flags, const pipeline::ScanPositions& positions,
-                                                bool& assumed) {
+// Takes the positions from the record where `positions` is empty. `assumed`: the record does not state the points of
+// its hits.
+std::unique_ptr<pipeline::Analysis> analysis_of(const NodesFlags& flags,
+                                                std::optional<pipeline::ScanPositions>& positions, bool& assumed) {
   const acquire::FileGrouping grouping =
       flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
   if (grouping == acquire::FileGrouping::tests)
     throw OptionError::wrong_value("files", "tests", "give points, or the files of one scan", "a scan is one test");
   const pipeline::AnalysisOptions options = analysis_options(flags.analysis);
   Measurements opened = open_measurements(flags.read);
-  if (!opened.frfs.empty())
-    return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
+  // Several files are numbered as points in their order, whatever the geometry of the first says.
+  const bool renumbered = grouping == acquire::FileGrouping::points && opened.records.size() + opened.frfs.size() > 1;
+  using Places = std::vector<std::vector<double>>;
+  if (!opened.frfs.empty()) {
+    acquire::FrfRecord frfs = join_frfs_of(flags.read, std::move(opened.frfs));
+    std::set<int> points;
+    for (const acquire::PointFrf& frf : frfs.frfs) points.insert(frf.point);
+    if (!positions)
+      positions = pipeline::positions_of_geometry(renumbered ? Places{} : frfs.geometry, points, frfs.source());
+    return std::make_unique<pipeline::Analysis>(std::move(frfs), options);
+  }
   acquire::Record record = acquire::join_records(std::move(opened.records), grouping);
-  assumed = record.points().size() != positions.count;
-  return std::make_unique<pipeline::Analysis>(pipeline::as_scan(std::move(record), positions), options);
+  if (!positions) {
+    positions =
+        pipeline::positions_of_geometry(renumbered ? Places{} : record.geometry, record.points(), record.source());
+  }
+  assumed = record.points().size() != positions->count;
+  return std::make_unique<pipeline::Analysis>(pipeline::as_scan(std::move(record), *positions), options);
 }
 
 int nodes(const NodesFlags& flags) {
-  const pipeline::ScanPositions positions = parse_positions(flags.positions);
+  std::optional<pipeline::ScanPositions> positions;
+  if (flags.positions) positions = parse_positions(*flags.positions);
   check_outputs(flags.output, {".json", ".svg", ".html"});
   const Progress progress("analysing", flags.output.quiet);
   bool assumed = false;
@@ -75,7 +124,7 @@ int nodes(const NodesFlags& flags) {
     print(flags.output, report::analysis_json(analysis, {.sections = {report::ReportSection::hits}}));
     return kImpossible;
   }
-  const pipeline::NodeScan scan = pipeline::scan_nodes(analysis, positions, kResolution_m, assumed);
+  const pipeline::NodeScan scan = pipeline::scan_nodes(analysis, *positions, kResolution_m, assumed);
   progress.stop();
   return show_report(report::nodes_report(analysis, scan), flags.output, inputs_of(analysis));
 }
@@ -87,18 +136,19 @@ void add_nodes(CommandLine& line) {
   Command command = line.command("nodes", "Locate the nodes of bending modes from a scan of impacts",
                                  [flags] { return nodes(*flags); });
   command.about(
-      "Locates the nodes of each bending mode along the barrel, with standard deviations, from hits at evenly "
-      "spaced positions. Each point, or each file, is one position. A node lies where the response of the mode changes "
-      "sign.");
+      "Locates the nodes of each bending mode along the barrel, with standard deviations, from hits at several "
+      "positions. Each point, or each file, is one position. A node lies where the response of the mode changes sign.");
   command.example("percuss nodes scan.h5 --positions 3:0.25:9in --band 60:1500",
                   "Use hits every quarter of an inch, from 3 to 9 in from the end of the barrel");
   command.example("percuss nodes scan.h5 --positions 76.2:6.35:228.6mm --band 60:1500 -o nodes.svg",
                   "State positions in millimetres, and draw the curves");
+  command.example("percuss nodes scan.h5 --band 60:1500", "Take the positions from the geometry of the record");
   command
-      .value("--positions", flags->positions,
-             "Set the positions of the hits from the end of the barrel, in the order of points or files; in inches "
-             "unless a unit (in, m, mm, cm, ft) follows")
-      .required()
+      .value(
+          "--positions", [&given = flags->positions](const std::string& text) { given = text; },
+          "Set the positions of the hits from the end of the barrel, in the order of points or files: a range or a "
+          "list such as 3,3.5,5in; in inches unless a unit (in, m, mm, cm, ft) follows (default: from the record's "
+          "geometry)")
       .type("START:STEP:END[UNIT]");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);

@@ -47,7 +47,7 @@ std::string truth_path(const std::string& output) { return fs::path(output).repl
 void check_outputs(const SynthFlags& flags) {
   std::set<std::string> paths;
   for (const std::string& output : flags.outputs) {
-    const std::string kind = fs::path(output).extension().string();
+    const std::string kind = extension_of(output);
     const auto& known = acquire::record_extensions();
     if (std::find(known.begin(), known.end(), kind) == known.end()) {
       throw OptionError({}, fmt::format("unknown kind of output '{}'", output),
@@ -140,7 +140,7 @@ int run_synth(const SynthFlags& flags) {
     give_to_host(flags, made, truth);
   } else if (flags.json) {
     std::cout << truth;
-  } else if (!flags.quiet) {
+  } else {
     print_summary(flags, test.truth, test.record);
   }
   return kOk;
@@ -176,7 +176,7 @@ void add_synth(CommandLine& line) {
   command.flag("--list", flags->list, "List the presets");
   command.flag("--example", flags->example, "Print an example spec with every key and comments");
   command.flag("--json", flags->json, "Print the truth (with --list: the presets) as one JSON document");
-  command.flag("--quiet", flags->quiet, "Print only errors");
+  command.flag("--quiet", flags->quiet, "Print no progress and no warnings");
 }
 
 }  // namespace percuss::tools

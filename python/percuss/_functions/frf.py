@@ -31,8 +31,8 @@ def frf(
     band: Band | None = None,
     effort: Literal["quick", "standard", "best"] | None = None,
     estimator: Literal["h1", "h2", "hv"] | None = None,
-    accept_hit: int | Sequence[int] | None = None,
-    reject_hit: int | Sequence[int] | None = None,
+    accept_hit: int | str | Sequence[int | str] | None = None,
+    reject_hit: int | str | Sequence[int | str] | None = None,
     modes: int | None = None,
     start: Numbers | None = None,
     trigger: float | None = None,
@@ -81,10 +81,11 @@ def frf(
         best.
     estimator : {'h1', 'h2', 'hv'}, optional
         Estimate FRFs with h1, h2 or hv. Default: h1.
-    accept_hit : int or list of int, optional
-        Accept these hits whatever their findings; numbers as in the table of hits.
-    reject_hit : int or list of int, optional
-        Reject these hits; numbers as in the table of hits.
+    accept_hit : int, str, or a list of them, optional
+        Accept these hits whatever their findings: numbers as in the table of hits, ranges, or all;
+        such as 1-5,8.
+    reject_hit : int, str, or a list of them, optional
+        Reject these hits, written as for `accept_hit`.
     modes : int, optional
         Report this many modes, the clearest ones.
     start : float or list of float in Hz, optional

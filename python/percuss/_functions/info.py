@@ -31,8 +31,10 @@ def info(
 ) -> Result:
     """Describe files: kind, channels, units, rate, rows, and parts that cannot be read.
 
-    Reads only the description of a file, and reports parts that cannot be understood. Start here
-    with a new file: analyze makes the same assumptions, and the options under Reading change them.
+    Describes each file and its samples: rate, rows and hits; rms and peak of each channel, and
+    whether it looks like a hammer; on a terminal also a picture over time. Reports parts that
+    cannot be understood. Start here with a new file: analyze makes the same assumptions, and the
+    options under Reading change them.
 
     Parameters
     ----------

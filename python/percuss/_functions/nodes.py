@@ -11,7 +11,7 @@ from .._types import Band, Data, File, Numbers, Quantities, Range, Rate, Texts
 @command_function("nodes", "nodes")
 def nodes(
     *data: Data,
-    positions: Range,
+    positions: Range | None = None,
     fs: Rate | None = None,
     df: float | None = None,
     force_channel: str | int | None = None,
@@ -32,8 +32,8 @@ def nodes(
     band: Band | None = None,
     effort: Literal["quick", "standard", "best"] | None = None,
     estimator: Literal["h1", "h2", "hv"] | None = None,
-    accept_hit: int | Sequence[int] | None = None,
-    reject_hit: int | Sequence[int] | None = None,
+    accept_hit: int | str | Sequence[int | str] | None = None,
+    reject_hit: int | str | Sequence[int | str] | None = None,
     modes: int | None = None,
     start: Numbers | None = None,
     trigger: float | None = None,
@@ -59,8 +59,8 @@ def nodes(
     """Locate the nodes of bending modes from a scan of impacts.
 
     Locates the nodes of each bending mode along the barrel, with standard deviations, from hits at
-    evenly spaced positions. Each point, or each file, is one position. A node lies where the
-    response of the mode changes sign.
+    several positions. Each point, or each file, is one position. A node lies where the response of
+    the mode changes sign.
 
     Parameters
     ----------
@@ -69,9 +69,10 @@ def nodes(
         acceleration in m/s², with `fs`, in the shapes that `Record` takes; or records; or FRFs.
         Arrays are not copied: do not change them before the function returns, or while the result
         still computes.
-    positions : (start, step, end)
-        Set the positions of the hits from the end of the barrel, in the order of points or files;
-        in inches unless a unit (in, m, mm, cm, ft) follows.
+    positions : (start, step, end), optional
+        Set the positions of the hits from the end of the barrel, in the order of points or files: a
+        range or a list such as 3,3.5,5in; in inches unless a unit (in, m, mm, cm, ft) follows
+        (default: from the record's geometry).
     fs : float in Hz, optional
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
@@ -84,10 +85,11 @@ def nodes(
         best.
     estimator : {'h1', 'h2', 'hv'}, optional
         Estimate FRFs with h1, h2 or hv. Default: h1.
-    accept_hit : int or list of int, optional
-        Accept these hits whatever their findings; numbers as in the table of hits.
-    reject_hit : int or list of int, optional
-        Reject these hits; numbers as in the table of hits.
+    accept_hit : int, str, or a list of them, optional
+        Accept these hits whatever their findings: numbers as in the table of hits, ranges, or all;
+        such as 1-5,8.
+    reject_hit : int, str, or a list of them, optional
+        Reject these hits, written as for `accept_hit`.
     modes : int, optional
         Report this many modes, the clearest ones.
     start : float or list of float in Hz, optional

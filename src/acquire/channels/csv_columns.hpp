@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "acquire/channels/role_guess.hpp"
 #include "acquire/record/record.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
@@ -32,6 +33,7 @@ class AmbiguousColumns : public InputError {
   std::vector<CsvColumn> columns;  // all columns of the file
   std::optional<double> fs_Hz;     // where a line of the header states it
   std::string format = "CSV";
+  RoleGuess guess;
 };
 
 /// Finds the columns by the options (name, name without unit, or 1-based number; letter case aside), then by the roles

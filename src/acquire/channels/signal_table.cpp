@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
 
 #include "acquire/channels/csv_columns.hpp"
+#include "acquire/channels/role_guess.hpp"
 #include "acquire/channels/signal_overrides.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "acquire/record/sampling_rate.hpp"
@@ -96,6 +98,15 @@ void describe_table(ScaledTable& open, const ReadOptions& options, Record& recor
   }
 }
 
+// From the samples of the first row.
+RoleGuess guess_of(const SignalTable& table, const CsvHeader& header) {
+  return guess_roles(header.columns, [&](std::size_t index, std::size_t most) {
+    std::vector<double> samples(table.rows.empty() ? 0 : std::min(table.rows.front().samples, most));
+    table.read(0, index, 0, samples);
+    return samples;
+  });
+}
+
 }  // namespace
 
 SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
@@ -112,6 +123,8 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
     return roles;
   } catch (AmbiguousColumns& error) {
     error.format = table.format;
+    if (table.read) error.guess = guess_of(table, header);
+    error.guess.rate_known = table.fs_Hz > 0 || options.fs_Hz.has_value() || !options.fs_variable.empty();
     // The user chooses among arrays by their sizes.
     for (CsvColumn& column : error.columns) {
       if (!column.shape.empty()) column.unit = column.shape;

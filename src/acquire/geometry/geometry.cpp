@@ -88,7 +88,8 @@ Columns columns_of(const std::vector<std::string_view>& names, const std::string
   }
   const auto has = [&](Field field) { return columns[field].index.has_value(); };
   if (!has(kPoint)) throw InputError("no column of points", where, kGeometryRemedy, {"survey.example"});
-  if (has(kX) != has(kY) || has(kX) != has(kZ) || has(kPosition) != has(kAngle) || has(kX) == has(kPosition)) {
+  const bool cartesian = has(kX) || has(kY) || has(kZ), tube = has(kPosition) || has(kAngle);
+  if (cartesian == tube || (tube && !has(kPosition))) {
     throw InputError("the columns must be either x, y and z, or position and angle", where,
                      "name the columns point,x_m,y_m,z_m or point,position_m,angle_deg");
   }
@@ -162,11 +163,14 @@ class Row {
 
 GeometryPoint point_of(const Row& row, const Columns& columns) {
   GeometryPoint out{.point = row.point(columns)};
-  if (columns[kX].index) {
-    out.xyz_m = {row.number(columns, kX), row.number(columns, kY), row.number(columns, kZ)};
+  const auto number = [&](std::size_t field) { return columns[field].index ? row.number(columns, field) : 0; };
+  if (columns[kAngle].index) {
+    out.position_m = number(kPosition);
+    out.angle_rad = number(kAngle);
+  } else if (columns[kPosition].index) {
+    out.xyz_m = {number(kPosition), 0, 0};
   } else {
-    out.position_m = row.number(columns, kPosition);
-    out.angle_rad = row.number(columns, kAngle);
+    out.xyz_m = {number(kX), number(kY), number(kZ)};
   }
   if (columns[kRadius].index) out.radius_m = row.number(columns, kRadius);
   return out;
@@ -216,8 +220,9 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
   }
   if (geometry.points.empty()) throw InputError("no points", where, kGeometryRemedy, {"survey.example"});
   add_connections(geometry, connections);
-  geometry.tube = columns[kPosition].index.has_value();
-  if (!geometry.tube) tube_from_coordinates(geometry);
+  geometry.tube = columns[kAngle].index.has_value();
+  const bool spatial = columns[kX].index && columns[kY].index && columns[kZ].index;
+  if (spatial) tube_from_coordinates(geometry);
   return geometry;
 }
 

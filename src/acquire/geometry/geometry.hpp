@@ -29,11 +29,12 @@ struct Geometry {
 /// survey"):
 ///   point, x_m, y_m, z_m                      or
 ///   point, position_m, angle_deg[, radius_m]
-/// Drawings connect points by the optional columns `lines` and `faces`, or by rows "line,0,1,2" and "face,0,1,5,4" (see
-/// geometry_connections.hpp). Columns may have any order. Units are m, mm, cm, in and deg, rad; they stand in the name
-/// ("x_mm", "angle (rad)") or in a line of units. Delimiters, quotes and comments are as in records. Coordinates of
-/// points around an axis are turned into position and angle (tube_from_coordinates). errors  InputError with file, line
-/// and remedy: no such columns, a cell that is not a number, a point twice, no unit,
+/// A coordinate without a column is 0; positions without angles lie on a line. Drawings connect points by the optional
+/// columns `lines` and `faces`, or by rows "line,0,1,2" and "face,0,1,5,4" (see geometry_connections.hpp). Columns may
+/// have any order. Units are m, mm, cm, in and deg, rad; they stand in the name ("x_mm", "angle (rad)") or in a line of
+/// units. Delimiters, quotes and comments are as in records. Coordinates of points around an axis are turned into
+/// position and angle (tube_from_coordinates).
+/// errors  InputError with file, line and remedy: no such columns, a cell that is not a number, a point twice, no unit,
 ///         a connection with a point that is not listed, a text that is too long.
 Geometry read_geometry(const std::string& path);
 

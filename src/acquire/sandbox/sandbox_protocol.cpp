@@ -61,6 +61,10 @@ std::string serialized_ambiguous_columns(const AmbiguousColumns& error) {
     out.put(column.unit);
     out.put(static_cast<std::uint64_t>(column.has_numbers));
   }
+  out.put(error.guess.force);
+  out.put(static_cast<std::uint64_t>(error.guess.accel.size()));
+  for (const std::string& name : error.guess.accel) out.put(name);
+  out.put(static_cast<std::uint64_t>(error.guess.rate_known));
   return out.bytes();
 }
 
@@ -131,6 +135,10 @@ AmbiguousColumns deserialize_ambiguous_columns(const std::string& payload) {
   }
   AmbiguousColumns error(problem, header);
   error.format = format;
+  error.guess.force = in.text();
+  const std::size_t accels = in.count(sizeof(std::uint64_t));
+  for (std::size_t i = 0; i < accels; ++i) error.guess.accel.push_back(in.text());
+  error.guess.rate_known = in.get<std::uint64_t>() != 0;
   return error;
 }
 

@@ -138,7 +138,9 @@ void refuse_frf(const std::vector<HeaderLine>& lines, const CsvDialect& dialect,
     if (!frf && cells.size() < columns) continue;
     std::string names;
     for (const auto cell : cells) names += (names.empty() || cell.empty() ? "" : ", ") + lower_case(cell);
-    throw InputError(to_utf8(names) + (frf ? ": this is an FRF" : ": this is a spectrum") + ", not a time record", file,
+    const bool density = has("psd") || has("pxx") || has("densit") || has("/hz");
+    const char* const what = frf ? "an FRF" : density ? "a power spectral density (PSD)" : "a spectrum";
+    throw InputError(to_utf8(names) + ": this is " + what + ", not a time record", file,
                      "give the time signals it was made from");
   }
 }

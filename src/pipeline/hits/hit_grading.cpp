@@ -9,14 +9,22 @@
 #include "pipeline/hits/response_clipping.hpp"
 
 namespace percuss::pipeline {
+namespace {
+
 bool contains(const std::vector<std::size_t>& list, std::size_t i) {
   return std::find(list.begin(), list.end(), i) != list.end();
+}
+
+}  // namespace
+
+bool names_hit(const std::vector<std::size_t>& list, const std::vector<std::size_t>& other, std::size_t i) {
+  return contains(list, i) || (contains(list, kEveryHit) && !contains(other, i));
 }
 
 void require_hits(const std::vector<std::size_t>& numbers, std::size_t hits, const acquire::Record& record,
                   const char* option) {
   for (const std::size_t i : numbers) {
-    if (i < hits) continue;
+    if (i < hits || i == kEveryHit) continue;
     throw InputError(fmt::format("there is no hit {} among {} hits", i + 1, hits), record.source(),
                      "hits count from 1, as in the table of hits", {option});
   }
@@ -30,8 +38,8 @@ std::vector<AnalysedHit> grade_by_force(std::vector<acquire::Hit> found, const a
   std::vector<AnalysedHit> hits;
   hits.reserve(found.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool accept = contains(demands.accept, i) && !found[i].gated_N.empty();
-    const bool reject = contains(demands.reject, i);
+    const bool accept = names_hit(demands.accept, demands.reject, i) && !found[i].gated_N.empty();
+    const bool reject = names_hit(demands.reject, demands.accept, i);
     AnalysedHit hit{.hit = std::move(found[i]), .by_user = accept || reject, .responses = {}};
     hit.point = record.rows[hit.hit.row].point;
     hit.accepted = accept || (!reject && !acquire::rejects(hit.hit.findings));

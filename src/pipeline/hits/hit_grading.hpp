@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,7 +16,11 @@ struct HitDemands {
   std::optional<double> high_Hz;            // upper end of the band, which the bandwidth of the force should reach
 };
 
-bool contains(const std::vector<std::size_t>& list, std::size_t i);
+/// Stands for all hits in a list of hit numbers.
+inline constexpr std::size_t kEveryHit = std::numeric_limits<std::size_t>::max();
+
+/// Whether `list` names hit i: by its number, or by kEveryHit where `other` does not name the number.
+bool names_hit(const std::vector<std::size_t>& list, const std::vector<std::size_t>& other, std::size_t i);
 
 /// errors  InputError: a number of `numbers`, the value of `option`, that none of the `hits` hits has.
 void require_hits(const std::vector<std::size_t>& numbers, std::size_t hits, const acquire::Record& record,

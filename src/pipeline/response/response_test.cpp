@@ -15,6 +15,7 @@
 #include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/response/response_warnings.hpp"
 #include "pipeline/run_analyses.hpp"
+#include "pipeline/source/band.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -50,7 +51,8 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
       hits[h].accepted = false;
       hits[h].reason = "another impact follows too soon";
     }
-    const bool accept = contains(options.accept_hits, h), reject = contains(options.reject_hits, h);
+    const bool accept = names_hit(options.accept_hits, options.reject_hits, h);
+    const bool reject = names_hit(options.reject_hits, options.accept_hits, h);
     hits[h].by_user = accept || reject;
     if (accept) hits[h].accepted = true;
     if (reject) hits[h].accepted = false;
@@ -89,10 +91,8 @@ std::pair<double, double> band_of(const ResponseTest& test, std::size_t samples)
   const double fs_Hz = test.record.fs_Hz;
   const std::pair<double, double> band =
       test.options.band_Hz.value_or(std::pair(kLowestLines * fs_Hz / static_cast<double>(samples), kAntiAlias * fs_Hz));
-  if (band.first < band.second && band.second <= fs_Hz / 2) return band;
-  throw InputError(fmt::format("the band {:.6g}:{:.6g} Hz does not fit a sampling rate of {:.6g} Hz", band.first,
-                               band.second, fs_Hz),
-                   test.record.source(), "choose LO:HI with LO < HI <= half the sampling rate", {"band"});
+  require_band(band, fs_Hz, test.record.source());
+  return band;
 }
 
 std::vector<identify::ModeClassification> classified(const ResponseTest& test) {

@@ -68,10 +68,7 @@ void RecordSource::require_band(const LineRequest& request) const {
     throw InputError("the force shows no bandwidth, so the band has no default", record_.source(),
                      "check the force's channel, unit and scale, or state the band", {"band"});
   }
-  if (low_Hz < high_Hz && low_Hz >= 0 && high_Hz <= record_.fs_Hz / 2) return;
-  throw InputError(fmt::format("the band {:.6g}:{:.6g} Hz does not fit a sampling rate of {:.6g} Hz", low_Hz, high_Hz,
-                               record_.fs_Hz),
-                   record_.source(), "choose LO:HI with LO < HI <= half the sampling rate", {"band"});
+  pipeline::require_band(request.band_Hz, record_.fs_Hz, record_.source());
 }
 
 acquire::LineRange RecordSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,

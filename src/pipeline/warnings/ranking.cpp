@@ -17,6 +17,7 @@ using acquire::Severity;
 // linear or not at rest, what the fit leaves open, and remarks.
 constexpr auto kRanking = std::to_array<RankedCode>({
     {"hits_disagree", Severity::reject},
+    {"swapped_channels", Severity::reject},
     {"units_differ", Severity::reject},
     {"implausible_motion", Severity::reject},
     {"reversed", Severity::reject},
@@ -82,6 +83,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"rejected_hits", Severity::info},
     {"truncated_decay", Severity::info},
     {"no_geometry", Severity::info},
+    {"points_from_one", Severity::info},
     {"no_force", Severity::info},
 });
 

@@ -2,17 +2,25 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/hits/hit_grading.hpp"
+
 namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json hits_json(const std::vector<std::size_t>& hits) {
+  Json json = Json::array();
+  for (const std::size_t hit : hits) json.push_back(hit == pipeline::kEveryHit ? Json("all") : Json(hit));
+  return json;
+}
+
 }  // namespace
 
 Json options_json(const pipeline::AnalysisOptions& o) {
   Json json = Json::object();
-  if (!o.accept_hits.empty()) json["accept_hits"] = o.accept_hits;
-  if (!o.reject_hits.empty()) json["reject_hits"] = o.reject_hits;
+  if (!o.accept_hits.empty()) json["accept_hits"] = hits_json(o.accept_hits);
+  if (!o.reject_hits.empty()) json["reject_hits"] = hits_json(o.reject_hits);
   if (o.estimator != frf::Estimator::h1) json["estimator"] = name_of(o.estimator);
   if (o.modes.modes) json["modes"] = *o.modes.modes;
   if (!o.modes.start_Hz.empty()) json["start_hz"] = o.modes.start_Hz;

@@ -54,6 +54,15 @@ TEST(Geometry, KeepsCoordinatesThatFormNoTube) {
   EXPECT_NEAR((*plate.points[3].xyz_m)[1], 0.1, kRounding);
 }
 
+TEST(Geometry, TakesAbsentCoordinatesAsZero) {
+  const Geometry plate = parse_geometry("point,x_m,y_m\n1,0.1,0.2\n2,0.3,0.2\n", "g.csv");
+  EXPECT_FALSE(plate.tube);
+  EXPECT_EQ(*plate.points[1].xyz_m, (std::array<double, 3>{0.3, 0.2, 0}));
+  const Geometry line = parse_geometry("point,position_mm\n0,100\n1,250\n", "g.csv");
+  EXPECT_FALSE(line.tube);
+  EXPECT_NEAR((*line.points[1].xyz_m)[0], 0.25, kRounding);
+}
+
 TEST(Geometry, FindsTheTubeInCoordinatesAboutAnyAxis) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Geometry geometry;
@@ -101,7 +110,8 @@ TEST(Geometry, NamesLineAndRemedyOfAnError) {
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1\n"), HasSubstr("no cell for angle (g.csv: line 2)"));
   EXPECT_THAT(rejection_of("point,position,angle_deg\n0,0.1,0\n"), HasSubstr("no unit for position (g.csv: line 1)"));
   EXPECT_THAT(rejection_of("point,position_kg,angle_deg\n0,0.1,0\n"), HasSubstr("g.csv: line 1"));
-  EXPECT_THAT(rejection_of("point,x_m,y_m\n0,0.1,0\n"), HasSubstr("either x, y and z, or position and angle"));
+  EXPECT_THAT(rejection_of("point,x_m,angle_deg\n0,0.1,0\n"), HasSubstr("either x, y and z, or position and angle"));
+  EXPECT_THAT(rejection_of("point,x,y\n0,0.1,0\n"), HasSubstr("call the column x_m, for instance"));
   EXPECT_THAT(rejection_of("x_m,y_m,z_m\n0,0.1,0\n"), HasSubstr("no column of points"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg,angle_rad\n0,0.1,0,0\n"),
               HasSubstr("two columns are called angle"));

@@ -93,7 +93,7 @@ int plan(PlanFlags& flags) {
   }
   if (flags.output.json) {
     std::cout << summary_json(head, records.size(), bytes, files.left_out);
-  } else if (!flags.output.quiet) {
+  } else {
     std::cout << fmt::format("{}: {} {}, {:.4g} MB, in {} {}\n", one_line(path), records.size(),
                              records.size() == 1 ? "record" : "records", static_cast<double>(bytes) / 1e6, flags.shards,
                              flags.shards == 1 ? "shard" : "shards");

@@ -59,7 +59,7 @@ int merge(const ResultFlags& flags) {
                                       {"records", merged.records},
                                       {"failed", merged.failed}};
     std::cout << json.dump(2) << '\n';
-  } else if (!flags.output.quiet) {
+  } else {
     std::cout << fmt::format("{} records, {} failed\n", merged.records, merged.failed);
   }
   return merged.failed > 0 ? kPartial : kOk;

@@ -113,7 +113,6 @@ void print(const RunFlags& flags, const std::vector<batch::ShardOutcome>& outcom
     std::cout << json.dump(2) << '\n';
     return;
   }
-  if (flags.quiet) return;
   const std::string which = of == 1 ? "finished"
                             : outcomes.size() > 1
                                 ? fmt::format("finished in {} shards", of)
@@ -240,7 +239,7 @@ void add_batch_run(CommandLine& line) {
   command.flag("--json", flags->json, "Print one JSON document on standard output");
   command.flag("--force", flags->force,
                "Discard existing results, even of another plan, and analyse all records again");
-  command.flag("--quiet", flags->quiet, "Print no progress and no summary");
+  command.flag("--quiet", flags->quiet, "Print no progress");
 }
 
 }  // namespace percuss::tools

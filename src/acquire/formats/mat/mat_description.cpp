@@ -2,13 +2,63 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "acquire/formats/mat/mat_rate.hpp"
 #include "core/error.hpp"
+#include "core/io/csv_header.hpp"
 
 namespace percuss::acquire {
+namespace {
+
+// Names of percuss's own layout that are not signals.
+bool is_description(const std::string& name) {
+  static const std::vector<std::string> kNames{"point",     "run",        "geometry",   "trace_lines",
+                                               "angle_deg", "position_m", "continuous", "fs"};
+  return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+}
+
+// Lower case without underscores: accel_unit and accelUnit are equal.
+std::string bare(std::string_view name) {
+  std::string out = lower_case(name);
+  std::erase(out, '_');
+  return out;
+}
+
+}  // namespace
+
+bool may_be_signal(const MatVariable& variable) {
+  return !variable.is_text && !variable.is_abscissa && variable.size() > 1 &&
+         !is_description(lower_case(field_name(variable.name)));
+}
+
+std::string unit_in(const MatFile& file, const std::string& name) {
+  const std::string base(field_name(name)), parent = name.substr(0, name.size() - base.size());
+  for (const MatVariable& variable : file.variables) {
+    if (!variable.is_text) continue;
+    const std::string stated = bare(variable.name);
+    for (const char* word : {"unit", "units", "unitstr"}) {
+      const bool beside = stated == bare(name) + word || stated == word + bare(name);
+      const bool listed = stated == bare(parent) + word + "." + bare(base);
+      const bool field = !parent.empty() && stated == bare(parent) + word;
+      if (beside || listed || field) return variable.text;
+    }
+  }
+  return {};
+}
+
+void refuse_spectral_densities(const MatFile& file) {
+  for (const MatVariable& variable : file.variables) {
+    const std::string name = lower_case(field_name(variable.name));
+    const bool density = name.starts_with("psd") || name.starts_with("pxx") || name.starts_with("pyy");
+    if (!density || variable.is_text || variable.size() < 2) continue;
+    throw InputError(one_line(variable.name, 40) + " is a power spectral density (PSD), neither a record nor an FRF",
+                     file.path, "save the force and the accelerations over time, or complex FRFs");
+  }
+}
 
 std::vector<std::optional<double>> per_channel(const MatFile& file, const char* name, std::size_t count) {
   std::vector<std::optional<double>> out(count);

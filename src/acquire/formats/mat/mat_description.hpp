@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "acquire/channels/signal_table.hpp"
@@ -17,6 +18,16 @@ int whole_number(const MatFile& file, const char* name, std::size_t row, std::si
 
 /// The hits that a variable with a number per hit states; 0 for none.
 std::size_t stated_hits(const MatFile& file);
+
+/// Whether the variable may hold a signal: numbers that percuss's own layout does not use to describe signals.
+bool may_be_signal(const MatVariable& variable);
+
+/// The text of the variable that states the unit of `name`: "accel_unit", "accelUnit", "unit_accel", "units.accel"; for
+/// "accel.data" also "accel.unit". Empty for none.
+std::string unit_in(const MatFile& file, const std::string& name);
+
+/// errors  InputError: a variable is named as a power spectral density.
+void refuse_spectral_densities(const MatFile& file);
 
 std::vector<std::vector<double>> geometry_in(const MatFile& file);
 

@@ -71,16 +71,18 @@ MatFile read_mat_file(const std::string& path) {
     const std::string name = variable->name == nullptr ? "" : variable->name;
     flatten.check_claim(variable.get());
     const auto read_data = [&] { return Mat_VarReadDataAll(file.get(), variable.get()); };
-    if (MatFlattener::reads(variable.get()) && with_memory(read_data) != 0)
+    if (MatFlattener::reads(variable.get()) && with_memory(read_data) != 0) {
       throw InputError(one_line(name, MatFlattener::kNameShown) + " cannot be read", path,
                        "is it damaged? Save it again");
+    }
     flatten.add(name, variable.get());
     ++read;
   }
   // The library ends without an error at a variable that it cannot read.
-  if (stored && read != *stored)
+  if (stored && read != *stored) {
     throw InputError(fmt::format("only {} of {} variables can be read", read, *stored), path,
                      "is it damaged? Save it again");
+  }
   return out;
 }
 

@@ -17,6 +17,8 @@ struct MatVariable {
   std::vector<double> imaginary;   // imaginary parts; empty for real numbers
   std::string text;                // content of a char array
   bool is_text = false;
+  bool is_abscissa = false;       // taken out of a matrix by split_abscissas
+  std::size_t columns_taken = 0;  // columns of the file before the first one of `shape` (split_abscissas)
 
   bool is_complex() const { return !imaginary.empty(); }
   std::size_t size() const { return real.size(); }

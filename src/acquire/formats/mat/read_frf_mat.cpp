@@ -90,15 +90,37 @@ LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size
   return out;
 }
 
+// Real numbers in the order of the FRFs: an array of the same shape, or vectors of one length.
+bool has_layout_of(const MatVariable& frf, const MatVariable& other) {
+  if (other.is_text || other.is_complex()) return false;
+  return other.shape == frf.shape || (is_mat_vector(frf) && is_mat_vector(other) && frf.size() == other.size());
+}
+
 // A real array of the FRFs' shape (standard deviations, coherence). nullptr if it is absent or unsuitable; a note names
 // an unsuitable one.
 const MatVariable* companion_of(const MatFile& file, const MatVariable& frf, const char* name, StoredFrfs& out) {
   const MatVariable* const found = find_variable(file, name);
   if (found == nullptr) return nullptr;
-  if (!found->is_text && !found->is_complex() && found->shape == frf.shape) return found;
+  if (has_layout_of(frf, *found)) return found;
   out.record.notes.emplace_back(
       fmt::format("{} is not used: it is not an array of {} real numbers", name, shape_name(frf.shape)));
   return nullptr;
+}
+
+// The coherence of the FRFs: percuss's own name, else the only array whose name is a usual one and whose layout fits.
+const MatVariable* coherence_of(const MatFile& file, const MatVariable& frf, StoredFrfs& out) {
+  if (find_variable(file, "coherence") != nullptr) return companion_of(file, frf, "coherence", out);
+  const MatVariable* only = nullptr;
+  for (const MatVariable& variable : file.variables) {
+    const std::string name = lower_case(field_name(variable.name));
+    const bool named = name.starts_with("coh") || name.starts_with("cxy") || name.starts_with("gamma");
+    if (!named || !has_layout_of(frf, variable)) continue;
+    if (only != nullptr) return nullptr;
+    only = &variable;
+  }
+  if (only != nullptr)
+    out.record.notes.emplace_back(one_line(only->name, 40) + " is taken as the coherence of the FRFs");
+  return only;
 }
 
 // The values of one point and channel; empty without a companion.
@@ -130,7 +152,7 @@ std::vector<int> point_numbers_in(const MatFile& file, std::size_t count) {
 void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& layout, StoredFrfs& out) {
   const std::vector<int> points = point_numbers_in(file, layout.points);
   const MatVariable* const std = companion_of(file, frf, "frf_std", out);
-  const MatVariable* const coherence = companion_of(file, frf, "coherence", out);
+  const MatVariable* const coherence = coherence_of(file, frf, out);
   const auto averages = mat_number(file, {"averages"}).value_or(0);
   for (std::size_t p = 0; p < layout.points; ++p) {
     for (std::size_t c = 0; c < layout.channels; ++c) {

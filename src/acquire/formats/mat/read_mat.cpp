@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "acquire/channels/column_words.hpp"
+#include "acquire/channels/csv_columns.hpp"
 #include "acquire/channels/signal_table.hpp"
 #include "acquire/formats/mat/mat_description.hpp"
+#include "acquire/formats/mat/mat_guess.hpp"
 #include "acquire/formats/mat/mat_layout.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
 #include "acquire/record/point_number.hpp"
@@ -17,25 +20,6 @@
 
 namespace percuss::acquire {
 namespace {
-
-// Names of percuss's own layout that are not signals.
-bool is_description(const std::string& name) {
-  static const std::vector<std::string> kNames{"point",     "run",        "geometry",   "trace_lines",
-                                               "angle_deg", "position_m", "continuous", "fs"};
-  return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
-}
-
-bool may_be_signal(const MatVariable& variable) {
-  return !variable.is_text && variable.size() > 1 && !is_description(lower_case(field_name(variable.name)));
-}
-
-std::string unit_in(const MatFile& file, const std::string& name) {
-  for (const char* ending : {"_unit", "_units", "_unit_str"}) {
-    const MatVariable* const stated = find_variable(file, name + ending);
-    if (stated != nullptr && stated->is_text) return stated->text;
-  }
-  return {};
-}
 
 // Lists each variable as one signal, to find the roles. lay_out divides variables into channels.
 SignalTable variables_of(const MatFile& file, std::vector<std::size_t>& index) {
@@ -61,7 +45,9 @@ void add_named_columns(MatFile& file, const ReadOptions& options) {
     const auto bracket = name.rfind("(:,");
     if (bracket == std::string::npos || find_variable(file, name) != nullptr) continue;
     const MatVariable* const matrix = find_variable(file, name.substr(0, bracket));
-    const std::size_t column = std::strtoul(name.c_str() + bracket + 3, nullptr, 10);
+    const std::size_t typed = std::strtoul(name.c_str() + bracket + 3, nullptr, 10);
+    const std::size_t before = matrix != nullptr ? matrix->columns_taken : 0;
+    const std::size_t column = typed - std::min(typed, before);
     const bool has_columns = matrix != nullptr && !matrix->is_text && matrix->shape.size() == 2;
     if (!has_columns || column < 1 || column > matrix->shape[1]) continue;
     MatVariable taken{.name = name, .shape = {matrix->shape[0], 1}};
@@ -79,6 +65,18 @@ ReadOptions variable_options(const MatFile& file, const ReadOptions& options) {
   ReadOptions out = options;
   std::erase_if(out.accel_channels, [&](const auto& name) { return find_variable(file, name) == nullptr; });
   return out;
+}
+
+SignalRoles roles_of(const SignalTable& table, const MatFile& file, const std::vector<std::size_t>& index,
+                     const ReadOptions& options) {
+  try {
+    return find_roles(table, variable_options(file, options));
+  } catch (AmbiguousColumns& error) {
+    const bool rate_known = error.guess.rate_known;
+    error.guess = guess_mat_roles(file, index);
+    error.guess.rate_known = rate_known;
+    throw;
+  }
 }
 
 struct OpenMat {
@@ -109,10 +107,17 @@ MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const st
       unit && (unit->quantity == Quantity::acceleration || unit->quantity == Quantity::pressure);
   const bool named = !options.accel_channels.empty() || !options.setup.empty();
   if (!named && !measures_response && quantity_named(signal.name) != Quantity::acceleration) {
-    throw InputError(fmt::format("one of the channels of {} ({}) could be the force", one_line(first.name, 40),
-                                 shape_name(first.shape)),
-                     open.file.path, "name all of it as accelerations, or save the force as a variable of its own",
-                     {"force_channel", "accel_channel"});
+    CsvHeader header{.named = true, .text = false};
+    header.columns.push_back({.index = 0, .name = first.name, .base = first.name, .unit = shape_name(first.shape)});
+    AmbiguousColumns error(fmt::format("one of the channels of {} ({}) could be the force", one_line(first.name, 40),
+                                       shape_name(first.shape)),
+                           open.file.path,
+                           "name all of it as accelerations, or save the force as a variable of its own", header,
+                           {"force_channel", "accel_channel"});
+    error.format = table.format;
+    error.guess = guess_mat_roles(open.file, index);
+    error.guess.rate_known = true;
+    throw error;
   }
   table.notes.emplace_back(fmt::format("{} is {}: taken as {} channels of one row", one_line(first.name, 40),
                                        shape_name(first.shape), first.size() / layout.samples));
@@ -209,7 +214,8 @@ Record open_mat(MatFile file, const ReadOptions& options) {
   table.fs_Hz = rate_Hz.value_or(0);
   if (table.signals.empty())
     throw InputError("no arrays of numbers", open->file.path, "save force and accelerations as arrays");
-  const SignalRoles variables = find_roles(table, variable_options(open->file, options));
+  if (!rate_Hz) refuse_spectral_densities(open->file);
+  const SignalRoles variables = roles_of(table, open->file, index, options);
   if (!rate_Hz) {
     throw InputError("no sampling rate among the variables", open->file.path, "state it in Hz, or name its variable",
                      {"fs"});

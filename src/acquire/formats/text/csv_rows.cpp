@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -9,6 +10,7 @@
 #include "acquire/record/point_number.hpp"
 #include "acquire/record/sampling_rate.hpp"
 #include "core/error.hpp"
+#include "core/io/clock_text.hpp"
 #include "core/io/parse_number.hpp"
 #include "core/io/time_stamps.hpp"
 #include "core/units.hpp"
@@ -92,6 +94,47 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& 
   return rate;
 }
 
+// The first column of times of day among the leftmost ones; a text with them has no other time column.
+std::optional<std::size_t> clock_column(const CsvTable& table) {
+  constexpr std::size_t kLeftmost = 4;
+  for (std::size_t index = 0; index < kLeftmost; ++index) {
+    std::size_t clocks = 0;
+    for (std::size_t line = 0; line < std::min<std::size_t>(2, table.lines()); ++line)
+      clocks += parse_clock(table.cell(index, line)) ? 1U : 0U;
+    if (clocks == 2) return index;
+  }
+  return std::nullopt;
+}
+
+// Times of day as seconds from the first stamp, so that their digits are kept. A day may end within the record.
+double clock_rate_Hz(const CsvTable& table, std::size_t index, const std::vector<CsvRow>& rows,
+                     std::vector<Message>& notes) {
+  constexpr double kDay_s = 86400;
+  std::vector<double> time_s(table.lines());
+  int decimals = 0;
+  table.for_each_cell(index, [&](std::size_t line, std::string_view cell) {
+    const auto clock = parse_clock(cell);
+    if (!clock) {
+      throw InputError("\"" + one_line(to_utf8(trimmed(cell)), 40) + "\" is no time of day", table.place(line, index),
+                       "correct it, or state the sampling rate", {"fs"});
+    }
+    decimals = std::max(decimals, clock->decimals);
+    time_s[line] = clock->time_s;
+    if (line > 0 && time_s[line] < time_s[line - 1] - kDay_s / 2) time_s[line] += kDay_s;
+  });
+  const double first_s = time_s.front();
+  for (double& t_s : time_s) t_s -= first_s;
+  std::vector<TimeStamps> stamps;
+  stamps.reserve(rows.size());
+  for (const CsvRow& row : rows)
+    stamps.push_back({std::span(time_s).subspan(row.first_line, row.info.samples), std::pow(10.0, -decimals)});
+  StampProblem problem;
+  const auto rate = rate_of_time_stamps(stamps, problem);
+  if (!rate) refuse_stamps(table, index, rows, problem);
+  if (!rate->note.empty()) notes.emplace_back(rate->note, std::vector<OptionId>{"fs"});
+  return rate->fs_Hz;
+}
+
 // Hammer tests are sampled at 200 Hz or more. A time without a unit that gives a lower rate is probably in
 // milliseconds.
 void require_plausible_unit(const CsvColumn& time, const CsvHeader& header, double fs_Hz, const std::string& file) {
@@ -160,6 +203,8 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
   const CsvHeader& header = table.header();
   const std::string file = input_name(table.path());
   if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "the rate stated");
+  if (const auto clock = columns.time ? std::nullopt : clock_column(table))
+    return checked_rate_Hz(clock_rate_Hz(table, *clock, rows, notes), file + ": time stamps");
   const bool guessed = !columns.time && may_be_time(header.columns.front(), columns);
   if (!columns.time && !guessed) {
     if (header.fs_Hz) return checked_rate_Hz(*header.fs_Hz, file + ": " + header.fs_line);

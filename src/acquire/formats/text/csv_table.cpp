@@ -153,6 +153,15 @@ void CsvTable::for_each_cell(std::size_t index,
   }
 }
 
+std::string_view CsvTable::cell(std::size_t index, std::size_t line) const {
+  std::string_view rest = data();
+  for (std::size_t n = 0; !rest.empty();) {
+    const std::string_view text = take_line(rest, dialect_.line_end);
+    if (is_data(text, dialect_) && n++ == line) return cell_at(text, index, dialect_);
+  }
+  return {};
+}
+
 std::string CsvTable::place(std::size_t line, std::optional<std::size_t> index) const {
   // Counts the file's lines only when a message needs the number.
   std::string_view rest = data();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "acquire/channels/csv_columns.hpp"
+#include "acquire/channels/role_guess.hpp"
 #include "acquire/channels/signal_overrides.hpp"
 #include "acquire/formats/text/csv_rows.hpp"
 #include "acquire/formats/text/csv_table.hpp"
@@ -101,6 +102,27 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
   }
 }
 
+// The guess must not fail: the caller reports the missing roles.
+RoleGuess guess_of(const CsvTable& table) {
+  RoleGuess guess = guess_roles(table.header().columns, [&](std::size_t index, std::size_t most) {
+    std::vector<double> samples(std::min(table.lines(), most));
+    table.read(index, 0, samples);
+    return samples;
+  });
+  guess.rate_known = guess.rate_known || table.header().fs_Hz.has_value();
+  return guess;
+}
+
+CsvColumns columns_of(const CsvTable& table, const ReadOptions& options, const std::string& file) {
+  try {
+    return find_csv_columns(table.header(), options, file);
+  } catch (AmbiguousColumns& error) {
+    error.guess = guess_of(table);
+    error.guess.rate_known = error.guess.rate_known || options.fs_Hz.has_value();
+    throw;
+  }
+}
+
 }  // namespace
 
 Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
@@ -108,7 +130,7 @@ Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
   Record record;
   record.files.push_back({.path = bytes.path, .bytes = bytes.size});
   record.format = "CSV";
-  const CsvColumns columns = find_csv_columns(open->table.header(), options, input_name(bytes.path));
+  const CsvColumns columns = columns_of(open->table, options, input_name(bytes.path));
   describe_signals(columns, options, *open, record);
   open->rows = find_csv_rows(open->table, columns);
   describe_rows(*open, record);

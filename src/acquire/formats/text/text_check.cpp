@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "acquire/formats/text/json_input.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_dialect.hpp"
 
@@ -52,6 +53,7 @@ void require_text(std::string_view head, const std::string& name) {
   if (head.empty()) throw InputError("the file is empty", name, "record or export it again");
   const auto starts = [&](std::string_view bytes) { return head.substr(0, bytes.size()) == bytes; };
   if (starts("\xFF\xFE") || starts("\xFE\xFF")) throw InputError("this is UTF-16 text", name, "save it as UTF-8");
+  refuse_json(head, name);
   const auto control = std::count_if(head.begin(), head.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != '\v' && c != 0x1A;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -109,6 +110,22 @@ std::string list_of_sets(const UffContents& contents) {
   return out.empty() ? "no data sets" : "data sets " + out;
 }
 
+// "power spectral densities (PSD): 3, cross spectra: 1" of the functions; empty for none.
+std::string spectra_in(const std::vector<UffFunction>& functions) {
+  constexpr std::array<std::pair<int, const char*>, 5> kSpectra{{{Uff58::auto_spectrum, "auto spectra"},
+                                                                 {Uff58::cross_spectrum, "cross spectra"},
+                                                                 {9, "power spectral densities (PSD)"},
+                                                                 {10, "energy spectral densities (ESD)"},
+                                                                 {12, "spectra"}}};
+  std::string out;
+  for (const auto& [type, what] : kSpectra) {
+    std::size_t count = 0;
+    for (const UffFunction& function : functions) count += function.type == type ? 1U : 0U;
+    if (count > 0) out += fmt::format("{}{}: {}", out.empty() ? "" : ", ", what, count);
+  }
+  return out;
+}
+
 }  // namespace
 
 bool is_time_record(const UffFunction& function) {
@@ -137,6 +154,10 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
     if (std::any_of(all.begin(), all.end(), [](const UffFunction& function) { return is_uff_frf(function); })) {
       throw InputError("the file holds FRFs, not a time record", name,
                        "give the time record that the FRFs were estimated from");
+    }
+    if (const auto spectra = spectra_in(all); !spectra.empty()) {
+      throw InputError("neither time records nor FRFs, but " + spectra, name,
+                       "a spectrum of one signal holds no phase: give the time record, or the FRFs (function type 4)");
     }
     const bool shapes = open->contents.shapes > 0;
     throw InputError("no time records and no FRFs among " + list_of_sets(open->contents), name,

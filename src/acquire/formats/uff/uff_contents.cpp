@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "acquire/formats/uff/uff_nodes.hpp"
 #include "core/error.hpp"
@@ -42,7 +43,9 @@ UffContents read_uff_contents(const FileBytes& file) {
     if (set.number == 55 || set.number == 2414) ++out.shapes;
   }
   out.connections = read_uff_trace_lines(sets, file);
-  out.nodes_m = read_uff_nodes(sets, file, out.units.value_or(UffUnits{}).length);
+  UffNodes nodes = read_uff_nodes(sets, file, out.units.value_or(UffUnits{}).length);
+  out.nodes_m = std::move(nodes.nodes_m);
+  out.nodes_left_out = nodes.left_out;
   return out;
 }
 
@@ -54,6 +57,12 @@ std::vector<Message> uff_notes(const UffContents& contents) {
     if (!kRead.contains(number)) unused += fmt::format("{}{} ({})", unused.empty() ? "" : ", ", number, count);
   }
   const UffTraceLines& connections = contents.connections;
+  if (contents.nodes_left_out > 0) {
+    notes.emplace_back(
+        fmt::format("nodes in coordinate systems of data set 2420: {}, not used; export them in global "
+                    "coordinates",
+                    contents.nodes_left_out));
+  }
   if (!connections.lines.empty() && contents.nodes_m.empty()) notes.emplace_back("lines without nodes are not used");
   if (!connections.unreadable.empty()) notes.emplace_back("not used: " + connections.unreadable);
   if (connections.other_elements > 0)

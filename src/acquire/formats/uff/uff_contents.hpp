@@ -20,6 +20,7 @@ struct UffContents {
   std::vector<UffFunction> functions;  // data sets 58
   std::optional<UffUnits> units;
   std::map<int, std::array<double, 3>> nodes_m;  // data sets 15 and 2411, in global coordinates
+  std::size_t nodes_left_out = 0;                // in coordinate systems of data set 2420
   UffTraceLines connections;                     // data sets 82 and 2412
   std::map<int, std::size_t> sets;               // count of data sets by number
   std::size_t shapes = 0;                        // of sets 55 and 2414

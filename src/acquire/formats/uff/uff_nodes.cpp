@@ -5,7 +5,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
+#include <set>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -48,8 +51,31 @@ class NodeReader {
     }
   }
 
+  // Set 2420: number of the part; its name; then of each system label, kind and colour; its name; four lines of
+  // numbers: three of the rotation and one of the origin. Only systems that equal the global one are understood.
+  void read_other_frames(const UffSet& set) {
+    std::string_view rest = set.text;
+    take_uff_line(rest);
+    take_uff_line(rest);
+    while (!rest.empty()) {
+      Fields head = next(rest);
+      if (head.cells.blank()) continue;
+      const auto label = head.cells.integer(10), kind = head.cells.integer(10);
+      take_uff_line(rest);
+      bool global = label && kind && *kind == 0;
+      for (int row = 0; row < 4; ++row) {
+        Fields numbers = next(rest);
+        for (int column = 0; column < 3; ++column)
+          global = numbers.cells.number(25) == std::optional(row == column ? 1.0 : 0.0) && global;
+      }
+      if (!label) others_unreadable_ = true;
+      if (label && global) other_global_.insert(*label);
+      if (label && !global) other_.insert(*label);
+    }
+  }
+
   // Set 15: a node per line. Set 2411: its coordinates on a second line.
-  void read_nodes(const UffSet& set, std::map<int, std::array<double, 3>>& out) {
+  void read_nodes(const UffSet& set, UffNodes& out) {
     std::string_view rest = set.text;
     while (!rest.empty()) {
       Fields fields = next(rest);
@@ -65,13 +91,22 @@ class NodeReader {
         Fields second = next(rest);
         at = vector(second, 25);
       }
+      if (in_other_frame(system)) {
+        ++out.left_out;
+        continue;
+      }
       at = global(at, system, fields.line, set.number) / length_factor_;
       if (!at.allFinite()) fail(set.number, fields.line, "coordinates that are not finite");
-      out[label] = {at.x(), at.y(), at.z()};
+      out.nodes_m[label] = {at.x(), at.y(), at.z()};
     }
   }
 
  private:
+  bool in_other_frame(int system) const {
+    if (frames_.contains(system)) return false;
+    return other_.contains(system) || (others_unreadable_ && system != 0);
+  }
+
   struct Fields {
     std::string_view line;
     UffFields cells;
@@ -121,7 +156,7 @@ class NodeReader {
       const auto frame = frames_.find(system);
       if (frame == frames_.end()) {
         // 0 is the global system; so is 1 unless the file defines it.
-        if (system <= 1) return at;
+        if (system <= 1 || other_global_.contains(system)) return at;
         fail(set, line, "a node in an undefined coordinate system");
       }
       at = frame->second.origin + frame->second.axes * cartesian(frame->second.kind, at);
@@ -134,17 +169,19 @@ class NodeReader {
   const FileBytes& file_;
   double length_factor_;
   std::map<int, Frame> frames_;
+  std::set<std::int64_t> other_, other_global_;  // labels of the systems of set 2420
+  bool others_unreadable_ = false;
 };
 
 }  // namespace
 
-std::map<int, std::array<double, 3>> read_uff_nodes(const std::vector<UffSet>& sets, const FileBytes& file,
-                                                    double length_factor) {
+UffNodes read_uff_nodes(const std::vector<UffSet>& sets, const FileBytes& file, double length_factor) {
   NodeReader reader(file, length_factor);
   for (const UffSet& set : sets) {
     if (set.number == 18 && !set.binary) reader.read_frames(set);
+    if (set.number == 2420 && !set.binary) reader.read_other_frames(set);
   }
-  std::map<int, std::array<double, 3>> out;
+  UffNodes out;
   for (const UffSet& set : sets) {
     if ((set.number == 15 || set.number == 2411) && !set.binary) reader.read_nodes(set, out);
   }

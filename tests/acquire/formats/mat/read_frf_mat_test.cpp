@@ -54,9 +54,11 @@ TEST(ReadFrfMat, UsesCompanionsOfRealNumbersOnly) {
   const StoredFrfs good = read_frf_mat(one_point(numbers("coherence", {1, 3}, {0.5, 0.6, 0.7})), {}).value();
   EXPECT_THAT(good.frfs[0].coherence, ElementsAre(0.5, 0.6, 0.7));
   EXPECT_THAT(good.record.notes, IsEmpty());
+  const StoredFrfs upright = read_frf_mat(one_point(numbers("coherence", {3, 1}, {0.5, 0.6, 0.7})), {}).value();
+  EXPECT_THAT(upright.frfs[0].coherence, ElementsAre(0.5, 0.6, 0.7)) << "vectors of one length";
   for (const std::string name : {"coherence", "frf_std"}) {
     for (const MatVariable& other :
-         {text(name, "abc"), complex(name, {1, 3}, {1, 1, 1}), numbers(name, {3, 1}, {1, 1, 1})}) {
+         {text(name, "abc"), complex(name, {1, 3}, {1, 1, 1}), numbers(name, {1, 2}, {1, 1})}) {
       const StoredFrfs frfs = read_frf_mat(one_point(other), {}).value();
       EXPECT_THAT(frfs.frfs[0].coherence, IsEmpty());
       EXPECT_THAT(frfs.frfs[0].std, IsEmpty());

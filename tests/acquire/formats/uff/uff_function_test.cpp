@@ -221,4 +221,22 @@ TEST(UffContents, ReadsNodesOfBothKindsInTheirUnitsAndSystems) {
   EXPECT_TRUE(std::isnan(geometry[0][0]));
 }
 
+// Systems 1 (global) and 3 (rotated) by data set 2420, which is not read.
+TEST(UffContents, LeavesOutNodesInSystemsThatItDoesNotRead) {
+  const auto row = [](double x, double y, double z) { return fmt::format("{:25.16E}{:25.16E}{:25.16E}\n", x, y, z); };
+  const std::string origin = row(0, 0, 0);
+  const std::string systems = "    -1\n  2420\n         1\nPart\n         1         0        11\nGlobal\n" +
+                              row(1, 0, 0) + row(0, 1, 0) + row(0, 0, 1) + origin +
+                              "         3         0        11\nRotated\n" + row(0, 1, 0) + row(-1, 0, 0) +
+                              row(0, 0, 1) + origin + "    -1\n";
+  const auto node = [&](int label, int system) {
+    return fmt::format("{:10}{:10}{:10}{:10}\n", label, system, 0, 11) + row(1, 2, 3);
+  };
+  const FileBytes bytes = csv_bytes(systems + "    -1\n  2411\n" + node(1, 0) + node(2, 1) + node(3, 3) + "    -1\n");
+  const UffContents contents = read_uff_contents(bytes);
+  EXPECT_EQ(contents.nodes_m.size(), 2U);
+  EXPECT_THAT(contents.nodes_m.at(2), ElementsAre(1, 2, 3));
+  EXPECT_THAT(uff_notes(contents).front().text, HasSubstr("nodes in coordinate systems of data set 2420: 1, not used"));
+}
+
 }  // namespace percuss::acquire::uff_function_test

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/io/csv_header.hpp"
+
+namespace percuss::acquire {
+
+/// The likely force and accelerations of a file that does not name them, as the options accept them. Empty: no guess.
+struct RoleGuess {
+  std::string force;
+  std::vector<std::string> accel;
+  bool rate_known = true;  // false: nothing in the file states the sampling rate
+};
+
+/// The share of samples in which a signal lives: (Σ x²)² / (N Σ x⁴), where x is the distance from the median. A hammer
+/// pulse has a few thousandths, a decay more, noise 1/3. 1 for a constant signal and for numbers that are not finite.
+/// (1)
+double active_share(std::span<const double> samples);
+
+/// How little a signal resembles a hammer's force, small for a hammer: (1) times the larger of 0.05 and the ratio of
+/// the extremes on both sides of the median. A decay swings to both sides, a pulse to one.                      (2)
+double hammer_measure(std::span<const double> samples);
+
+/// Whether the numbers rise evenly, as times do: none is more than half a step from its place. False for fewer than 8.
+bool rises_evenly(std::span<const double> samples);
+
+/// Guesses the roles from the samples: a first signal that rises evenly is the time, the signal with the smallest
+/// hammer_measure() the force unless its unit is another's, all others are accelerations. `read` gives up to the
+/// demanded number of samples. A single signal is an acceleration. `name_of`: how the options name a signal; by default
+/// its name if it is unique and holds no character that a shell changes, else its number.
+/// errors  None: a signal that cannot be read is no candidate.
+RoleGuess guess_roles(const std::vector<CsvColumn>& signals,
+                      const std::function<std::vector<double>(std::size_t index, std::size_t most)>& read,
+                      const std::function<std::string(const CsvColumn&)>& name_of = {});
+
+}  // namespace percuss::acquire

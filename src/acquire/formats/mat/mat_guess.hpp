@@ -1,0 +1,14 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "acquire/channels/role_guess.hpp"
+#include "acquire/formats/mat/mat_file.hpp"
+
+namespace percuss::acquire {
+
+/// Guesses the force and the accelerations (guess_roles) among the variables of these indices: the longest vectors
+/// whose names are not those of spectra, else the columns of the first matrix, named as MATLAB does ("data(:,2)").
+RoleGuess guess_mat_roles(const MatFile& file, const std::vector<std::size_t>& index);
+
+}  // namespace percuss::acquire

@@ -1,0 +1,66 @@
+#include "acquire/formats/text/json_input.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+struct KindOfDocument {
+  std::string_view schema, what, remedy;
+};
+
+// By the beginning of the schema's name; longer names before their beginnings.
+constexpr std::array kKinds = {
+    KindOfDocument{"percuss/analysis/", "the modes of an analysis",
+                   "percuss compare and percuss study read it; give the record that it names in \"inputs\""},
+    KindOfDocument{"percuss/deflection/", "the deflections of a test",
+                   "percuss compare reads it; give the record that it names in \"inputs\""},
+    KindOfDocument{"percuss/model-", "the result of a model", "percuss compare reads it"},
+    KindOfDocument{"percuss/synth-truth/", "the truth of a synthetic test",
+                   "no command reads it; give the record that lies beside it"},
+    KindOfDocument{"percuss/synth/", "the spec of a synthetic test", "percuss synth makes the record from it"},
+    KindOfDocument{"percuss/session/", "a test session", "percuss certify reads it"},
+    KindOfDocument{"percuss/abi-log/", "a break-in log", "percuss abi reads it"},
+    KindOfDocument{"percuss/metrics-table/", "a table of readings", "percuss metrics reads it"},
+    KindOfDocument{"percuss/metrics/", "the metrics of a bat", "percuss study reads it"},
+    KindOfDocument{"percuss/certify/", "the verdict on a session", "percuss study reads it"},
+    KindOfDocument{"percuss/abi/", "the state of a break-in", "percuss study reads it"},
+    KindOfDocument{"percuss/study-table/", "a table of bats", "percuss study reads it"},
+    KindOfDocument{"percuss/channel-setup/", "a channel set-up", "give it as the set-up, beside the record"},
+    KindOfDocument{"percuss/batch-manifest/", "the manifest of a batch", "percuss batch run reads it"},
+};
+
+// The value of the key "schema"; empty without one.
+std::string_view schema_in(std::string_view head) {
+  constexpr std::string_view kKey = "\"schema\"";
+  const std::size_t key = head.find(kKey);
+  if (key == std::string_view::npos) return {};
+  std::string_view rest = head.substr(key + kKey.size());
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n:"), rest.size()));
+  if (rest.empty() || rest.front() != '"') return {};
+  rest.remove_prefix(1);
+  return rest.substr(0, rest.find_first_of("\"\n"));
+}
+
+}  // namespace
+
+void refuse_json(std::string_view head, const std::string& name) {
+  constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+  if (head.starts_with(kUtf8Mark)) head.remove_prefix(kUtf8Mark.size());
+  head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
+  if (head.empty() || (head.front() != '{' && !head.starts_with("[{"))) return;
+  const std::string_view schema = schema_in(head);
+  const auto* const kind = std::find_if(kKinds.begin(), kKinds.end(),
+                                        [&](const KindOfDocument& one) { return schema.starts_with(one.schema); });
+  const std::string problem = "not a record of samples, but ";
+  if (kind != kKinds.end()) {
+    throw InputError(problem + std::string(kind->what) + " (" + one_line(schema, 40) + ")", name, kind->remedy);
+  }
+  throw InputError(problem + (schema.empty() ? "JSON" : "a document " + one_line(schema, 40)), name,
+                   "give the file of force and accelerations");
+}
+
+}  // namespace percuss::acquire

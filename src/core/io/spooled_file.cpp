@@ -1,0 +1,50 @@
+#include "core/io/spooled_file.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/io/temporary_files.hpp"
+
+namespace percuss {
+inline namespace core {
+
+SpooledFile::SpooledFile(std::string_view bytes) {
+  std::error_code problem;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(problem);
+  path_ = (problem ? std::filesystem::path("/tmp") : folder) / "percuss-input-XXXXXX";
+  descriptor_ = ::mkostemp(path_.data(), O_CLOEXEC);
+  if (descriptor_ < 0) {
+    throw_system_error("cannot keep standard input in a temporary file", errno, path_,
+                       "set TMPDIR to a folder with room");
+  }
+  registered_ = std::make_unique<TemporaryFile>(path_, descriptor_);
+  ::flock(descriptor_, LOCK_UN);  // the HDF5 library locks the files that it opens
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      const int error = errno;
+      ::unlink(path_.c_str());
+      ::close(descriptor_);
+      throw_system_error("cannot keep standard input in a temporary file", error, path_,
+                         "set TMPDIR to a folder with room");
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+SpooledFile::~SpooledFile() {
+  ::unlink(path_.c_str());
+  registered_.reset();
+  ::close(descriptor_);
+}
+
+}  // namespace core
+}  // namespace percuss

@@ -1,0 +1,53 @@
+#include "pipeline/warnings/role_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "acquire/channels/role_guess.hpp"
+#include "core/error.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;
+// Of the measures of a hammer's force and a response: in a swapped pair they differ by a factor of 20 and more.
+constexpr double kMaxShare = 0.1;
+
+bool lacks_pulse(const AnalysedHit& hit) {
+  const auto& findings = hit.hit.findings;
+  return !hit.accepted && !hit.by_user && std::any_of(findings.begin(), findings.end(), [](const auto& finding) {
+    return finding.code == acquire::FindingCode::no_pulse;
+  });
+}
+
+}  // namespace
+
+std::vector<Warning> role_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
+  if (!record.has_force || hits.empty() || !std::all_of(hits.begin(), hits.end(), lacks_pulse)) return {};
+  const std::size_t row = hits.front().hit.row;
+  std::vector<double> samples(std::min(record.rows[row].samples, kMaxSamples));
+  record.read_force_N(row, 0, samples);
+  const double force_share = acquire::hammer_measure(samples);
+  std::size_t hammer = 0;
+  double least = 1;
+  for (std::size_t c = 0; c < record.accel.size(); ++c) {
+    record.read_accel_mps2(row, c, 0, samples);
+    const double share = acquire::hammer_measure(samples);
+    if (share < least) {
+      least = share;
+      hammer = c;
+    }
+  }
+  if (!(least < kMaxShare * force_share)) return {};
+  const std::string force = one_line(record.force.name, 40), response = one_line(record.accel[hammer].name, 40);
+  return {with_remedy(
+      {"swapped_channels",
+       fmt::format("{} looks like the hammer and {} like a response: the channels are swapped", response, force),
+       {"force_channel", "accel_channel"}},
+      fmt::format("name {} as the force and {} as the acceleration, and their units if the file states others",
+                  response, force))};
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "report/json/analysis_json.hpp"
+
+namespace percuss::report {
+
+/// The modes as CSV, a line per mode, point and channel: mode, frequency_hz, frequency_std_hz, damping_ratio,
+/// damping_ratio_std, family, order (empty if unknown), point, channel, residue_re, residue_im, residue_std (in 1/kg).
+/// Several tests: a first column `test`. A test without usable hits has no lines.
+std::string modes_csv(const std::vector<NumberedAnalysis>& tests);
+
+}  // namespace percuss::report

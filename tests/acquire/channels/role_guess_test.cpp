@@ -1,0 +1,97 @@
+#include "acquire/channels/role_guess.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+
+namespace percuss::acquire::role_guess_test {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr double kRounding = 1e-12;
+
+std::vector<double> pulse(std::size_t samples, std::size_t width, double height) {
+  std::vector<double> x(samples, 0.5);  // with an offset, which the median removes
+  for (std::size_t i = 0; i < width; ++i) x[samples / 4 + i] += height;
+  return x;
+}
+
+std::vector<double> sine(std::size_t samples) {
+  std::vector<double> x;
+  for (std::size_t i = 0; i < samples; ++i)
+    x.push_back(std::sin(2 * std::numbers::pi * 10 * static_cast<double>(i) / static_cast<double>(samples)));
+  return x;
+}
+
+// m of N samples are on: (m)²/(N m). A sine: (1/2)²/(3/8).
+TEST(ActiveShare, HasItsClosedForms) {
+  EXPECT_NEAR(active_share(pulse(1000, 20, 300)), 0.02, kRounding);
+  EXPECT_NEAR(active_share(pulse(1000, 20, -300)), 0.02, kRounding);
+  EXPECT_NEAR(active_share(sine(1000)), 2.0 / 3, kRounding);
+  EXPECT_EQ(active_share(std::vector<double>(10, 7.0)), 1);
+  EXPECT_EQ(active_share({}), 1);
+}
+
+TEST(HammerMeasure, IsSmallForPulsesOfOneSign) {
+  EXPECT_NEAR(hammer_measure(pulse(1000, 20, 300)), 0.05 * 0.02, kRounding);
+  EXPECT_NEAR(hammer_measure(pulse(1000, 20, -300)), 0.05 * 0.02, kRounding) << "either sign";
+  EXPECT_NEAR(hammer_measure(sine(1000)), 2.0 / 3, kRounding);
+}
+
+TEST(RisesEvenly, IsTrueForTimesOnly) {
+  std::vector<double> time;
+  for (int i = 0; i < 100; ++i) time.push_back(std::round(1e4 * i / 2560.0) / 1e4);  // rounded to 0.1 ms
+  EXPECT_TRUE(rises_evenly(time));
+  time[50] += 1.0 / 2560;
+  EXPECT_FALSE(rises_evenly(time)) << "a sample is lost";
+  EXPECT_FALSE(rises_evenly(sine(100)));
+  EXPECT_FALSE(rises_evenly(std::vector<double>(100, 1.0)));
+}
+
+TEST(GuessRoles, TakesThePulseAsTheForce) {
+  std::vector<double> time;
+  for (int i = 0; i < 1000; ++i) time.push_back(i / 1000.0);
+  const std::vector<std::vector<double>> columns{time, sine(1000), pulse(1000, 10, 1)};
+  std::vector<CsvColumn> signals;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    signals.push_back({.index = i, .name = "column " + std::to_string(i + 1), .base = ""});
+  const auto read = [&](std::size_t index, std::size_t) { return columns[index]; };
+  const RoleGuess guess = guess_roles(signals, read);
+  EXPECT_EQ(guess.force, "3") << "a name with a blank is no word of a shell";
+  EXPECT_THAT(guess.accel, ElementsAre("2"));
+  EXPECT_TRUE(guess.rate_known);
+  signals[2].name = "CH3";
+  EXPECT_EQ(guess_roles(signals, read).force, "CH3");
+  signals[1].name = "ch3";
+  EXPECT_EQ(guess_roles(signals, read).force, "3") << "the name is not the only one";
+}
+
+TEST(GuessRoles, TakesNoAccelerationAsTheForce) {
+  const std::vector<std::vector<double>> columns{pulse(1000, 10, 1), sine(1000)};
+  const auto read = [&](std::size_t index, std::size_t) { return columns[index]; };
+  std::vector<CsvColumn> signals{{.index = 0, .name = "a", .base = "a", .unit = "cm/s2"},
+                                 {.index = 1, .name = "b", .base = "b", .unit = "V"}};
+  EXPECT_EQ(guess_roles(signals, read).force, "b");
+  signals[1].unit = "g";
+  EXPECT_EQ(guess_roles(signals, read).force, "");
+  EXPECT_THAT(guess_roles(signals, read).accel, ElementsAre("a", "b"));
+}
+
+TEST(GuessRoles, LeavesOutSignalsThatCannotBeRead) {
+  const std::vector<CsvColumn> signals{{.index = 0, .name = "a", .base = "a"}, {.index = 1, .name = "b", .base = "b"}};
+  const RoleGuess guess = guess_roles(signals, [](std::size_t index, std::size_t) -> std::vector<double> {
+    if (index == 0) throw InputError("damaged", "x", "y");
+    return sine(100);
+  });
+  EXPECT_EQ(guess.force, "");
+  EXPECT_THAT(guess.accel, ElementsAre("b"));
+  EXPECT_FALSE(guess.rate_known);
+  EXPECT_THAT(guess_roles({}, {}).accel, IsEmpty());
+}
+
+}  // namespace percuss::acquire::role_guess_test

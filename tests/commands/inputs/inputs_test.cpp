@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "commands/inputs/input_files.hpp"
+#include "support/json.hpp"
+#include "support/mat_builder.hpp"
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/small_records.hpp"
+#include "support/synthetic_files.hpp"
+#include "support/uff_text.hpp"
+
+// Files as users have them: percuss reads them, or one message says what would work.
+namespace percuss::inputs_test {
+
+using test::kFrequency_Hz;
+using test::run_percuss;
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+class Inputs : public test::InputFiles {};
+
+TEST_F(Inputs, MayBeAFolderOrAQuotedPattern) {
+  for (int i : {2, 10, 1}) test::write_small_test(file("hit" + std::to_string(i) + ".h5"), R"("hits": 1)");
+  test::write_bytes(file("notes.md"), "no record");
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"hit1.h5", "hit2.h5", "hit10.h5"}, {"hit*.h5"}, {"."}}) {
+    std::vector<std::string> command{"analyze", "--json", "--only", "hits"};
+    command.insert(command.end(), words.begin(), words.end());
+    const auto outcome = run_percuss(command, {.folder = folder_.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::string names;
+    for (const auto& input : test::parse_json(outcome.out)["inputs"])
+      names += std::filesystem::path(input["path"].get<std::string>()).filename().string() + " ";
+    EXPECT_EQ(names, "hit1.h5 hit2.h5 hit10.h5 ") << words.front();
+  }
+  const auto none = run_percuss({"info", "*.uff"}, {.folder = folder_.path()});
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(none.err, HasSubstr("no file matches the pattern (*.uff)"));
+}
+
+TEST_F(Inputs, AcceptHitsAsRangesAndAll) {
+  test::write_small_test(file("bat.h5"), R"("hits": 4)");
+  const auto judged = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> command{"analyze", "bat.h5", "--json", "--only", "hits"};
+    command.insert(command.end(), options.begin(), options.end());
+    const auto outcome = run_percuss(command, {.folder = folder_.path()});
+    std::string accepted;
+    for (const auto& hit : test::parse_json(outcome.out)["hits"]) accepted += hit["accepted"] ? "1" : "0";
+    return accepted;
+  };
+  EXPECT_EQ(judged({"--reject-hit", "1-2,4"}), "0010");
+  EXPECT_EQ(judged({"--reject-hit", "all", "--accept-hit", "3"}), "0010");
+  EXPECT_EQ(judged({"--accept-hit", "ALL"}), "1111");
+  for (const char* wrong : {"3-1", "1-", "0-2", "1-99999999999", "-1", "every"}) {
+    const auto outcome = run_percuss({"analyze", file("bat.h5"), "--accept-hit", wrong});
+    EXPECT_EQ(outcome.code, 2) << wrong;
+    EXPECT_THAT(outcome.err, HasSubstr("--accept-hit")) << wrong;
+  }
+}
+
+// --band has its meaning in the chosen command only: "batch" and "convert" have none.
+TEST_F(Inputs, TakeTwoNumbersForABandOfTheChosenCommand) {
+  test::write_small_test(file("bat.h5"));
+  EXPECT_EQ(run_percuss({"analyze", "--band", "60", "1500", file("bat.h5"), "--only", "hits"}).code, 0);
+  const auto outcome = run_percuss({"convert", "--band", "60", "1500"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("--band"), Not(HasSubstr("60:1500"))));
+}
+
+TEST_F(Inputs, WithoutNamesGetTheCommandThatWorks) {
+  test::write_columns(file("plain.csv"), "", {record_.time_s, record_.force_N, record_.accel_mps2});
+  test::write_columns(file("ch.csv"), "Time,CH1,CH2", {record_.time_s, record_.accel_mps2, record_.force_N});
+  for (const auto& [name, roles] :
+       {std::pair<const char*, const char*>{"plain.csv", "--force-channel 2 --accel-channel 3"},
+        {"ch.csv", "--force-channel CH2 --accel-channel CH1"}}) {
+    const auto outcome = analyze({name, "--json"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U);
+    EXPECT_THAT(outcome.err, EndsWith(std::string(roles) + "\n"));
+    EXPECT_NEAR(first_mode_Hz(run_suggestion(outcome.err)), 200, kFrequency_Hz) << name;
+  }
+}
+
+TEST_F(Inputs, WithoutARateSayWhereItGoes) {
+  test::write_columns(file("two.csv"), "", {record_.force_N, record_.accel_mps2});
+  EXPECT_THAT(analyze({"two.csv"}).err, EndsWith("--force-channel 1 --accel-channel 2 --fs HZ\n"));
+}
+
+TEST_F(Inputs, MayHaveTimeStamps) {
+  for (const char* date : {"2024-05-06 ", "2024-05-06T", "", "06.05.2024 "}) {
+    std::ofstream out(file("stamp.csv"));
+    out << "Timestamp,force_N,accel_m_s2\n";
+    for (std::size_t i = 0; i < record_.time_s.size(); ++i) {
+      out << date << fmt::format("23:59:{:09.6f}", 59.0 + record_.time_s[i]) << ',' << record_.force_N[i] << ','
+          << record_.accel_mps2[i] << '\n';
+    }
+    out.close();
+    EXPECT_NEAR(first_mode_Hz(analyze({"stamp.csv", "--json"})), 200, kFrequency_Hz) << date;
+  }
+}
+
+TEST_F(Inputs, OfOtherKindsAreNamedWithTheirCommand) {
+  test::write_small_test(file("bat.h5"));
+  test::write_bytes(file("a.json"), analyze({"bat.h5", "--json"}).out);
+  test::write_bytes(file("s.json"), run_percuss({"certify", "--example"}).out);
+  test::write_bytes(file("any.json"), "{\"a\": 1}");
+  EXPECT_THAT(analyze({"a.json"}).err, AllOf(HasSubstr("the modes of an analysis"), HasSubstr("percuss compare")));
+  EXPECT_THAT(run_percuss({"info", file("bat.truth.json")}).err, HasSubstr("the truth of a synthetic test"));
+  EXPECT_THAT(analyze({"s.json"}).err, HasSubstr("percuss certify reads it"));
+  EXPECT_THAT(analyze({"any.json"}).err, HasSubstr("not a record of samples, but JSON"));
+}
+
+TEST_F(Inputs, OfPowerSpectraAreNamedSo) {
+  test::write_bytes(file("psd.csv"), "Frequency (Hz),PSD (g^2/Hz)\n0,1\n1,2\n2,3\n3,1\n");
+  EXPECT_THAT(analyze({"psd.csv"}).err, HasSubstr("power spectral density (PSD)"));
+  test::MatBuilder(file("psd.mat"), test::MatLevel::v5)
+      .numbers("Pxx", {1, 4}, {1, 2, 3, 4})
+      .numbers("f", {1, 4}, {0, 1, 2, 3});
+  EXPECT_THAT(analyze({"psd.mat"}).err, HasSubstr("Pxx is a power spectral density (PSD)"));
+  test::UffText psd{.type = 9, .values = 4, .abscissa = 18};
+  test::write_bytes(file("psd.uff"), psd.text("  1.00000E+00  2.00000E+00  3.00000E+00  4.00000E+00\n"));
+  EXPECT_THAT(analyze({"psd.uff"}).err, HasSubstr("power spectral densities (PSD): 1"));
+}
+
+TEST_F(Inputs, WithAWrongRateAreDoubted) {
+  test::write_columns(file("x.csv"), "force_N,accel_m_s2", {record_.force_N, record_.accel_mps2});
+  EXPECT_THAT(analyze({"x.csv", "--fs", "100"}).err, HasSubstr("the sampling rate looks wrong: 100 Hz"));
+  EXPECT_THAT(analyze({"x.csv", "--fs", "4096e3"}).err, HasSubstr("the sampling rate looks wrong"));
+  EXPECT_THAT(analyze({"x.csv", "--fs", "1500"}).err, HasSubstr("does not fit a sampling rate of 1500 Hz"));
+}
+
+TEST_F(Inputs, WithSwappedChannelsAreNamedWithTheirCure) {
+  test::write_columns(file("swapped.csv"), "time_s,force,accel", {record_.time_s, record_.accel_mps2, record_.force_N});
+  const auto outcome = analyze({"swapped.csv"});
+  EXPECT_EQ(outcome.code, 4);
+  std::string text = outcome.out;
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  EXPECT_THAT(text, HasSubstr("accel looks like the hammer and force like a response"));
+  EXPECT_THAT(text, HasSubstr("--force-channel"));
+  EXPECT_NEAR(first_mode_Hz(analyze({"swapped.csv", "--force-channel", "accel", "--accel-channel", "force", "--json"})),
+              200, kFrequency_Hz);
+}
+
+TEST_F(Inputs, ShowTheHammerInTheirSamples) {
+  std::vector<double> mass;
+  for (const double force : record_.force_N) mass.push_back(force / 2);
+  test::write_columns(file("mass.csv"), "time_s,force_N,accel_m_s2", {record_.time_s, record_.force_N, mass});
+  test::write_columns(file("swapped.csv"), "time_s,force,accel", {record_.time_s, record_.accel_mps2, record_.force_N});
+  const auto hammers = [&](const char* name) {
+    const auto document = test::parse_json(run_percuss({"info", file(name), "--json"}).out);
+    std::string found;
+    for (const auto& channel : document["files"][0]["channels"]) found += channel["hammer"] ? "1" : "0";
+    return found;
+  };
+  EXPECT_EQ(hammers("mass.csv"), "10") << "a free mass moves as the force does";
+  EXPECT_EQ(hammers("swapped.csv"), "01");
+  EXPECT_THAT(run_percuss({"info", file("swapped.csv")}).out, HasSubstr("accel looks like a hammer's pulses"));
+  EXPECT_THAT(run_percuss({"info", file("mass.csv")}).out, Not(HasSubstr("looks like a hammer's pulses")));
+}
+
+TEST_F(Inputs, WithAReversedSensorAreNamedWithTheirCure) {
+  std::string modes;
+  for (int i = 1; i <= 5; ++i)
+    modes += fmt::format(R"({}{{"frequency_hz": {}, "damping_ratio": 0.005, "residue_per_kg": [{}, {}]}})",
+                         i > 1 ? ", " : "", 150 * i, 0.1 * i, -0.1 * i - 0.01);
+  test::write_bytes(
+      file("spec.json"),
+      R"({"schema": "percuss/synth/1", "fs_hz": 4096, "duration_s": 1, "hits": 2, "band_hz": [60, 1000], "modes": [)" +
+          modes +
+          R"(], "structure": {"rigid_line_per_kg": [0.1, -0.1]},
+                           "pulse": {"kind": "haversine", "width_s": 0.0005, "peak_n": 300},
+                           "sensors": [{"position_m": 0.05}, {"position_m": 0.06}]})");
+  ASSERT_EQ(run_percuss({"synth", file("spec.json"), "-o", file("rev.h5")}).code, 0);
+  std::string text = analyze({"rev.h5", "--angle", "0,0"}).out;
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  EXPECT_THAT(text, HasSubstr("accel 2 moves against accel 1 in each of 5 modes"));
+  EXPECT_THAT(text, HasSubstr("(--accel-scale)"));
+  EXPECT_THAT(analyze({"rev.h5", "--angle", "0,0", "--accel-scale", "1,-1"}).out, Not(HasSubstr("moves against")));
+}
+
+TEST_F(Inputs, OfSoundMayComeThroughAPipe) {
+  test::write_columns(file("x.csv"), "time_s,force_N,accel_m_s2",
+                      {record_.time_s, record_.force_N, record_.accel_mps2});
+  for (const char* kind : {"x.wav", "x.mat", "x.h5"}) {
+    ASSERT_EQ(run_percuss({"convert", file("x.csv"), file(kind), "--force"}).code, 0);
+    const auto outcome = analyze({"-", "--json"}, file(kind));
+    EXPECT_NEAR(first_mode_Hz(outcome), 200, kFrequency_Hz) << kind;
+    EXPECT_EQ(test::parse_json(outcome.out)["inputs"][0]["path"], "-");
+  }
+}
+
+}  // namespace percuss::inputs_test

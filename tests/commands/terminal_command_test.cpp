@@ -1,0 +1,85 @@
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <thread>
+
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+// Output on a terminal: colours, pictures and the width of tables.
+namespace percuss::terminal_command_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+// Runs percuss with a pseudo-terminal of this width as standard output; returns what arrives there.
+std::string on_terminal(const std::vector<std::string>& words, unsigned short columns,
+                        std::vector<std::string> environment = {}) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+  EXPECT_TRUE(terminal >= 0 && ::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0);
+  const std::string name = ::ptsname(terminal);
+  const int kept_open = ::open(name.c_str(), O_RDWR | O_NOCTTY);  // else reading ends before the program writes
+  winsize size{.ws_row = 50, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+  EXPECT_EQ(::ioctl(kept_open, TIOCSWINSZ, &size), 0);
+  std::string shown;
+  std::thread reader([&] {
+    std::array<char, 4096> bytes{};
+    for (ssize_t got = 0; (got = ::read(terminal, bytes.data(), bytes.size())) > 0;)
+      shown.append(bytes.data(), static_cast<std::size_t>(got));
+  });
+  environment.emplace_back("TERM=xterm");
+  test::run_percuss(words, {.output = name, .environment = environment});
+  ::close(kept_open);  // the reader now gets an error at the end
+  reader.join();
+  ::close(terminal);
+  return shown;
+}
+
+// In characters, without the line of the file's name and without the terminal's carriage returns.
+std::size_t longest_line(const std::string& text) {
+  std::size_t longest = 0;
+  for (const std::string& line : test::lines_of(text)) {
+    if (line.find("bat.h5") != std::string::npos) continue;
+    const auto characters = std::count_if(
+        line.begin(), line.end(), [](char c) { return c != '\r' && (static_cast<unsigned char>(c) & 0xC0U) != 0x80; });
+    longest = std::max(longest, static_cast<std::size_t>(characters));
+  }
+  return longest;
+}
+
+class Terminal : public testing::Test {
+ protected:
+  Terminal() { test::write_small_test(record_, R"("hits": 3, "faults": [{"hit": 1, "kind": "missing"}])"); }
+  test::ScratchFolder folder_;
+  std::string record_ = folder_.file("bat.h5");
+  std::vector<std::string> analyze_{"analyze", record_, "--only", "hits"};
+};
+
+TEST_F(Terminal, ShowsVerdictsAndWarningsInColour) {
+  EXPECT_THAT(on_terminal(analyze_, 100),
+              AllOf(HasSubstr("\033[31mrejected\033[0m: "), HasSubstr("\033[32mok\033[0m"), HasSubstr("\033[33m! ")));
+  EXPECT_THAT(on_terminal(analyze_, 100, {"NO_COLOR=1"}), Not(HasSubstr("\033[")));
+  EXPECT_THAT(test::run_percuss(analyze_).out, Not(HasSubstr("\033[")));
+  analyze_.emplace_back("--json");
+  EXPECT_THAT(on_terminal(analyze_, 100), Not(HasSubstr("\033[")));
+}
+
+TEST_F(Terminal, SetsTheWidthUpTo140) {
+  EXPECT_LE(longest_line(on_terminal(analyze_, 60, {"NO_COLOR=1"})), 60U);
+  EXPECT_LE(longest_line(on_terminal(analyze_, 400, {"NO_COLOR=1"})), 140U);
+}
+
+TEST_F(Terminal, ShowsAPictureOfEachChannel) {
+  EXPECT_THAT(on_terminal({"info", record_}, 120), AllOf(HasSubstr("█"), HasSubstr("▁▁▁")));
+  EXPECT_THAT(test::run_percuss({"info", record_}).out, Not(HasSubstr("█")));
+}
+
+}  // namespace percuss::terminal_command_test

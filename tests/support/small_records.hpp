@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace percuss::test {
+
+/// One hit on one mode at 200 Hz with 1 % damping, 4096 Hz, 0.5 s, without noise: for files in other layouts.
+struct SmallRecord {
+  std::vector<double> time_s, force_N, accel_mps2;
+};
+SmallRecord small_record();
+
+/// Writes columns of numbers as CSV below the line `header`, if it is not empty.
+void write_columns(const std::string& path, const std::string& header, const std::vector<std::vector<double>>& columns);
+
+}  // namespace percuss::test

@@ -1,0 +1,50 @@
+#include "cli/suggested_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "core/error.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr std::size_t kMaxWord_bytes = 400;
+
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%^";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return one_line(out + "'", kMaxWord_bytes);
+}
+
+// Whether the word is an option that the guess replaces.
+bool is_role_option(std::string_view word) {
+  return word.starts_with("--force-channel") || word.starts_with("--accel-channel");
+}
+
+}  // namespace
+
+std::string suggested_options(const acquire::RoleGuess& guess) {
+  if (guess.accel.empty()) return "";
+  std::string options = guess.force.empty() ? "" : "--force-channel " + quoted(guess.force) + " ";
+  options += "--accel-channel " + quoted(fmt::format("{}", fmt::join(guess.accel, ",")));
+  return options + (guess.rate_known ? "" : " --fs HZ");
+}
+
+std::string suggested_command(const std::vector<std::string>& typed, const acquire::RoleGuess& guess) {
+  if (guess.accel.empty() || typed.empty()) return "";
+  std::string command = "percuss";
+  for (std::size_t i = 1; i < typed.size(); ++i) {
+    if (is_role_option(typed[i])) {
+      i += typed[i].find('=') == std::string::npos ? 1U : 0U;
+      continue;
+    }
+    command += " " + quoted(typed[i]);
+  }
+  return "; the samples suggest: " + command + " " + suggested_options(guess);
+}
+
+}  // namespace percuss::tools

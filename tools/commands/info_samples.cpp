@@ -1,0 +1,139 @@
+#include "commands/info_samples.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "acquire/channels/role_guess.hpp"
+#include "acquire/hits/hits.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr std::size_t kMaxSamples = std::size_t{1} << 22U;  // of a channel, and
+constexpr std::size_t kMaxInAll = std::size_t{1} << 26U;    // of all channels
+constexpr std::size_t kColumns = 48;                        // of the picture
+// A haversine of 5 ms in 0.3 s has 4e-4, the decay of a mode of 2 kHz and 1 % in 1 s has 4e-3.
+constexpr double kHammerMeasure = 1e-3;
+
+std::size_t most_samples(const acquire::Record& record) {
+  return std::min(kMaxSamples, kMaxInAll / (record.accel.size() + 1));
+}
+
+// The samples of a channel from all rows, one after the other.
+template <class Read>
+std::vector<double> all_samples(const acquire::Record& record, const Read& read) {
+  std::vector<double> samples;
+  const std::size_t most = most_samples(record);
+  for (std::size_t row = 0; row < record.rows.size() && samples.size() < most; ++row) {
+    const std::size_t count = std::min(record.rows[row].samples, most - samples.size());
+    samples.resize(samples.size() + count);
+    read(row, std::span(samples).last(count));
+  }
+  return samples;
+}
+
+ChannelSamples summary_of(const std::vector<double>& samples) {
+  ChannelSamples out{.envelope = std::vector<double>(std::min(kColumns, samples.size()))};
+  double squares = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    squares += samples[i] * samples[i];
+    if (std::abs(samples[i]) > std::abs(out.peak)) out.peak = samples[i];
+    double& largest = out.envelope[i * out.envelope.size() / samples.size()];
+    largest = std::max(largest, std::abs(samples[i]));
+  }
+  out.rms = samples.empty() ? 0 : std::sqrt(squares / static_cast<double>(samples.size()));
+  out.hammer_measure = acquire::hammer_measure(samples);
+  return out;
+}
+
+// A light structure moves like the force during the pulse: a response is taken for a hammer only where the force is
+// none and the response resembles one clearly more than all others.
+void find_hammers(const acquire::Record& record, std::vector<ChannelSamples>& channels) {
+  constexpr double kAlike = 10;  // between hammers; a response differs from its hammer by a factor of 20 and more
+  double least = 1;
+  for (const ChannelSamples& channel : channels) least = std::min(least, channel.hammer_measure);
+  for (ChannelSamples& channel : channels)
+    channel.hammer = channel.hammer_measure < kHammerMeasure && channel.hammer_measure <= kAlike * least;
+  if (!record.has_force || !channels.front().hammer) return;
+  for (std::size_t c = 1; c < channels.size(); ++c) channels[c].hammer = false;
+}
+
+std::size_t pulses_in(const acquire::Record& record) {
+  const std::vector<acquire::Hit> hits = acquire::find_hits(record);
+  return static_cast<std::size_t>(std::count_if(hits.begin(), hits.end(), [](const acquire::Hit& hit) {
+    return std::none_of(hit.findings.begin(), hit.findings.end(),
+                        [](const auto& finding) { return finding.code == acquire::FindingCode::no_pulse; });
+  }));
+}
+
+}  // namespace
+
+RecordSamples samples_of(const acquire::Record& record) {
+  RecordSamples out;
+  std::size_t total = 0;
+  for (const acquire::RowInfo& row : record.rows) total += row.samples;
+  out.partial = total > most_samples(record);
+  try {
+    if (record.has_force) {
+      out.channels.push_back(summary_of(
+          all_samples(record, [&](std::size_t row, std::span<double> to) { record.read_force_N(row, 0, to); })));
+    }
+    for (std::size_t c = 0; c < record.accel.size(); ++c) {
+      out.channels.push_back(summary_of(
+          all_samples(record, [&](std::size_t row, std::span<double> to) { record.read_accel_mps2(row, c, 0, to); })));
+    }
+    find_hammers(record, out.channels);
+  } catch (const InputError& error) {
+    out.problem = error.what();
+    return out;
+  }
+  try {
+    if (record.has_force && !out.partial) out.hits = pulses_in(record);
+  } catch (const InputError&) {  // too short, or without any hit
+    out.hits = 0;
+  }
+  return out;
+}
+
+std::vector<Channel> channels_of(const acquire::Record& record) {
+  std::vector<Channel> channels;
+  if (record.has_force) channels.push_back({.signal = &record.force, .role = "force", .si_unit = "N"});
+  for (const acquire::SignalInfo& signal : record.accel) {
+    const bool pressure = signal.measures == Quantity::pressure;
+    channels.push_back(
+        {.signal = &signal, .role = pressure ? "pressure" : "acceleration", .si_unit = pressure ? "Pa" : "m/s^2"});
+  }
+  return channels;
+}
+
+std::vector<Message> notes_of(const acquire::Record& record, const RecordSamples& samples) {
+  std::vector<Message> notes = record.notes;
+  if (!samples.problem.empty()) notes.emplace_back("the samples cannot all be read: " + samples.problem);
+  if (samples.partial) notes.emplace_back("a long record: rms, peak and picture are those of its beginning");
+  for (std::size_t c = 0; c < samples.channels.size(); ++c) {
+    const bool force = record.has_force && c == 0;
+    if (force && !samples.channels[c].hammer)
+      notes.emplace_back("the force does not look like a hammer's pulses", std::vector<OptionId>{"force_channel"});
+    if (!force && samples.channels[c].hammer) {
+      notes.emplace_back(one_line(channels_of(record)[c].signal->name, 40) + " looks like a hammer's pulses",
+                         std::vector<OptionId>{"force_channel", "accel_channel"});
+    }
+  }
+  return notes;
+}
+
+std::string picture_of(std::span<const double> envelope) {
+  constexpr std::array<const char*, 8> kBlocks{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+  const double largest = envelope.empty() ? 0 : *std::max_element(envelope.begin(), envelope.end());
+  std::string out;
+  for (const double value : envelope) {
+    const double level = largest > 0 ? value / largest * static_cast<double>(kBlocks.size()) : 0;
+    out += kBlocks.at(std::min(static_cast<std::size_t>(level), kBlocks.size() - 1));
+  }
+  return out;
+}
+
+}  // namespace percuss::tools
