@@ -199,7 +199,8 @@ void SampleStore::make_room() {
     const std::uint64_t full = ring_.capacity() - ring_.capacity() / 8;
     if (pace_ == DevicePace::clock && head - release > full) {
       release = head - full;
-      lost_by_reader = release - std::min(release, std::max(read_, begun_ ? written_ : 0));
+      const std::uint64_t kept = std::max({read_, begun_ ? written_ : 0, ring_.released()});
+      lost_by_reader = release - std::min(release, kept);
     }
     if (begun_ && pace_ != DevicePace::clock && head - release > full)
       release = std::max(release, std::min(read_, head - full));
