@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <numeric>
 #include <utility>
 
@@ -75,11 +76,15 @@ CaptureStream::CaptureStream(std::unique_ptr<Device> device, const CaptureOption
 CaptureStream::~CaptureStream() { stop(); }
 
 void CaptureStream::pump() {
-  while (store_->ended() == StreamEnd::none) {
-    if (const StreamEnd reason = device_->check(); reason != StreamEnd::none) store_->sink().end(reason);
-    if (!store_->pump()) std::this_thread::sleep_for(pause_);
+  try {
+    while (store_->ended() == StreamEnd::none) {
+      if (const StreamEnd reason = device_->check(); reason != StreamEnd::none) store_->sink().end(reason);
+      if (!store_->pump()) std::this_thread::sleep_for(pause_);
+    }
+    store_->finish();
+  } catch (const std::exception&) {  // no memory is left
+    store_->sink().end(StreamEnd::failed);
   }
-  store_->finish();
   finished_ = true;
 }
 

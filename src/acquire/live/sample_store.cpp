@@ -52,16 +52,15 @@ bool SampleStore::pump() {
   const bool inspected = inspect();
   bool wrote = false;
   while (write_block(false)) wrote = true;
-  if (journal_) {
-    watch_journal();
-    if (wrote) journal_->sync(false);
-  }
+  if (journal_) watch_journal();
   make_room();
   return inspected || wrote;
 }
 
 void SampleStore::finish() {
   inspect();
+  if (const std::uint64_t dropped = ring_.dropped() - known_dropped_; dropped > 0)  // after the last frame
+    note({.fault = CaptureFault::dropped, .frame = expected_frame_, .count = dropped});
   found_.clear();
   inspection_.finish(found_);
   for (CaptureFinding& finding : std::exchange(found_, {})) note(std::move(finding));
@@ -75,7 +74,7 @@ void SampleStore::finish() {
   if (!journal_) return;
   watch_journal();
   journal_->flush();
-  journal_->sync(true);
+  journal_->sync();
 }
 
 bool SampleStore::inspect() {

@@ -14,6 +14,18 @@ constexpr std::size_t kMaxWaiting_bytes = std::size_t{16} << 20U;  // tens of th
 
 }  // namespace
 
+SessionJournal::SessionJournal(JournalWriter writer)
+    : writer_(std::move(writer)), syncing_([this] { sync_every_second(); }) {}
+
+SessionJournal::~SessionJournal() {
+  {
+    const std::lock_guard guard(mutex_);
+    closing_ = true;
+  }
+  wake_.notify_all();
+  syncing_.join();
+}
+
 bool SessionJournal::accept(int error) {
   if (error == 0) {
     fault_.clear();
@@ -54,10 +66,16 @@ bool SessionJournal::flush() {
   return flush_locked();
 }
 
-void SessionJournal::sync(bool now) {
-  if (!now && Clock::now() - synced_ < kSyncEvery) return;
-  synced_ = Clock::now();
-  writer_.sync();  // a failing disk also refuses writes, which are reported
+void SessionJournal::sync_every_second() {
+  std::uint64_t synced_bytes = 0;
+  std::unique_lock lock(mutex_);
+  while (!wake_.wait_for(lock, kSyncEvery, [this] { return closing_; })) {
+    lock.unlock();
+    const std::uint64_t bytes = writer_.size_bytes();
+    // A failing disk also refuses writes, which are reported.
+    if (bytes != synced_bytes && writer_.sync()) synced_bytes = bytes;
+    lock.lock();
+  }
 }
 
 std::string SessionJournal::fault() const {

@@ -1,11 +1,13 @@
 #pragma once
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "acquire/live/journal_writer.hpp"
 
@@ -15,7 +17,10 @@ namespace percuss::acquire {
 /// order; samples are offered again by the caller.
 class SessionJournal {
  public:
-  explicit SessionJournal(JournalWriter writer) : writer_(std::move(writer)) {}
+  explicit SessionJournal(JournalWriter writer);
+  ~SessionJournal();
+  SessionJournal(const SessionJournal&) = delete;
+  SessionJournal& operator=(const SessionJournal&) = delete;
 
   /// Appends an event or a finding now, or when there is room again.
   void append_text(std::string block);
@@ -23,8 +28,9 @@ class SessionJournal {
   std::optional<std::uint64_t> append_samples(const std::string& block);
   /// Tries again to write the texts that wait. Whether none waits.
   bool flush();
-  /// Synchronises once a second at most; `now` always.
-  void sync(bool now);
+  /// Waits until everything written is on the disk. Otherwise this happens once a second, in a thread of its own: a
+  /// slow disk must not delay the blocks that follow.
+  void sync() { writer_.sync(); }
   /// Why the disk refused the last write; empty while it accepts them.
   std::string fault() const;
 
@@ -34,13 +40,17 @@ class SessionJournal {
   using Clock = std::chrono::steady_clock;
   bool accept(int error);
   bool flush_locked();
+  void sync_every_second();
 
   JournalWriter writer_;
   mutable std::mutex mutex_;
   std::deque<std::string> waiting_;
   std::size_t waiting_bytes_ = 0;
   std::string fault_;
-  Clock::time_point retry_{}, synced_ = Clock::now();
+  Clock::time_point retry_{};
+  std::condition_variable wake_;
+  bool closing_ = false;
+  std::thread syncing_;
 };
 
 }  // namespace percuss::acquire
