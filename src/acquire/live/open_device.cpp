@@ -1,7 +1,11 @@
 #include "acquire/live/open_device.hpp"
 
+#include <stdexcept>
+
 #include "acquire/live/file_device.hpp"
-#include "core/error.hpp"
+#include "acquire/live/pipe_device.hpp"
+#include "acquire/live/plugin_device.hpp"
+#include "acquire/live/portaudio_device.hpp"
 
 namespace percuss::acquire {
 
@@ -16,7 +20,7 @@ std::unique_ptr<Device> open_device(const std::string& text, const DeviceOptions
     default:
       break;
   }
-  throw InputError("this kind of device is not supported", text, "choose another device", {"device"});
+  throw std::logic_error("a kind of device is missing");
 }
 
 }  // namespace percuss::acquire
