@@ -13,9 +13,10 @@ struct StreamFormat {
   std::string device;  // for people: "sim:aluminum-bat", "USB Audio CODEC"
   double fs_Hz = 0;
   std::size_t channels = 0;
-  std::vector<std::string> names;  // [channels]; may be empty
-  std::vector<std::string> units;  // [channels], of the delivered numbers: "V", "N", "m/s^2"; empty: full scale is 1
-  double full_scale = 0;           // the largest |value| that the device can deliver; 0: not known
+  std::vector<std::string> names;   // [channels]; may be empty
+  std::vector<std::string> units;   // [channels], of the delivered numbers: "V", "N", "m/s^2"; empty: full scale is 1
+  double full_scale = 0;            // the largest |value| that the device can deliver; 0: not known
+  std::vector<double> full_scales;  // [channels], where they differ; `full_scale` is then the first channel's
 };
 
 /// Consecutive frames of all channels, in the order of their capture. A frame has one sample per channel.
