@@ -37,6 +37,7 @@ const std::vector<Level>& levels() {
       {"acquire/hits"},
       {"acquire/sandbox"},
       {"acquire"},
+      {"acquire/live"},  // replays records of any format
       {"frf"},
       {"identify/model"},
       {"identify/noise"},
