@@ -66,8 +66,9 @@ class Device {
 
 /// What the user asks of a device.
 struct DeviceOptions {
-  std::optional<double> fs_Hz;  // absent: the device's own rate
-  bool fast = false;            // a simulated or replayed device need not keep to real time
+  std::optional<double> fs_Hz;    // absent: the device's own rate
+  bool fast = false;              // a simulated or replayed device need not keep to real time
+  std::uint64_t start_frame = 0;  // simulated and replayed devices begin here: where an interrupted session ended
 };
 
 }  // namespace percuss::acquire

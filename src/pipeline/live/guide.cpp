@@ -38,7 +38,7 @@ Guide::Guide(const acquire::StreamFormat& format, LiveChannels channels, GuideOp
       log_(log),
       observer_(observer),
       fs_Hz_(format.fs_Hz),
-      full_scale_(format.full_scale),
+      full_scales_(format.full_scales.empty() ? std::vector(format.channels, format.full_scale) : format.full_scales),
       pretrigger_(pretrigger_of(channels_, options_)),
       session_(options_.plan),
       history_(format.channels),
@@ -179,7 +179,8 @@ void Guide::judge(const Window& window) {
 
 BlowGrade Guide::grade(const BlowSamples& samples, const Window& window) const {
   const auto past = past_.find(window.first);
-  if (past != past_.end() && past->second.blow) {
+  const bool whole = history_.losses(window.first, window.first + *length_).empty();
+  if (past != past_.end() && past->second.blow && whole) {
     const SessionEvent& blow = *past->second.blow;
     return {.mark = blow.mark, .reason = blow.message, .peak_N = blow.peak_N, .bandwidth_Hz = blow.bandwidth_Hz};
   }

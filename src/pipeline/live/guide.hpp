@@ -79,6 +79,8 @@ class Guide {
   std::uint64_t newest_frame() const { return history_.end_frame(); }
   /// A blow's samples are being collected.
   bool collecting() const { return !windows_.empty(); }
+  /// The first frame of the first blow, less this time, but not before the start.
+  std::uint64_t frame_before_first_blow(double time_s) const;
   std::optional<std::size_t> length() const { return length_; }
   double trigger_N() const { return trigger_->threshold_N(); }
 
@@ -127,7 +129,8 @@ class Guide {
   GuideOptions options_;
   acquire::SessionLog& log_;
   GuideObserver& observer_;
-  double fs_Hz_, full_scale_;
+  double fs_Hz_;
+  std::vector<double> full_scales_;  // [channels of the device]; 0: not known
   std::size_t pretrigger_;
   Session session_;
   SampleHistory history_;

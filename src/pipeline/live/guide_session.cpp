@@ -74,6 +74,13 @@ void Guide::check_goals() {
   log_and_apply({.kind = Kind::enough, .frame = history_.end_frame()});
 }
 
+std::uint64_t Guide::frame_before_first_blow(double time_s) const {
+  const std::uint64_t first = session_.blows().empty() ? (windows_.empty() ? newest_frame() : windows_.front().first)
+                                                       : session_.blows().front().frame;
+  const auto before = static_cast<std::uint64_t>(time_s * fs_Hz_);
+  return std::max(start_frame_, first > before ? first - before : 0);
+}
+
 void Guide::add_fault(acquire::FaultKind kind, std::uint64_t frame, double value) {
   if (faults_.size() < kMaxFaults) faults_.push_back({.kind = kind, .frame = frame, .value = value});
 }
@@ -101,7 +108,7 @@ acquire::Record Guide::record() const {
     });
     record.faults.push_back({.kind = fault.kind,
                              .row = in_blow == blows.end() ? -1 : static_cast<int>(in_blow - blows.begin()),
-                             .time_s = static_cast<double>(fault.frame - std::min(fault.frame, start_frame_)) / fs_Hz_,
+                             .time_s = static_cast<double>(fault.frame) / fs_Hz_,
                              .value = fault.value});
   }
   return record;

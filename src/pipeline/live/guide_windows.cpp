@@ -65,12 +65,13 @@ BlowCircumstances Guide::circumstances(const Window& window) const {
       .typical_peak_N = typical(&Session::Blow::peak_N),
       .typical_bandwidth_Hz = typical(&Session::Blow::bandwidth_Hz),
       .pretrigger = static_cast<std::size_t>(window.event.peak - window.first)};
-  if (!(full_scale_ > 0)) return at;
+  if (!(full_scales_.at(channels_.force) > 0)) return at;
   std::vector<double> x(*length_);
   const auto largest = [&](std::size_t channel) {
     history_.read(channel, window.first, x);
     const Extremes all = extremes_of(x);
-    at.range.push_back(std::max(std::abs(all.low), std::abs(all.high)) / full_scale_);
+    const double full_scale = full_scales_.at(channel);
+    at.range.push_back(full_scale > 0 ? std::max(std::abs(all.low), std::abs(all.high)) / full_scale : 0);
   };
   largest(channels_.force);
   for (const std::size_t channel : channels_.accel) largest(channel);
