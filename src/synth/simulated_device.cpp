@@ -46,12 +46,14 @@ acquire::DeviceFormat simulated_format(const SimulatedSession& session, const st
 
 class SimulatedDevice final : public acquire::PolledDevice {
  public:
-  explicit SimulatedDevice(SimulatedSession session)
+  SimulatedDevice(SimulatedSession session, std::uint64_t start_frame)
       : session_(std::move(session)),
         renderer_(session_),
         format_(simulated_format(session_, renderer_.full_scales())) {
     for (const auto& gap : session_.gaps) losses_.push_back({frame_at(gap.from_s), frame_at(gap.for_s), false});
     for (const auto& lost : session_.overruns) losses_.push_back({frame_at(lost.from_s), frame_at(lost.for_s), true});
+    frame_ = start_frame_ = start_frame;
+    std::erase_if(losses_, [&](const Loss& loss) { return loss.at < start_frame; });
     std::sort(losses_.begin(), losses_.end(), [](const Loss& a, const Loss& b) { return a.at < b.at; });
     const auto end_at = [&](double at_s, StreamEnd reason) {
       if (frame_at(at_s) >= end_) return;
@@ -71,9 +73,9 @@ class SimulatedDevice final : public acquire::PolledDevice {
     if (frame_ >= end_) return sink.end(reason_);
     if (session_.fast) return write_until(std::min(end_, frame_ + kPiece_frames), sink);
     const Clock::time_point now = Clock::now();
-    if (frame_ == 0) start_ = now - std::chrono::milliseconds(1);
+    if (frame_ == start_frame_) start_ = now - std::chrono::milliseconds(1);
     const double elapsed_s = std::chrono::duration<double>(now - start_).count() * session_.speed;
-    write_until(std::min(end_, frame_at(elapsed_s)), sink);
+    write_until(std::min(end_, start_frame_ + frame_at(elapsed_s)), sink);
     std::this_thread::sleep_for(std::chrono::duration<double>(kPoll_s));
   }
 
@@ -141,7 +143,7 @@ class SimulatedDevice final : public acquire::PolledDevice {
   const acquire::DeviceFormat format_;
   std::vector<Loss> losses_;
   std::size_t next_loss_ = 0;
-  std::uint64_t frame_ = 0, end_ = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t frame_ = 0, start_frame_ = 0, end_ = std::numeric_limits<std::uint64_t>::max();
   StreamEnd reason_ = StreamEnd::finished;
   Clock::time_point start_;
   std::vector<double> clean_;
@@ -154,7 +156,7 @@ class SimulatedDevice final : public acquire::PolledDevice {
 
 std::unique_ptr<acquire::Device> open_simulated_device(const std::string& description,
                                                        const acquire::DeviceOptions& options) {
-  return std::make_unique<SimulatedDevice>(parse_simulated_session(description, options));
+  return std::make_unique<SimulatedDevice>(parse_simulated_session(description, options), options.start_frame);
 }
 
 }  // namespace percuss::synth

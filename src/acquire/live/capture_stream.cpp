@@ -55,7 +55,8 @@ FrameLayout layout_of(const DeviceFormat& device, const std::vector<std::size_t>
 
 std::unique_ptr<SessionJournal> journal_of(const CaptureOptions& options, const StreamFormat& format) {
   if (options.journal.empty()) return nullptr;
-  if (options.resume) return std::make_unique<SessionJournal>(JournalWriter::resumed(options.journal, format));
+  if (options.resume)
+    return std::make_unique<SessionJournal>(JournalWriter::resumed(options.journal, format, options.seamless));
   return std::make_unique<SessionJournal>(JournalWriter(options.journal, format, options.overwrite));
 }
 

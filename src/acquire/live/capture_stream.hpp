@@ -17,6 +17,7 @@ struct CaptureOptions {
   std::string journal;                  // path; empty: no journal
   bool overwrite = false;               // an existing journal
   bool resume = false;                  // continue an existing journal
+  bool seamless = false;                // on resuming, the device goes on at the frame where the journal ends
   std::vector<std::size_t> channels{};  // of the device, from 0, in this order; empty: all
   StoreOptions store{};
 };

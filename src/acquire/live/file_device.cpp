@@ -34,11 +34,13 @@ DeviceFormat replay_format(const Record& record, bool fast) {
 
 class ReplayDevice final : public PolledDevice {
  public:
-  ReplayDevice(Record record, bool fast)
+  ReplayDevice(Record record, const DeviceOptions& options)
       : record_(std::move(record)),
-        fast_(fast),
-        format_(replay_format(record_, fast)),
-        gap_(static_cast<std::uint64_t>(std::ceil(record_.fs_Hz))) {}
+        fast_(options.fast),
+        format_(replay_format(record_, fast_)),
+        gap_(static_cast<std::uint64_t>(std::ceil(record_.fs_Hz))) {
+    seek(options.start_frame);
+  }
   ~ReplayDevice() override { stop(); }
 
   const DeviceFormat& format() const override { return format_; }
@@ -61,6 +63,16 @@ class ReplayDevice final : public PolledDevice {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  // Frames count over rows and gaps.
+  void seek(std::uint64_t frame) {
+    while (row_ < record_.rows.size() && frame > record_.rows[row_].samples + gap_) {
+      frame -= record_.rows[row_].samples + gap_;
+      ++row_;
+    }
+    if (row_ < record_.rows.size())
+      at_ = static_cast<std::size_t>(std::min<std::uint64_t>(frame, record_.rows[row_].samples));
+  }
 
   void next_row(FrameSink& sink) {
     at_ = 0;
@@ -111,7 +123,7 @@ class ReplayDevice final : public PolledDevice {
 std::unique_ptr<Device> replay_device(Record record, const DeviceOptions& options) {
   if (record.rows.empty() || !(record.fs_Hz > 0) || (record.accel.empty() && !record.has_force))
     throw InputError("the record has no samples to replay", record.source(), "name another record", {"device"});
-  return std::make_unique<ReplayDevice>(std::move(record), options.fast);
+  return std::make_unique<ReplayDevice>(std::move(record), options);
 }
 
 std::unique_ptr<Device> open_file_device(const std::string& path, const DeviceOptions& options) {

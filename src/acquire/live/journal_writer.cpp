@@ -67,7 +67,7 @@ JournalWriter::JournalWriter(std::string path, const StreamFormat& format, bool 
   }
 }
 
-JournalWriter JournalWriter::resumed(const std::string& path, const StreamFormat& format) {
+JournalWriter JournalWriter::resumed(const std::string& path, const StreamFormat& format, bool seamless) {
   JournalWriter writer(path, open_journal(path, O_RDWR));
   if (writer.descriptor_ < 0) writer.fail("cannot resume the journal", errno);
   writer.lock();
@@ -79,7 +79,7 @@ JournalWriter JournalWriter::resumed(const std::string& path, const StreamFormat
   if (::ftruncate(writer.descriptor_, static_cast<off_t>(writer.end_)) != 0)
     writer.fail("cannot resume the journal", errno);
   if (const std::uint64_t last = reader.end_frame(); last > 0)
-    writer.next_frame_ = last + static_cast<std::uint64_t>(std::ceil(format.fs_Hz));
+    writer.next_frame_ = last + (seamless ? 0 : static_cast<std::uint64_t>(std::ceil(format.fs_Hz)));
   Outcome done = writer.append(journal_block(JournalBlockType::format, format_json(format), writer.next_frame_));
   if (done.error == 0) done = writer.append({.fault = CaptureFault::resumed, .frame = writer.next_frame_});
   if (done.error != 0) writer.fail("cannot resume the journal", done.error);

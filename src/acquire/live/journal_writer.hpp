@@ -23,7 +23,8 @@ class JournalWriter {
   JournalWriter(std::string path, const StreamFormat& format, bool overwrite);
   /// Continues a journal after its last whole block: cuts off the rest, and appends the format and a finding.
   /// errors  InputError: as JournalReader; another process writes it; `format` differs in channels or rate
-  static JournalWriter resumed(const std::string& path, const StreamFormat& format);
+  /// `seamless`: the next frame follows the last one.
+  static JournalWriter resumed(const std::string& path, const StreamFormat& format, bool seamless = false);
   JournalWriter(JournalWriter&& other) noexcept;
   JournalWriter(const JournalWriter&) = delete;
   JournalWriter& operator=(const JournalWriter&) = delete;
