@@ -2,10 +2,14 @@
 
 #include <fcntl.h>
 #include <portaudio.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 
 #include "core/error.hpp"
@@ -15,6 +19,28 @@ namespace {
 
 constexpr std::array kCommonRates_Hz = {8000.0,  11025.0, 16000.0, 22050.0, 25600.0,  32000.0,  44100.0,  48000.0,
                                         51200.0, 64000.0, 88200.0, 96000.0, 102400.0, 128000.0, 176400.0, 192000.0};
+
+// PortAudio of Debian aborts the program where the configuration of ALSA has no device "default" (an assertion). A
+// child tries it first. The child takes at most 20 s, since devices may answer slowly.
+void check_in_child() {
+  constexpr unsigned kPatience_s = 20;
+  const pid_t child = ::fork();
+  if (child < 0) return;
+  if (child == 0) {
+    const rlimit no_core{};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+    std::signal(SIGABRT, SIG_DFL);
+    ::alarm(kPatience_s);
+    ::Pa_Initialize();
+    ::_exit(0);
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status))
+    throw InputError("PortAudio cannot look for devices", "portaudio",
+                     "check the configuration of ALSA: it needs a device called default", {"device"});
+}
 
 }  // namespace
 
@@ -35,6 +61,7 @@ QuietErrors::~QuietErrors() {
 
 PortAudioLibrary::PortAudioLibrary() {
   const QuietErrors quiet;
+  check_in_child();
   if (const PaError error = ::Pa_Initialize(); error != paNoError)
     throw InputError(std::string("PortAudio does not start: ") + ::Pa_GetErrorText(error), "portaudio",
                      "check the sound system", {"device"});

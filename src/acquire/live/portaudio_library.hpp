@@ -17,7 +17,7 @@ struct PortAudioInput {
 /// PortAudio while it is in use. It finds the devices when the first object is made.
 class PortAudioLibrary {
  public:
-  /// errors  InputError: PortAudio does not start
+  /// errors  InputError: PortAudio does not start, or would abort the program
   PortAudioLibrary();
   ~PortAudioLibrary();
   PortAudioLibrary(const PortAudioLibrary&) = delete;
