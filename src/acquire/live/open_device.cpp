@@ -17,8 +17,14 @@ std::unique_ptr<Device> open_device(const std::string& text, const DeviceOptions
       return simulated(spec.name, options);
     case DeviceKind::file:
       return open_file_device(spec.name, options);
-    default:
-      break;
+    case DeviceKind::pipe:
+      return open_pipe_device(spec.name);
+    case DeviceKind::plugin:
+      return open_plugin_device(spec.name, spec.arguments, options);
+    case DeviceKind::portaudio:
+      return open_portaudio_device(spec.name, false, options);
+    case DeviceKind::alsa:
+      return open_portaudio_device(spec.name, true, options);
   }
   throw std::logic_error("a kind of device is missing");
 }
