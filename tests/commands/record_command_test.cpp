@@ -51,7 +51,8 @@ struct Bench {
 
 std::vector<double> frequencies(const std::string& json) {
   std::vector<double> out;
-  for (const auto& mode : nlohmann::json::parse(json)["modes"]) out.push_back(mode["frequency_hz"]);
+  const auto document = nlohmann::json::parse(json);
+  for (const auto& mode : document["modes"]) out.push_back(mode["frequency_hz"]);
   return out;
 }
 
@@ -65,7 +66,8 @@ TEST(RecordCommand, WritesARecordWithTheSameAnalysis) {
   EXPECT_EQ(analysed.code, 0);
   EXPECT_EQ(recorded.out, analysed.out);
   std::vector<bool> accepted;
-  for (const auto& hit : nlohmann::json::parse(analysed.out)["hits"]) accepted.push_back(hit["accepted"]);
+  const auto document = nlohmann::json::parse(analysed.out);
+  for (const auto& hit : document["hits"]) accepted.push_back(hit["accepted"]);
   std::vector<bool> unmarked;
   for (const RowMark mark : bench.marks()) unmarked.push_back(mark == RowMark::none);
   EXPECT_EQ(accepted, unmarked);
@@ -157,12 +159,13 @@ TEST(RecordCommand, ResumesAfterAKillToTheSameBytes) {
   int kills = 0;
   for (const char* seconds : {"0.2", "0.45", "0.7", "0.95", "1.2", "1.6"}) {
     fs::remove(bench.folder.file("t.h5"));
-    const int code = bench.shell(std::string("timeout -s KILL ") + seconds + " percuss record -o t.h5 --device " +
-                                 device + " >out 2>&1");
-    if (code == 0) continue;  // it was faster
+    bench.shell(std::string("timeout -s KILL ") + seconds + " percuss record -o t.h5 --device " + device +
+                " >out 2>&1");
+    if (!bench.has("t.h5.journal")) {  // it was faster
+      EXPECT_EQ(bench.bytes("t.h5"), expected);
+      continue;
+    }
     ++kills;
-    EXPECT_FALSE(bench.has("t.h5")) << seconds;
-    ASSERT_TRUE(bench.has("t.h5.journal")) << seconds;
     const auto resumed = bench.run({"record", "--resume", "t.h5"});
     EXPECT_EQ(resumed.code, 0) << seconds << resumed.err << resumed.out;
     EXPECT_EQ(bench.bytes("t.h5"), expected) << seconds;

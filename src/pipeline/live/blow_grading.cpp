@@ -82,7 +82,7 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
     return {RowMark::double_hit,
             fmt::format("two contacts, the second {:.0f} % of the first and {:.0f} ms later", second->value * 100,
                         second->delay_s.value_or(0) * 1e3),
-            "strike shorter, so that the hammer bounces off"};
+            "strike shorter: let the hammer bounce off"};
   }
   if (at.struck_again) return {RowMark::still_ringing, "struck again before the decay ended", "wait between blows"};
   if (hit.gated_N.empty() || acquire::rejects(hit.findings))

@@ -112,13 +112,13 @@ TEST(Guide, RejectsBlowsAndSaysWhatToDo) {
   bench.play_all();
   EXPECT_THAT(bench.marks(), ElementsAre(RowMark::none, RowMark::none, RowMark::double_hit, RowMark::none,
                                          RowMark::weak, RowMark::none, RowMark::none));
-  EXPECT_EQ(bench.witness.blows[2].grade.remedy, "strike shorter, so that the hammer bounces off");
+  EXPECT_EQ(bench.witness.blows[2].grade.remedy, "strike shorter: let the hammer bounce off");
   EXPECT_EQ(bench.witness.blows[4].grade.remedy, "hit harder");
   EXPECT_EQ(bench.witness.blows[3].blow, 3U);
 }
 
 TEST(Guide, RejectsClippedForcesAndResponses) {
-  Bench force(struck_tube(kFiveTimes, 8, R"("recorder": {"force_clip_n": 290})"));
+  Bench force(struck_tube(kFiveTimes, 8, R"("recorder": {"force_clip_n": 220})"));
   force.play_all();
   EXPECT_THAT(force.marks(), testing::Contains(RowMark::force_overload));
   Bench accel(struck_tube(kFiveTimes, 8, R"("recorder": {"accel_clip_mps2": 100})"));

@@ -210,6 +210,8 @@ int run_record(RecordFlags flags) {
     const bool device_failed =
         end == StreamEnd::unplugged || end == StreamEnd::rate_changed || end == StreamEnd::failed;
     code = exit_code_of(guide.session(), device_failed || end == StreamEnd::finished || SessionSignals::arrived() != 0);
+    if (end == StreamEnd::finished && !guide.session().complete() && !guide.session().finished())
+      screen.note("the device ended before every point had its blows");
     stream.reset();
     if (guide.session().blows().empty()) {
       screen.note("no blow was recorded, so no file is written");
