@@ -12,7 +12,9 @@ namespace {
 
 constexpr double kNearFullScale = 0.9;  // of the range: the next harder blow is clipped
 constexpr double kLowForce = 0.2, kLowAccel = 0.03;
-constexpr double kTarget = 0.5;  // without goals: the blows that halve the ±
+constexpr double kLowCoherence = 0.9;
+constexpr std::size_t kMaxOutlook = 30;  // blows
+constexpr double kTarget = 0.5;          // without goals: the blows that halve the ±
 
 std::size_t index_of(const SessionPlan& plan, int point) {
   return static_cast<std::size_t>(std::find(plan.points.begin(), plan.points.end(), point) - plan.points.begin());
@@ -90,6 +92,7 @@ std::string blow_text(const BlowReport& blow, const LiveChannels& channels, cons
       fmt::format("{}: accepted, {} up to {}", place, force_text(grade.peak_N), frequency_text(grade.bandwidth_Hz));
   const std::string advice = range_advice(grade, channels, blow.row < 2);
   if (!advice.empty()) text += "; " + advice;
+  if (grade.unlike_others) text += "; little like the other blows: was it the same place?";
   if (grade.rings_at_end) text += "; still ringing at the end: a longer window keeps the whole decay";
   return text;
 }
@@ -105,6 +108,7 @@ std::string quality_text(const SessionQuality& quality, std::size_t max_modes) {
   }
   if (quality.modes.size() > max_modes) text += ", …";
   if (quality.coherence) text += fmt::format("; coherence {:.3f}", *quality.coherence);
+  if (quality.coherence && *quality.coherence < kLowCoherence) text += ": low, the blows of a point differ";
   return text;
 }
 
@@ -117,7 +121,7 @@ std::string outlook_text(const SessionQuality& quality, const std::vector<Precis
                        [](const LiveMode& a, const LiveMode& b) { return a.freq_std_Hz < b.freq_std_Hz; });
   const auto more = further_blows(*widest, quality.blows, kTarget * widest->freq_std_Hz);
   const std::string name = name_of(*widest, static_cast<std::size_t>(widest - quality.modes.begin()));
-  if (!more || !(widest->freq_std_Hz > 0)) return {};
+  if (!more || *more > kMaxOutlook || !(widest->freq_std_Hz > 0)) return {};
   return fmt::format("{} more blow{} halve{} the ± of {}, {:.2g} Hz", *more, plural(*more), *more == 1 ? "s" : "", name,
                      widest->freq_std_Hz);
 }

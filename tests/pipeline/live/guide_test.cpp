@@ -27,7 +27,7 @@ struct Witness : pipeline::GuideObserver {
   std::vector<std::size_t> regraded;
   std::size_t losses = 0, goals = 0;
   void on_blow(const BlowReport& blow) override { blows.push_back(blow); }
-  void on_regraded(std::size_t row) override { regraded.push_back(row); }
+  void on_regraded(std::size_t row, RowMark /*mark*/) override { regraded.push_back(row); }
   void on_loss(const pipeline::SampleLoss& /*loss*/) override { ++losses; }
   void on_goals_met() override { ++goals; }
 };
