@@ -30,7 +30,7 @@ constexpr std::array kNamedCommands = {
     NamedCommand{"model", add_model},         NamedCommand{"metrics", add_metrics},
     NamedCommand{"certify", add_certify},     NamedCommand{"abi", add_abi},
     NamedCommand{"study", add_study},         NamedCommand{"batch", add_batch},
-    NamedCommand{"record", add_record},
+    NamedCommand{"record", add_record},       NamedCommand{"devices", add_devices},
 };
 
 }  // namespace

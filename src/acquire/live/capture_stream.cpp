@@ -46,6 +46,13 @@ StreamFormat format_of(const StreamFormat& device, const std::vector<std::size_t
   return format;
 }
 
+FrameLayout layout_of(const DeviceFormat& device, const std::vector<std::size_t>& channels) {
+  FrameLayout layout{.type = device.type, .device_channels = device.stream.channels, .channels = channels};
+  for (const std::size_t channel : channels)
+    layout.scales.push_back(device.scales.empty() ? device.scale : device.scales[channel]);
+  return layout;
+}
+
 std::unique_ptr<SessionJournal> journal_of(const CaptureOptions& options, const StreamFormat& format) {
   if (options.journal.empty()) return nullptr;
   if (options.resume)
@@ -63,8 +70,8 @@ CaptureStream::CaptureStream(std::unique_ptr<Device> device, const CaptureOption
   if (options.store.trigger && options.store.trigger->channel >= channels.size())
     throw InputError("the channel of the trigger is not recorded", format_.device, "name a recorded channel",
                      {"trigger"});
-  store_ = std::make_unique<SampleStore>(FrameLayout{given.type, given.scale, given.stream.channels, channels}, format_,
-                                         given.pace, journal_of(options, format_), options.store);
+  store_ = std::make_unique<SampleStore>(layout_of(given, channels), format_, given.pace, journal_of(options, format_),
+                                         options.store);
   device_->start(store_->sink());
   try {
     writer_ = std::thread([this] { pump(); });

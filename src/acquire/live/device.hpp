@@ -24,7 +24,8 @@ enum class DevicePace { clock, ring, reader };
 struct DeviceFormat {
   StreamFormat stream;
   SampleType type = SampleType::float32;
-  double scale = 1;  // value in the units of `stream` = number × scale
+  double scale = 1;              // value in the units of `stream` = number × scale
+  std::vector<double> scales{};  // [channels], where they differ; replaces `scale`
   DevicePace pace = DevicePace::clock;
 };
 
@@ -66,9 +67,10 @@ class Device {
 
 /// What the user asks of a device.
 struct DeviceOptions {
-  std::optional<double> fs_Hz;    // absent: the device's own rate
-  bool fast = false;              // a simulated or replayed device need not keep to real time
-  std::uint64_t start_frame = 0;  // simulated and replayed devices begin here: where an interrupted session ended
+  std::optional<double> fs_Hz;          // absent: the device's own rate
+  std::optional<std::size_t> channels;  // the first so many; absent: all. Simulated and replayed devices have theirs
+  bool fast = false;                    // a simulated or replayed device need not keep to real time
+  std::uint64_t start_frame = 0;        // simulated and replayed devices begin here: where a session was interrupted
 };
 
 }  // namespace percuss::acquire

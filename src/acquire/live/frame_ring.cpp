@@ -8,11 +8,11 @@ namespace percuss::acquire {
 namespace {
 
 template <class Number>
-void read_numbers(const std::byte* from, double scale, std::span<double> out) {
-  for (double& value : out) {
+void read_numbers(const std::byte* from, const std::vector<double>& scales, std::span<double> out) {
+  for (std::size_t i = 0; i < out.size(); ++i) {
     Number number;
     std::memcpy(&number, from, sizeof number);
-    value = static_cast<double>(number) * scale;
+    out[i] = static_cast<double>(number) * scales[i % scales.size()];
     from += sizeof number;
   }
 }
@@ -134,9 +134,9 @@ void FrameRing::read(std::uint64_t index, std::span<double> out) const {
     const std::size_t part = std::min(out.size() / channels - done / channels, capacity_ - place);
     const std::byte* from = bytes_.data() + place * frame_bytes_;
     const auto to = out.subspan(done, part * channels);
-    if (layout_.type == SampleType::int32) read_numbers<std::int32_t>(from, layout_.scale, to);
-    if (layout_.type == SampleType::float32) read_numbers<float>(from, layout_.scale, to);
-    if (layout_.type == SampleType::float64) read_numbers<double>(from, layout_.scale, to);
+    if (layout_.type == SampleType::int32) read_numbers<std::int32_t>(from, layout_.scales, to);
+    if (layout_.type == SampleType::float32) read_numbers<float>(from, layout_.scales, to);
+    if (layout_.type == SampleType::float64) read_numbers<double>(from, layout_.scales, to);
     done += to.size();
     index += part;
   }

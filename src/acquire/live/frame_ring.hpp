@@ -14,9 +14,9 @@ namespace percuss::acquire {
 /// The frames of a device and the channels of it that are kept.
 struct FrameLayout {
   SampleType type = SampleType::float32;
-  double scale = 1;
   std::size_t device_channels = 0;
   std::vector<std::size_t> channels;  // kept, by their number in the device from 0
+  std::vector<double> scales;         // [channels]: value = number × scale
 };
 
 /// Consecutive frames in the ring. The index counts the frames that the ring took; the frame number counts also those

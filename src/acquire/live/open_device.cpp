@@ -1,7 +1,11 @@
 #include "acquire/live/open_device.hpp"
 
+#include <stdexcept>
+
 #include "acquire/live/file_device.hpp"
-#include "core/error.hpp"
+#include "acquire/live/pipe_device.hpp"
+#include "acquire/live/plugin_device.hpp"
+#include "acquire/live/portaudio_device.hpp"
 
 namespace percuss::acquire {
 
@@ -13,10 +17,16 @@ std::unique_ptr<Device> open_device(const std::string& text, const DeviceOptions
       return simulated(spec.name, options);
     case DeviceKind::file:
       return open_file_device(spec.name, options);
-    default:
-      break;
+    case DeviceKind::pipe:
+      return open_pipe_device(spec.name);
+    case DeviceKind::plugin:
+      return open_plugin_device(spec.name, spec.arguments, options);
+    case DeviceKind::portaudio:
+      return open_portaudio_device(spec.name, false, options);
+    case DeviceKind::alsa:
+      return open_portaudio_device(spec.name, true, options);
   }
-  throw InputError("this kind of device is not supported", text, "choose another device", {"device"});
+  throw std::logic_error("a kind of device is missing");
 }
 
 }  // namespace percuss::acquire

@@ -29,6 +29,7 @@ class NotingSink final : public FrameSink {
 }  // namespace
 
 void PolledDevice::start(FrameSink& sink) {
+  prepare();
   thread_ = std::thread([this, &sink] { run(sink); });
 }
 

@@ -13,6 +13,8 @@ class PolledDevice : public Device {
   void stop() final;
 
  protected:
+  /// Starts the frames. errors  InputError
+  virtual void prepare() {}
   /// Writes the next frames to the sink, and ends it after the last one. Waits for frames for about 0.1 s at most.
   /// Exceptions end the stream as failed.
   virtual void poll(FrameSink& sink) = 0;

@@ -12,7 +12,7 @@ namespace percuss::acquire::frame_ring_test {
 using testing::ElementsAre;
 
 FrameLayout layout(std::size_t channels, SampleType type = SampleType::int32, double scale = 1) {
-  FrameLayout out{.type = type, .scale = scale, .device_channels = channels};
+  FrameLayout out{.type = type, .device_channels = channels, .scales = std::vector(channels, scale)};
   for (std::size_t c = 0; c < channels; ++c) out.channels.push_back(c);
   return out;
 }
@@ -50,11 +50,11 @@ TEST(FrameRing, ScalesNumbersOfEachType) {
   EXPECT_EQ(values(doubles, 0, 1)[0], 1.0 / 3);
 }
 
-TEST(FrameRing, KeepsTheChosenChannels) {
-  FrameRing ring({.type = SampleType::int32, .device_channels = 3, .channels = {2, 0}}, 4);
+TEST(FrameRing, KeepsAndScalesTheChosenChannels) {
+  FrameRing ring({.type = SampleType::int32, .device_channels = 3, .channels = {2, 0}, .scales = {1, 10}}, 4);
   const std::vector<std::int32_t> frames{1, 2, 3, 4, 5, 6};
   ring.write(frames.data(), 2);
-  EXPECT_THAT(values(ring, 0, 4), ElementsAre(3, 1, 6, 4));
+  EXPECT_THAT(values(ring, 0, 4), ElementsAre(3, 10, 6, 40));
 }
 
 // What finds no room is counted, and the frames after it have later numbers.
