@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "core/error.hpp"
@@ -136,7 +137,10 @@ std::map<std::size_t, BlowKind> faulty_blows(SessionOptions& options) {
 void plan_blows(SessionOptions& options, SimulatedSession& session) {
   std::vector<std::size_t> points =
       options.whole_numbers("points", 0, static_cast<double>(session.spec.points.size() - 1));
-  for (std::size_t p = 0; points.empty() && p < session.spec.points.size(); ++p) points.push_back(p);
+  if (points.empty()) {
+    points.resize(session.spec.points.size());
+    std::iota(points.begin(), points.end(), std::size_t{0});
+  }
   const auto hits =
       static_cast<std::size_t>(options.number("hits", 1, kMaxBlows).value_or(static_cast<double>(session.spec.hits)));
   if (static_cast<double>(points.size()) * static_cast<double>(hits) > kMaxBlows)

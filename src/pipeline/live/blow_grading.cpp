@@ -82,7 +82,7 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
     return {RowMark::double_hit,
             fmt::format("two contacts, the second {:.0f} % of the first and {:.0f} ms later", second->value * 100,
                         second->delay_s.value_or(0) * 1e3),
-            "strike shorter, so that the hammer bounces off"};
+            "strike shorter: let the hammer bounce off"};
   }
   if (at.struck_again) return {RowMark::still_ringing, "struck again before the decay ended", "wait between blows"};
   if (hit.gated_N.empty() || acquire::rejects(hit.findings))
@@ -106,6 +106,15 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
   return {};
 }
 
+// Why the analysis of all blows of the point rejects this one.
+RowMark mark_of(const AnalysedHit& hit) {
+  if (hit.accepted) return RowMark::none;
+  if (find(hit.hit, FindingCode::outlier) != nullptr) return RowMark::outlier;
+  const bool clipped =
+      find(hit.hit, FindingCode::overload) != nullptr || find(hit.hit, FindingCode::force_clipped) != nullptr;
+  return clipped ? RowMark::force_overload : RowMark::no_pulse;
+}
+
 Reason judge_responses(const AnalysedHit& hit, const BlowCircumstances& at, const BlowContext& context) {
   for (std::size_t c = 0; c < hit.responses.size(); ++c) {
     const acquire::ResponseGrade& grade = hit.responses[c];
@@ -119,10 +128,16 @@ Reason judge_responses(const AnalysedHit& hit, const BlowCircumstances& at, cons
       return {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
   }
   if (at.during_previous) return {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
-  if (find(hit.hit, FindingCode::outlier) != nullptr) {
-    return {RowMark::outlier, "unlike the other blows at this point", "strike the same place in the same direction"};
+  switch (mark_of(hit)) {
+    case RowMark::none:
+      return {};
+    case RowMark::outlier:
+      return {RowMark::outlier, "unlike the other blows at this point", "strike the same place in the same direction"};
+    case RowMark::force_overload:
+      return {RowMark::force_overload, "the force is clipped", "lower the gain of the hammer, or hit softer"};
+    default:
+      return {RowMark::no_pulse, "no clean pulse", "strike freely and once"};
   }
-  return {};
 }
 
 // The rows of the point and, last, the blow.
@@ -165,10 +180,10 @@ void note_range(const BlowCircumstances& at, BlowGrade& grade) {
   grade.accel_channel = static_cast<std::size_t>(largest - at.range.begin()) - 1;
 }
 
-void note_outliers(const std::vector<AnalysedHit>& hits, const BlowContext& context, BlowGrade& grade) {
+void note_regraded(const std::vector<AnalysedHit>& hits, const BlowContext& context, BlowGrade& grade) {
   for (const AnalysedHit& hit : hits) {
-    if (hit.hit.row < context.rows.size() && find(hit.hit, FindingCode::outlier) != nullptr)
-      grade.outliers.push_back(context.rows[hit.hit.row]);
+    if (hit.hit.row < context.rows.size() && !hit.accepted)
+      grade.regraded.push_back({.row = context.rows[hit.hit.row], .mark = mark_of(hit)});
   }
 }
 
@@ -188,10 +203,11 @@ BlowGrade grade_blow(const BlowSamples& samples, const BlowCircumstances& circum
                                    [&](const AnalysedHit& h) { return h.hit.row == context.rows.size(); });
     if (blow != hits.rend()) {
       reason = judge_responses(*blow, circumstances, context);
+      grade.unlike_others = find(blow->hit, FindingCode::low_coherence) != nullptr;
       grade.rings_at_end = std::any_of(blow->responses.begin(), blow->responses.end(),
                                        [](const acquire::ResponseGrade& response) { return response.truncated; });
     }
-    if (reason.mark == RowMark::none) note_outliers(hits, context, grade);
+    if (reason.mark == RowMark::none || reason.mark == RowMark::force_overload) note_regraded(hits, context, grade);
   }
   grade.mark = reason.mark;
   grade.reason = std::move(reason.reason);

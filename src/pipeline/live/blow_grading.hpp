@@ -32,8 +32,14 @@ struct BlowGrade {
   std::optional<double> force_range{}, accel_range{};  // part of full scale
   std::size_t accel_channel = 0;                       // that has accel_range
   bool rings_at_end = false;                           // the window is too short
-  /// Accepted rows of the same point that this blow shows to be outliers.
-  std::vector<std::size_t> outliers{};
+  bool unlike_others = false;                          // the other blows explain little of it: low_coherence
+  /// Accepted rows of the same point that do not count any longer, now that there is this blow to compare with: an
+  /// outlier, or a force that was clipped at the same level.
+  struct Regraded {
+    std::size_t row = 0;
+    acquire::RowMark mark = acquire::RowMark::outlier;
+  };
+  std::vector<Regraded> regraded{};
 
   bool accepted() const { return mark == acquire::RowMark::none; }
 };

@@ -11,12 +11,12 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMinSamples = 256;
-constexpr double kSpare = 1.1;  // a harder blow rings longer
+constexpr double kSpare = 1.5;     // a harder blow rings longer
+constexpr double kSettled = 0.75;  // of the samples: what follows is a background, not a decay
 
-bool has_decayed(const acquire::Hit& hit, std::span<const double> accel, double fs_Hz) {
-  if (!acquire::grade_response(hit, accel, fs_Hz).truncated) return true;
-  const auto window = [&](std::size_t first, std::size_t count) { return accel.subspan(first, count); };
-  return 4 * acquire::decayed_length(hit, accel.size(), window) < 3 * accel.size();
+// By the finding `truncated_decay` of the analysis.
+bool has_ended(const acquire::Hit& hit, std::span<const double> accel, double fs_Hz) {
+  return !acquire::grade_response(hit, accel, fs_Hz).truncated;
 }
 
 std::vector<double> channel(const SampleHistory& history, std::size_t index, double to_SI, std::uint64_t first,
@@ -63,22 +63,29 @@ std::optional<std::size_t> decayed_samples(const acquire::Record& description, c
   const acquire::Hit hit = largest_hit(record, pretrigger);
   const std::size_t all = samples.front().size();
   if (hit.gated_N.empty() || hit.first >= all) return {};
-  const auto decayed_in = [&](std::size_t length) {
+  const auto ended_in = [&](std::size_t length) {
     return std::all_of(samples.begin() + 1, samples.end(), [&](const std::vector<double>& accel) {
-      return has_decayed(hit, std::span(accel).first(length).subspan(hit.first), record.fs_Hz);
+      return has_ended(hit, std::span(accel).first(length).subspan(hit.first), record.fs_Hz);
     });
   };
-  if (!decayed_in(all)) return {};
-  std::size_t length = all;
+  const auto with_spare = [&](std::size_t length) {
+    return std::min(all, static_cast<std::size_t>(kSpare * static_cast<double>(length)));
+  };
+  if (!ended_in(all)) {  // a steady background may hide the end
+    std::size_t longest = 0;
+    for (std::size_t c = 1; c < samples.size(); ++c) {
+      const auto accel = std::span(samples[c]).subspan(hit.first);
+      const auto window = [&](std::size_t first, std::size_t count) { return accel.subspan(first, count); };
+      longest = std::max(longest, hit.first + acquire::decayed_length(hit, accel.size(), window));
+    }
+    if (static_cast<double>(longest) > kSettled * static_cast<double>(all)) return {};
+    return with_spare(longest);
+  }
   for (const std::size_t eighths : {4U, 5U, 6U, 7U}) {
     const std::size_t shorter = all * eighths / 8;
-    if (shorter < kMinSamples || shorter <= hit.peak) continue;
-    if (decayed_in(shorter)) {
-      length = shorter;
-      break;
-    }
+    if (shorter >= kMinSamples && shorter > hit.peak && ended_in(shorter)) return with_spare(shorter);
   }
-  return std::min(all, static_cast<std::size_t>(kSpare * static_cast<double>(length)));
+  return all;
 }
 
 }  // namespace percuss::pipeline

@@ -12,7 +12,9 @@ namespace {
 
 constexpr double kNearFullScale = 0.9;  // of the range: the next harder blow is clipped
 constexpr double kLowForce = 0.2, kLowAccel = 0.03;
-constexpr double kTarget = 0.5;  // without goals: the blows that halve the ±
+constexpr double kLowCoherence = 0.9;
+constexpr std::size_t kMaxOutlook = 30;  // blows
+constexpr double kTarget = 0.5;          // without goals: the blows that halve the ±
 
 std::size_t index_of(const SessionPlan& plan, int point) {
   return static_cast<std::size_t>(std::find(plan.points.begin(), plan.points.end(), point) - plan.points.begin());
@@ -23,6 +25,9 @@ std::string force_text(double peak_N) { return fmt::format("{:.3g} N", std::abs(
 std::string frequency_text(double freq_Hz) {
   return freq_Hz < 1000 ? fmt::format("{:.0f} Hz", freq_Hz) : fmt::format("{:.2f} kHz", freq_Hz / 1000);
 }
+
+// As many as give the ± two digits.
+int decimals_of(double std) { return std > 0 ? std::clamp(static_cast<int>(std::ceil(1 - std::log10(std))), 0, 4) : 2; }
 
 const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
@@ -43,9 +48,9 @@ std::string goal_text(const PrecisionGoal& goal, const SessionQuality& quality) 
 }  // namespace
 
 std::string place_text(const SessionPlan& plan, int point, std::size_t blow) {
-  const std::string blows = fmt::format("low {} of {}", blow, plan.hits);
-  if (plan.points.size() == 1) return "B" + blows;
-  return fmt::format("Point {} of {}, b{}", index_of(plan, point) + 1, plan.points.size(), blows);
+  const std::string blows = fmt::format("blow {} of {}", blow, plan.hits);
+  if (plan.points.size() == 1) return blows;
+  return fmt::format("point {} of {}, {}", index_of(plan, point) + 1, plan.points.size(), blows);
 }
 
 std::string prompt_text(const Session& session, RovingPart roving) {
@@ -53,7 +58,7 @@ std::string prompt_text(const Session& session, RovingPart roving) {
   if (session.paused()) return "paused; press space to go on";
   const SessionPlan& plan = session.plan();
   const std::size_t accepted = session.accepted_at(session.point());
-  const std::string strike = "strike for " + place_text(plan, session.point(), std::min(accepted + 1, plan.hits));
+  const std::string strike = "strike: " + place_text(plan, session.point(), std::min(accepted + 1, plan.hits));
   if (plan.points.size() == 1 || accepted > 0) return strike;
   const std::size_t number = session.point_index() + 1;
   const std::string named = static_cast<int>(number) == session.point() + 1
@@ -79,29 +84,31 @@ std::string range_advice(const BlowGrade& grade, const LiveChannels& channels, b
 
 std::string blow_text(const BlowReport& blow, const LiveChannels& channels, const SessionPlan& plan) {
   const BlowGrade& grade = blow.grade;
-  const std::string place = place_text(plan, blow.point, blow.blow);
+  std::string place = place_text(plan, blow.point, blow.blow);
+  place.front() = place.front() == 'p' ? 'P' : 'B';
   if (!grade.accepted())
     return fmt::format("{}: rejected: {}{}{}", place, grade.reason, grade.remedy.empty() ? "" : "; ", grade.remedy);
   std::string text =
       fmt::format("{}: accepted, {} up to {}", place, force_text(grade.peak_N), frequency_text(grade.bandwidth_Hz));
   const std::string advice = range_advice(grade, channels, blow.row < 2);
   if (!advice.empty()) text += "; " + advice;
+  if (grade.unlike_others) text += "; little like the other blows: was it the same place?";
   if (grade.rings_at_end) text += "; still ringing at the end: a longer window keeps the whole decay";
   return text;
 }
 
 std::string quality_text(const SessionQuality& quality, std::size_t max_modes) {
   if (quality.modes.empty()) return fmt::format("{} blow{}, no modes yet", quality.blows, plural(quality.blows));
-  std::string text = fmt::format("{} mode{}: ", quality.modes.size(), plural(quality.modes.size()));
+  std::string text = fmt::format("{} mode{} in Hz: ", quality.modes.size(), plural(quality.modes.size()));
   for (std::size_t m = 0; m < std::min(max_modes, quality.modes.size()); ++m) {
     const LiveMode& mode = quality.modes[m];
-    const int digits =
-        mode.freq_std_Hz > 0 ? std::clamp(static_cast<int>(std::ceil(1 - std::log10(mode.freq_std_Hz))), 0, 4) : 2;
-    text += fmt::format("{}{} {:.{}f} ± {:.2g} Hz", m > 0 ? ", " : "", name_of(mode, m), mode.freq_Hz, digits,
+    const std::string name = mode.order > 0 ? name_of(mode, m) + " " : "";
+    text += fmt::format("{}{}{:.{}f} ± {:.2g}", m > 0 ? ", " : "", name, mode.freq_Hz, decimals_of(mode.freq_std_Hz),
                         mode.freq_std_Hz);
   }
   if (quality.modes.size() > max_modes) text += ", …";
   if (quality.coherence) text += fmt::format("; coherence {:.3f}", *quality.coherence);
+  if (quality.coherence && *quality.coherence < kLowCoherence) text += ": low, the blows of a point differ";
   return text;
 }
 
@@ -114,8 +121,9 @@ std::string outlook_text(const SessionQuality& quality, const std::vector<Precis
                        [](const LiveMode& a, const LiveMode& b) { return a.freq_std_Hz < b.freq_std_Hz; });
   const auto more = further_blows(*widest, quality.blows, kTarget * widest->freq_std_Hz);
   const std::string name = name_of(*widest, static_cast<std::size_t>(widest - quality.modes.begin()));
-  if (!more || !(widest->freq_std_Hz > 0)) return {};
-  return fmt::format("{} more blow{} halve{} the ± of {}", *more, plural(*more), *more == 1 ? "s" : "", name);
+  if (!more || *more > kMaxOutlook || !(widest->freq_std_Hz > 0)) return {};
+  return fmt::format("{} more blow{} halve{} the ± of {}, {:.2g} Hz", *more, plural(*more), *more == 1 ? "s" : "", name,
+                     widest->freq_std_Hz);
 }
 
 std::string summary_text(const Session& session) {

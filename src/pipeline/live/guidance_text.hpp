@@ -12,16 +12,16 @@ namespace percuss::pipeline {
 
 enum class RovingPart { hammer, sensor };
 
-/// "Point 7 of 24, blow 3 of 5"; without the point where there is one only.
+/// "point 7 of 24, blow 3 of 5"; without the point where there is one only.
 std::string place_text(const SessionPlan& plan, int point, std::size_t blow);
-/// What to do next: "strike", "move the hammer to point 8 of 24", "paused".
+/// What to do next: "strike: blow 3 of 5", "move the hammer to point 8 of 24", "paused".
 std::string prompt_text(const Session& session, RovingPart roving);
 /// One line: place, verdict, reason and remedy, or what the blow reached and advice about the range.
 std::string blow_text(const BlowReport& blow, const LiveChannels& channels, const SessionPlan& plan);
 /// Advice on an accepted blow: "hit a little softer (force at 94 % of range)"; empty: none. `first`: among the first
 /// blows, which set the range.
 std::string range_advice(const BlowGrade& grade, const LiveChannels& channels, bool first);
-/// "6 modes: hoop 1 2012.31 ± 0.08 Hz, …; coherence 0.998".
+/// "6 modes in Hz: bending 1 205.1 ± 0.08, …; coherence 0.998".
 std::string quality_text(const SessionQuality& quality, std::size_t max_modes = 6);
 /// "3 more blows bring hoop 1 below 0.05 Hz", goal by goal; without goals, about the mode with the largest ±.
 std::string outlook_text(const SessionQuality& quality, const std::vector<PrecisionGoal>& goals);

@@ -168,9 +168,9 @@ void Guide::judge(const Window& window) {
                            .peak_N = graded.peak_N,
                            .bandwidth_Hz = graded.bandwidth_Hz};
   if (repeat_past(event)) return observer_.on_blow(report);
-  for (const std::size_t outlier : graded.outliers) {
-    log_and_apply({.kind = Kind::regraded, .frame = window.first, .mark = acquire::RowMark::outlier, .row = outlier});
-    observer_.on_regraded(outlier);
+  for (const auto& [row, mark] : graded.regraded) {
+    log_and_apply({.kind = Kind::regraded, .frame = window.first, .mark = mark, .row = row});
+    observer_.on_regraded(row, mark);
   }
   log_and_apply(event);
   observer_.on_blow(report);

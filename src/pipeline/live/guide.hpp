@@ -49,8 +49,8 @@ class GuideObserver {
   virtual ~GuideObserver() = default;
 
   virtual void on_blow(const BlowReport& blow) = 0;
-  /// An accepted blow turned out to be an outlier.
-  virtual void on_regraded(std::size_t /*row*/) {}
+  /// An accepted blow does not count any longer.
+  virtual void on_regraded(std::size_t /*row*/, acquire::RowMark /*mark*/) {}
   virtual void on_command(const SessionEvent& /*command*/) {}
   virtual void on_length(std::size_t /*samples*/) {}
   virtual void on_loss(const SampleLoss& /*loss*/) {}

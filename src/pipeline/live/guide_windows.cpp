@@ -8,8 +8,8 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kFirstHorizon_s = 0.125;
-constexpr std::size_t kHorizons = 8;    // 0.125 s … 16 s
+constexpr double kFirstHorizon_s = 0.5;
+constexpr std::size_t kHorizons = 6;    // 0.5 s … 16 s
 constexpr double kShortestCut_s = 0.5;  // of a window that the next blow or a gap ends
 constexpr double kSpareAtCut = 0.98;    // the next blows come a little later in their windows
 constexpr std::size_t kMinTypical = 2;  // blows

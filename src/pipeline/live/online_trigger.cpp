@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kStep = 512;        // samples: 10 ms at 51.2 kHz
 constexpr std::size_t kNoiseSteps = 256;  // about 2.6 s at 51.2 kHz
 constexpr double kArming_s = 0.25;        // of noise before the first search; a pulse in it does not matter
-constexpr std::size_t kRecentPeaks = 9;
+constexpr std::size_t kRecentPeaks = 9, kMinPeaks = 3;
 // As acquire::scan_for_triggers.
 constexpr double kNoiseFactor = 12, kPeakFraction = 0.01, kOwnPulse_s = 0.1, kOwnPulseFraction = 0.5;
 
@@ -44,7 +44,15 @@ double OnlineTrigger::distance(std::uint64_t frame) const { return std::abs(forc
 
 double OnlineTrigger::threshold_N() const {
   if (options_.trigger_N) return *options_.trigger_N;
-  return std::max(kNoiseFactor * noise_N_, kPeakFraction * median({peaks_N_.begin(), peaks_N_.end()}));
+  // The lower median: an accident must not hide the blows that follow.
+  double typical_N = 0;
+  if (peaks_N_.size() >= kMinPeaks) {
+    std::vector<double> peaks_N(peaks_N_.begin(), peaks_N_.end());
+    const auto middle = peaks_N.begin() + static_cast<std::ptrdiff_t>((peaks_N.size() - 1) / 2);
+    std::nth_element(peaks_N.begin(), middle, peaks_N.end());
+    typical_N = *middle;
+  }
+  return std::max(kNoiseFactor * noise_N_, kPeakFraction * typical_N);
 }
 
 void OnlineTrigger::add(std::span<const double> force_N, bool lost) {

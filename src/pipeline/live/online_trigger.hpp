@@ -23,8 +23,8 @@ struct OnlineTriggerOptions {
 };
 
 /// Finds the blows that acquire::scan_for_triggers finds in the whole record, as soon as their samples have arrived.
-/// The default threshold is max(12 standard deviations of the recent noise, 1 % of the recent blows). The result does
-/// not depend on how the samples are divided into calls. theory (1.2)
+/// The default threshold is max(12 standard deviations of the recent noise, 1 % of the recent blows, from the third
+/// on). The result does not depend on how the samples are divided into calls. theory (1.2)
 class OnlineTrigger {
  public:
   OnlineTrigger(const OnlineTriggerOptions& options, std::uint64_t first_frame);
@@ -37,7 +37,7 @@ class OnlineTrigger {
   std::optional<BlowEvent> next();
 
   /// All blows that begin before this frame have been found.
-  std::uint64_t searched_to() const { return waiting_ ? at_ : stepped_; }
+  std::uint64_t searched_to() const { return at_; }
   /// The next blow begins before `frame`: it is known, or its samples have begun to arrive.
   bool begins_before(std::uint64_t frame) const;
   double baseline_N() const { return baseline_N_; }

@@ -50,7 +50,8 @@ SessionEvent parse_session_event(const std::string& json, const std::string& whe
   };
   try {
     const auto in = nlohmann::json::parse(json);
-    SessionEvent event{.frame = in.at("frame").get<std::uint64_t>()};
+    if (!in.at("frame").is_number_unsigned()) refuse("an event without a frame");
+    SessionEvent event{.frame = in["frame"].get<std::uint64_t>()};
     const auto name = in.at("event").get<std::string>();
     const auto* known = std::find_if(kKinds.begin(), kKinds.end(), [&](const KindName& k) { return k.name == name; });
     if (known == kKinds.end()) refuse(fmt::format("unknown event '{}'", one_line(name, 40)));

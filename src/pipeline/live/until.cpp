@@ -15,6 +15,7 @@ using identify::ModeType;
 
 constexpr double kPercent = 0.01;
 constexpr int kMaxNumber = 999;
+constexpr std::size_t kMinBlows = 3;  // fewer do not show the scatter between hits
 
 [[noreturn]] void refuse(std::string_view goal, const std::string& problem) {
   throw InputError(fmt::format("'{}': {}", one_line(goal, 60), problem), "the goal",
@@ -102,6 +103,7 @@ double limit_Hz(const PrecisionGoal& goal, const LiveMode& mode) {
 }
 
 bool all_met(const std::vector<PrecisionGoal>& goals, const SessionQuality& quality) {
+  if (quality.blows < kMinBlows) return false;
   return std::all_of(goals.begin(), goals.end(), [&](const PrecisionGoal& goal) {
     const auto m = mode_of(goal, quality);
     if (!m) return false;

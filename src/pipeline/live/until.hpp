@@ -27,7 +27,7 @@ std::vector<PrecisionGoal> parse_goals(std::string_view text);
 /// The mode that a goal names; nothing while it is not found.
 std::optional<std::size_t> mode_of(const PrecisionGoal& goal, const SessionQuality& quality);
 double limit_Hz(const PrecisionGoal& goal, const LiveMode& mode);
-/// Whether all goals are met.
+/// Whether all goals are met, by three blows or more.
 bool all_met(const std::vector<PrecisionGoal>& goals, const SessionQuality& quality);
 
 }  // namespace percuss::pipeline

@@ -27,7 +27,7 @@ struct Witness : pipeline::GuideObserver {
   std::vector<std::size_t> regraded;
   std::size_t losses = 0, goals = 0;
   void on_blow(const BlowReport& blow) override { blows.push_back(blow); }
-  void on_regraded(std::size_t row) override { regraded.push_back(row); }
+  void on_regraded(std::size_t row, RowMark /*mark*/) override { regraded.push_back(row); }
   void on_loss(const pipeline::SampleLoss& /*loss*/) override { ++losses; }
   void on_goals_met() override { ++goals; }
 };
@@ -41,7 +41,8 @@ struct Bench {
   explicit Bench(const acquire::Record& record, GuideOptions options = {}, acquire::ReadOptions read = {})
       : source(record) {
     options.folder = testing::TempDir();
-    guide = std::make_unique<Guide>(source.format, live_channels(source.format, read), std::move(options), log, witness);
+    guide = std::make_unique<Guide>(source.format, pipeline::live_channels(source.format, read), std::move(options),
+                                    log, witness);
   }
   void play(std::size_t first, std::size_t last, std::size_t block = 400) const {
     for (std::size_t at = first; at < last; at += block) guide->take(source.block(at, std::min(block, last - at)));
@@ -84,7 +85,7 @@ TEST(Guide, RecordsTheAskedBlows) {
   ASSERT_EQ(record.rows.size(), 5U);
   EXPECT_TRUE(record.faults.empty());
   // The length was chosen until the decay has ended: the slowest mode falls by 52 dB in 0.4 s.
-  EXPECT_GT(record.rows[0].samples, 1600U);
+  EXPECT_GE(record.rows[0].samples, 1600U);
   EXPECT_LT(record.rows[0].samples, 4096U);
   const std::string json = json_of(record);
   for (const char* expected : {"\"family\": \"hoop\"", "\"family\": \"bending\""})
@@ -111,15 +112,15 @@ TEST(Guide, RejectsBlowsAndSaysWhatToDo) {
   bench.play_all();
   EXPECT_THAT(bench.marks(), ElementsAre(RowMark::none, RowMark::none, RowMark::double_hit, RowMark::none,
                                          RowMark::weak, RowMark::none, RowMark::none));
-  EXPECT_EQ(bench.witness.blows[2].grade.remedy, "strike shorter, so that the hammer bounces off");
+  EXPECT_EQ(bench.witness.blows[2].grade.remedy, "strike shorter: let the hammer bounce off");
   EXPECT_EQ(bench.witness.blows[4].grade.remedy, "hit harder");
   EXPECT_EQ(bench.witness.blows[3].blow, 3U);
 }
 
 TEST(Guide, RejectsClippedForcesAndResponses) {
-  Bench force(struck_tube(kFiveTimes, 8, R"("recorder": {"force_clip_n": 290})"));
+  Bench force(struck_tube(kFiveTimes, 8, R"("recorder": {"force_clip_n": 220})"));
   force.play_all();
-  EXPECT_TRUE(std::count(force.marks().begin(), force.marks().end(), RowMark::force_overload) > 0);
+  EXPECT_THAT(force.marks(), testing::Contains(RowMark::force_overload));
   Bench accel(struck_tube(kFiveTimes, 8, R"("recorder": {"accel_clip_mps2": 100})"));
   accel.play_all();
   for (const RowMark mark : accel.marks()) EXPECT_EQ(mark, RowMark::response_overload);
@@ -129,8 +130,8 @@ TEST(Guide, RejectsClippedForcesAndResponses) {
 TEST(Guide, RejectsBlowsInTheDecayOfTheLast) {
   Bench bench(struck_tube("0.4, 1.9, 2.05, 3.6, 5.1", 7));
   bench.play_all();
-  EXPECT_THAT(bench.marks(), ElementsAre(RowMark::none, RowMark::still_ringing, RowMark::still_ringing, RowMark::none,
-                                         RowMark::none));
+  EXPECT_THAT(bench.marks(),
+              ElementsAre(RowMark::none, RowMark::still_ringing, RowMark::still_ringing, RowMark::none, RowMark::none));
   EXPECT_EQ(bench.witness.blows[1].grade.reason, "struck again before the decay ended");
 }
 
@@ -150,11 +151,11 @@ TEST(Guide, MarksBlowsThatLostSamples) {
   bench.play(lost + 200, bench.source.frames());
   bench.guide->finish();
   EXPECT_EQ(bench.witness.losses, 1U);
-  EXPECT_THAT(bench.marks(), ElementsAre(RowMark::none, RowMark::lost_samples, RowMark::none, RowMark::none,
-                                         RowMark::none));
+  EXPECT_THAT(bench.marks(),
+              ElementsAre(RowMark::none, RowMark::lost_samples, RowMark::none, RowMark::none, RowMark::none));
   const acquire::Record record = bench.guide->record();
-  EXPECT_THAT(record.faults, ElementsAre(acquire::RecordFault{.kind = acquire::FaultKind::gap, .row = 1,
-                                                              .time_s = lost / 4096.0, .value = 200}));
+  EXPECT_THAT(record.faults, ElementsAre(acquire::RecordFault{
+                                 .kind = acquire::FaultKind::gap, .row = 1, .time_s = lost / 4096.0, .value = 200}));
   const std::string json = json_of(record);
   EXPECT_NE(json.find("capture_lost_samples"), std::string::npos);
   EXPECT_NE(json.find("rejected while it was recorded: samples were lost"), std::string::npos);
@@ -175,7 +176,7 @@ TEST(Guide, GoesOnAfterALongGap) {
 TEST(Guide, JudgesTheRangeByFullScale) {
   Bench bench(struck_tube(kFiveTimes, 8));
   bench.source.format.full_scale = 320;
-  bench.guide = std::make_unique<Guide>(bench.source.format, live_channels(bench.source.format, {}),
+  bench.guide = std::make_unique<Guide>(bench.source.format, pipeline::live_channels(bench.source.format, {}),
                                         GuideOptions{.folder = testing::TempDir()}, bench.log, bench.witness);
   bench.play_all();
   for (const BlowReport& blow : bench.witness.blows) {
@@ -232,8 +233,9 @@ TEST(Guide, StopsWhenTheGoalIsMet) {
 // A session that is killed at any frame, and resumed from the samples and events that it left, ends as if nothing had
 // happened.
 TEST(Guide, ResumesToTheSameRecord) {
-  const acquire::Record tube = struck_tube("0.4, 1.9, 3.4, 4.9, 6.4, 7.9, 9.4", 11,
-                                           R"("faults": [{"hit": 2, "kind": "double", "delay_s": 0.012, "ratio": 0.4}])");
+  const acquire::Record tube =
+      struck_tube("0.4, 1.9, 3.4, 4.9, 6.4, 7.9, 9.4", 11,
+                  R"("faults": [{"hit": 2, "kind": "double", "delay_s": 0.012, "ratio": 0.4}])");
   const GuideOptions options{.plan = {.points = {0, 1}, .hits = 2}};
   const auto play = [&](Bench& bench, std::size_t first, std::size_t last) {
     if (first <= 9000 && 9000 < last) {

@@ -76,7 +76,8 @@ TEST(OnlineTrigger, IgnoresNoiseStepsOfTheConverterAndDrift) {
 }
 
 TEST(OnlineTrigger, TakesTheStatedThreshold) {
-  const acquire::Record record = test::struck_tube("0.5, 1.5, 2.5", 3.5, R"("faults": [{"hit": 1, "kind": "weak", "ratio": 0.3}])");
+  const acquire::Record record =
+      test::struck_tube("0.5, 1.5, 2.5", 3.5, R"("faults": [{"hit": 1, "kind": "weak", "ratio": 0.3}])");
   const std::vector<double> force = force_of(record);
   EXPECT_EQ(peaks(force, record.fs_Hz, 512).size(), 3U);
   EXPECT_EQ(peaks(force, record.fs_Hz, 512, 150).size(), 2U);

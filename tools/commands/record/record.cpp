@@ -29,7 +29,7 @@ void add_record(CommandLine& line) {
       .value(
           "--device", flags->device,
           "Record from this device: a name that percuss devices lists, sim:SPEC (simulated), file:RECORD (replayed), "
-          "stdin:…")
+          "stdin:…; list: print them")
       .type("NAME");
   command.value("--hits", flags->hits, "Record this many accepted blows at each point")
       .type("N")

@@ -17,7 +17,7 @@ void write_session_report(const RecordFlags& flags) {
   std::vector<std::string> words{"percuss", survey ? "survey" : "analyze", flags.output, "-o", flags.report, "--force"};
   if (!flags.band.empty()) words.insert(words.end(), {"--band", flags.band});
   if (survey) words.insert(words.end(), {"--geometry", flags.geometry, "--roving", flags.roving});
-  if (!flags.read.setup_path.empty()) words.push_back("--quiet");
+  if (flags.quiet) words.emplace_back("--quiet");
   Host host;  // takes the text that the command would print
   for (const std::string& word : words) host.equivalent_command += (host.equivalent_command.empty() ? "" : " ") + word;
   CommandLine line("percuss", "", report::version(), &host);

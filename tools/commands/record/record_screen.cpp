@@ -89,8 +89,9 @@ void RecordScreen::on_blow(const pipeline::BlowReport& blow) {
   ask_ = ask_ || blow.grade.accepted();
 }
 
-void RecordScreen::on_regraded(std::size_t row) {
-  if (!silent_) note(fmt::format("  record row {} turned out to be unlike the others; it counts no longer", row + 1));
+void RecordScreen::on_regraded(std::size_t row, acquire::RowMark mark) {
+  if (!silent_)
+    note(fmt::format("  row {} of the record does not count any longer: {}", row + 1, acquire::reason_of(mark)));
 }
 
 void RecordScreen::on_command(const pipeline::SessionEvent& command) {

@@ -26,7 +26,7 @@ class RecordScreen : public pipeline::GuideObserver {
   void end(const pipeline::Guide& guide, const acquire::Record& record, const pipeline::AnalysisOptions& options);
 
   void on_blow(const pipeline::BlowReport& blow) override;
-  void on_regraded(std::size_t row) override;
+  void on_regraded(std::size_t row, acquire::RowMark mark) override;
   void on_command(const pipeline::SessionEvent& command) override;
   void on_length(std::size_t samples) override;
   void on_goals_met() override;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
+#include "commands/commands.hpp"
 #include "commands/record/raw_terminal.hpp"
 #include "commands/record/record_flags.hpp"
 #include "commands/record/record_plan.hpp"
@@ -25,6 +27,7 @@
 #include "core/error.hpp"
 #include "pipeline/live/guidance_text.hpp"
 #include "pipeline/live/guide.hpp"
+#include "report/text/version.hpp"
 #include "synth/simulated_device.hpp"
 
 namespace percuss::tools {
@@ -168,6 +171,13 @@ int exit_code_of(const pipeline::Session& session, bool ended_early) {
   return ended_early && !session.complete() ? kPartial : kOk;
 }
 
+int list_devices() {
+  CommandLine line("percuss", "", report::version());
+  add_devices(line);
+  constexpr std::array kWords{"percuss", "devices"};
+  return line.run(static_cast<int>(kWords.size()), kWords.data());
+}
+
 void check_paths(const RecordFlags& flags) {
   if (flags.output.empty()) throw OptionError({"output"}, "is missing", "name the file to record, such as -o test.h5");
   if (!is_hdf5(flags.output)) throw OptionError::wrong_value("output", flags.output, "name a file that ends in .h5");
@@ -182,6 +192,7 @@ void check_paths(const RecordFlags& flags) {
 }  // namespace
 
 int run_record(RecordFlags flags) {
+  if (flags.device == "list") return list_devices();
   Interrupted interrupted;
   if (!flags.resume.empty()) interrupted = open_interrupted(flags);
   check_paths(flags);
@@ -210,6 +221,8 @@ int run_record(RecordFlags flags) {
     const bool device_failed =
         end == StreamEnd::unplugged || end == StreamEnd::rate_changed || end == StreamEnd::failed;
     code = exit_code_of(guide.session(), device_failed || end == StreamEnd::finished || SessionSignals::arrived() != 0);
+    if (end == StreamEnd::finished && !guide.session().complete() && !guide.session().finished())
+      screen.note("the device ended before every point had its blows");
     stream.reset();
     if (guide.session().blows().empty()) {
       screen.note("no blow was recorded, so no file is written");
