@@ -16,5 +16,7 @@ pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto>=3.0)
 add_library(CRYPTO::crypto ALIAS PkgConfig::CRYPTO)
 pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp>=2.5)
 add_library(SECCOMP::seccomp ALIAS PkgConfig::SECCOMP)
+pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0)
+add_library(PORTAUDIO::portaudio ALIAS PkgConfig::PORTAUDIO)
 
 include(PercussHdf5)

@@ -37,6 +37,7 @@ const std::vector<Level>& levels() {
       {"acquire/hits"},
       {"acquire/sandbox"},
       {"acquire"},
+      {"acquire/live"},  // replays records of any format
       {"frf"},
       {"identify/model"},
       {"identify/noise"},
@@ -63,7 +64,7 @@ const std::vector<Level>& levels() {
       {"pipeline/source"},
       {"pipeline/warnings"},
       {"pipeline"},
-      {"pipeline/response"},
+      {"pipeline/live", "pipeline/response"},
       {"report/text"},
       {"report/json"},
       {"report/svg"},
@@ -75,7 +76,7 @@ const std::vector<Level>& levels() {
       {"tools/cli"},
       {"tools/cli/completion"},
       {"tools/commands"},
-      {"tools/commands/batch", "tools/commands/model"},
+      {"tools/commands/batch", "tools/commands/model", "tools/commands/record"},
       {"tools"},
       {"python"},
   };

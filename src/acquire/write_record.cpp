@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 
 namespace percuss::acquire {
@@ -32,6 +34,10 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
   if (format == nullptr) return {};
   auto losses = format->record_losses != nullptr ? format->record_losses(path, record) : std::vector<std::string>{};
   if (!record.trace_faces.empty() && !format->keeps_frf_geometry) losses.emplace_back("the faces between points");
+  const bool marked =
+      std::any_of(record.rows.begin(), record.rows.end(), [](const RowInfo& row) { return row.mark != RowMark::none; });
+  if (!format->keeps_marks && marked) losses.emplace_back("which blows were rejected while they were recorded");
+  if (!format->keeps_marks && !record.faults.empty()) losses.emplace_back("the faults of the capture");
   return losses;
 }
 

@@ -1,6 +1,7 @@
 #include <iterator>
 
 #include "pipeline/analysis.hpp"
+#include "pipeline/warnings/capture_warnings.hpp"
 #include "pipeline/warnings/channel_mode_warnings.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/force_findings.hpp"
@@ -26,6 +27,7 @@ std::vector<Warning> Analysis::warnings() const {
   };
   add(options_.known);
   add(input_warnings(record()));
+  add(capture_warnings(record()));
   if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
   add(hit_warnings(record(), graded));
   if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));

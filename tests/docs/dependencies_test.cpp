@@ -25,6 +25,7 @@ constexpr std::array kLibraries{
     Library{"libfmt", "libfmt-dev", "fmt"},
     Library{"libsndfile", "libsndfile1-dev", "SNDFILE"},
     Library{"libseccomp", "libseccomp-dev", "SECCOMP"},
+    Library{"libportaudio", "portaudio19-dev", "PORTAUDIO"},
     Library{"libcrypto", "libssl-dev", "CRYPTO"},
     Library{"libz", "zlib1g-dev", "ZLIB"},
     Library{"libmatio", "libmatio-dev", "MATIO"},

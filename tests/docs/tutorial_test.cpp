@@ -115,6 +115,7 @@ TEST(ConsolePage, LeavesLinesOutWhereDotsStandForThem) {
 // The minimum number of commands of each page: a page with malformed blocks would pass without running any command.
 TEST(Tutorial, OfABatPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/bat.md", 12); }
 TEST(Tutorial, OfNodesPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/nodes.md", 6); }
+TEST(Tutorial, OfAFirstTestPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/first-test.md", 6); }
 TEST(Tutorial, OfASurveyPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/survey.md", 6); }
 TEST(Tutorial, OfADeflectionPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/deflection.md", 8); }
 TEST(Tutorial, OfACertificationPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/certify.md", 8); }

@@ -13,7 +13,9 @@ void add_exit_codes(CommandLine& line) {
   line.exit_code(kBadInput, "unusable input");
   line.exit_code(kImpossible, "the analysis is impossible (no hit can be used), or its budget is spent");
   line.exit_code(kQualityGate, "a quality gate failed (the bat exceeds its limit or is damaged)");
-  line.exit_code(kPartial, "some records of a batch failed, or are open because the machine failed: run it again");
+  line.exit_code(kPartial,
+                 "some records of a batch failed, or are open because the machine failed: run it again; or a recording "
+                 "ended early");
 }
 
 struct NamedCommand {
@@ -30,6 +32,7 @@ constexpr std::array kNamedCommands = {
     NamedCommand{"model", add_model},         NamedCommand{"metrics", add_metrics},
     NamedCommand{"certify", add_certify},     NamedCommand{"abi", add_abi},
     NamedCommand{"study", add_study},         NamedCommand{"batch", add_batch},
+    NamedCommand{"record", add_record},       NamedCommand{"devices", add_devices},
 };
 
 }  // namespace

@@ -23,6 +23,8 @@ void add_metrics(CommandLine& line);
 void add_certify(CommandLine& line);
 void add_abi(CommandLine& line);
 void add_study(CommandLine& line);
+void add_record(CommandLine& line);
+void add_devices(CommandLine& line);
 void add_batch(CommandLine& line);  // a group: batch_commands.hpp
 void add_completion(CommandLine& line);
 void add_man(CommandLine& line);  // last: it lists the pages of all other commands

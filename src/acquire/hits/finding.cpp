@@ -28,6 +28,8 @@ const char* name_of(FindingCode code) {
       return "polarity";
     case FindingCode::force_clipped:
       return "force_clipped";
+    case FindingCode::rejected_live:
+      return "rejected_live";
   }
   return "";
 }

@@ -18,7 +18,8 @@ enum class FindingCode {
   low_coherence,
   outlier,
   polarity,
-  force_clipped
+  force_clipped,
+  rejected_live
 };
 enum class Severity { info, warn, reject };
 

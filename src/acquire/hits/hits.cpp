@@ -20,11 +20,8 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kPulseToNoise = 10;      // times the noise: the minimum peak of a pulse
-constexpr double kLongestPulse_s = 0.05;  // no hammer tip makes longer pulses; longer is drift
-constexpr std::size_t kLongestPulse = 8;  // samples, for rates too low to resolve a pulse
-constexpr double kSecondScan_s = 0.25;    // second contacts follow within some tens of milliseconds
-constexpr std::size_t kMinRead = 256;     // samples: longer than the gate of any pulse
+constexpr double kSecondScan_s = 0.25;  // second contacts follow within some tens of milliseconds
+constexpr std::size_t kMinRead = 256;   // samples: longer than the gate of any pulse
 
 std::size_t samples_to_scan(double fs_Hz) { return static_cast<std::size_t>(kSecondScan_s * fs_Hz) + 1; }
 
@@ -62,12 +59,6 @@ void measure_and_grade_pulse(Hit& hit, std::span<const double> all, std::size_t 
   grade_pulse(hit, x, pulse, gate.first == 0);
   grade_second_pulse(hit, further.contacts, fs_Hz);
   grade_lasting_force(hit, x, peak, fs_Hz);
-}
-
-bool is_pulse(std::span<const double> x, std::size_t peak, double noise_N, double fs_Hz) {
-  if (!(std::abs(x[peak]) > kPulseToNoise * noise_N)) return false;
-  const PulseShape pulse = shape_of_pulse(x, peak);
-  return pulse.fall - pulse.rise <= std::max(kLongestPulse_s * fs_Hz, static_cast<double>(kLongestPulse));
 }
 
 Hit unmeasured_hit(std::size_t row, const SampleRange& range, const TriggerScan& trigger_scan) {
@@ -109,7 +100,7 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
   const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto largest = static_cast<std::size_t>(
       std::max_element(at(trigger_scan.largest_first), at(trigger_scan.largest_end), smaller) - x.begin());
-  if (!is_pulse(x, largest, trigger_scan.noise_N, record.fs_Hz))
+  if (!is_hammer_pulse(x, largest, trigger_scan.noise_N, record.fs_Hz))
     return hit_without_pulse(row, part, trigger_scan, options);
   measure_and_grade_pulse(hit, x, 0, largest, record.fs_Hz, options);
   const auto length = selected_length(record, options);
@@ -142,7 +133,7 @@ void keep_contacts(TriggerScan& scan, const Record& record, std::size_t row, con
   std::erase_if(scan.events, [&](std::size_t event) {
     const std::size_t begin = std::max(part.first, event > reach ? event - reach : 0);
     const auto x = force_between(record, row, begin, std::min(part.last, event + reach + 1), scan.baseline_N);
-    return !is_pulse(x, event - begin, scan.noise_N, record.fs_Hz);
+    return !is_hammer_pulse(x, event - begin, scan.noise_N, record.fs_Hz);
   });
 }
 
@@ -162,13 +153,25 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
     const auto all = force_between(record, row, begin, end, trigger_scan.baseline_N);
     const auto x = std::span(all).subspan(range.first - begin);
     const std::size_t peak = trigger_scan.events[e] - range.first;
-    if (!is_pulse(x, peak, trigger_scan.noise_N, record.fs_Hz)) continue;
+    if (!is_hammer_pulse(x, peak, trigger_scan.noise_N, record.fs_Hz)) continue;
     Hit hit = unmeasured_hit(row, range, trigger_scan);
     measure_and_grade_pulse(hit, all, range.first - begin, peak, record.fs_Hz, options);
     hits.push_back(std::move(hit));
   }
   if (hits.empty()) hits.push_back(hit_without_pulse(row, part, trigger_scan, options));
   return hits;
+}
+
+// A blow that was rejected at the bench stays rejected.
+void add_marks(std::vector<Hit>& hits, const Record& record) {
+  for (Hit& hit : hits) {
+    const RowMark mark = record.rows[hit.row].mark;
+    if (mark == RowMark::none) continue;
+    hit.findings.push_back({.code = FindingCode::rejected_live,
+                            .severity = Severity::reject,
+                            .value = static_cast<double>(static_cast<int>(mark)),
+                            .message = fmt::format("rejected while it was recorded: {}", reason_of(mark))});
+  }
 }
 
 }  // namespace
@@ -186,6 +189,7 @@ std::vector<Hit> find_hits(const Record& record, const HitOptions& options) {
   grade_weak(hits);
   grade_force_clipping(hits, record);
   grade_flat_tops(hits);
+  add_marks(hits, record);
   return hits;
 }
 

@@ -10,7 +10,8 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kPulseEdge = 0.05;  // of the peak: above the ringing of a brick-wall filter, below any pulse's flank
+constexpr double kPulseEdge = 0.05;   // of the peak: above the ringing of a brick-wall filter, below any pulse's flank
+constexpr double kPulseToNoise = 10;  // times the noise: the minimum peak of a pulse
 // In samples: twice the length of a delta-sigma converter's filter, whose ends are 1e-8 of its peak.
 constexpr std::size_t kRinging = 72;
 constexpr double kGateNoise = 4;          // standard deviations
@@ -39,6 +40,12 @@ PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak) {
                    ? static_cast<double>(i)
                    : crossing(sign * force_N[i], sign * force_N[i + 1], level, static_cast<double>(i));
   return pulse;
+}
+
+bool is_hammer_pulse(std::span<const double> force_N, std::size_t peak, double noise_N, double fs_Hz) {
+  if (!(std::abs(force_N[peak]) > kPulseToNoise * noise_N)) return false;
+  const PulseShape pulse = shape_of_pulse(force_N, peak);
+  return pulse.fall - pulse.rise <= std::max(kLongestPulse_s * fs_Hz, static_cast<double>(kLongestPulse));
 }
 
 Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, double noise_N) {

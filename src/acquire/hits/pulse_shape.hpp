@@ -18,6 +18,12 @@ struct PulseShape {
 /// theory (1.3)
 PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak);
 
+/// No hammer tip makes a longer pulse: longer is drift. At low rates a pulse may take some samples.
+inline constexpr double kLongestPulse_s = 0.05;
+inline constexpr std::size_t kLongestPulse = 8;
+/// Whether the force about its largest sample is a blow: ten times its noise, and no longer than a hammer's contact.
+bool is_hammer_pulse(std::span<const double> force_N, std::size_t peak, double noise_N, double fs_Hz);
+
 /// The gate [first, end) holds the pulse and the ringing of the recorder's anti-alias filter. It extends to the last
 /// sample within 72 of the crossings that exceeds 4 standard deviations of the noise and 1e-9 of the peak. Eight
 /// successive samples at or below this level end the gate. theory (1.4)

@@ -68,6 +68,7 @@ Record join_records(std::vector<Record> records, FileGrouping grouping) {
   out.files.clear();
   out.rows.clear();
   out.notes.clear();
+  out.faults.clear();
   out.continuous = true;
   auto joined = std::make_shared<Joined>();
   std::int64_t points = 0;
@@ -75,6 +76,10 @@ Record join_records(std::vector<Record> records, FileGrouping grouping) {
     const Record& record = records[r];
     require_alike(records.front(), record);
     note_other_names(records.front(), record, out.notes);
+    for (RecordFault finding : record.faults) {
+      if (finding.row >= 0) finding.row += static_cast<int>(out.rows.size());
+      out.faults.push_back(finding);
+    }
     for (std::size_t row = 0; row < record.rows.size(); ++row) {
       RowInfo info = record.rows[row];
       info.file += out.files.size();

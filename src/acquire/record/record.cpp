@@ -35,10 +35,15 @@ Record select_rows(const Record& record, const std::function<bool(const RowInfo&
   Record out = record;
   out.rows.clear();
   std::vector<std::size_t> from;
+  std::vector<int> number(record.rows.size(), -1);  // of the kept rows
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     if (!keep(record.rows[row])) continue;
+    number[row] = static_cast<int>(out.rows.size());
     out.rows.push_back(record.rows[row]);
     from.push_back(row);
+  }
+  for (RecordFault& finding : out.faults) {
+    if (finding.row >= 0) finding.row = number.at(static_cast<std::size_t>(finding.row));
   }
   out.read_force_N = [from, read = record.read_force_N](std::size_t row, std::size_t first, std::span<double> samples) {
     read(from.at(row), first, samples);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "acquire/record/row_mark.hpp"
 #include "acquire/record/sample_reader.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -34,9 +35,10 @@ struct SignalInfo {
 /// A range of time that all signals were sampled in without a gap.
 struct RowInfo {
   std::size_t samples = 0;
-  std::size_t file = 0;  // index into Record::files
-  int point = 0;         // the point that was hit, or the place of a roving sensor
-  int run = 0;           // repeated test in one file
+  std::size_t file = 0;          // index into Record::files
+  int point = 0;                 // the point that was hit, or the place of a roving sensor
+  int run = 0;                   // repeated test in one file
+  RowMark mark = RowMark::none;  // rejected while it was recorded
 };
 
 /// The storage of a signal whose numbers are contiguous in its file: little-endian IEEE floats of 4 or 8 bytes.
@@ -67,6 +69,7 @@ struct Record {
   std::vector<TraceLine> trace_lines;         // may be empty
   std::vector<TraceFace> trace_faces;         // may be empty; universal files hold them
   std::vector<ContiguousSignal> contiguous;   // the force and each channel, where all are contiguous; else empty
+  std::vector<RecordFault> faults;        // faults while the record was captured, in order of time
   std::vector<Message> notes;                 // assumptions, and parts that could not be read
   /// The first file's path, or the format where there is no file: the record's name in messages.
   std::string source() const { return files.empty() ? format : files.front().path; }

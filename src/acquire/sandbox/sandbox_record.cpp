@@ -1,9 +1,11 @@
 #include "acquire/sandbox/sandbox_record.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 
 #include "acquire/record/contiguous_samples.hpp"
 #include "acquire/record/point_number.hpp"
@@ -18,6 +20,18 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<double> if_known(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
 
+// The child may be compromised: numbers of reasons, faults and rows index tables.
+void require_known(const Record& record) {
+  for (const RowInfo& row : record.rows) {
+    if (!row_mark(static_cast<int>(row.mark))) throw std::out_of_range("not a reason");
+  }
+  for (const RecordFault& finding : record.faults) {
+    const std::array numbers{static_cast<double>(static_cast<int>(finding.kind)), static_cast<double>(finding.row),
+                             finding.time_s, finding.value};
+    if (!record_fault(numbers, record.rows.size())) throw std::out_of_range("not a finding");
+  }
+}
+
 void serialize_description(Serializer& out, const Record& record) {
   out.put(static_cast<std::uint64_t>(record.files.size()));
   for (const InputFile& file : record.files) {
@@ -30,6 +44,7 @@ void serialize_description(Serializer& out, const Record& record) {
   out.put(static_cast<std::uint64_t>(record.accel.size()));
   for (const SignalInfo& signal : record.accel) serialize_signal(out, signal);
   out.put_all(record.rows);
+  out.put_all(record.faults);
   out.put(static_cast<std::uint64_t>(record.continuous));
   out.put(static_cast<std::uint64_t>(record.has_force));
   serialize_geometry(out, record.geometry);
@@ -51,6 +66,8 @@ Record deserialize_description(Deserializer& in) {
   const std::size_t channels = in.count(5 * sizeof(double));
   for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(deserialize_signal(in));
   record.rows = in.all<RowInfo>();
+  record.faults = in.all<RecordFault>();
+  require_known(record);
   record.continuous = in.get<std::uint64_t>() != 0;
   record.has_force = in.get<std::uint64_t>() != 0;
   record.geometry = deserialize_geometry(in);

@@ -45,6 +45,7 @@ const FileFormat kHdf5Format{.name = "HDF5",
                              .open = open_hdf5_file,
                              .write_record = write_hdf5,
                              .write_frfs = write_frf_record_hdf5,
-                             .record_losses = hdf5_losses};
+                             .record_losses = hdf5_losses,
+                             .keeps_marks = true};
 
 }  // namespace percuss::acquire

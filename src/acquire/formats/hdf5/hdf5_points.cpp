@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <string>
 
 #include "acquire/formats/hdf5/hdf5_layout.hpp"
 #include "core/error.hpp"
@@ -10,7 +12,7 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-constexpr std::size_t kMaxPoints = 1'000'000, kMaxLines = 10'000'000;
+constexpr std::size_t kMaxPoints = 1'000'000, kMaxLines = 10'000'000, kMaxFindings = 1'000'000;
 
 }  // namespace
 
@@ -31,6 +33,38 @@ std::vector<int> numbers_per_row(const InputHdf5& file, const std::string& name,
     out[row] = static_cast<int>(values[row]);
   }
   return out;
+}
+
+std::vector<RowMark> read_marks(const InputHdf5& file, std::size_t rows) {
+  std::vector<RowMark> marks;
+  for (const int number : numbers_per_row(file, "rejected", rows)) {
+    const auto mark = row_mark(number);
+    if (!mark) {
+      throw InputError("entry " + std::to_string(number) + " is not the number of a reason", file.where("rejected"),
+                       "store 0 for blows that count, or a number of docs/reference/formats.md");
+    }
+    marks.push_back(*mark);
+  }
+  return marks;
+}
+
+std::vector<RecordFault> read_faults(const InputHdf5& file, std::size_t rows) {
+  if (!file.has("faults")) return {};
+  const InputDataSet set(file, "faults");
+  if (set.shape().size() != 2 || set.shape()[1] != 4 || set.shape()[0] > kMaxFindings) {
+    throw InputError("shape " + shape_text(set.shape()), file.where("faults"), "store [findings, 4]");
+  }
+  const std::vector<double> values = set.read_all();
+  std::vector<RecordFault> findings;
+  for (std::size_t i = 0; i + 4 <= values.size(); i += 4) {
+    const auto finding = record_fault(std::span(values).subspan(i).first<4>(), rows);
+    if (!finding) {
+      throw InputError("entry " + std::to_string(i / 4) + " is not a finding", file.where("faults"),
+                       "store fault, row, time and value");
+    }
+    findings.push_back(*finding);
+  }
+  return findings;
 }
 
 std::vector<std::vector<double>> read_geometry(const InputHdf5& file) {

@@ -13,6 +13,12 @@ namespace percuss::acquire::hdf5 {
 /// One whole number per row; zeros when the set is absent.
 std::vector<int> numbers_per_row(const InputHdf5& file, const std::string& name, std::size_t rows);
 
+/// Why each row was rejected while it was recorded; none when the set is absent.
+std::vector<RowMark> read_marks(const InputHdf5& file, std::size_t rows);
+
+/// Faults of the capture; none when the set is absent.
+std::vector<RecordFault> read_faults(const InputHdf5& file, std::size_t rows);
+
 /// Coordinates [points][2 or 3]. NaN marks a point without coordinates. Empty when the set is absent.
 std::vector<std::vector<double>> read_geometry(const InputHdf5& file);
 

@@ -29,7 +29,8 @@ using hdf5::InputHdf5;
 
 constexpr std::size_t kMaxChannels = 100'000;
 constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
-constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry", "trace_lines"};
+constexpr std::array kKnownNames{"force",    "accel",       "point",    "run",
+                                 "geometry", "trace_lines", "rejected", "faults"};
 
 /// The data shared by the read functions of a record.
 struct OpenRecord {
@@ -126,10 +127,12 @@ void describe_rows(const OpenRecord& open, Record& record) {
   const InputHdf5& file = open.file;
   const std::vector<int> point = hdf5::numbers_per_row(file, "point", open.layout.rows);
   const std::vector<int> run = hdf5::numbers_per_row(file, "run", open.layout.rows);
+  const std::vector<RowMark> marks = hdf5::read_marks(file, open.layout.rows);
   for (std::size_t row = 0; row < open.layout.rows; ++row) {
     require_point_number(point[row], file.where("point"));
-    record.rows.push_back({.samples = open.layout.samples, .point = point[row], .run = run[row]});
+    record.rows.push_back({.samples = open.layout.samples, .point = point[row], .run = run[row], .mark = marks[row]});
   }
+  record.faults = hdf5::read_faults(file, open.layout.rows);
   const auto continuous = hdf5::number_attribute(file.id(), "continuous", file.path(), 1);
   record.continuous =
       continuous ? continuous->front() != 0 : !(open.force ? open.layout.force_has_rows : open.layout.accel_has_rows);

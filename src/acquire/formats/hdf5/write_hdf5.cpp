@@ -79,6 +79,25 @@ void write_row_numbers(hdf5::OutputHdf5& out, const Record& record, const std::s
   out.write(name, {}, 0, values);
 }
 
+void write_marks(hdf5::OutputHdf5& out, const Record& record) {
+  std::vector<double> marks;
+  for (const RowInfo& row : record.rows) marks.push_back(static_cast<int>(row.mark));
+  if (std::all_of(marks.begin(), marks.end(), [](double mark) { return mark == 0; })) return;
+  out.create_set("rejected", std::array{marks.size()}, hdf5::Stored::int32);
+  out.write("rejected", {}, 0, marks);
+}
+
+void write_capture(hdf5::OutputHdf5& out, const Record& record) {
+  if (record.faults.empty()) return;
+  out.create_set("faults", std::array{record.faults.size(), std::size_t{4}});
+  for (std::size_t i = 0; i < record.faults.size(); ++i) {
+    const RecordFault& finding = record.faults[i];
+    out.write("faults", std::array{i}, 0,
+              std::array{static_cast<double>(static_cast<int>(finding.kind)), static_cast<double>(finding.row),
+                         finding.time_s, finding.value});
+  }
+}
+
 void write_geometry(hdf5::OutputHdf5& out, const Record& record) {
   if (record.geometry.empty()) return;
   out.create_set("geometry", std::array{record.geometry.size(), record.geometry.front().size()});
@@ -110,6 +129,8 @@ void write_hdf5(const std::string& path, const Record& record, bool force) {
   write_sensor_numbers(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);
   write_row_numbers(out, record, "point", &RowInfo::point);
   write_row_numbers(out, record, "run", &RowInfo::run);
+  write_marks(out, record);
+  write_capture(out, record);
   write_geometry(out, record);
   write_trace_lines(out, record);
   out.commit();

@@ -1,0 +1,113 @@
+#include "acquire/live/capture_finding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/io/json_text.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct FaultWords {
+  CaptureFault fault;
+  const char* name;
+};
+
+constexpr std::array kFaultWords = {
+    FaultWords{CaptureFault::gap, "gap"},
+    FaultWords{CaptureFault::overrun, "overrun"},
+    FaultWords{CaptureFault::dropped, "dropped"},
+    FaultWords{CaptureFault::not_in_journal, "not_in_journal"},
+    FaultWords{CaptureFault::journal_failed, "journal_failed"},
+    FaultWords{CaptureFault::clock_drift, "clock_drift"},
+    FaultWords{CaptureFault::not_a_number, "not_a_number"},
+    FaultWords{CaptureFault::overload, "overload"},
+    FaultWords{CaptureFault::unplugged, "unplugged"},
+    FaultWords{CaptureFault::rate_changed, "rate_changed"},
+    FaultWords{CaptureFault::failed, "failed"},
+    FaultWords{CaptureFault::resumed, "resumed"},
+};
+
+std::string channel_text(const CaptureFinding& finding) {
+  return finding.channel ? fmt::format("channel {}", *finding.channel + 1) : "the device";
+}
+
+template <class Number>
+Number number_of(const nlohmann::json& json, const char* key, Number absent) {
+  const auto at = json.find(key);
+  return at == json.end() ? absent : at->get<Number>();
+}
+
+}  // namespace
+
+const char* fault_name(CaptureFault fault) {
+  return std::find_if(kFaultWords.begin(), kFaultWords.end(), [&](const FaultWords& w) { return w.fault == fault; })
+      ->name;
+}
+
+std::string finding_text(const CaptureFinding& f) {
+  switch (f.fault) {
+    case CaptureFault::gap:
+      return fmt::format("a gap of {} frames", f.count);
+    case CaptureFault::overrun:
+      return f.count > 0 ? fmt::format("the device lost {} frames", f.count) : "the device lost frames";
+    case CaptureFault::dropped:
+      return fmt::format("{} frames were dropped because nobody took them", f.count);
+    case CaptureFault::not_in_journal:
+      return fmt::format("{} frames are not in the journal", f.count);
+    case CaptureFault::journal_failed:
+      return "the journal cannot be written: " + f.text;
+    case CaptureFault::clock_drift:
+      return fmt::format("the clock of the device differs by {:.0f} ppm from the computer's", f.value * 1e6);
+    case CaptureFault::not_a_number:
+      return fmt::format("{} has {} samples that are no numbers", channel_text(f), f.count);
+    case CaptureFault::overload:
+      return fmt::format("{} has {} samples at full scale", channel_text(f), f.count);
+    case CaptureFault::unplugged:
+      return "the device was unplugged";
+    case CaptureFault::rate_changed:
+      return "the device changed its sampling rate";
+    case CaptureFault::failed:
+      return "the device failed";
+    case CaptureFault::resumed:
+      return "the session was resumed";
+  }
+  return {};
+}
+
+std::string finding_json(const CaptureFinding& finding) {
+  Json json{{"fault", fault_name(finding.fault)}, {"frame", finding.frame}};
+  if (finding.count > 0) json["count"] = finding.count;
+  if (finding.channel) json["channel"] = *finding.channel;
+  if (finding.value != 0) json["value"] = finding.value;
+  if (!finding.text.empty()) json["text"] = finding.text;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+CaptureFinding parse_finding(const std::string& text, const std::string& where) {
+  const auto json = parse_json<nlohmann::json>(
+      {.text = text, .where = where, .remedy = "the file is not a journal of this version", .max_depth = 1});
+  try {
+    const auto name = json.at("fault").get<std::string>();
+    const auto* const words =
+        std::find_if(kFaultWords.begin(), kFaultWords.end(), [&](const FaultWords& w) { return w.name == name; });
+    if (words == kFaultWords.end()) throw InputError("an unknown finding", where, "use a newer version");
+    CaptureFinding finding{.fault = words->fault};
+    finding.frame = number_of<std::uint64_t>(json, "frame", 0);
+    finding.count = number_of<std::uint64_t>(json, "count", 0);
+    if (json.contains("channel")) finding.channel = json["channel"].get<std::size_t>();
+    finding.value = number_of<double>(json, "value", 0);
+    finding.text = number_of<std::string>(json, "text", {});
+    return finding;
+  } catch (const nlohmann::json::exception&) {
+    throw InputError("a damaged finding", where, "the file is not a journal of this version");
+  }
+}
+
+}  // namespace percuss::acquire

@@ -1,0 +1,123 @@
+#include "acquire/live/capture_stream.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <numeric>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A reader's block is at most this late. A replay without a clock has no reason to wait.
+constexpr std::chrono::microseconds kPause = 3ms, kFastPause = 200us;
+
+std::vector<std::size_t> channels_kept(const DeviceFormat& device, const CaptureOptions& options) {
+  std::vector<std::size_t> channels = options.channels;
+  if (channels.empty()) {
+    channels.resize(device.stream.channels);
+    std::iota(channels.begin(), channels.end(), std::size_t{0});
+  }
+  for (const std::size_t channel : channels) {
+    if (channel >= device.stream.channels) {
+      throw InputError(fmt::format("there is no channel {}", channel + 1), device.stream.device,
+                       fmt::format("name channels from 1 to {}", device.stream.channels), {"channels"});
+    }
+  }
+  return channels;
+}
+
+StreamFormat format_of(const StreamFormat& device, const std::vector<std::size_t>& channels) {
+  StreamFormat format = device;
+  format.channels = channels.size();
+  const auto choose = [&](const auto& all, auto& chosen) {
+    if (all.empty()) return;
+    chosen.clear();
+    for (const std::size_t channel : channels) chosen.push_back(all[channel]);
+  };
+  choose(device.names, format.names);
+  choose(device.units, format.units);
+  choose(device.full_scales, format.full_scales);
+  if (!format.full_scales.empty()) format.full_scale = format.full_scales.front();
+  return format;
+}
+
+FrameLayout layout_of(const DeviceFormat& device, const std::vector<std::size_t>& channels) {
+  FrameLayout layout{.type = device.type, .device_channels = device.stream.channels, .channels = channels};
+  for (const std::size_t channel : channels)
+    layout.scales.push_back(device.scales.empty() ? device.scale : device.scales[channel]);
+  return layout;
+}
+
+std::unique_ptr<SessionJournal> journal_of(const CaptureOptions& options, const StreamFormat& format) {
+  if (options.journal.empty()) return nullptr;
+  if (options.resume)
+    return std::make_unique<SessionJournal>(JournalWriter::resumed(options.journal, format, options.seamless));
+  return std::make_unique<SessionJournal>(JournalWriter(options.journal, format, options.overwrite));
+}
+
+}  // namespace
+
+CaptureStream::CaptureStream(std::unique_ptr<Device> device, const CaptureOptions& options)
+    : device_(std::move(device)), pause_(device_->format().pace == DevicePace::clock ? kPause : kFastPause) {
+  const DeviceFormat& given = device_->format();
+  const std::vector<std::size_t> channels = channels_kept(given, options);
+  format_ = format_of(given.stream, channels);
+  if (options.store.trigger && options.store.trigger->channel >= channels.size()) {
+    throw InputError("the channel of the trigger is not recorded", format_.device, "name a recorded channel",
+                     {"trigger"});
+  }
+  store_ = std::make_unique<SampleStore>(layout_of(given, channels), format_, given.pace, journal_of(options, format_),
+                                         options.store);
+  device_->start(store_->sink());
+  try {
+    writer_ = std::thread([this] { pump(); });
+  } catch (...) {
+    device_->stop();
+    throw;
+  }
+}
+
+CaptureStream::~CaptureStream() { stop(); }
+
+void CaptureStream::pump() {
+  try {
+    while (store_->ended() == StreamEnd::none) {
+      if (const StreamEnd reason = device_->check(); reason != StreamEnd::none) store_->sink().end(reason);
+      if (!store_->pump()) std::this_thread::sleep_for(pause_);
+    }
+    store_->finish();
+  } catch (const std::exception&) {  // no memory is left
+    store_->sink().end(StreamEnd::failed);
+  }
+  finished_ = true;
+}
+
+std::optional<SampleBlock> CaptureStream::next(std::chrono::milliseconds patience) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  for (;;) {
+    const bool last = finished_;  // before the look for a block
+    if (auto block = store_->take()) return block;
+    if (last || std::chrono::steady_clock::now() >= deadline) return {};
+    std::this_thread::sleep_for(pause_);
+  }
+}
+
+StreamEnd CaptureStream::end() const {
+  return finished_ && store_->everything_taken() ? store_->ended() : StreamEnd::none;
+}
+
+void CaptureStream::stop() {
+  device_->stop();
+  store_->sink().end(StreamEnd::finished);
+  if (writer_.joinable()) writer_.join();
+}
+
+void CaptureStream::append_event(const std::string& json) { store_->append_event(json); }
+
+}  // namespace percuss::acquire

@@ -1,0 +1,134 @@
+#include "acquire/live/file_device.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+#include "acquire/live/polled_device.hpp"
+#include "acquire/open_measurement.hpp"
+#include "core/error.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+constexpr std::size_t kReplayPiece_frames = 4096;
+constexpr double kReplayPoll_s = 0.005;
+
+DeviceFormat replay_format(const Record& record, bool fast) {
+  DeviceFormat format{.type = SampleType::float64, .pace = fast ? DevicePace::reader : DevicePace::clock};
+  format.stream.device = "file:" + record.source();
+  format.stream.fs_Hz = record.fs_Hz;
+  if (record.has_force) {
+    format.stream.names.push_back(record.force.name);
+    format.stream.units.emplace_back("N");
+  }
+  for (const SignalInfo& signal : record.accel) {
+    format.stream.names.push_back(signal.name);
+    format.stream.units.emplace_back(signal.measures == Quantity::pressure ? "Pa" : "m/s^2");
+  }
+  format.stream.channels = format.stream.names.size();
+  return format;
+}
+
+class ReplayDevice final : public PolledDevice {
+ public:
+  ReplayDevice(Record record, const DeviceOptions& options)
+      : record_(std::move(record)),
+        fast_(options.fast),
+        format_(replay_format(record_, fast_)),
+        gap_(static_cast<std::uint64_t>(std::ceil(record_.fs_Hz))) {
+    seek(options.start_frame);
+  }
+  ~ReplayDevice() override { stop(); }
+
+  const DeviceFormat& format() const override { return format_; }
+
+ protected:
+  void poll(FrameSink& sink) override {
+    if (row_ == record_.rows.size()) return sink.end(StreamEnd::finished);
+    if (at_ == record_.rows[row_].samples) return next_row(sink);
+    std::size_t count = std::min(kReplayPiece_frames, record_.rows[row_].samples - at_);
+    if (fast_) {
+      if (!wait_for_room(sink, count)) return;
+    } else {
+      count = std::min(count, frames_due());
+    }
+    if (count > 0) {
+      play(sink, count);
+    } else {
+      std::this_thread::sleep_for(std::chrono::duration<double>(kReplayPoll_s));
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // Frames count over rows and gaps.
+  void seek(std::uint64_t frame) {
+    while (row_ < record_.rows.size() && frame > record_.rows[row_].samples + gap_) {
+      frame -= record_.rows[row_].samples + gap_;
+      ++row_;
+    }
+    if (row_ < record_.rows.size())
+      at_ = static_cast<std::size_t>(std::min<std::uint64_t>(frame, record_.rows[row_].samples));
+  }
+
+  void next_row(FrameSink& sink) {
+    at_ = 0;
+    if (++row_ < record_.rows.size()) sink.skip(gap_, false);
+  }
+
+  std::size_t frames_due() {
+    const Clock::time_point now = Clock::now();
+    if (played_ == 0) start_ = now - std::chrono::milliseconds(1);
+    const auto due = static_cast<std::uint64_t>(std::chrono::duration<double>(now - start_).count() * record_.fs_Hz);
+    return static_cast<std::size_t>(due - std::min(due, played_));
+  }
+
+  void play(FrameSink& sink, std::size_t count) {
+    const std::size_t channels = format_.stream.channels;
+    frames_.resize(count * channels);
+    signal_.resize(count);
+    std::size_t channel = 0;
+    const auto add = [&] {
+      for (std::size_t i = 0; i < count; ++i) frames_[i * channels + channel] = signal_[i];
+      ++channel;
+    };
+    if (record_.has_force) {
+      record_.read_force_N(row_, at_, signal_);
+      add();
+    }
+    for (std::size_t c = 0; c < record_.accel.size(); ++c) {
+      record_.read_accel_mps2(row_, c, at_, signal_);
+      add();
+    }
+    sink.write(frames_.data(), count);
+    at_ += count;
+    played_ += count;
+  }
+
+  const Record record_;
+  const bool fast_;
+  const DeviceFormat format_;
+  const std::uint64_t gap_;
+  std::size_t row_ = 0, at_ = 0;
+  std::uint64_t played_ = 0;
+  Clock::time_point start_;
+  std::vector<double> frames_, signal_;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> replay_device(Record record, const DeviceOptions& options) {
+  if (record.rows.empty() || !(record.fs_Hz > 0) || (record.accel.empty() && !record.has_force))
+    throw InputError("the record has no samples to replay", record.source(), "name another record", {"device"});
+  return std::make_unique<ReplayDevice>(std::move(record), options);
+}
+
+std::unique_ptr<Device> open_file_device(const std::string& path, const DeviceOptions& options) {
+  return replay_device(open_record(path, {.fs_Hz = options.fs_Hz, .force_optional = true, .sandboxed = true}), options);
+}
+
+}  // namespace percuss::acquire

@@ -1,0 +1,18 @@
+#pragma once
+#include <memory>
+
+#include "acquire/live/device.hpp"
+#include "acquire/record/record.hpp"
+
+namespace percuss::acquire {
+
+/// Replays a record: its force, where it has one, then its accelerations, in SI units. In real time, or as fast as the
+/// reader. Rows follow one another; as nothing says how much time passed between them, one second is counted as a gap.
+/// errors  InputError: the record has no samples
+std::unique_ptr<Device> replay_device(Record record, const DeviceOptions& options = {});
+
+/// As above, for a file of any format.
+/// errors  InputError: as open_record
+std::unique_ptr<Device> open_file_device(const std::string& path, const DeviceOptions& options = {});
+
+}  // namespace percuss::acquire

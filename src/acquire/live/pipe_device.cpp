@@ -1,0 +1,129 @@
+#include "acquire/live/pipe_device.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "acquire/live/polled_device.hpp"
+#include "acquire/live/wav_header.hpp"
+#include "core/error.hpp"
+#include "core/io/parse_number.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+constexpr int kPipePoll_ms = 50;
+constexpr std::size_t kPipePiece_bytes = std::size_t{1} << 16U;
+constexpr std::chrono::seconds kHeaderPatience{10};
+
+/// The bytes that are there, at most out.size(). 0: none came in time. Negative: the end, or a failure.
+ssize_t read_available(int descriptor, std::span<std::byte> out) {
+  pollfd ready{.fd = descriptor, .events = POLLIN, .revents = 0};
+  if (::poll(&ready, 1, kPipePoll_ms) <= 0) return 0;
+  const ssize_t got = ::read(descriptor, out.data(), out.size());
+  if (got < 0 && (errno == EINTR || errno == EAGAIN)) return 0;
+  return got > 0 ? got : -1;
+}
+
+bool fill_from(int descriptor, std::span<std::byte> out) {
+  const auto deadline = std::chrono::steady_clock::now() + kHeaderPatience;
+  while (!out.empty()) {
+    const ssize_t got = read_available(descriptor, out);
+    if (got < 0 || std::chrono::steady_clock::now() > deadline) return false;
+    out = out.subspan(static_cast<std::size_t>(got));
+  }
+  return true;
+}
+
+double whole_number(const std::string& text, double high, const std::string& where) {
+  const ParsedNumber parsed = parse_number(text, false);
+  if (parsed.problem != NumberProblem::none || !(parsed.value > 0) || parsed.value > high)
+    throw InputError("a wrong rate or number of channels", one_line(where), "write stdin:raw:s24:51200:2", {"device"});
+  return parsed.value;
+}
+
+WavHeader raw_header(const std::string& description) {
+  std::vector<std::string> parts(1);
+  for (const char c : description) {
+    if (c == ':') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  if (parts.size() != 4 || parts[0] != "raw") {
+    throw InputError("standard input is not described", one_line(description),
+                     "write stdin:wav, or stdin:raw:ENCODING:RATE:CHANNELS such as stdin:raw:s24:51200:2", {"device"});
+  }
+  constexpr double kMaxRate_Hz = 1e7, kMaxPipeChannels = 1024;
+  return {.encoding = pcm_encoding(parts[1]),
+          .fs_Hz = whole_number(parts[2], kMaxRate_Hz, description),
+          .channels = static_cast<std::size_t>(whole_number(parts[3], kMaxPipeChannels, description))};
+}
+
+DeviceFormat pipe_format(const WavHeader& header) {
+  DeviceFormat format{.type = pcm_type(header.encoding), .pace = DevicePace::ring};
+  const bool whole = format.type == SampleType::int32;
+  format.scale = whole ? 0x1p-31 : 1;
+  format.stream = {
+      .device = "stdin", .fs_Hz = header.fs_Hz, .channels = header.channels, .full_scale = whole ? 1.0 : 0.0};
+  return format;
+}
+
+class PipeDevice final : public PolledDevice {
+ public:
+  PipeDevice(const WavHeader& header, int descriptor)
+      : descriptor_(descriptor),
+        encoding_(header.encoding),
+        frame_bytes_(pcm_bytes(header.encoding) * header.channels),
+        left_bytes_(header.data_bytes),
+        format_(pipe_format(header)),
+        buffer_(std::max(kPipePiece_bytes, frame_bytes_)) {}
+  ~PipeDevice() override { stop(); }
+
+  const DeviceFormat& format() const override { return format_; }
+
+ protected:
+  void poll(FrameSink& sink) override {
+    const std::size_t wanted = static_cast<std::size_t>(std::min<std::uint64_t>(buffer_.size() - held_, left_bytes_));
+    if (wanted == 0) return sink.end(StreamEnd::finished);
+    const ssize_t got = read_available(descriptor_, std::span(buffer_).subspan(held_, wanted));
+    if (got < 0) return sink.end(StreamEnd::finished);
+    held_ += static_cast<std::size_t>(got);
+    left_bytes_ -= static_cast<std::uint64_t>(got);
+    const std::size_t frames = held_ / frame_bytes_, whole = frames * frame_bytes_;
+    if (frames == 0 || !wait_for_room(sink, frames)) return;
+    decode_pcm(encoding_, std::span(buffer_).first(whole), decoded_);
+    sink.write(decoded_.data(), frames);
+    std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(whole),
+              buffer_.begin() + static_cast<std::ptrdiff_t>(held_), buffer_.begin());
+    held_ -= whole;
+  }
+
+ private:
+  const int descriptor_;
+  const PcmEncoding encoding_;
+  const std::size_t frame_bytes_;
+  std::uint64_t left_bytes_;
+  const DeviceFormat format_;
+  std::vector<std::byte> buffer_, decoded_;
+  std::size_t held_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> open_pipe_device(const std::string& description, int descriptor) {
+  if (description != "wav") return std::make_unique<PipeDevice>(raw_header(description), descriptor);
+  const auto fill = [&](std::span<std::byte> out) { return fill_from(descriptor, out); };
+  return std::make_unique<PipeDevice>(read_wav_header(fill), descriptor);
+}
+
+}  // namespace percuss::acquire

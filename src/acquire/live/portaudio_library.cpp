@@ -1,0 +1,134 @@
+#include "acquire/live/portaudio_library.hpp"
+
+#include <fcntl.h>
+#include <portaudio.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+
+#include "core/error.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+constexpr std::array kCommonRates_Hz = {8000.0,  11025.0, 16000.0, 22050.0, 25600.0,  32000.0,  44100.0,  48000.0,
+                                        51200.0, 64000.0, 88200.0, 96000.0, 102400.0, 128000.0, 176400.0, 192000.0};
+
+// PortAudio of Debian aborts the program where the configuration of ALSA has no device "default" (an assertion). A
+// child tries it first. The child takes at most 20 s, since devices may answer slowly.
+void check_in_child() {
+  constexpr unsigned kPatience_s = 20;
+  const pid_t child = ::fork();
+  if (child < 0) return;
+  if (child == 0) {
+    const rlimit no_core{};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+    std::signal(SIGABRT, SIG_DFL);
+    ::alarm(kPatience_s);
+    ::Pa_Initialize();
+    ::_exit(0);
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status)) {
+    throw InputError("PortAudio cannot look for devices", "portaudio",
+                     "check the configuration of ALSA: it needs a device called default", {"device"});
+  }
+}
+
+}  // namespace
+
+QuietErrors::QuietErrors() : saved_(::dup(STDERR_FILENO)) {
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere < 0) return;
+  std::fflush(stderr);
+  if (saved_ >= 0) ::dup2(nowhere, STDERR_FILENO);
+  ::close(nowhere);
+}
+
+QuietErrors::~QuietErrors() {
+  if (saved_ < 0) return;
+  std::fflush(stderr);
+  ::dup2(saved_, STDERR_FILENO);
+  ::close(saved_);
+}
+
+PortAudioLibrary::PortAudioLibrary() {
+  const QuietErrors quiet;
+  check_in_child();
+  if (const PaError error = ::Pa_Initialize(); error != paNoError) {
+    throw InputError(std::string("PortAudio does not start: ") + ::Pa_GetErrorText(error), "portaudio",
+                     "check the sound system", {"device"});
+  }
+}
+
+PortAudioLibrary::~PortAudioLibrary() {
+  const QuietErrors quiet;
+  ::Pa_Terminate();
+}
+
+std::vector<PortAudioInput> PortAudioLibrary::inputs() const {
+  std::vector<PortAudioInput> out;
+  for (PaDeviceIndex i = 0; i < ::Pa_GetDeviceCount(); ++i) {
+    const PaDeviceInfo* const info = ::Pa_GetDeviceInfo(i);
+    if (info == nullptr || info->maxInputChannels <= 0) continue;
+    const PaHostApiInfo* const host = ::Pa_GetHostApiInfo(info->hostApi);
+    out.push_back({.index = i,
+                   .name = info->name,
+                   .host = host != nullptr ? host->name : "",
+                   .channels = static_cast<std::size_t>(info->maxInputChannels),
+                   .default_fs_Hz = info->defaultSampleRate,
+                   .latency_s = info->defaultHighInputLatency});
+  }
+  return out;
+}
+
+std::vector<double> PortAudioLibrary::rates_Hz(const PortAudioInput& input) const {
+  const QuietErrors quiet;
+  const PaStreamParameters parameters{.device = input.index,
+                                      .channelCount = 1,
+                                      .sampleFormat = paInt32,
+                                      .suggestedLatency = input.latency_s,
+                                      .hostApiSpecificStreamInfo = nullptr};
+  std::vector<double> rates;
+  for (const double rate : kCommonRates_Hz) {
+    if (::Pa_IsFormatSupported(&parameters, nullptr, rate) == paFormatIsSupported) rates.push_back(rate);
+  }
+  return rates;
+}
+
+PortAudioInput find_input(const std::vector<PortAudioInput>& inputs, const std::string& name, bool alsa_only) {
+  const auto first_where = [&](const auto& fits) -> const PortAudioInput* {
+    for (const PortAudioInput& input : inputs) {
+      if ((!alsa_only || input.host == "ALSA") && fits(input)) return &input;
+    }
+    return nullptr;
+  };
+  const auto part = [](const PortAudioInput& input, const std::string& text) {
+    return input.name.find(text) != std::string::npos;
+  };
+  if (const auto* exact = first_where([&](const auto& input) { return input.name == name; })) return *exact;
+  if (const auto* address = first_where([&](const auto& input) { return part(input, "(" + name + ")"); }))
+    return *address;
+  const PortAudioInput* const found = first_where([&](const auto& input) { return part(input, name); });
+  if (found == nullptr) {
+    throw InputError("there is no such recording device", one_line(name), "percuss devices lists what can record",
+                     {"device"});
+  }
+  const auto* const other =
+      first_where([&](const auto& input) { return part(input, name) && input.name != found->name; });
+  if (other != nullptr) {
+    throw InputError("several recording devices have this name", one_line(name),
+                     "write more of it: " + one_line(found->name) + ", " + one_line(other->name), {"device"});
+  }
+  return *found;
+}
+
+}  // namespace percuss::acquire

@@ -1,0 +1,62 @@
+#pragma once
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace percuss::acquire {
+
+/// What a device delivers: the meaning of its samples.
+struct StreamFormat {
+  std::string device;  // for people: "sim:aluminum-bat", "USB Audio CODEC"
+  double fs_Hz = 0;
+  std::size_t channels = 0;
+  std::vector<std::string> names;   // [channels]; may be empty
+  std::vector<std::string> units;   // [channels], of the delivered numbers: "V", "N", "m/s^2"; empty: full scale is 1
+  double full_scale = 0;            // the largest |value| that the device can deliver; 0: not known
+  std::vector<double> full_scales;  // [channels], where they differ; `full_scale` is then the first channel's
+};
+
+/// Consecutive frames of all channels, in the order of their capture. A frame has one sample per channel.
+struct SampleBlock {
+  std::uint64_t first_frame = 0;  // by the device's count since its start: a jump from block to block is a gap
+  std::size_t frames = 0;
+  std::vector<double> values;  // [frames × channels], interleaved
+  bool overrun = false;        // the device states that it lost samples before this block
+};
+
+enum class StreamEnd { none, finished, unplugged, rate_changed, failed };
+
+/// The samples of a running device, for the thread that analyses. Blocks arrive in order, each once. The stream keeps
+/// all samples while the reader stalls.
+class SampleStream {
+ public:
+  SampleStream() = default;
+  SampleStream(const SampleStream&) = delete;
+  SampleStream& operator=(const SampleStream&) = delete;
+  virtual ~SampleStream() = default;
+
+  virtual const StreamFormat& format() const = 0;
+  /// The next block; nothing if none arrives within `patience`, or after the end.
+  virtual std::optional<SampleBlock> next(std::chrono::milliseconds patience) = 0;
+  /// Why no further block will come; `none` while blocks may come.
+  virtual StreamEnd end() const = 0;
+  /// Ends the capture. Blocks that were captured can still be read.
+  virtual void stop() = 0;
+};
+
+/// The part of the journal that the guidance writes and, on resuming, reads again.
+class SessionLog {
+ public:
+  SessionLog() = default;
+  SessionLog(const SessionLog&) = delete;
+  SessionLog& operator=(const SessionLog&) = delete;
+  virtual ~SessionLog() = default;
+
+  /// Appends one event, a JSON text: a verdict, a key, a point. It survives a kill at any later moment.
+  virtual void append_event(const std::string& json) = 0;
+};
+
+}  // namespace percuss::acquire

@@ -1,0 +1,218 @@
+#include "pipeline/live/blow_grading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "acquire/hits/hits.hpp"
+#include "core/error.hpp"
+#include "core/math/statistics.hpp"
+#include "pipeline/analysis.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+using acquire::Finding, acquire::FindingCode, acquire::RowMark, acquire::Severity;
+
+constexpr double kFullScale = 0.999;   // of the range: the converter's last step may not be used
+constexpr double kWeak = 0.2;          // of the typical peak, as acquire::grade_weak
+constexpr double kLowBandwidth = 0.5;  // of the typical bandwidth
+constexpr double kSilent = 8;          // standard deviations of the noise before the blow; Gaussian noise has 5
+constexpr std::size_t kMinQuiet = 12;  // samples that give a noise level
+
+struct Reason {
+  RowMark mark = RowMark::none;
+  std::string reason, remedy;
+};
+
+const Finding* find(const acquire::Hit& hit, FindingCode code) {
+  const auto it = std::find_if(hit.findings.begin(), hit.findings.end(),
+                               [&](const Finding& finding) { return finding.code == code; });
+  return it == hit.findings.end() ? nullptr : &*it;
+}
+
+std::string name_of_channel(const LiveChannels& channels, std::size_t accel) {
+  const std::string number = fmt::format("channel {}", channels.accel[accel] + 1);
+  const std::string& name = channels.accel_names[accel];
+  return name == number ? number : fmt::format("{} ({})", number, one_line(name, 40));
+}
+
+bool is_silent(std::span<const double> accel, std::size_t quiet) {
+  const Extremes all = extremes_of(accel);
+  if (all.low == all.high) return true;
+  if (quiet < kMinQuiet) return false;
+  const Spread before = spread_of({accel.begin(), accel.begin() + static_cast<std::ptrdiff_t>(quiet)});
+  return before.robust_std > 0 && all.max_distance_from(before.median) < kSilent * before.robust_std;
+}
+
+Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, const BlowContext& context) {
+  if (at.lost_samples) return {RowMark::lost_samples, "samples were lost during the blow", "repeat it"};
+  const std::size_t quiet = at.pretrigger / 2;
+  for (std::size_t c = 0; c + 1 < samples.size(); ++c) {
+    if (is_silent(samples[c + 1], quiet)) {
+      return {RowMark::silent_channel, name_of_channel(context.channels, c) + " is silent",
+              "check its cable and its input"};
+    }
+  }
+  return {};
+}
+
+Reason judge_range(const BlowCircumstances& at, const BlowContext& context) {
+  for (std::size_t s = 0; s < at.range.size(); ++s) {
+    if (at.range[s] < kFullScale) continue;
+    if (s == 0)
+      return {RowMark::force_overload, "the force reached full scale", "lower the gain of the hammer, or hit softer"};
+    return {RowMark::response_overload, name_of_channel(context.channels, s - 1) + " reached full scale",
+            "lower its gain, or hit softer"};
+  }
+  return {};
+}
+
+Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const BlowContext& context) {
+  const auto rejected = [&](FindingCode code) {
+    const Finding* const finding = find(hit, code);
+    return finding != nullptr && finding->severity == Severity::reject ? finding : nullptr;
+  };
+  if (rejected(FindingCode::overload) != nullptr || rejected(FindingCode::force_clipped) != nullptr)
+    return {RowMark::force_overload, "the force is clipped", "lower the gain of the hammer, or hit softer"};
+  if (const Finding* const second = rejected(FindingCode::double_hit)) {
+    return {RowMark::double_hit,
+            fmt::format("two contacts, the second {:.0f} % of the first and {:.0f} ms later", second->value * 100,
+                        second->delay_s.value_or(0) * 1e3),
+            "strike shorter: let the hammer bounce off"};
+  }
+  if (at.struck_again) return {RowMark::still_ringing, "struck again before the decay ended", "wait between blows"};
+  if (hit.gated_N.empty() || acquire::rejects(hit.findings))
+    return {RowMark::no_pulse, "no clean pulse", "strike freely and once"};
+  const double peak_N = std::abs(hit.peak_N);
+  if (at.typical_peak_N > 0 && peak_N < kWeak * at.typical_peak_N) {
+    return {RowMark::weak, fmt::format("too weak, {:.0f} % of the usual force", 100 * peak_N / at.typical_peak_N),
+            "hit harder"};
+  }
+  if (context.options.band_Hz && hit.bandwidth_Hz < context.options.band_Hz->second) {
+    return {RowMark::low_bandwidth,
+            fmt::format("the force reaches {:.0f} Hz, the band ends at {:.0f} Hz", hit.bandwidth_Hz,
+                        context.options.band_Hz->second),
+            "use a harder tip"};
+  }
+  if (hit.bandwidth_Hz < kLowBandwidth * at.typical_bandwidth_Hz) {
+    return {RowMark::low_bandwidth,
+            fmt::format("the force reaches {:.0f} Hz, usually {:.0f} Hz", hit.bandwidth_Hz, at.typical_bandwidth_Hz),
+            "strike squarely, and check the tip"};
+  }
+  return {};
+}
+
+// Why the analysis of all blows of the point rejects this one.
+RowMark mark_of(const AnalysedHit& hit) {
+  if (hit.accepted) return RowMark::none;
+  if (find(hit.hit, FindingCode::outlier) != nullptr) return RowMark::outlier;
+  const bool clipped =
+      find(hit.hit, FindingCode::overload) != nullptr || find(hit.hit, FindingCode::force_clipped) != nullptr;
+  return clipped ? RowMark::force_overload : RowMark::no_pulse;
+}
+
+Reason judge_responses(const AnalysedHit& hit, const BlowCircumstances& at, const BlowContext& context) {
+  for (std::size_t c = 0; c < hit.responses.size(); ++c) {
+    const acquire::ResponseGrade& grade = hit.responses[c];
+    if (grade.clipped_samples > 0)
+      return {RowMark::response_overload, name_of_channel(context.channels, c) + " is clipped",
+              "lower its gain, or hit softer"};
+    if (grade.dead)
+      return {RowMark::silent_channel, name_of_channel(context.channels, c) + " is silent",
+              "check its cable and its input"};
+    if (grade.rings_before)
+      return {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
+  }
+  if (at.during_previous) return {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
+  switch (mark_of(hit)) {
+    case RowMark::none:
+      return {};
+    case RowMark::outlier:
+      return {RowMark::outlier, "unlike the other blows at this point", "strike the same place in the same direction"};
+    case RowMark::force_overload:
+      return {RowMark::force_overload, "the force is clipped", "lower the gain of the hammer, or hit softer"};
+    default:
+      return {RowMark::no_pulse, "no clean pulse", "strike freely and once"};
+  }
+}
+
+// The rows of the point and, last, the blow.
+acquire::Record rows_with_blow(const BlowSamples& samples, const BlowContext& context) {
+  acquire::Record record = context.channels.description;
+  const std::size_t last = context.rows.size();
+  record.rows.assign(last + 1, {.samples = samples.front().size()});
+  read_from(context.store, context.rows, record);
+  const auto with_last = [&samples, last](auto read, std::size_t row, std::size_t signal, std::size_t first,
+                                          std::span<double> out) {
+    if (row < last) return read();
+    std::copy_n(samples[signal].begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+  };
+  const auto stored_force = record.read_force_N;
+  const auto stored_accel = record.read_accel_mps2;
+  record.read_force_N = [=](std::size_t row, std::size_t first, std::span<double> out) {
+    with_last([&] { stored_force(row, first, out); }, row, 0, first, out);
+  };
+  record.read_accel_mps2 = [=](std::size_t row, std::size_t c, std::size_t first, std::span<double> out) {
+    with_last([&] { stored_accel(row, c, first, out); }, row, c + 1, first, out);
+  };
+  return record;
+}
+
+// The hits of the rows by the analysis; by their force alone where their responses cannot be compared.
+std::vector<AnalysedHit> analysed(acquire::Record record, const AnalysisOptions& options) {
+  const Analysis analysis(std::move(record), options);
+  try {
+    return analysis.hits();
+  } catch (const InputError&) {
+    return analysis.force_hits();
+  }
+}
+
+void note_range(const BlowCircumstances& at, BlowGrade& grade) {
+  if (at.range.empty()) return;
+  grade.force_range = at.range.front();
+  const auto largest = std::max_element(at.range.begin() + 1, at.range.end());
+  grade.accel_range = *largest;
+  grade.accel_channel = static_cast<std::size_t>(largest - at.range.begin()) - 1;
+}
+
+void note_regraded(const std::vector<AnalysedHit>& hits, const BlowContext& context, BlowGrade& grade) {
+  for (const AnalysedHit& hit : hits) {
+    if (hit.hit.row < context.rows.size() && !hit.accepted)
+      grade.regraded.push_back({.row = context.rows[hit.hit.row], .mark = mark_of(hit)});
+  }
+}
+
+}  // namespace
+
+BlowGrade grade_blow(const BlowSamples& samples, const BlowCircumstances& circumstances, const BlowContext& context) {
+  const acquire::Record own = record_of_blow(context.channels.description, samples);
+  const acquire::Hit hit = largest_hit(own, circumstances.pretrigger);
+  BlowGrade grade{.peak_N = hit.peak_N, .pulse_s = hit.pulse_s, .bandwidth_Hz = hit.bandwidth_Hz};
+  note_range(circumstances, grade);
+  Reason reason = judge_capture(samples, circumstances, context);
+  if (reason.mark == RowMark::none) reason = judge_range(circumstances, context);
+  if (reason.mark == RowMark::none) reason = judge_force(hit, circumstances, context);
+  if (reason.mark == RowMark::none) {
+    const std::vector<AnalysedHit> hits = analysed(rows_with_blow(samples, context), context.options);
+    const auto blow = std::find_if(hits.rbegin(), hits.rend(),
+                                   [&](const AnalysedHit& h) { return h.hit.row == context.rows.size(); });
+    if (blow != hits.rend()) {
+      reason = judge_responses(*blow, circumstances, context);
+      grade.unlike_others = find(blow->hit, FindingCode::low_coherence) != nullptr;
+      grade.rings_at_end = std::any_of(blow->responses.begin(), blow->responses.end(),
+                                       [](const acquire::ResponseGrade& response) { return response.truncated; });
+    }
+    if (reason.mark == RowMark::none || reason.mark == RowMark::force_overload) note_regraded(hits, context, grade);
+  }
+  grade.mark = reason.mark;
+  grade.reason = std::move(reason.reason);
+  grade.remedy = std::move(reason.remedy);
+  return grade;
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,60 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acquire/record/row_mark.hpp"
+#include "pipeline/analysis_options.hpp"
+#include "pipeline/live/blow_samples.hpp"
+#include "pipeline/live/live_channels.hpp"
+#include "pipeline/live/row_store.hpp"
+
+namespace percuss::pipeline {
+
+/// What is known of a blow before its analysis.
+struct BlowCircumstances {
+  bool lost_samples = false;
+  bool struck_again = false;     // the next blow begins within its samples
+  bool during_previous = false;  // it begins within the samples of the blow before
+  std::vector<double> range;     // [1 + channels], largest |value| over the device's full scale; empty: not known
+  double typical_peak_N = 0;     // median of the accepted blows; 0: too few
+  double typical_bandwidth_Hz = 0;
+  std::size_t pretrigger = 0;  // samples
+};
+
+/// The verdict on a blow. Accepted: no mark.
+struct BlowGrade {
+  acquire::RowMark mark = acquire::RowMark::none;
+  std::string reason{};  // what is wrong: "two contacts, the second 31 % of the first"
+  std::string remedy{};  // what to do: "let the hammer bounce back"
+  double peak_N = 0, pulse_s = 0, bandwidth_Hz = 0;
+  std::optional<double> force_range{}, accel_range{};  // part of full scale
+  std::size_t accel_channel = 0;                       // that has accel_range
+  bool rings_at_end = false;                           // the window is too short
+  bool unlike_others = false;                          // the other blows explain little of it: low_coherence
+  /// Accepted rows of the same point that do not count any longer, now that there is this blow to compare with: an
+  /// outlier, or a force that was clipped at the same level.
+  struct Regraded {
+    std::size_t row = 0;
+    acquire::RowMark mark = acquire::RowMark::outlier;
+  };
+  std::vector<Regraded> regraded{};
+
+  bool accepted() const { return mark == acquire::RowMark::none; }
+};
+
+/// The accepted blows at the point, in a store, and the analysis's options.
+struct BlowContext {
+  const LiveChannels& channels;
+  std::shared_ptr<const RowStore> store;
+  std::vector<std::size_t> rows;  // in the store
+  const AnalysisOptions& options;
+};
+
+/// Grades a blow with the findings of the analysis (acquire/hits, pipeline/hits) on the blows of its point, and with
+/// what only the bench knows: range, lost samples, silence, the next blow. The first reason counts, in order of what
+/// the operator must mend first.
+BlowGrade grade_blow(const BlowSamples& samples, const BlowCircumstances& circumstances, const BlowContext& context);
+
+}  // namespace percuss::pipeline

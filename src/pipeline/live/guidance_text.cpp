@@ -1,0 +1,140 @@
+#include "pipeline/live/guidance_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kNearFullScale = 0.9;  // of the range: the next harder blow is clipped
+constexpr double kLowForce = 0.2, kLowAccel = 0.03;
+constexpr double kLowCoherence = 0.9;
+constexpr std::size_t kMaxOutlook = 30;  // blows
+constexpr double kTarget = 0.5;          // without goals: the blows that halve the ±
+
+std::size_t index_of(const SessionPlan& plan, int point) {
+  return static_cast<std::size_t>(std::find(plan.points.begin(), plan.points.end(), point) - plan.points.begin());
+}
+
+std::string force_text(double peak_N) { return fmt::format("{:.3g} N", std::abs(peak_N)); }
+
+std::string frequency_text(double freq_Hz) {
+  return freq_Hz < 1000 ? fmt::format("{:.0f} Hz", freq_Hz) : fmt::format("{:.2f} kHz", freq_Hz / 1000);
+}
+
+// As many as give the ± two digits.
+int decimals_of(double std) { return std > 0 ? std::clamp(static_cast<int>(std::ceil(1 - std::log10(std))), 0, 4) : 2; }
+
+const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
+
+std::string goal_text(const PrecisionGoal& goal, const SessionQuality& quality) {
+  const auto m = mode_of(goal, quality);
+  if (!m) return goal.text() + ": not found yet";
+  const LiveMode& mode = quality.modes[*m];
+  const std::string name = name_of(mode, *m);
+  const double limit = limit_Hz(goal, mode);
+  if (!(mode.freq_std_Hz > 0)) return fmt::format("one more blow gives a ± of {}", name);
+  const auto more = further_blows(mode, quality.blows, limit);
+  if (!more) return fmt::format("more blows alone do not bring {} below {:.3g} Hz", name, limit);
+  if (*more == 0) return fmt::format("{} is below {:.3g} Hz", name, limit);
+  return fmt::format("{} more blow{} bring{} {} below {:.3g} Hz", *more, plural(*more), *more == 1 ? "s" : "", name,
+                     limit);
+}
+
+}  // namespace
+
+std::string place_text(const SessionPlan& plan, int point, std::size_t blow) {
+  const std::string blows = fmt::format("blow {} of {}", blow, plan.hits);
+  if (plan.points.size() == 1) return blows;
+  return fmt::format("point {} of {}, {}", index_of(plan, point) + 1, plan.points.size(), blows);
+}
+
+std::string prompt_text(const Session& session, RovingPart roving) {
+  if (session.finished()) return "finished";
+  if (session.paused()) return "paused; press space to go on";
+  const SessionPlan& plan = session.plan();
+  const std::size_t accepted = session.accepted_at(session.point());
+  const std::string strike = "strike: " + place_text(plan, session.point(), std::min(accepted + 1, plan.hits));
+  if (plan.points.size() == 1 || accepted > 0) return strike;
+  const std::size_t number = session.point_index() + 1;
+  const std::string named = static_cast<int>(number) == session.point() + 1
+                                ? ""
+                                : fmt::format(" (number {} of the geometry)", session.point());
+  return fmt::format("move the {} to point {} of {}{}, then strike", roving == RovingPart::hammer ? "hammer" : "sensor",
+                     number, plan.points.size(), named);
+}
+
+std::string range_advice(const BlowGrade& grade, const LiveChannels& channels, bool first) {
+  if (grade.force_range && *grade.force_range > kNearFullScale)
+    return fmt::format("hit a little softer (force at {:.0f} % of range)", *grade.force_range * 100);
+  const auto accel = [&] { return fmt::format("channel {}", channels.accel.at(grade.accel_channel) + 1); };
+  if (grade.accel_range && *grade.accel_range > kNearFullScale)
+    return fmt::format("hit a little softer ({} at {:.0f} % of range)", accel(), *grade.accel_range * 100);
+  if (!first) return {};
+  if (grade.force_range && *grade.force_range < kLowForce)
+    return fmt::format("force peak at {:.0f} % of full scale: raise the gain", *grade.force_range * 100);
+  if (grade.accel_range && *grade.accel_range < kLowAccel)
+    return fmt::format("{} at {:.1f} % of full scale: raise the gain", accel(), *grade.accel_range * 100);
+  return {};
+}
+
+std::string blow_text(const BlowReport& blow, const LiveChannels& channels, const SessionPlan& plan) {
+  const BlowGrade& grade = blow.grade;
+  std::string place = place_text(plan, blow.point, blow.blow);
+  place.front() = place.front() == 'p' ? 'P' : 'B';
+  if (!grade.accepted())
+    return fmt::format("{}: rejected: {}{}{}", place, grade.reason, grade.remedy.empty() ? "" : "; ", grade.remedy);
+  std::string text =
+      fmt::format("{}: accepted, {} up to {}", place, force_text(grade.peak_N), frequency_text(grade.bandwidth_Hz));
+  const std::string advice = range_advice(grade, channels, blow.row < 2);
+  if (!advice.empty()) text += "; " + advice;
+  if (grade.unlike_others) text += "; little like the other blows: was it the same place?";
+  if (grade.rings_at_end) text += "; still ringing at the end: a longer window keeps the whole decay";
+  return text;
+}
+
+std::string quality_text(const SessionQuality& quality, std::size_t max_modes) {
+  if (quality.modes.empty()) return fmt::format("{} blow{}, no modes yet", quality.blows, plural(quality.blows));
+  std::string text = fmt::format("{} mode{} in Hz: ", quality.modes.size(), plural(quality.modes.size()));
+  for (std::size_t m = 0; m < std::min(max_modes, quality.modes.size()); ++m) {
+    const LiveMode& mode = quality.modes[m];
+    const std::string name = mode.order > 0 ? name_of(mode, m) + " " : "";
+    text += fmt::format("{}{}{:.{}f} ± {:.2g}", m > 0 ? ", " : "", name, mode.freq_Hz, decimals_of(mode.freq_std_Hz),
+                        mode.freq_std_Hz);
+  }
+  if (quality.modes.size() > max_modes) text += ", …";
+  if (quality.coherence) text += fmt::format("; coherence {:.3f}", *quality.coherence);
+  if (quality.coherence && *quality.coherence < kLowCoherence) text += ": low, the blows of a point differ";
+  return text;
+}
+
+std::string outlook_text(const SessionQuality& quality, const std::vector<PrecisionGoal>& goals) {
+  std::string text;
+  for (const PrecisionGoal& goal : goals) text += (text.empty() ? "" : "; ") + goal_text(goal, quality);
+  if (!goals.empty() || quality.modes.empty()) return text;
+  const auto widest =
+      std::max_element(quality.modes.begin(), quality.modes.end(),
+                       [](const LiveMode& a, const LiveMode& b) { return a.freq_std_Hz < b.freq_std_Hz; });
+  const auto more = further_blows(*widest, quality.blows, kTarget * widest->freq_std_Hz);
+  const std::string name = name_of(*widest, static_cast<std::size_t>(widest - quality.modes.begin()));
+  if (!more || *more > kMaxOutlook || !(widest->freq_std_Hz > 0)) return {};
+  return fmt::format("{} more blow{} halve{} the ± of {}, {:.2g} Hz", *more, plural(*more), *more == 1 ? "s" : "", name,
+                     widest->freq_std_Hz);
+}
+
+std::string summary_text(const Session& session) {
+  const SessionPlan& plan = session.plan();
+  const auto complete = std::count_if(plan.points.begin(), plan.points.end(),
+                                      [&](int point) { return session.accepted_at(point) >= plan.hits; });
+  const std::size_t accepted = session.accepted(), rejected = session.blows().size() - accepted;
+  std::string text =
+      fmt::format("{} blow{} count{}, {} rejected", accepted, plural(accepted), accepted == 1 ? "s" : "", rejected);
+  if (plan.points.size() > 1) text = fmt::format("{} of {} points complete; {}", complete, plan.points.size(), text);
+  return text;
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "pipeline/live/guide.hpp"
+#include "pipeline/live/session_quality.hpp"
+
+namespace percuss::pipeline {
+
+// The sentences of a guided session, for a terminal or a page. Points and blows count from 1, in the order of the plan.
+
+enum class RovingPart { hammer, sensor };
+
+/// "point 7 of 24, blow 3 of 5"; without the point where there is one only.
+std::string place_text(const SessionPlan& plan, int point, std::size_t blow);
+/// What to do next: "strike: blow 3 of 5", "move the hammer to point 8 of 24", "paused".
+std::string prompt_text(const Session& session, RovingPart roving);
+/// One line: place, verdict, reason and remedy, or what the blow reached and advice about the range.
+std::string blow_text(const BlowReport& blow, const LiveChannels& channels, const SessionPlan& plan);
+/// Advice on an accepted blow: "hit a little softer (force at 94 % of range)"; empty: none. `first`: among the first
+/// blows, which set the range.
+std::string range_advice(const BlowGrade& grade, const LiveChannels& channels, bool first);
+/// "6 modes in Hz: bending 1 205.1 ± 0.08, …; coherence 0.998".
+std::string quality_text(const SessionQuality& quality, std::size_t max_modes = 6);
+/// "3 more blows bring hoop 1 below 0.05 Hz", goal by goal; without goals, about the mode with the largest ±.
+std::string outlook_text(const SessionQuality& quality, const std::vector<PrecisionGoal>& goals);
+/// The end: "22 of 24 points are complete; 113 blows count, 9 were rejected".
+std::string summary_text(const Session& session);
+
+}  // namespace percuss::pipeline

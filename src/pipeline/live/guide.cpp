@@ -1,0 +1,209 @@
+#include "pipeline/live/guide.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "acquire/hits/time_selection.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+using Kind = SessionEvent::Kind;
+
+constexpr double kLongGap_s = 1;     // after a longer one the trigger begins anew
+constexpr std::size_t kFeed = 4096;  // samples
+
+std::size_t pretrigger_of(const LiveChannels& channels, const GuideOptions& options) {
+  return acquire::pretrigger_samples(channels.description, {.pretrigger_s = options.pretrigger_s});
+}
+
+// The frames of a block before `frame`, and the rest.
+std::pair<acquire::SampleBlock, acquire::SampleBlock> split(acquire::SampleBlock block, std::uint64_t frame) {
+  acquire::SampleBlock rest{.first_frame = frame};
+  const std::size_t channels = block.values.size() / block.frames, kept = frame - block.first_frame;
+  const auto at = block.values.begin() + static_cast<std::ptrdiff_t>(kept * channels);
+  rest.values.assign(at, block.values.end());
+  rest.frames = block.frames - kept;
+  block.values.erase(at, block.values.end());
+  block.frames = kept;
+  return {std::move(block), std::move(rest)};
+}
+
+}  // namespace
+
+Guide::Guide(const acquire::StreamFormat& format, LiveChannels channels, GuideOptions options, acquire::SessionLog& log,
+             GuideObserver& observer)
+    : channels_(std::move(channels)),
+      options_(std::move(options)),
+      log_(log),
+      observer_(observer),
+      fs_Hz_(format.fs_Hz),
+      full_scales_(format.full_scales.empty() ? std::vector(format.channels, format.full_scale) : format.full_scales),
+      pretrigger_(pretrigger_of(channels_, options_)),
+      session_(options_.plan),
+      history_(format.channels),
+      store_(std::make_shared<RowStore>(options_.folder, channels_.accel.size())) {
+  channels_.description.geometry = options_.geometry;
+  channels_.description.trace_lines = options_.trace_lines;
+  if (options_.length_s) length_ = acquire::selected_length(channels_.description, {.length_s = options_.length_s});
+}
+
+void Guide::take(acquire::SampleBlock block) {
+  // A command of the interrupted session applies after the same frame as then.
+  while (!past_commands_.empty() && block.frames > 0) {
+    const SessionEvent command = past_commands_.front();
+    if (command.frame >= block.first_frame + block.frames) break;
+    if (command.frame > block.first_frame) {
+      auto [before, after] = split(std::move(block), command.frame);
+      take_whole(std::move(before));
+      block = std::move(after);
+    }
+    past_commands_.pop_front();
+    commands_.push_back(command);
+    apply_commands(false);
+  }
+  take_whole(std::move(block));
+}
+
+void Guide::take_whole(acquire::SampleBlock block) {
+  if (session_.finished() || block.frames == 0) return;
+  if (!started_) {
+    started_ = true;
+    start_frame_ = fed_ = previous_end_ = block.first_frame;
+    trigger_ =
+        std::make_unique<OnlineTrigger>(OnlineTriggerOptions{.fs_Hz = fs_Hz_, .trigger_N = options_.trigger_N}, fed_);
+  }
+  const std::uint64_t before = history_.end_frame();
+  history_.add(std::move(block));
+  for (const SampleLoss& loss : history_.losses(before, history_.end_frame())) {
+    if (loss.frame < before) continue;
+    add_fault(loss.overrun ? acquire::FaultKind::overrun : acquire::FaultKind::gap, loss.frame,
+              static_cast<double>(loss.frames));
+    observer_.on_loss(loss);
+  }
+  feed_trigger(before);
+  collect_events();
+  advance(false);
+  apply_commands(false);
+  forget();
+}
+
+void Guide::feed_trigger(std::uint64_t from) {
+  const auto losses = history_.losses(from, history_.end_frame());
+  for (const SampleLoss& loss : losses) {
+    if (loss.frame < fed_ || static_cast<double>(loss.frames) < kLongGap_s * fs_Hz_) continue;
+    trigger_->finish();
+    collect_events();
+    fed_ = loss.frame + loss.frames;
+    trigger_ =
+        std::make_unique<OnlineTrigger>(OnlineTriggerOptions{.fs_Hz = fs_Hz_, .trigger_N = options_.trigger_N}, fed_);
+  }
+  std::vector<double> x;
+  while (fed_ < history_.end_frame()) {
+    std::uint64_t until = std::min(fed_ + kFeed, history_.end_frame());
+    bool lost = false;
+    for (const SampleLoss& loss : losses) {
+      if (loss.frames == 0 || loss.frame + loss.frames <= fed_ || loss.frame >= until) continue;
+      lost = loss.frame <= fed_;
+      until = lost ? std::min(until, loss.frame + loss.frames) : loss.frame;
+      break;
+    }
+    x.resize(until - fed_);
+    history_.read(channels_.force, fed_, x);
+    for (double& value : x) value *= channels_.force_to_N;
+    trigger_->add(x, lost);
+    fed_ = until;
+  }
+}
+
+void Guide::collect_events() {
+  while (const auto event = trigger_->next()) {
+    const std::uint64_t first = event->peak > pretrigger_ ? event->peak - pretrigger_ : 0;
+    windows_.push_back({.event = *event, .first = std::max(first, history_.first_frame())});
+  }
+}
+
+bool Guide::all_known_before(std::uint64_t frame) const {
+  return trigger_->searched_to() >= frame && !trigger_->begins_before(frame);
+}
+
+bool Guide::is_complete(const Window& window, bool last) const {
+  const std::uint64_t end = window.first + *length_;
+  if (last) return true;
+  if (history_.end_frame() < end) return false;
+  const bool next_known = windows_.size() > 1 && windows_[1].event.first < end;
+  return next_known || trigger_->begins_before(end) || trigger_->searched_to() >= end;
+}
+
+void Guide::advance(bool last) {
+  while (!windows_.empty() && !session_.finished()) {
+    apply_commands(false);
+    if (session_.finished()) return;
+    Window& window = windows_.front();
+    if (!length_ && !choose_length(window, last)) return;
+    if (length_) {
+      if (!is_complete(window, last)) return;
+      judge(window);
+    }
+    windows_.pop_front();
+  }
+}
+
+void Guide::judge(const Window& window) {
+  if (session_.paused()) return;
+  const BlowSamples samples = read_blow(history_, channels_, window.first, *length_);
+  const BlowGrade graded = grade(samples, window);
+  const BlowReport report{.row = session_.blows().size(),
+                          .end_frame = window.first + *length_,
+                          .point = session_.point(),
+                          .blow = session_.accepted_at(session_.point()) + 1,
+                          .grade = graded};
+  store_->append(samples);
+  previous_end_ = report.end_frame;
+  const SessionEvent event{.kind = Kind::blow,
+                           .frame = window.first,
+                           .mark = graded.mark,
+                           .point = session_.point(),
+                           .message = graded.accepted() ? "accepted" : graded.reason + "; " + graded.remedy,
+                           .peak_N = graded.peak_N,
+                           .bandwidth_Hz = graded.bandwidth_Hz};
+  if (repeat_past(event)) return observer_.on_blow(report);
+  for (const auto& [row, mark] : graded.regraded) {
+    log_and_apply({.kind = Kind::regraded, .frame = window.first, .mark = mark, .row = row});
+    observer_.on_regraded(row, mark);
+  }
+  log_and_apply(event);
+  observer_.on_blow(report);
+  if (graded.accepted()) check_goals();
+}
+
+BlowGrade Guide::grade(const BlowSamples& samples, const Window& window) const {
+  const auto past = past_.find(window.first);
+  const bool whole = history_.losses(window.first, window.first + *length_).empty();
+  if (past != past_.end() && past->second.blow && whole) {
+    const SessionEvent& blow = *past->second.blow;
+    return {.mark = blow.mark, .reason = blow.message, .peak_N = blow.peak_N, .bandwidth_Hz = blow.bandwidth_Hz};
+  }
+  return grade_blow(samples, circumstances(window),
+                    {.channels = channels_,
+                     .store = store_,
+                     .rows = session_.accepted_rows(session_.point()),
+                     .options = options_.analysis});
+}
+
+void Guide::finish() {
+  if (!started_) return apply_commands(true);
+  trigger_->finish();
+  collect_events();
+  advance(true);
+  apply_commands(true);
+}
+
+void Guide::forget() {
+  const std::uint64_t searched = trigger_->searched_to();
+  std::uint64_t needed = searched > pretrigger_ ? searched - pretrigger_ : 0;
+  if (!windows_.empty()) needed = std::min(needed, windows_.front().first);
+  history_.discard_before(needed);
+}
+
+}  // namespace percuss::pipeline

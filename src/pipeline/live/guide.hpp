@@ -1,0 +1,151 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acquire/live/sample_stream.hpp"
+#include "acquire/record/record.hpp"
+#include "pipeline/live/blow_grading.hpp"
+#include "pipeline/live/live_channels.hpp"
+#include "pipeline/live/online_trigger.hpp"
+#include "pipeline/live/row_store.hpp"
+#include "pipeline/live/sample_history.hpp"
+#include "pipeline/live/session.hpp"
+#include "pipeline/live/until.hpp"
+
+namespace percuss::pipeline {
+
+struct GuideOptions {
+  SessionPlan plan;
+  AnalysisOptions analysis;
+  std::optional<double> trigger_N, pretrigger_s;
+  std::optional<double> length_s;  // of a blow's samples; default: until the first blow's decay has ended
+  std::vector<PrecisionGoal> until;
+  std::string folder = ".";                       // with room for the samples of the blows
+  std::vector<std::vector<double>> geometry{};    // as acquire::Record
+  std::vector<acquire::TraceLine> trace_lines{};  // likewise
+};
+
+/// A blow that has been judged.
+struct BlowReport {
+  std::size_t row = 0;
+  std::uint64_t end_frame = 0;  // after its samples
+  int point = 0;
+  std::size_t blow = 1;  // of `hits`: its number among the accepted blows of its point, if it counts
+  BlowGrade grade;
+};
+
+/// Is told what happens, on the thread of the guide. It must not wait.
+class GuideObserver {
+ public:
+  GuideObserver() = default;
+  GuideObserver(const GuideObserver&) = delete;
+  GuideObserver& operator=(const GuideObserver&) = delete;
+  virtual ~GuideObserver() = default;
+
+  virtual void on_blow(const BlowReport& blow) = 0;
+  /// An accepted blow does not count any longer.
+  virtual void on_regraded(std::size_t /*row*/, acquire::RowMark /*mark*/) {}
+  virtual void on_command(const SessionEvent& /*command*/) {}
+  virtual void on_length(std::size_t /*samples*/) {}
+  virtual void on_loss(const SampleLoss& /*loss*/) {}
+  virtual void on_goals_met() {}
+};
+
+/// Guides a session: finds blows in the stream of samples, judges each, keeps its samples and counts it. The state
+/// follows from the samples and the commands alone, not from time or from the size of the blocks. Knows no terminal.
+class Guide {
+ public:
+  /// errors  InputError: unusable channels; no room in `folder`.
+  Guide(const acquire::StreamFormat& format, LiveChannels channels, GuideOptions options, acquire::SessionLog& log,
+        GuideObserver& observer);
+
+  /// Goes on from the events of an interrupted session: their verdicts and commands apply again when the samples of the
+  /// journal are taken. Call it first.
+  void resume_from(const std::vector<SessionEvent>& events);
+  void take(acquire::SampleBlock block);
+  /// The operator's choice, after the newest frame. It applies after the blows that began before it.
+  void command(SessionEvent::Kind kind, int point = 0);
+  /// No more samples will come: judges the last blow.
+  void finish();
+
+  const Session& session() const { return session_; }
+  const LiveChannels& channels() const { return channels_; }
+  std::uint64_t newest_frame() const { return history_.end_frame(); }
+  /// A blow's samples are being collected.
+  bool collecting() const { return !windows_.empty(); }
+  /// The first frame of the first blow, less this time, but not before the start.
+  std::uint64_t frame_before_first_blow(double time_s) const;
+  std::optional<std::size_t> length() const { return length_; }
+  double trigger_N() const { return trigger_->threshold_N(); }
+
+  /// The session as a record: one row per blow, rejected ones marked. Its samples stay available after the guide.
+  acquire::Record record() const;
+  /// The accepted blows alone.
+  acquire::Record accepted_record() const;
+  void add_fault(acquire::FaultKind kind, std::uint64_t frame, double value = 0);
+
+ private:
+  struct Window {
+    BlowEvent event;
+    std::uint64_t first = 0;
+    std::size_t horizon = 0;  // the next length to try
+  };
+  struct PastBlow {
+    std::optional<SessionEvent> blow;
+    std::vector<SessionEvent> consequences;  // regraded, enough
+  };
+  struct Fault {
+    acquire::FaultKind kind;
+    std::uint64_t frame;
+    double value;
+  };
+  void take_whole(acquire::SampleBlock block);
+  void feed_trigger(std::uint64_t from);
+  void collect_events();
+  void advance(bool last);
+  bool is_complete(const Window& window, bool last) const;
+  bool all_known_before(std::uint64_t frame) const;
+  /// False: more samples are needed. True with no length: the window is of no use.
+  bool choose_length(Window& window, bool last);
+  std::uint64_t undisturbed_end(const Window& window) const;
+  void judge(const Window& window);
+  BlowGrade grade(const BlowSamples& samples, const Window& window) const;
+  BlowCircumstances circumstances(const Window& window) const;
+  void apply_commands(bool last);
+  void log_and_apply(const SessionEvent& event);
+  bool repeat_past(const SessionEvent& blow);
+  void check_goals();
+  void forget();
+  double typical(double Session::Blow::*value) const;
+  acquire::Record record_of(std::vector<std::size_t> rows) const;
+
+  LiveChannels channels_;
+  GuideOptions options_;
+  acquire::SessionLog& log_;
+  GuideObserver& observer_;
+  double fs_Hz_;
+  std::vector<double> full_scales_;  // [channels of the device]; 0: not known
+  std::size_t pretrigger_;
+  Session session_;
+  SampleHistory history_;
+  std::unique_ptr<OnlineTrigger> trigger_;
+  std::uint64_t fed_ = 0;  // frames before it were given to the trigger
+  std::shared_ptr<RowStore> store_;
+  std::deque<Window> windows_;
+  std::optional<std::size_t> length_;
+  std::uint64_t previous_end_ = 0;  // of the last blow's samples
+  std::uint64_t start_frame_ = 0;
+  bool started_ = false;
+  std::deque<SessionEvent> commands_;
+  std::map<std::uint64_t, PastBlow> past_;  // by frame
+  std::deque<SessionEvent> past_commands_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace percuss::pipeline

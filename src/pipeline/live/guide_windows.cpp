@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/fft.hpp"
+#include "core/math/statistics.hpp"
+#include "pipeline/live/guide.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kFirstHorizon_s = 0.5;
+constexpr std::size_t kHorizons = 6;    // 0.5 s … 16 s
+constexpr double kShortestCut_s = 0.5;  // of a window that the next blow or a gap ends
+constexpr double kSpareAtCut = 0.98;    // the next blows come a little later in their windows
+constexpr std::size_t kMinTypical = 2;  // blows
+
+}  // namespace
+
+// The samples from the blow to the next blow, or to lost samples.
+std::uint64_t Guide::undisturbed_end(const Window& window) const {
+  std::uint64_t end = history_.end_frame();
+  if (windows_.size() > 1) end = std::min(end, windows_[1].first);
+  const auto losses = history_.losses(window.event.peak + 1, end);
+  return losses.empty() ? end : std::min(end, losses.front().frame);
+}
+
+bool Guide::choose_length(Window& window, bool last) {
+  const std::uint64_t end = undisturbed_end(window);
+  const bool cut = last || end < history_.end_frame() || windows_.size() > 1;
+  for (; window.horizon < kHorizons; ++window.horizon) {
+    const auto samples =
+        static_cast<std::size_t>(std::ldexp(kFirstHorizon_s, static_cast<int>(window.horizon)) * fs_Hz_);
+    if (window.first + samples > end) break;
+    if (!cut && !all_known_before(window.first + samples)) return false;  // the next blow may lie within
+    const auto decayed =
+        decayed_samples(channels_.description, read_blow(history_, channels_, window.first, samples), pretrigger_);
+    if (!decayed && window.horizon + 1 < kHorizons) continue;
+    length_ = fast_length_at_least(decayed.value_or(samples));
+    observer_.on_length(*length_);
+    return true;
+  }
+  if (!cut) return false;
+  const std::size_t whole = end - window.first;
+  if (static_cast<double>(whole) >= kShortestCut_s * fs_Hz_) {
+    length_ = fast_length_at_most(static_cast<std::size_t>(kSpareAtCut * static_cast<double>(whole)));
+    observer_.on_length(*length_);
+  }
+  return true;
+}
+
+double Guide::typical(double Session::Blow::*value) const {
+  std::vector<double> values;
+  for (const Session::Blow& blow : session_.blows()) {
+    if (blow.accepted()) values.push_back(std::abs(blow.*value));
+  }
+  return values.size() < kMinTypical ? 0 : median(std::move(values));
+}
+
+BlowCircumstances Guide::circumstances(const Window& window) const {
+  const std::uint64_t end = window.first + *length_;
+  BlowCircumstances at{
+      .lost_samples = !history_.losses(window.first, end).empty() || history_.end_frame() < end,
+      .struck_again = (windows_.size() > 1 && windows_[1].event.first < end) || trigger_->begins_before(end),
+      .during_previous = window.event.first < previous_end_,
+      .typical_peak_N = typical(&Session::Blow::peak_N),
+      .typical_bandwidth_Hz = typical(&Session::Blow::bandwidth_Hz),
+      .pretrigger = static_cast<std::size_t>(window.event.peak - window.first)};
+  if (!(full_scales_.at(channels_.force) > 0)) return at;
+  std::vector<double> x(*length_);
+  const auto largest = [&](std::size_t channel) {
+    history_.read(channel, window.first, x);
+    const Extremes all = extremes_of(x);
+    const double full_scale = full_scales_.at(channel);
+    at.range.push_back(full_scale > 0 ? std::max(std::abs(all.low), std::abs(all.high)) / full_scale : 0);
+  };
+  largest(channels_.force);
+  for (const std::size_t channel : channels_.accel) largest(channel);
+  return at;
+}
+
+}  // namespace percuss::pipeline

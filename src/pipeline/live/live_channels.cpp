@@ -1,0 +1,79 @@
+#include "pipeline/live/live_channels.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "acquire/channels/named_channels.hpp"
+#include "acquire/channels/signal_table.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+using acquire::StreamFormat;
+
+acquire::SignalTable table_of(const StreamFormat& format) {
+  acquire::SignalTable table{.format = "stream", .fs_Hz = format.fs_Hz};
+  const bool named = format.names.size() == format.channels;
+  for (std::size_t c = 0; c < format.channels; ++c) {
+    table.signals.push_back({.name = named ? format.names[c] : "channel " + std::to_string(c + 1),
+                             .unit = c < format.units.size() ? format.units[c] : ""});
+  }
+  table.rows.push_back({.samples = 2});
+  table.read = [](std::size_t /*row*/, std::size_t /*signal*/, std::size_t /*first*/, std::span<double> out) {
+    std::fill(out.begin(), out.end(), 0);
+  };
+  return table;
+}
+
+acquire::SignalRoles roles_of(const acquire::SignalTable& table, const acquire::ReadOptions& options,
+                              const std::string& device) {
+  if (table.signals.size() < 2) {
+    throw InputError("a hammer test needs the force and at least one response", device,
+                     "choose a device with two channels or more", {"channels"});
+  }
+  const bool stated = !options.force_channel.empty() || !options.accel_channels.empty() || !options.setup.empty();
+  try {
+    return acquire::find_roles(table, options);
+  } catch (const InputError&) {
+    if (stated) throw;
+  }
+  acquire::SignalRoles roles;  // a device without names: the hammer is plugged into the first channel
+  for (std::size_t c = 1; c < table.signals.size(); ++c) roles.accel.push_back(c);
+  return roles;
+}
+
+// As a reader of the written file finds the signal: in SI units, the angle converted to degrees and back.
+acquire::SignalInfo as_stored(const acquire::SignalInfo& signal, const std::string& name, const std::string& unit) {
+  acquire::SignalInfo out{.name = name, .unit = unit, .position_m = signal.position_m, .measures = signal.measures};
+  if (signal.angle_rad) out.angle_rad = *signal.angle_rad * kRadian_deg * kDegree_rad;
+  return out;
+}
+
+}  // namespace
+
+LiveChannels live_channels(const StreamFormat& format, const acquire::ReadOptions& options) {
+  acquire::SignalTable table = table_of(format);
+  const acquire::SignalRoles roles = roles_of(table, options, format.device);
+  LiveChannels out{.force = roles.force, .accel = roles.accel};
+  if (!roles.has_force)
+    throw InputError("no channel is a force", format.device, "name the hammer's channel in the set-up", {"setup"});
+  out.force_name = table.signals[roles.force].name;
+  for (const std::size_t c : roles.accel) out.accel_names.push_back(table.signals[c].name);
+  const acquire::Record described = acquire::record_of_table(std::move(table), roles, options);
+  out.force_to_N = described.force.to_SI;
+  out.notes = described.notes;
+  out.description.format = "HDF5";
+  out.description.fs_Hz = format.fs_Hz;
+  out.description.force = {.name = "force", .unit = "N", .measures = Quantity::force};
+  for (std::size_t c = 0; c < described.accel.size(); ++c) {
+    out.accel_to_mps2.push_back(described.accel[c].to_SI);
+    out.description.accel.push_back(as_stored(described.accel[c], acquire::channel_name(c), "m/s^2"));
+  }
+  return out;
+}
+
+}  // namespace percuss::pipeline

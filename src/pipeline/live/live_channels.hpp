@@ -1,0 +1,30 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "acquire/live/sample_stream.hpp"
+#include "acquire/record/record.hpp"
+#include "core/error.hpp"
+
+namespace percuss::pipeline {
+
+/// Which channels of a device are the force and the responses, and their units.
+struct LiveChannels {
+  std::size_t force = 0;           // index into a frame
+  std::vector<std::size_t> accel;  // likewise
+  double force_to_N = 1;
+  std::vector<double> accel_to_mps2;
+  std::string force_name;                // for people
+  std::vector<std::string> accel_names;  // likewise
+  std::vector<Message> notes;            // assumptions about units
+  /// The record that the file will hold, without rows: signals as a reader of the file finds them.
+  acquire::Record description;
+};
+
+/// Finds the roles by the rules of record files: the set-up, units, words in the names. Without any of these, the first
+/// channel is the force.
+/// errors  InputError: fewer than two channels, unknown or contradictory units.
+LiveChannels live_channels(const acquire::StreamFormat& format, const acquire::ReadOptions& options);
+
+}  // namespace percuss::pipeline

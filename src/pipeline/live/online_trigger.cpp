@@ -1,0 +1,177 @@
+#include "pipeline/live/online_trigger.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "acquire/hits/pulse_shape.hpp"
+#include "core/math/statistics.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kStep = 512;        // samples: 10 ms at 51.2 kHz
+constexpr std::size_t kNoiseSteps = 256;  // about 2.6 s at 51.2 kHz
+constexpr double kArming_s = 0.25;        // of noise before the first search; a pulse in it does not matter
+constexpr std::size_t kRecentPeaks = 9, kMinPeaks = 3;
+// As acquire::scan_for_triggers.
+constexpr double kNoiseFactor = 12, kPeakFraction = 0.01, kOwnPulse_s = 0.1, kOwnPulseFraction = 0.5;
+
+std::uint64_t frames_in(double time_s, double fs_Hz) { return static_cast<std::uint64_t>(time_s * fs_Hz) + 1; }
+
+double std_of(const std::vector<double>& x) {
+  double sum = 0, squares = 0;
+  for (const double value : x) sum += value;
+  const double mean = sum / static_cast<double>(x.size());
+  for (const double value : x) squares += (value - mean) * (value - mean);
+  return std::sqrt(squares / static_cast<double>(x.size()));
+}
+
+}  // namespace
+
+OnlineTrigger::OnlineTrigger(const OnlineTriggerOptions& options, std::uint64_t first_frame)
+    : options_(options),
+      apart_(frames_in(options.separation_s, options.fs_Hz)),
+      own_(std::min(apart_, frames_in(kOwnPulse_s, options.fs_Hz))),
+      reach_(static_cast<std::uint64_t>(acquire::kLongestPulse_s * options.fs_Hz) + acquire::kLongestPulse),
+      armed_after_(frames_in(kArming_s, options.fs_Hz)),
+      base_(first_frame),
+      stepped_(first_frame),
+      at_(first_frame) {}
+
+double OnlineTrigger::distance(std::uint64_t frame) const { return std::abs(force_[frame - base_] - baseline_N_); }
+
+double OnlineTrigger::threshold_N() const {
+  if (options_.trigger_N) return *options_.trigger_N;
+  // The lower median: an accident must not hide the blows that follow.
+  double typical_N = 0;
+  if (peaks_N_.size() >= kMinPeaks) {
+    std::vector<double> peaks_N(peaks_N_.begin(), peaks_N_.end());
+    const auto middle = peaks_N.begin() + static_cast<std::ptrdiff_t>((peaks_N.size() - 1) / 2);
+    std::nth_element(peaks_N.begin(), middle, peaks_N.end());
+    typical_N = *middle;
+  }
+  return std::max(kNoiseFactor * noise_N_, kPeakFraction * typical_N);
+}
+
+void OnlineTrigger::add(std::span<const double> force_N, bool lost) {
+  const std::uint64_t end = base_ + force_.size();
+  if (lost) {
+    if (lost_to_ != end) lost_from_ = end;
+    lost_to_ = end + force_N.size();
+  }
+  force_.insert(force_.end(), force_N.begin(), force_N.end());
+  while (base_ + force_.size() - stepped_ >= kStep) step(kStep);
+}
+
+void OnlineTrigger::finish() {
+  finished_ = true;
+  const std::uint64_t rest = base_ + force_.size() - stepped_;
+  if (rest > 0) {
+    step(rest);
+  } else {
+    search();
+  }
+}
+
+void OnlineTrigger::step(std::size_t samples) {
+  measure_noise(samples);
+  stepped_ += samples;
+  if (finished_ || measured_ >= armed_after_) search();
+  // The search of an event looks back by the length of a pulse.
+  const std::uint64_t needed = at_ > reach_ ? at_ - reach_ : 0;
+  while (base_ < std::min(needed, stepped_)) {
+    force_.pop_front();
+    ++base_;
+  }
+}
+
+void OnlineTrigger::measure_noise(std::size_t samples) {
+  const bool lost = lost_from_ < stepped_ + samples && stepped_ < lost_to_;
+  if (lost) return;  // constant values would look like silence
+  const auto begin = force_.begin() + static_cast<std::ptrdiff_t>(stepped_ - base_);
+  std::vector<double> x(begin, begin + static_cast<std::ptrdiff_t>(samples));
+  const double deviation = std_of(x);
+  const Spread spread = spread_of(std::move(x));
+  steps_.push_back({.median = spread.median, .robust_std = spread.robust_std, .std = deviation});
+  if (steps_.size() > kNoiseSteps) steps_.pop_front();
+  measured_ += samples;
+  std::vector<double> medians, robust;
+  double least = std::numeric_limits<double>::infinity();
+  for (const NoiseStep& one : steps_) {
+    medians.push_back(one.median);
+    robust.push_back(one.robust_std);
+    least = std::min(least, one.std);
+  }
+  baseline_N_ = median(std::move(medians));
+  // A coarse converter toggles between few values: its robust deviation is 0, its deviation is not.
+  noise_N_ = std::max(median(std::move(robust)), least);
+}
+
+std::optional<std::uint64_t> OnlineTrigger::first_above() const {
+  const double threshold_N = this->threshold_N();
+  for (std::uint64_t frame = at_; frame < stepped_; ++frame) {
+    const double needed = frame < quiet_until_ ? std::max(own_level_N_, threshold_N) : threshold_N;
+    const double here = distance(frame);
+    if (here >= needed && here > 0) return frame;
+  }
+  return {};
+}
+
+std::uint64_t OnlineTrigger::largest_in(std::uint64_t first, std::uint64_t last) const {
+  std::uint64_t best = first;
+  for (std::uint64_t frame = first; frame < last; ++frame) {
+    if (distance(frame) > distance(best)) best = frame;
+  }
+  return best;
+}
+
+void OnlineTrigger::search() {
+  while (at_ < stepped_) {
+    const auto first = waiting_ ? std::optional(at_) : first_above();
+    waiting_ = first.has_value();
+    at_ = first.value_or(stepped_);
+    if (!first) return;
+    if (*first + apart_ + reach_ > stepped_ && !finished_) return;
+    const std::uint64_t end = std::min(*first + apart_, stepped_);
+    std::uint64_t best = largest_in(*first, end);
+    // Hits of their own before the largest.
+    while (best >= *first + own_) {
+      const std::uint64_t before = largest_in(*first, best - own_ + 1);
+      if (distance(before) < kOwnPulseFraction * distance(best)) break;
+      best = before;
+    }
+    take_event(*first, best, end);
+  }
+}
+
+void OnlineTrigger::take_event(std::uint64_t first, std::uint64_t best, std::uint64_t end) {
+  const std::uint64_t from = std::max(base_, best > reach_ ? best - reach_ : 0),
+                      to = std::min(best + reach_ + 1, stepped_);
+  std::vector<double> x;
+  for (std::uint64_t frame = from; frame < to; ++frame) x.push_back(force_[frame - base_] - baseline_N_);
+  const double peak_N = x[best - from];
+  if (acquire::is_hammer_pulse(x, best - from, noise_N_, options_.fs_Hz)) {
+    events_.push_back({.first = first, .peak = best, .peak_N = peak_N, .noise_N = noise_N_});
+    peaks_N_.push_back(std::abs(peak_N));
+    if (peaks_N_.size() > kRecentPeaks) peaks_N_.pop_front();
+  }
+  own_level_N_ = kOwnPulseFraction * std::abs(peak_N);
+  quiet_until_ = std::max(best + apart_, end);
+  at_ = std::min(best + own_, quiet_until_);
+  waiting_ = false;
+}
+
+std::optional<BlowEvent> OnlineTrigger::next() {
+  if (events_.empty()) return {};
+  const BlowEvent event = events_.front();
+  events_.pop_front();
+  return event;
+}
+
+bool OnlineTrigger::begins_before(std::uint64_t frame) const {
+  return (!events_.empty() && events_.front().first < frame) || (waiting_ && at_ < frame);
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,77 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace percuss::pipeline {
+
+/// A blow seen in the stream of the force.
+struct BlowEvent {
+  std::uint64_t first = 0;  // frame of the first sample above the threshold
+  std::uint64_t peak = 0;   // frame of the largest |force − baseline|
+  double peak_N = 0;        // signed, baseline removed
+  double noise_N = 0;
+};
+
+struct OnlineTriggerOptions {
+  double fs_Hz = 0;
+  std::optional<double> trigger_N;  // threshold on |force − baseline|; default: from the noise
+  double separation_s = 0.25;       // pulses within this time belong to one event
+};
+
+/// Finds the blows that acquire::scan_for_triggers finds in the whole record, as soon as their samples have arrived.
+/// The default threshold is max(12 standard deviations of the recent noise, 1 % of the recent blows, from the third
+/// on). The result does not depend on how the samples are divided into calls. theory (1.2)
+class OnlineTrigger {
+ public:
+  OnlineTrigger(const OnlineTriggerOptions& options, std::uint64_t first_frame);
+
+  /// The next samples of the force; `lost`: they are missing, and the values only hold the place.
+  void add(std::span<const double> force_N, bool lost = false);
+  /// No more samples will come: searches to the end.
+  void finish();
+  /// The next blow, in order.
+  std::optional<BlowEvent> next();
+
+  /// All blows that begin before this frame have been found.
+  std::uint64_t searched_to() const { return at_; }
+  /// The next blow begins before `frame`: it is known, or its samples have begun to arrive.
+  bool begins_before(std::uint64_t frame) const;
+  double baseline_N() const { return baseline_N_; }
+  double noise_N() const { return noise_N_; }
+  double threshold_N() const;
+
+ private:
+  void step(std::size_t samples);
+  void measure_noise(std::size_t samples);
+  void search();
+  std::optional<std::uint64_t> first_above() const;
+  std::uint64_t largest_in(std::uint64_t first, std::uint64_t last) const;
+  double distance(std::uint64_t frame) const;
+  void take_event(std::uint64_t first, std::uint64_t best, std::uint64_t end);
+
+  OnlineTriggerOptions options_;
+  std::uint64_t apart_, own_, reach_, armed_after_;
+  std::uint64_t base_;     // frame of force_.front()
+  std::uint64_t stepped_;  // frames before it are measured and may be searched
+  std::uint64_t at_;       // the search goes on here
+  bool waiting_ = false;   // an event begins at at_, and its end has not arrived
+  bool finished_ = false;
+  std::deque<double> force_;
+  struct NoiseStep {
+    double median, robust_std, std;
+  };
+  std::deque<NoiseStep> steps_;
+  std::deque<double> peaks_N_;  // of the recent blows
+  std::uint64_t lost_from_ = 0, lost_to_ = 0;
+  double baseline_N_ = 0, noise_N_ = 0;
+  std::uint64_t quiet_until_ = 0;  // a pulse before it must exceed own_level_N_
+  double own_level_N_ = 0;
+  std::uint64_t measured_ = 0;  // frames
+  std::deque<BlowEvent> events_;
+};
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,75 @@
+#include "pipeline/live/row_store.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+int open_unnamed(const std::string& folder) {
+  const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (file >= 0) return file;
+  std::string name = folder + "/.percuss-rows-XXXXXX";  // a file system without O_TMPFILE
+  const int named = ::mkostemp(name.data(), O_CLOEXEC);
+  if (named >= 0) ::unlink(name.c_str());
+  return named;
+}
+
+}  // namespace
+
+RowStore::RowStore(const std::string& folder, std::size_t channels)
+    : file_(open_unnamed(folder)), folder_(folder), signals_(channels + 1) {
+  if (file_ < 0) throw_system_error("cannot keep rows", errno, folder, "write the record into another folder");
+}
+
+RowStore::~RowStore() { ::close(file_); }
+
+void RowStore::append(const std::vector<std::vector<double>>& signals) {
+  if (samples_ == 0) samples_ = signals.front().size();
+  auto at = static_cast<off_t>(rows_ * signals_ * samples_ * sizeof(double));
+  for (const std::vector<double>& signal : signals) {
+    const char* from = reinterpret_cast<const char*>(signal.data());
+    std::size_t left = samples_ * sizeof(double);
+    while (left > 0) {
+      const auto written = ::pwrite(file_, from, left, at);
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) throw_system_error("cannot keep a row", errno, folder_, "make room on the disk, then resume");
+      from += written;
+      at += written;
+      left -= static_cast<std::size_t>(written);
+    }
+  }
+  ++rows_;
+}
+
+void RowStore::read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) const {
+  auto at = static_cast<off_t>(((row * signals_ + signal) * samples_ + first) * sizeof(double));
+  char* to = reinterpret_cast<char*>(out.data());
+  std::size_t left = out.size_bytes();
+  while (left > 0) {
+    const auto got = ::pread(file_, to, left, at);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) throw_system_error("cannot read a row again", got < 0 ? errno : EIO, folder_, "check the disk");
+    to += got;
+    at += got;
+    left -= static_cast<std::size_t>(got);
+  }
+}
+
+void read_from(std::shared_ptr<const RowStore> store, std::vector<std::size_t> rows, acquire::Record& record) {
+  record.read_force_N = [store, rows](std::size_t row, std::size_t first, std::span<double> out) {
+    store->read(rows.at(row), 0, first, out);
+  };
+  record.read_accel_mps2 = [store = std::move(store), rows = std::move(rows)](
+                               std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    store->read(rows.at(row), channel + 1, first, out);
+  };
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "acquire/record/record.hpp"
+
+namespace percuss::pipeline {
+
+/// Rows of equal length in a file without a name, so that memory does not grow with the session and a kill leaves
+/// nothing behind. The journal, not this file, keeps the samples safe.
+class RowStore {
+ public:
+  /// `folder` has room for the session. errors  InputError: no file can be made there.
+  RowStore(const std::string& folder, std::size_t channels);
+  ~RowStore();
+  RowStore(const RowStore&) = delete;
+  RowStore& operator=(const RowStore&) = delete;
+
+  /// Appends a row: force and responses, [1 + channels][samples], in SI units. The first row sets the length.
+  /// errors  InputError: the disk is full.
+  void append(const std::vector<std::vector<double>>& signals);
+  std::size_t rows() const { return rows_; }
+  std::size_t samples() const { return samples_; }
+  /// Samples first … of a signal; signal 0 is the force. Several threads may call at once, also during append().
+  /// errors  InputError: the file cannot be read.
+  void read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) const;
+
+ private:
+  int file_ = -1;
+  std::string folder_;
+  std::size_t signals_, samples_ = 0, rows_ = 0;
+};
+
+/// Gives `record` the rows `rows` of the store as its samples. Its row descriptions are left as they are.
+void read_from(std::shared_ptr<const RowStore> store, std::vector<std::size_t> rows, acquire::Record& record);
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,51 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "acquire/live/sample_stream.hpp"
+
+namespace percuss::pipeline {
+
+/// Frames that a stream lost.
+struct SampleLoss {
+  std::uint64_t frame = 0;   // the first one
+  std::uint64_t frames = 0;  // 0: the device stated an overrun, but its count of frames goes on
+  bool overrun = false;      // stated by the device
+};
+
+/// The recent samples of a stream, addressed by frame. A lost frame, and a sample that is not finite, read as the last
+/// value before it; losses() tells where.
+class SampleHistory {
+ public:
+  explicit SampleHistory(std::size_t channels) : channels_(channels), last_(channels) {}
+
+  /// Appends a block. Frames that are known already are ignored.
+  /// errors  std::invalid_argument: the block has another number of channels.
+  void add(acquire::SampleBlock block);
+  /// Forgets older frames, block by block.
+  void discard_before(std::uint64_t frame);
+
+  bool empty() const { return blocks_.empty(); }
+  std::uint64_t first_frame() const { return first_; }
+  std::uint64_t end_frame() const { return end_; }
+  std::size_t channels() const { return channels_; }
+  /// Frames first … first + out.size() − 1 of a channel, which must lie within the history.
+  void read(std::size_t channel, std::uint64_t first, std::span<double> out) const;
+  /// The losses that touch the frames first … last − 1, ascending.
+  std::vector<SampleLoss> losses(std::uint64_t first, std::uint64_t last) const;
+
+ private:
+  void note_loss(const acquire::SampleBlock& block);
+  void replace_unusable(acquire::SampleBlock& block);
+
+  std::size_t channels_;
+  std::uint64_t first_ = 0, end_ = 0;
+  std::deque<acquire::SampleBlock> blocks_;
+  std::deque<SampleLoss> losses_;
+  std::vector<double> last_;  // [channels], of the newest frame
+};
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,113 @@
+#include "pipeline/live/session.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace percuss::pipeline {
+
+using acquire::RowMark;
+using Kind = SessionEvent::Kind;
+
+Session::Session(SessionPlan plan) : plan_(std::move(plan)), enough_(plan_.points.size()) {}
+
+bool Session::has_point(int point) const {
+  return std::find(plan_.points.begin(), plan_.points.end(), point) != plan_.points.end();
+}
+
+std::vector<std::size_t> Session::accepted_rows(int point) const {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < blows_.size(); ++row) {
+    if (blows_[row].accepted() && blows_[row].point == point) rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<std::size_t> Session::accepted_rows() const {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < blows_.size(); ++row) {
+    if (blows_[row].accepted()) rows.push_back(row);
+  }
+  return rows;
+}
+
+std::size_t Session::accepted_at(int point) const { return accepted_rows(point).size(); }
+std::size_t Session::accepted() const { return accepted_rows().size(); }
+
+bool Session::done_at(std::size_t index) const {
+  const std::size_t count = accepted_at(plan_.points[index]);
+  return count >= plan_.hits || (enough_[index] && count > 0);
+}
+
+bool Session::complete() const {
+  for (std::size_t i = 0; i < plan_.points.size(); ++i) {
+    if (!done_at(i)) return false;
+  }
+  return true;
+}
+
+// Goes to the next point that lacks blows, from the current one on, then from the first.
+void Session::advance() {
+  if (!done_at(current_)) return;
+  for (std::size_t step = 1; step < plan_.points.size(); ++step) {
+    const std::size_t index = (current_ + step) % plan_.points.size();
+    if (done_at(index)) continue;
+    current_ = index;
+    return;
+  }
+  finished_ = true;
+}
+
+void Session::undo() {
+  const auto last = std::find_if(blows_.rbegin(), blows_.rend(), [](const Blow& blow) { return blow.accepted(); });
+  if (last == blows_.rend()) return;
+  last->mark = RowMark::undone;
+  const auto at = std::find(plan_.points.begin(), plan_.points.end(), last->point);
+  current_ = static_cast<std::size_t>(at - plan_.points.begin());
+  enough_[current_] = false;
+}
+
+void Session::redo() {
+  for (const std::size_t row : accepted_rows(point())) blows_[row].mark = RowMark::redone;
+  enough_[current_] = false;
+}
+
+void Session::apply(const SessionEvent& event) {
+  if (finished_) return;
+  switch (event.kind) {
+    case Kind::blow:
+      blows_.push_back({.frame = event.frame,
+                        .point = point(),
+                        .mark = event.mark,
+                        .peak_N = event.peak_N,
+                        .bandwidth_Hz = event.bandwidth_Hz});
+      break;
+    case Kind::regraded:
+      if (event.row < blows_.size() && blows_[event.row].accepted()) blows_[event.row].mark = event.mark;
+      return;  // the blow that caused it follows, or has been counted
+    case Kind::undo:
+      return undo();
+    case Kind::redo:
+      return redo();
+    case Kind::next:
+      current_ = (current_ + 1) % plan_.points.size();
+      return;
+    case Kind::go_to:
+      if (has_point(event.point)) {
+        current_ = static_cast<std::size_t>(std::find(plan_.points.begin(), plan_.points.end(), event.point) -
+                                            plan_.points.begin());
+      }
+      return;
+    case Kind::pause:
+      paused_ = !paused_;
+      return;
+    case Kind::finish:
+      finished_ = true;
+      return;
+    case Kind::enough:
+      enough_[current_] = true;
+      break;
+  }
+  advance();
+}
+
+}  // namespace percuss::pipeline

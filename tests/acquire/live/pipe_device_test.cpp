@@ -1,0 +1,153 @@
+#include "acquire/live/pipe_device.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "acquire/live/capture_stream.hpp"
+#include "support/input_error.hpp"
+
+namespace percuss::acquire::pipe_device_test {
+
+using namespace std::chrono_literals;
+using test::input_error_of;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+template <class... Numbers>
+std::string bytes_of_numbers(Numbers... numbers) {
+  std::string out;
+  const auto add = [&](auto number) {
+    std::string bytes(sizeof number, '\0');
+    std::memcpy(bytes.data(), &number, sizeof number);
+    out += bytes;
+  };
+  (add(numbers), ...);
+  return out;
+}
+
+/// A pipe that a thread fills, a few bytes at a time.
+class FilledPipe {
+ public:
+  explicit FilledPipe(std::string bytes, std::size_t piece = 7) {
+    EXPECT_EQ(::pipe(ends_.data()), 0);
+    writer_ = std::thread([this, text = std::move(bytes), piece] {
+      for (std::size_t at = 0; at < text.size(); at += piece) {
+        const std::string part = text.substr(at, piece);
+        if (::write(ends_[1], part.data(), part.size()) < 0) break;
+      }
+      ::close(ends_[1]);
+    });
+  }
+  ~FilledPipe() {
+    writer_.join();
+    ::close(ends_[0]);
+  }
+  FilledPipe(const FilledPipe&) = delete;
+  FilledPipe& operator=(const FilledPipe&) = delete;
+  int reading() const { return ends_[0]; }
+
+ private:
+  std::array<int, 2> ends_{};
+  std::thread writer_;
+};
+
+std::vector<double> values_of(const std::string& description, const std::string& bytes) {
+  const FilledPipe pipe(bytes);
+  CaptureStream stream(open_pipe_device(description, pipe.reading()), {});
+  std::vector<double> out;
+  while (stream.end() == StreamEnd::none) {
+    if (const auto block = stream.next(100ms)) out.insert(out.end(), block->values.begin(), block->values.end());
+  }
+  EXPECT_EQ(stream.end(), StreamEnd::finished);
+  return out;
+}
+
+std::string wav(const std::string& format, std::uint32_t data_bytes, const std::string& data,
+                const std::string& chunks = {}) {
+  const auto chunk = [](const std::string& name, const std::string& content) {
+    return name + bytes_of_numbers(static_cast<std::uint32_t>(content.size())) + content +
+           std::string(content.size() % 2, '\0');
+  };
+  return "RIFF" + bytes_of_numbers(std::uint32_t{0xffffffff}) + "WAVE" + chunks + chunk("fmt ", format) + "data" +
+         bytes_of_numbers(data_bytes) + data;
+}
+
+std::string format_chunk(std::uint16_t tag, std::uint16_t channels, std::uint32_t rate, std::uint16_t bits) {
+  return bytes_of_numbers(tag, channels, rate, std::uint32_t{0}, std::uint16_t{0}, bits);
+}
+
+TEST(PipeDevice, DecodesEachEncodingExactly) {
+  EXPECT_THAT(values_of("raw:s16:1000:2", bytes_of_numbers(std::int16_t{-32768}, std::int16_t{1})),
+              ElementsAre(-1, 0x1p-15));
+  EXPECT_THAT(values_of("raw:s24:1000:1", std::string("\x01\x00\x00\xff\xff\xff\x00\x00\x80", 9)),
+              ElementsAre(0x1p-23, -0x1p-23, -1));
+  EXPECT_THAT(values_of("raw:s32:1000:1", bytes_of_numbers(std::int32_t{1}, std::int32_t{INT32_MIN})),
+              ElementsAre(0x1p-31, -1));
+  EXPECT_THAT(values_of("raw:f32:1000:1", bytes_of_numbers(0.5F, -3.0F)), ElementsAre(0.5, -3));
+  EXPECT_THAT(values_of("raw:f64:1000:1", bytes_of_numbers(1.0 / 3)), ElementsAre(1.0 / 3));
+}
+
+TEST(PipeDevice, ReadsWavFromPrograms) {
+  const std::string data =
+      bytes_of_numbers(std::int16_t{16384}, std::int16_t{-16384}, std::int16_t{8192}, std::int16_t{0});
+  const std::string format = format_chunk(1, 2, 51200, 16);
+  for (const std::uint32_t unknown : {std::uint32_t{0}, std::uint32_t{0x7ffff024}, std::uint32_t{0xffffffff}})
+    EXPECT_THAT(values_of("wav", wav(format, unknown, data)), ElementsAre(0.5, -0.5, 0.25, 0));
+  EXPECT_THAT(values_of("wav", wav(format, 4, data)), ElementsAre(0.5, -0.5));  // what follows is no sample
+  const std::string list = "LIST" + bytes_of_numbers(std::uint32_t{3}) + "abc" + std::string(1, '\0');
+  EXPECT_THAT(values_of("wav", wav(format, 0, data, list)), ElementsAre(0.5, -0.5, 0.25, 0));
+  EXPECT_THAT(values_of("wav", wav(format_chunk(3, 1, 8000, 64), 0, bytes_of_numbers(0.1))), ElementsAre(0.1));
+  std::string extensible = format_chunk(0xfffe, 1, 8000, 32) +
+                           bytes_of_numbers(std::uint16_t{22}, std::uint16_t{32}, std::uint32_t{0}, std::uint16_t{3});
+  extensible.resize(40);
+  EXPECT_THAT(values_of("wav", wav(extensible, 0, bytes_of_numbers(2.0F))), ElementsAre(2));
+}
+
+TEST(PipeDevice, StatesRateChannelsAndScale) {
+  const FilledPipe pipe(wav(format_chunk(1, 3, 44100, 24), 0, {}));
+  const auto device = open_pipe_device("wav", pipe.reading());
+  EXPECT_EQ(device->format().stream.channels, 3U);
+  EXPECT_EQ(device->format().stream.fs_Hz, 44100);
+  EXPECT_EQ(device->format().stream.full_scale, 1);
+  EXPECT_EQ(open_pipe_device("raw:f64:1000:1", 0)->format().stream.full_scale, 0);
+}
+
+TEST(PipeDevice, RefusesOtherStreams) {
+  const auto refusal = [](const std::string& bytes) {
+    const FilledPipe pipe(bytes, 4096);
+    return input_error_of([&] { open_pipe_device("wav", pipe.reading()); });
+  };
+  EXPECT_THAT(refusal(""), HasSubstr("ends in its header"));
+  EXPECT_THAT(refusal("ID3 something else"), HasSubstr("not WAV"));
+  EXPECT_THAT(refusal(wav(format_chunk(1, 2, 44100, 8), 0, {})), HasSubstr("unusual size"));
+  EXPECT_THAT(refusal(wav(format_chunk(85, 2, 44100, 16), 0, {})), HasSubstr("compressed"));
+  EXPECT_THAT(refusal(wav(format_chunk(1, 0, 44100, 16), 0, {})), HasSubstr("no channels"));
+  EXPECT_THAT(refusal(wav("short", 0, {})), HasSubstr("damaged format"));
+  EXPECT_THAT(refusal("RIFF0000WAVEdata0000"), HasSubstr("before their format"));
+  EXPECT_THAT(refusal("RIFF0000WAVEjunk" + bytes_of_numbers(std::uint32_t{0x7fffffff})), HasSubstr("16 MiB"));
+  for (const char* wrong : {"raw", "raw:s16:1000", "raw:s17:1000:1", "raw:s16:0:1", "raw:s16:1000:-1", "mp3", ""})
+    input_error_of([&] { open_pipe_device(wrong, 0); });
+}
+
+// A program that writes nothing does not keep the stream from stopping.
+TEST(PipeDevice, StopsWhileItWaits) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  CaptureStream stream(open_pipe_device("raw:s16:1000:1", ends[0]), {});
+  const auto begun = std::chrono::steady_clock::now();
+  stream.stop();
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, 1s);
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
+}  // namespace percuss::acquire::pipe_device_test

@@ -1,0 +1,75 @@
+#include "pipeline/live/guidance_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace percuss::guidance_text_test {
+namespace {
+
+using acquire::RowMark;
+using pipeline::BlowGrade, pipeline::BlowReport, pipeline::LiveChannels, pipeline::Session, pipeline::SessionQuality;
+using Kind = pipeline::SessionEvent::Kind;
+
+LiveChannels two_responses() {
+  LiveChannels channels;
+  channels.accel = {1, 2};
+  channels.accel_names = {"accel 1", "accel 2"};
+  return channels;
+}
+
+TEST(GuidanceText, SaysWhereAndWhatAndWhatToDo) {
+  const pipeline::SessionPlan many{.points = {3, 5, 9}, .hits = 5}, one{.hits = 5};
+  BlowReport blow{.row = 7, .point = 5, .blow = 3, .grade = {.peak_N = -312.4, .bandwidth_Hz = 4210}};
+  EXPECT_EQ(blow_text(blow, two_responses(), many), "Point 2 of 3, blow 3 of 5: accepted, 312 N up to 4.21 kHz");
+  blow.point = 0;
+  EXPECT_EQ(blow_text(blow, two_responses(), one), "Blow 3 of 5: accepted, 312 N up to 4.21 kHz");
+  blow.grade.force_range = 0.94;
+  EXPECT_EQ(blow_text(blow, two_responses(), one),
+            "Blow 3 of 5: accepted, 312 N up to 4.21 kHz; hit a little softer (force at 94 % of range)");
+  blow.grade.mark = RowMark::silent_channel;
+  blow.grade.reason = "channel 3 is silent";
+  blow.grade.remedy = "check its cable and its input";
+  EXPECT_EQ(blow_text(blow, two_responses(), one),
+            "Blow 3 of 5: rejected: channel 3 is silent; check its cable and its input");
+}
+
+TEST(GuidanceText, SetsTheRangeByTheFirstBlows) {
+  const LiveChannels channels = two_responses();
+  EXPECT_EQ(range_advice({.force_range = 0.12}, channels, true), "force peak at 12 % of full scale: raise the gain");
+  EXPECT_EQ(range_advice({.force_range = 0.12}, channels, false), "");
+  EXPECT_EQ(range_advice({.force_range = 0.5, .accel_range = 0.01, .accel_channel = 1}, channels, true),
+            "channel 3 at 1.0 % of full scale: raise the gain");
+  EXPECT_EQ(range_advice({.force_range = 0.5, .accel_range = 0.95, .accel_channel = 0}, channels, false),
+            "hit a little softer (channel 2 at 95 % of range)");
+  EXPECT_EQ(range_advice({}, channels, true), "");
+}
+
+TEST(GuidanceText, PromptsForTheNextStep) {
+  Session session({.points = {0, 1, 7}, .hits = 2});
+  const auto prompt = [&] { return prompt_text(session, pipeline::RovingPart::hammer); };
+  EXPECT_EQ(prompt(), "move the hammer to point 1 of 3, then strike");
+  session.apply({.kind = Kind::blow});
+  EXPECT_EQ(prompt(), "strike: point 1 of 3, blow 2 of 2");
+  session.apply({.kind = Kind::go_to, .point = 7});
+  EXPECT_EQ(prompt(), "move the hammer to point 3 of 3 (number 7 of the geometry), then strike");
+  EXPECT_EQ(prompt_text(session, pipeline::RovingPart::sensor),
+            "move the sensor to point 3 of 3 (number 7 of the geometry), then strike");
+  session.apply({.kind = Kind::pause});
+  EXPECT_EQ(prompt(), "paused; press space to go on");
+  EXPECT_EQ(summary_text(session), "0 of 3 points complete; 1 blow counts, 0 rejected");
+}
+
+TEST(GuidanceText, ShowsThePrecisionAndTheOutlook) {
+  const SessionQuality quality{
+      .blows = 4,
+      .modes = {{.type = identify::ModeType::bending, .order = 1, .freq_Hz = 205.0471, .freq_std_Hz = 0.012},
+                {.freq_Hz = 2012.3, .freq_std_Hz = 0.1, .falling_std_Hz = 0.1}},
+      .coherence = 0.9984};
+  EXPECT_EQ(quality_text(quality), "2 modes in Hz: bending 1 205.047 ± 0.012, 2012.30 ± 0.1; coherence 0.998");
+  EXPECT_EQ(outlook_text(quality, {}), "12 more blows halve the ± of mode 2, 0.1 Hz");
+  EXPECT_EQ(outlook_text(quality, pipeline::parse_goals("mode 2<0.05Hz, hoop 1 < 1 Hz")),
+            "12 more blows bring mode 2 below 0.05 Hz; hoop 1 < 1 Hz: not found yet");
+  EXPECT_EQ(quality_text({.blows = 1}), "1 blow, no modes yet");
+}
+
+}  // namespace
+}  // namespace percuss::guidance_text_test

@@ -1,0 +1,115 @@
+#include "pipeline/live/online_trigger.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "acquire/hits/hits.hpp"
+#include "support/live_source.hpp"
+#include "synth/read_spec.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::online_trigger_test {
+namespace {
+
+using pipeline::BlowEvent, pipeline::OnlineTrigger;
+
+std::vector<double> force_of(const acquire::Record& record) {
+  std::vector<double> x(record.rows[0].samples);
+  record.read_force_N(0, 0, x);
+  return x;
+}
+
+std::vector<std::uint64_t> peaks(const std::vector<double>& force, double fs_Hz, std::size_t block,
+                                 std::optional<double> trigger_N = {}) {
+  OnlineTrigger trigger({.fs_Hz = fs_Hz, .trigger_N = trigger_N}, 1000);
+  std::vector<std::uint64_t> out;
+  const auto take = [&] {
+    while (const auto event = trigger.next()) out.push_back(event->peak - 1000);
+  };
+  for (std::size_t at = 0; at < force.size(); at += block) {
+    trigger.add(std::span(force).subspan(at, std::min(block, force.size() - at)));
+    take();
+  }
+  trigger.finish();
+  take();
+  return out;
+}
+
+std::vector<std::uint64_t> peaks_found_afterwards(const acquire::Record& record) {
+  std::vector<std::uint64_t> out;
+  for (const acquire::Hit& hit : acquire::find_hits(record)) out.push_back(hit.peak);
+  return out;
+}
+
+TEST(OnlineTrigger, FindsTheHitsThatFindHitsFindsAfterwards) {
+  // Six hits in 30 s, one double, one of 6 % of the usual force.
+  const acquire::Record bat = synth::synthesise(synth::synth_preset("long-continuous")).record;
+  // Blows of their own in quick succession; the first in the first 10 ms, the last cut by the end.
+  const acquire::Record quick = test::struck_tube("0.008, 0.9, 1.05, 2, 2.14, 2.29, 3.98", 4);
+  for (const acquire::Record* record : {&bat, &quick}) {
+    const auto expected = peaks_found_afterwards(*record);
+    ASSERT_GE(expected.size(), 5U);
+    EXPECT_EQ(peaks(force_of(*record), record->fs_Hz, 4096), expected);
+  }
+}
+
+TEST(OnlineTrigger, DoesNotDependOnTheSizeOfTheBlocks) {
+  const acquire::Record record = test::struck_tube("0.3, 1.1, 1.2, 2.5", 3.5);
+  const std::vector<double> force = force_of(record);
+  const auto whole = peaks(force, record.fs_Hz, force.size());
+  EXPECT_EQ(whole.size(), 4U);
+  for (const std::size_t block : {1U, 37U, 511U, 512U, 5000U}) EXPECT_EQ(peaks(force, record.fs_Hz, block), whole);
+}
+
+TEST(OnlineTrigger, IgnoresNoiseStepsOfTheConverterAndDrift) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  std::vector<double> noise(400'000), steps(400'000), drift(400'000);
+  for (std::size_t i = 0; i < noise.size(); ++i) {
+    noise[i] = 3 + normal(random);
+    steps[i] = i % 7 == 0 || i % 11 == 3 ? 0.01 : 0;
+    drift[i] = 200 * std::sin(static_cast<double>(i) / 30'000) + 0.1 * normal(random);
+  }
+  for (const auto& silent : {noise, steps, drift}) EXPECT_TRUE(peaks(silent, 51200, 4096).empty());
+}
+
+TEST(OnlineTrigger, TakesTheStatedThreshold) {
+  const acquire::Record record =
+      test::struck_tube("0.5, 1.5, 2.5", 3.5, R"("faults": [{"hit": 1, "kind": "weak", "ratio": 0.3}])");
+  const std::vector<double> force = force_of(record);
+  EXPECT_EQ(peaks(force, record.fs_Hz, 512).size(), 3U);
+  EXPECT_EQ(peaks(force, record.fs_Hz, 512, 150).size(), 2U);
+}
+
+// The largest of the recent blows must not hide all that follow.
+TEST(OnlineTrigger, FindsBlowsAfterAnAccident) {
+  std::vector<double> force(200'000);
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal(0, 0.01);
+  for (double& value : force) value = normal(random);
+  const auto strike = [&](std::size_t at, double peak_N) {
+    for (std::size_t i = 0; i < 12; ++i)
+      force[at + i] += peak_N * std::sin(3.14159265 * (static_cast<double>(i) + 0.5) / 12);
+  };
+  for (std::size_t i = 0; i < 4; ++i) strike(10'000 + 40'000 * i, i == 1 ? 9000 : 20);
+  EXPECT_EQ(peaks(force, 25600, 512).size(), 4U);
+}
+
+TEST(OnlineTrigger, TellsWhatIsSearched) {
+  OnlineTrigger trigger({.fs_Hz = 4096}, 0);
+  std::vector<double> quiet(4096);
+  for (std::size_t i = 0; i < quiet.size(); ++i) quiet[i] = i % 2 == 0 ? 0.001 : -0.001;
+  trigger.add(quiet);
+  EXPECT_EQ(trigger.searched_to(), 4096U);
+  EXPECT_FALSE(trigger.begins_before(5000));
+  quiet[100] = 50;
+  trigger.add(std::span(quiet).first(1024));  // the event needs 0.25 s more
+  EXPECT_EQ(trigger.searched_to(), 4196U);
+  EXPECT_TRUE(trigger.begins_before(5000));
+  EXPECT_FALSE(trigger.next().has_value());
+}
+
+}  // namespace
+}  // namespace percuss::online_trigger_test

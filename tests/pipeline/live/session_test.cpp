@@ -1,0 +1,122 @@
+#include "pipeline/live/session.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/input_error.hpp"
+
+namespace percuss::session_test {
+namespace {
+
+using acquire::RowMark;
+using pipeline::Session, pipeline::SessionEvent;
+using Kind = SessionEvent::Kind;
+using testing::ElementsAre;
+
+void strike(Session& session, int times, RowMark mark = RowMark::none) {
+  for (int i = 0; i < times; ++i) session.apply({.kind = Kind::blow, .mark = mark});
+}
+
+TEST(Session, GoesFromPointToPoint) {
+  Session session({.points = {4, 7, 9}, .hits = 2});
+  EXPECT_EQ(session.point(), 4);
+  strike(session, 1);
+  strike(session, 3, RowMark::double_hit);
+  EXPECT_EQ(session.point(), 4);
+  EXPECT_EQ(session.accepted_at(4), 1U);
+  strike(session, 1);
+  EXPECT_EQ(session.point(), 7);
+  strike(session, 4);
+  EXPECT_TRUE(session.finished());
+  EXPECT_TRUE(session.complete());
+  EXPECT_THAT(session.accepted_rows(4), ElementsAre(0, 4));
+  strike(session, 1);  // too late
+  EXPECT_EQ(session.blows().size(), 9U);
+}
+
+TEST(Session, ReturnsToPointsThatWereSkipped) {
+  Session session({.points = {0, 1, 2}, .hits = 1});
+  session.apply({.kind = Kind::next});
+  EXPECT_EQ(session.point(), 1);
+  session.apply({.kind = Kind::go_to, .point = 2});
+  strike(session, 1);
+  EXPECT_EQ(session.point(), 0);
+  strike(session, 1);
+  EXPECT_EQ(session.point(), 1);
+  session.apply({.kind = Kind::go_to, .point = 5});  // not in the plan
+  EXPECT_EQ(session.point(), 1);
+  strike(session, 1);
+  EXPECT_TRUE(session.finished());
+}
+
+TEST(Session, UndoesTheLastAcceptedBlowAndRepeatsPoints) {
+  Session session({.points = {0, 1}, .hits = 2});
+  strike(session, 2);
+  EXPECT_EQ(session.point(), 1);
+  session.apply({.kind = Kind::undo});
+  EXPECT_EQ(session.point(), 0);
+  EXPECT_EQ(session.blows()[1].mark, RowMark::undone);
+  strike(session, 1);
+  EXPECT_EQ(session.point(), 1);
+  strike(session, 1);
+  session.apply({.kind = Kind::redo});
+  EXPECT_EQ(session.accepted_at(1), 0U);
+  EXPECT_EQ(session.blows()[3].mark, RowMark::redone);
+  EXPECT_EQ(session.accepted_at(0), 2U);
+  session.apply({.kind = Kind::finish});
+  EXPECT_TRUE(session.finished());
+  EXPECT_FALSE(session.complete());
+}
+
+TEST(Session, CountsAnOutlierNoLonger) {
+  Session session({.hits = 3});
+  strike(session, 2);
+  session.apply({.kind = Kind::regraded, .mark = RowMark::outlier, .row = 0});
+  EXPECT_EQ(session.accepted(), 1U);
+  strike(session, 2);
+  EXPECT_TRUE(session.finished());
+}
+
+TEST(Session, AcceptsFewerBlowsThatSuffice) {
+  Session session({.points = {0, 1}, .hits = 50});
+  strike(session, 3);
+  session.apply({.kind = Kind::enough});
+  EXPECT_EQ(session.point(), 1);
+  session.apply({.kind = Kind::enough});  // but not none
+  EXPECT_FALSE(session.finished());
+}
+
+TEST(Session, PausesAndGoesOn) {
+  Session session({});
+  session.apply({.kind = Kind::pause});
+  EXPECT_TRUE(session.paused());
+  session.apply({.kind = Kind::pause});
+  EXPECT_FALSE(session.paused());
+}
+
+TEST(SessionEvents, AreTheSameAfterJson) {
+  for (const Kind kind : {Kind::blow, Kind::regraded, Kind::undo, Kind::redo, Kind::next, Kind::go_to, Kind::pause,
+                          Kind::finish, Kind::enough}) {
+    SessionEvent event{.kind = kind, .frame = 123456789012345};
+    if (kind == Kind::blow || kind == Kind::go_to) event.point = 17;
+    if (kind == Kind::regraded) event.row = 3;
+    if (kind == Kind::blow || kind == Kind::regraded) event.mark = RowMark::still_ringing;
+    if (kind == Kind::blow) {
+      event.message = "channel \"3\" is silent";
+      event.peak_N = 0.1 + 0.2;
+      event.bandwidth_Hz = 1e4 / 3;
+    }
+    const std::string json = pipeline::json_of(event);
+    EXPECT_EQ(json.find('\n'), std::string::npos);
+    EXPECT_EQ(pipeline::parse_session_event(json, "journal"), event) << json;
+  }
+}
+
+TEST(SessionEvents, RefuseWhatTheyDoNotKnow) {
+  for (const char* text : {"", "{", "[]", R"({"event": "blow"})", R"({"event": "dance", "frame": 1})",
+                           R"({"event": "blow", "frame": 1, "mark": "ugly"})", R"({"event": "blow", "frame": -1})"})
+    EXPECT_THROW(pipeline::parse_session_event(text, "journal"), InputError) << text;
+}
+
+}  // namespace
+}  // namespace percuss::session_test

@@ -1,0 +1,32 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "acquire/live/sample_stream.hpp"
+#include "acquire/record/record.hpp"
+
+namespace percuss::test {
+
+/// Keeps the events of a session in memory.
+struct MemoryLog : acquire::SessionLog {
+  std::vector<std::string> events;
+  void append_event(const std::string& json) override { events.push_back(json); }
+};
+
+/// A record's first row as the frames of a device: the force, then the responses, in SI units.
+struct LiveSource {
+  acquire::StreamFormat format;
+  std::vector<double> values;  // [frames × channels]
+
+  explicit LiveSource(const acquire::Record& record, std::size_t row = 0);
+  std::size_t frames() const { return values.size() / format.channels; }
+  acquire::SampleBlock block(std::size_t first, std::size_t count) const;
+};
+
+/// A tube of three modes at 4096 Hz that one long row shows being struck at these times: 200 Hz and 450 Hz bending,
+/// 700 Hz hoop. `more` is added to the spec.
+acquire::Record struck_tube(const std::string& times_s, double duration_s, const std::string& more = "");
+
+}  // namespace percuss::test

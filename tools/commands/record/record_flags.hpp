@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/read_flags.hpp"
+
+namespace percuss::tools {
+
+/// The options of record, as typed.
+struct RecordFlags {
+  std::string output;  // -o, or the file of --resume
+  std::string resume;
+  std::string device;
+  std::size_t hits = 5;
+  std::vector<std::size_t> channels;  // of the device, from 1
+  std::optional<double> fs_Hz, trigger_N, pretrigger_s, length_s;
+  std::string geometry;
+  std::string roving = "hammer";
+  std::string band;
+  std::string until;
+  std::string report;
+  ReadFlags read;  // --setup
+  bool fast = false, json = false, force = false, quiet = false;
+};
+
+/// The options that a resumed session takes from its journal, as one line of JSON, and back.
+/// errors  InputError at `where`: not such a text.
+std::string settings_json(const RecordFlags& flags);
+bool is_settings(const std::string& event);
+void restore_settings(const std::string& event, const std::string& where, RecordFlags& flags);
+
+/// The path of the journal of a session that records this file.
+std::string journal_of(const std::string& output);
+
+/// Records, and returns the exit code.
+int run_record(RecordFlags flags);
+
+}  // namespace percuss::tools

@@ -1,0 +1,60 @@
+#include "commands/record/record_plan.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "acquire/geometry/geometry.hpp"
+#include "cli/analysis_flags.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr int kMaxPoint = 99'999;
+
+// The rows of a record's geometry: row i is point i, NaN for points that the file does not list.
+std::vector<std::vector<double>> geometry_rows(const acquire::Geometry& geometry, const std::string& path) {
+  const bool coordinates = std::all_of(geometry.points.begin(), geometry.points.end(),
+                                       [](const acquire::GeometryPoint& point) { return point.xyz_m.has_value(); });
+  int last = 0;
+  for (const acquire::GeometryPoint& point : geometry.points) last = std::max(last, point.point);
+  if (last > kMaxPoint) throw InputError("a point's number is too large", path, "number points from 0");
+  std::vector<std::vector<double>> rows(
+      static_cast<std::size_t>(last) + 1,
+      std::vector<double>(coordinates ? 3 : 2, std::numeric_limits<double>::quiet_NaN()));
+  for (const acquire::GeometryPoint& point : geometry.points) {
+    std::vector<double>& row = rows[static_cast<std::size_t>(point.point)];
+    if (coordinates) {
+      row.assign(point.xyz_m->begin(), point.xyz_m->end());
+    } else {
+      row = {point.position_m, point.angle_rad * kRadian_deg};
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+pipeline::GuideOptions guide_options(const RecordFlags& flags) {
+  pipeline::GuideOptions options;
+  options.plan.hits = flags.hits;
+  if (!flags.geometry.empty()) {
+    const acquire::Geometry geometry = acquire::read_geometry(flags.geometry);
+    options.plan.points.clear();
+    for (const acquire::GeometryPoint& point : geometry.points) options.plan.points.push_back(point.point);
+    options.geometry = geometry_rows(geometry, flags.geometry);
+    for (const auto& line : geometry.lines) options.trace_lines.push_back({line[0], line[1]});
+  }
+  if (!flags.band.empty()) options.analysis.band_Hz = parse_band(flags.band, "band");
+  if (!flags.until.empty()) options.until = pipeline::parse_goals(flags.until);
+  options.trigger_N = flags.trigger_N;
+  options.pretrigger_s = flags.pretrigger_s;
+  options.length_s = flags.length_s;
+  const auto folder = std::filesystem::path(flags.output).parent_path();
+  options.folder = folder.empty() ? "." : folder.string();
+  return options;
+}
+
+}  // namespace percuss::tools

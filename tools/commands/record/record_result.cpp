@@ -1,0 +1,42 @@
+#include "commands/record/record_result.hpp"
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "cli/host.hpp"
+#include "commands/commands.hpp"
+#include "pipeline/run_analyses.hpp"
+#include "report/json/analysis_json.hpp"
+#include "report/text/version.hpp"
+
+namespace percuss::tools {
+
+void write_session_report(const RecordFlags& flags) {
+  const bool survey = !flags.geometry.empty();
+  std::vector<std::string> words{"percuss", survey ? "survey" : "analyze", flags.output, "-o", flags.report, "--force"};
+  if (!flags.band.empty()) words.insert(words.end(), {"--band", flags.band});
+  if (survey) words.insert(words.end(), {"--geometry", flags.geometry, "--roving", flags.roving});
+  if (flags.quiet) words.emplace_back("--quiet");
+  Host host;  // takes the text that the command would print
+  for (const std::string& word : words) host.equivalent_command += (host.equivalent_command.empty() ? "" : " ") + word;
+  CommandLine line("percuss", "", report::version(), &host);
+  survey ? add_survey(line) : add_analyze(line);
+  std::vector<const char*> arguments;
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  line.run(static_cast<int>(arguments.size()), arguments.data());
+}
+
+std::string session_document(acquire::Record record, const std::string& path,
+                             const pipeline::AnalysisOptions& options) {
+  record.files = {{.path = path, .bytes = std::filesystem::file_size(path)}};
+  std::vector<acquire::Record> records;
+  records.push_back(std::move(record));
+  const auto runs = pipeline::analyses_of_runs(std::move(records), options);
+  const pipeline::Analysis& analysis = *runs.front().analysis;
+  analysis.hits();
+  if (analysis.possible()) analysis.compute_modes_and_frfs();
+  return report::analysis_json({{.run = runs.front().run, .analysis = &analysis}});
+}
+
+}  // namespace percuss::tools

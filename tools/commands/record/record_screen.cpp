@@ -1,0 +1,126 @@
+#include "commands/record/record_screen.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <utility>
+
+#include "core/error.hpp"
+#include "pipeline/analysis.hpp"
+
+namespace percuss::tools {
+namespace {
+
+using Kind = pipeline::SessionEvent::Kind;
+
+constexpr const char* kKeys = "  [space pause, u undo, r redo, n next, g go to, q finish]";
+
+std::string command_text(Kind kind, const pipeline::Session& session) {
+  const std::string place =
+      pipeline::place_text(session.plan(), session.point(), session.accepted_at(session.point()) + 1);
+  switch (kind) {
+    case Kind::undo:
+      return "the last accepted blow is undone; next: " + place;
+    case Kind::redo:
+      return "the blows of this point are undone; next: " + place;
+    case Kind::next:
+    case Kind::go_to:
+      return "next: " + place;
+    case Kind::pause:
+      return session.paused() ? "paused: blows do not count" : "goes on; next: " + place;
+    case Kind::finish:
+      return "finished by the operator";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+RecordScreen::RecordScreen(RecordTerminal& terminal, const RecordFlags& flags, const pipeline::GuideOptions& options)
+    : terminal_(terminal),
+      flags_(flags),
+      plan_(options.plan),
+      goals_(options.until),
+      roving_(flags.roving == "sensor" ? pipeline::RovingPart::sensor : pipeline::RovingPart::hammer) {
+  if (terminal.interactive()) worker_.emplace(options.analysis);
+}
+
+void RecordScreen::begin(const acquire::StreamFormat& format, const pipeline::Guide& guide) {
+  guide_ = &guide;
+  fs_Hz_ = format.fs_Hz;
+  const pipeline::LiveChannels& channels = guide.channels();
+  std::vector<std::size_t> responses;
+  for (const std::size_t channel : channels.accel) responses.push_back(channel + 1);
+  note(fmt::format("{}: {:.6g} Hz, hammer on channel {}, response{} on {}", format.device, format.fs_Hz,
+                   channels.force + 1, responses.size() == 1 ? "" : "s", fmt::join(responses, ", ")));
+  for (const Message& message : channels.notes) note(message.text);
+  silent_ = !flags_.resume.empty();
+}
+
+void RecordScreen::resumed(const pipeline::Guide& guide) {
+  silent_ = false;
+  note(fmt::format("resumed after {}", pipeline::summary_text(guide.session())));
+}
+
+void RecordScreen::note(const std::string& text) {
+  if (!flags_.quiet) terminal_.line(text);
+}
+
+void RecordScreen::show_quality(const pipeline::SessionQuality& quality) {
+  note("  " + pipeline::quality_text(quality));
+  const std::string outlook = pipeline::outlook_text(quality, goals_);
+  if (!outlook.empty()) note("  " + outlook);
+}
+
+void RecordScreen::update(const pipeline::Guide& guide) {
+  if (!worker_) return;
+  if (std::exchange(ask_, false)) worker_->ask(guide.accepted_record());
+  if (const auto quality = worker_->take()) show_quality(*quality);
+  const std::string state =
+      guide.collecting() ? "listening to the decay" : pipeline::prompt_text(guide.session(), roving_);
+  terminal_.prompt(state + kKeys);
+}
+
+void RecordScreen::on_blow(const pipeline::BlowReport& blow) {
+  if (silent_) return;
+  note(pipeline::blow_text(blow, guide_->channels(), plan_));
+  terminal_.bell();
+  ask_ = ask_ || blow.grade.accepted();
+}
+
+void RecordScreen::on_regraded(std::size_t row, acquire::RowMark mark) {
+  if (!silent_)
+    note(fmt::format("  row {} of the record does not count any longer: {}", row + 1, acquire::reason_of(mark)));
+}
+
+void RecordScreen::on_command(const pipeline::SessionEvent& command) {
+  if (!silent_) note("  " + command_text(command.kind, guide_->session()));
+}
+
+void RecordScreen::on_length(std::size_t samples) {
+  if (!silent_) note(fmt::format("  each blow takes {:.2f} s", static_cast<double>(samples) / fs_Hz_));
+}
+
+void RecordScreen::on_goals_met() {
+  if (!silent_) note("  the goal is met");
+}
+
+void RecordScreen::end(const pipeline::Guide& guide, const acquire::Record& record,
+                       const pipeline::AnalysisOptions& options) {
+  terminal_.prompt("");
+  note(fmt::format("{}: {}", flags_.output, pipeline::summary_text(guide.session())));
+  if (guide.session().accepted() == 0) return;
+  note(pipeline::quality_text(pipeline::session_quality(guide.accepted_record(), options)));
+  const pipeline::Analysis analysis(record, options);
+  try {
+    for (const pipeline::AnalysedHit& hit : analysis.hits()) {
+      if (hit.accepted || record.rows[hit.hit.row].mark != acquire::RowMark::none || hit.hit.findings.empty()) continue;
+      note(fmt::format("  the analysis of all blows leaves out row {}: {}", hit.hit.row + 1,
+                       hit.hit.findings.front().message));
+    }
+  } catch (const InputError&) {  // the report of the analysis says why
+  }
+}
+
+}  // namespace percuss::tools

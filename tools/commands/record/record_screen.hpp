@@ -1,0 +1,49 @@
+#pragma once
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "acquire/live/sample_stream.hpp"
+#include "commands/record/record_flags.hpp"
+#include "commands/record/record_terminal.hpp"
+#include "pipeline/live/guidance_text.hpp"
+#include "pipeline/live/guide.hpp"
+#include "pipeline/live/quality_worker.hpp"
+
+namespace percuss::tools {
+
+/// Tells the operator what the guide does: a line and a bell per blow, and the prompt on a terminal.
+class RecordScreen : public pipeline::GuideObserver {
+ public:
+  RecordScreen(RecordTerminal& terminal, const RecordFlags& flags, const pipeline::GuideOptions& options);
+
+  void begin(const acquire::StreamFormat& format, const pipeline::Guide& guide);
+  void resumed(const pipeline::Guide& guide);
+  void note(const std::string& text);
+  /// Shows the prompt and, on a terminal, what the test is worth.
+  void update(const pipeline::Guide& guide);
+  /// The summary. Names accepted blows that the analysis of all blows rejects.
+  void end(const pipeline::Guide& guide, const acquire::Record& record, const pipeline::AnalysisOptions& options);
+
+  void on_blow(const pipeline::BlowReport& blow) override;
+  void on_regraded(std::size_t row, acquire::RowMark mark) override;
+  void on_command(const pipeline::SessionEvent& command) override;
+  void on_length(std::size_t samples) override;
+  void on_goals_met() override;
+
+ private:
+  void show_quality(const pipeline::SessionQuality& quality);
+
+  RecordTerminal& terminal_;
+  const RecordFlags& flags_;
+  pipeline::SessionPlan plan_;
+  std::vector<pipeline::PrecisionGoal> goals_;
+  pipeline::RovingPart roving_;
+  const pipeline::Guide* guide_ = nullptr;
+  double fs_Hz_ = 0;
+  bool silent_ = false;  // while the journal is replayed
+  bool ask_ = false;     // an accepted blow has come
+  std::optional<pipeline::QualityWorker> worker_;
+};
+
+}  // namespace percuss::tools

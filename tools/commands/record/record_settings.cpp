@@ -1,0 +1,73 @@
+#include <nlohmann/json.hpp>
+
+#include "commands/record/record_flags.hpp"
+#include "core/error.hpp"
+
+namespace percuss::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Calls visit(key, member) for every option that belongs to the session.
+template <class Flags, class Visit>
+void each_setting(Flags& flags, Visit&& visit) {
+  visit("device", flags.device);
+  visit("hits", flags.hits);
+  visit("channels", flags.channels);
+  visit("fs", flags.fs_Hz);
+  visit("trigger", flags.trigger_N);
+  visit("pretrigger", flags.pretrigger_s);
+  visit("length", flags.length_s);
+  visit("geometry", flags.geometry);
+  visit("roving", flags.roving);
+  visit("band", flags.band);
+  visit("until", flags.until);
+  visit("report", flags.report);
+  visit("setup", flags.read.setup_path);
+  visit("fast", flags.fast);
+}
+
+struct Write {
+  Json& out;
+  template <class Value>
+  void operator()(const char* key, const Value& value) const {
+    out[key] = value;
+  }
+  void operator()(const char* key, const std::optional<double>& value) const {
+    if (value) out[key] = *value;
+  }
+};
+
+struct Read {
+  const nlohmann::json& in;
+  template <class Value>
+  void operator()(const char* key, Value& value) const {
+    value = in.at(key).get<Value>();
+  }
+  void operator()(const char* key, std::optional<double>& value) const {
+    if (in.contains(key)) value = in.at(key).get<double>();
+  }
+};
+
+}  // namespace
+
+std::string settings_json(const RecordFlags& flags) {
+  Json out{{"event", "settings"}, {"frame", 0}};
+  each_setting(flags, Write{out});
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+bool is_settings(const std::string& event) { return event.starts_with(R"({"event":"settings")"); }
+
+void restore_settings(const std::string& event, const std::string& where, RecordFlags& flags) {
+  try {
+    const auto in = nlohmann::json::parse(event);
+    each_setting(flags, Read{in});
+  } catch (const nlohmann::json::exception&) {
+    throw InputError("the options of the session cannot be read", where, "record it again, with the options");
+  }
+}
+
+std::string journal_of(const std::string& output) { return output + ".journal"; }
+
+}  // namespace percuss::tools

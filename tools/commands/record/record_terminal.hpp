@@ -1,0 +1,61 @@
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace percuss::tools {
+
+enum class RecordKey { pause, undo, redo, next, go_to, finish };
+
+struct PressedKey {
+  RecordKey key = RecordKey::pause;
+  std::size_t number = 0;  // go_to
+};
+
+/// Lines, bells and keys of a guided session, in a thread of its own: a terminal or pipe that takes nothing, or is
+/// closed, never holds up the caller. On a terminal, a prompt stays below the lines, and keys are read one by one.
+class RecordTerminal {
+ public:
+  /// Writes to `output` (a descriptor). Reads keys if `input` and `output` are terminals.
+  RecordTerminal(int input, int output, bool quiet);
+  /// Writes what waits, unless nobody takes it for two seconds (a terminal), and restores the terminal.
+  ~RecordTerminal();
+  RecordTerminal(const RecordTerminal&) = delete;
+  RecordTerminal& operator=(const RecordTerminal&) = delete;
+
+  bool interactive() const { return interactive_; }
+  void line(const std::string& text);
+  void prompt(const std::string& text);
+  void bell();
+  std::optional<PressedKey> take_key();
+
+ private:
+  void run();
+  void write_some();
+  void read_keys();
+  void press(char key);
+  void wake() const;
+  std::string next_bytes();
+  void redraw();
+
+  int input_, output_;
+  bool quiet_, interactive_;
+  int wake_[2] = {-1, -1};
+  std::mutex mutex_;
+  std::deque<std::string> lines_;
+  std::size_t dropped_ = 0;
+  std::string prompt_;
+  bool redraw_ = false, ring_ = false;
+  std::deque<PressedKey> keys_;
+  std::optional<std::string> number_;  // being typed after g
+  std::string pending_;                // bytes for the output
+  bool broken_ = false;
+  std::atomic<bool> closing_{false};
+  std::thread thread_;
+};
+
+}  // namespace percuss::tools
