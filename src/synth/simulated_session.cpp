@@ -63,7 +63,7 @@ class SessionOptions {
   std::vector<std::string_view> list(const char* name) {
     const auto at = values_.find(name);
     if (at == values_.end()) return {};
-    const auto items = split(at->second, '+');
+    auto items = split(at->second, '+');
     values_.erase(at);
     return items;
   }

@@ -24,9 +24,10 @@ std::vector<std::size_t> channels_kept(const DeviceFormat& device, const Capture
     std::iota(channels.begin(), channels.end(), std::size_t{0});
   }
   for (const std::size_t channel : channels) {
-    if (channel >= device.stream.channels)
+    if (channel >= device.stream.channels) {
       throw InputError(fmt::format("there is no channel {}", channel + 1), device.stream.device,
                        fmt::format("name channels from 1 to {}", device.stream.channels), {"channels"});
+    }
   }
   return channels;
 }
@@ -67,9 +68,10 @@ CaptureStream::CaptureStream(std::unique_ptr<Device> device, const CaptureOption
   const DeviceFormat& given = device_->format();
   const std::vector<std::size_t> channels = channels_kept(given, options);
   format_ = format_of(given.stream, channels);
-  if (options.store.trigger && options.store.trigger->channel >= channels.size())
+  if (options.store.trigger && options.store.trigger->channel >= channels.size()) {
     throw InputError("the channel of the trigger is not recorded", format_.device, "name a recorded channel",
                      {"trigger"});
+  }
   store_ = std::make_unique<SampleStore>(layout_of(given, channels), format_, given.pace, journal_of(options, format_),
                                          options.store);
   device_->start(store_->sink());

@@ -55,10 +55,11 @@ class ReplayDevice final : public PolledDevice {
     } else {
       count = std::min(count, frames_due());
     }
-    if (count > 0)
+    if (count > 0) {
       play(sink, count);
-    else
+    } else {
       std::this_thread::sleep_for(std::chrono::duration<double>(kReplayPoll_s));
+    }
   }
 
  private:

@@ -81,7 +81,10 @@ void JournalReader::take(const JournalBlockHeader& header, std::string payload, 
   if (header.type == JournalBlockType::samples) return take_samples(header, payload.size(), offset);
   text_bytes_ += payload.size() + sizeof(JournalEvent);
   if (text_bytes_ > kMaxText_bytes) damaged("the journal holds more than 64 MiB of events");
-  if (header.type == JournalBlockType::event) events_.push_back({std::move(payload), end_frame()});
+  if (header.type == JournalBlockType::event) {
+    events_.push_back({std::move(payload), end_frame()});
+    return;
+  }
   if (header.type == JournalBlockType::finding) findings_.push_back(parse_finding(payload, path_));
   if (header.type != JournalBlockType::format) return;  // blocks of unknown types are skipped
   StreamFormat format = parse_format(payload, path_);

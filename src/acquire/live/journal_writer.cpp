@@ -50,9 +50,10 @@ void JournalWriter::lock() const {
 
 JournalWriter::JournalWriter(std::string path, const StreamFormat& format, bool overwrite)
     : path_(std::move(path)), descriptor_(open_journal(path_, O_RDWR | O_CREAT | (overwrite ? 0 : O_EXCL))) {
-  if (descriptor_ < 0 && errno == EEXIST)
+  if (descriptor_ < 0 && errno == EEXIST) {
     throw InputError("a journal exists: a session was not finished", path_, "resume it, or overwrite it",
                      {"resume", "force"});
+  }
   if (descriptor_ < 0) fail("cannot make the journal", errno);
   try {
     lock();
@@ -72,9 +73,10 @@ JournalWriter JournalWriter::resumed(const std::string& path, const StreamFormat
   if (writer.descriptor_ < 0) writer.fail("cannot resume the journal", errno);
   writer.lock();
   const JournalReader reader(path);
-  if (reader.format().channels != format.channels || reader.format().fs_Hz != format.fs_Hz)
+  if (reader.format().channels != format.channels || reader.format().fs_Hz != format.fs_Hz) {
     throw InputError("the device has other channels or another rate than the session", path,
                      "select the device and the rate of the session", {"device", "fs"});
+  }
   writer.end_ = reader.whole_bytes();
   if (::ftruncate(writer.descriptor_, static_cast<off_t>(writer.end_)) != 0)
     writer.fail("cannot resume the journal", errno);

@@ -53,14 +53,16 @@ double whole_number(const std::string& text, double high, const std::string& whe
 WavHeader raw_header(const std::string& description) {
   std::vector<std::string> parts(1);
   for (const char c : description) {
-    if (c == ':')
+    if (c == ':') {
       parts.emplace_back();
-    else
+    } else {
       parts.back() += c;
+    }
   }
-  if (parts.size() != 4 || parts[0] != "raw")
+  if (parts.size() != 4 || parts[0] != "raw") {
     throw InputError("standard input is not described", one_line(description),
                      "write stdin:wav, or stdin:raw:ENCODING:RATE:CHANNELS such as stdin:raw:s24:51200:2", {"device"});
+  }
   constexpr double kMaxRate_Hz = 1e7, kMaxPipeChannels = 1024;
   return {.encoding = pcm_encoding(parts[1]),
           .fs_Hz = whole_number(parts[2], kMaxRate_Hz, description),

@@ -101,9 +101,10 @@ class PluginDevice final : public PolledDevice {
       : path_(path), library_(path), table_(table_of(library_, path)) {
     std::array<char, kMessage_bytes> message{};
     device_ = table_.open(arguments.c_str(), options.fs_Hz.value_or(0), message.data(), message.size() - 1);
-    if (device_ == nullptr)
+    if (device_ == nullptr) {
       throw InputError("the plug-in cannot open the device: " + message_of(message), path, "check its arguments",
                        {"device"});
+    }
     try {
       format_ = format_of_plugin(table_.format(device_), path);
     } catch (...) {
@@ -124,9 +125,10 @@ class PluginDevice final : public PolledDevice {
  protected:
   void prepare() override {
     std::array<char, kMessage_bytes> message{};
-    if (table_.start(device_, message.data(), message.size() - 1) != 0)
+    if (table_.start(device_, message.data(), message.size() - 1) != 0) {
       throw InputError("the plug-in cannot start the device: " + message_of(message), path_, "check the device",
                        {"device"});
+    }
     started_ = true;
   }
 

@@ -23,15 +23,17 @@ constexpr std::chrono::seconds kSilence{2};  // without a callback: the device i
   const auto card = card_in_name(input.name);
   for (const SoundCardInput& known : sound_card_inputs()) {
     if (card != known.card) continue;
-    if (!known.permitted)
+    if (!known.permitted) {
       throw InputError("no permission to record", input.name, "add the user to the group audio, and log in again",
                        {"device"});
+    }
     if (known.busy)
       throw InputError("the device is busy", input.name, "end the program that records from it", {"device"});
   }
-  if (error == paInvalidSampleRate)
+  if (error == paInvalidSampleRate) {
     throw InputError("the device does not offer this sampling rate", input.name, "percuss devices lists its rates",
                      {"fs"});
+  }
   throw InputError(std::string("cannot open the device: ") + ::Pa_GetErrorText(error), input.name,
                    "end programs that use it, or choose another device", {"device"});
 }
@@ -42,9 +44,10 @@ class PortAudioDevice final : public Device {
       : input_(find_input(library_.inputs(), name, alsa_only)) {
     const std::size_t usual = input_.channels <= kMaxUnasked ? input_.channels : kUsualChannels;
     const std::size_t channels = options.channels.value_or(usual);
-    if (channels > input_.channels)
+    if (channels > input_.channels) {
       throw InputError(fmt::format("the device has {} channels", input_.channels), input_.name, "name fewer",
                        {"channels"});
+    }
     const double fs_Hz = options.fs_Hz.value_or(input_.default_fs_Hz);
     const PaStreamParameters parameters{.device = input_.index,
                                         .channelCount = static_cast<int>(channels),

@@ -37,9 +37,10 @@ void check_in_child() {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (WIFSIGNALED(status))
+  if (WIFSIGNALED(status)) {
     throw InputError("PortAudio cannot look for devices", "portaudio",
                      "check the configuration of ALSA: it needs a device called default", {"device"});
+  }
 }
 
 }  // namespace
@@ -62,9 +63,10 @@ QuietErrors::~QuietErrors() {
 PortAudioLibrary::PortAudioLibrary() {
   const QuietErrors quiet;
   check_in_child();
-  if (const PaError error = ::Pa_Initialize(); error != paNoError)
+  if (const PaError error = ::Pa_Initialize(); error != paNoError) {
     throw InputError(std::string("PortAudio does not start: ") + ::Pa_GetErrorText(error), "portaudio",
                      "check the sound system", {"device"});
+  }
 }
 
 PortAudioLibrary::~PortAudioLibrary() {
@@ -116,14 +118,16 @@ PortAudioInput find_input(const std::vector<PortAudioInput>& inputs, const std::
   if (const auto* address = first_where([&](const auto& input) { return part(input, "(" + name + ")"); }))
     return *address;
   const PortAudioInput* const found = first_where([&](const auto& input) { return part(input, name); });
-  if (found == nullptr)
+  if (found == nullptr) {
     throw InputError("there is no such recording device", one_line(name), "percuss devices lists what can record",
                      {"device"});
+  }
   const auto* const other =
       first_where([&](const auto& input) { return part(input, name) && input.name != found->name; });
-  if (other != nullptr)
+  if (other != nullptr) {
     throw InputError("several recording devices have this name", one_line(name),
                      "write more of it: " + one_line(found->name) + ", " + one_line(other->name), {"device"});
+  }
   return *found;
 }
 

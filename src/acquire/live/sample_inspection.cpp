@@ -36,10 +36,11 @@ void SampleInspection::add(std::uint64_t first_frame, std::span<const double> va
     const double size = std::abs(values[i]);
     const std::size_t channel = i % channels_;
     if (size < limits_[channel]) continue;  // false for NaN
-    if (!std::isfinite(size))
+    if (!std::isfinite(size)) {
       count(no_numbers_[channel], first_frame + i / channels_);
-    else
+    } else {
       count(overloads_[channel], first_frame + i / channels_);
+    }
   }
 }
 

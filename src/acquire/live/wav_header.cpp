@@ -72,18 +72,19 @@ class HeaderReader {
     constexpr std::size_t kMaxWavChannels = 1024;
     if (header.channels == 0 || header.channels > kMaxWavChannels || !(header.fs_Hz > 0))
       refuse("the WAV stream has no channels, no rate, or too many channels");
-    if (tag == kPcmTag && bits == 16)
+    if (tag == kPcmTag && bits == 16) {
       header.encoding = PcmEncoding::s16;
-    else if (tag == kPcmTag && bits == 24)
+    } else if (tag == kPcmTag && bits == 24) {
       header.encoding = PcmEncoding::s24;
-    else if (tag == kPcmTag && bits == 32)
+    } else if (tag == kPcmTag && bits == 32) {
       header.encoding = PcmEncoding::s32;
-    else if (tag == kFloatTag && bits == 32)
+    } else if (tag == kFloatTag && bits == 32) {
       header.encoding = PcmEncoding::f32;
-    else if (tag == kFloatTag && bits == 64)
+    } else if (tag == kFloatTag && bits == 64) {
       header.encoding = PcmEncoding::f64;
-    else
+    } else {
       refuse("the WAV stream is compressed, or its samples have an unusual size");
+    }
     header_ = header;
   }
 

@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,6 +25,18 @@ using test::ScratchFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+
+// Times real time. Sanitizers make the simulated device slower.
+#ifdef PERCUSS_SANITIZED
+constexpr int kSpeed = 1, kStallSpeed = 5;
+#else
+constexpr int kSpeed = 4, kStallSpeed = 20;
+#endif
+
+/// A device with this speed.
+std::unique_ptr<Device> at_speed(int speed, const std::string& description) {
+  return synth::open_simulated_device(description + ",speed=" + std::to_string(speed));
+}
 
 constexpr std::uint64_t kCounterRange = std::uint64_t{1} << 24U;
 
@@ -146,7 +160,7 @@ TEST(CaptureStream, JournalsNothingWithoutATrigger) {
   EXPECT_EQ(seen.frames, 6U * 25600U);
 }
 
-// Ten seconds of 8 channels at 51.2 kHz, played in one second. The ring holds 2 s of them: the rest comes back from the
+// Ten seconds of 8 channels at 51.2 kHz, played faster. The ring holds 4 s of them: the rest comes back from the
 // journal. The stress tests do the same in real time.
 TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
   const ScratchFolder folder;
@@ -157,10 +171,10 @@ TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
   while (seen.frames < 51200) {
     if (const auto block = stream.next(100ms)) seen.add(*block, 8);
   }
-  std::this_thread::sleep_for(1s);
-  EXPECT_GT(stream.state().unread_frames, 3U * 51200U);
+  std::this_thread::sleep_for(10s / kSpeed);
+  EXPECT_GT(stream.state().unread_frames, 9U * 51200U);
   read_all(stream, seen);
-  EXPECT_EQ(seen.frames, 12U * 51200U);
+  EXPECT_EQ(seen.frames, 13U * 51200U);
   EXPECT_EQ(seen.wrong + seen.jumps, 0U);
   EXPECT_EQ(stream.state().dropped_frames, 0U);
   EXPECT_EQ(wrong_numbers(JournalReader(path)), 0U);
@@ -169,9 +183,9 @@ TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
 // Without a trigger yet, a stalled reader begins the journal.
 TEST(CaptureStream, JournalsAStallBeforeTheTrigger) {
   const ScratchFolder folder;
-  CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,speed=20,hits=1,first=9"),
+  CaptureStream stream(at_speed(kStallSpeed, "aluminium-bat,numbered,hits=1,first=9"),
                        {.journal = folder.file("t.journal"), .store = {.ring_s = 4}});
-  std::this_thread::sleep_for(700ms);
+  std::this_thread::sleep_for(14000ms / kStallSpeed);
   Seen seen;
   read_all(stream, seen);
   EXPECT_EQ(seen.frames, 14U * 25600U);
@@ -179,9 +193,8 @@ TEST(CaptureStream, JournalsAStallBeforeTheTrigger) {
 }
 
 TEST(CaptureStream, CountsWhatAStallLosesWithoutAJournal) {
-  CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,speed=20,hits=1,first=9"),
-                       {.store = {.ring_s = 4}});
-  std::this_thread::sleep_for(700ms);
+  CaptureStream stream(at_speed(kStallSpeed, "aluminium-bat,numbered,hits=1,first=9"), {.store = {.ring_s = 4}});
+  std::this_thread::sleep_for(14000ms / kStallSpeed);
   Seen seen;
   read_all(stream, seen);
   EXPECT_EQ(seen.wrong, 0U);

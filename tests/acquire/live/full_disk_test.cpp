@@ -14,6 +14,13 @@
 
 namespace percuss::acquire::full_disk_test {
 
+// Times real time. Sanitizers make the simulated device slower.
+#ifdef PERCUSS_SANITIZED
+#define PERCUSS_DISK_SPEED "2"
+#else
+#define PERCUSS_DISK_SPEED "8"
+#endif
+
 using namespace std::chrono_literals;
 using test::ScratchFolder;
 
@@ -62,7 +69,7 @@ TEST(FullDisk, IsSurvivedByTheRing) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.journal");
   const FileLimit limit;
-  CaptureStream stream(synth::open_simulated_device("wood-bat,speed=10,hits=5,end=16"),
+  CaptureStream stream(synth::open_simulated_device("wood-bat,hits=5,end=16,speed=" PERCUSS_DISK_SPEED),
                        {.journal = path, .store = kStore});
   std::uint64_t next = 0;
   EXPECT_EQ(read_frames(stream, 3 * 25600, next), 0U);
@@ -90,7 +97,7 @@ TEST(FullDisk, LeavesAStatedHoleInTheJournal) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.journal");
   const FileLimit limit;
-  CaptureStream stream(synth::open_simulated_device("wood-bat,speed=10,hits=5,end=22"),
+  CaptureStream stream(synth::open_simulated_device("wood-bat,hits=5,end=22,speed=" PERCUSS_DISK_SPEED),
                        {.journal = path, .store = kStore});
   std::uint64_t next = 0;
   EXPECT_EQ(read_frames(stream, 3 * 25600, next), 0U);
