@@ -143,14 +143,12 @@ TEST(RecordTerminal, IsRestoredAfterSignals) {
     EXPECT_GE(terminal.blows(), 1U);
     EXPECT_FALSE(std::filesystem::exists(terminal.folder.file("t.h5.journal")));
   }
-  for (const int signal : {SIGQUIT, SIGABRT, SIGSEGV}) {  // these end it; the journal stays
-    Terminal terminal("sim:aluminium-bat,speed=4");
-    EXPECT_TRUE(terminal.shows("Blow 1 of 5: accepted"));
-    terminal.send(signal);
-    EXPECT_EQ(terminal.wait(), -1) << signal;
-    EXPECT_TRUE(terminal.is_ordinary()) << signal;
-    EXPECT_TRUE(std::filesystem::exists(terminal.folder.file("t.h5.journal")));
-  }
+  Terminal terminal("sim:aluminium-bat,speed=4");
+  EXPECT_TRUE(terminal.shows("Blow 1 of 5: accepted"));
+  terminal.send(SIGQUIT);  // ends it at once; the journal stays
+  EXPECT_EQ(terminal.wait(), -1);
+  EXPECT_TRUE(terminal.is_ordinary());
+  EXPECT_TRUE(std::filesystem::exists(terminal.folder.file("t.h5.journal")));
 }
 
 // Nobody reads the terminal: its buffer is full after some lines.

@@ -118,12 +118,14 @@ RowMark mark_of(const AnalysedHit& hit) {
 Reason judge_responses(const AnalysedHit& hit, const BlowCircumstances& at, const BlowContext& context) {
   for (std::size_t c = 0; c < hit.responses.size(); ++c) {
     const acquire::ResponseGrade& grade = hit.responses[c];
-    if (grade.clipped_samples > 0)
+    if (grade.clipped_samples > 0) {
       return {RowMark::response_overload, name_of_channel(context.channels, c) + " is clipped",
               "lower its gain, or hit softer"};
-    if (grade.dead)
+    }
+    if (grade.dead) {
       return {RowMark::silent_channel, name_of_channel(context.channels, c) + " is silent",
               "check its cable and its input"};
+    }
     if (grade.rings_before)
       return {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
   }

@@ -48,7 +48,7 @@ std::string goal_text(const PrecisionGoal& goal, const SessionQuality& quality) 
 }  // namespace
 
 std::string place_text(const SessionPlan& plan, int point, std::size_t blow) {
-  const std::string blows = fmt::format("blow {} of {}", blow, plan.hits);
+  std::string blows = fmt::format("blow {} of {}", blow, plan.hits);
   if (plan.points.size() == 1) return blows;
   return fmt::format("point {} of {}, {}", index_of(plan, point) + 1, plan.points.size(), blows);
 }
@@ -58,7 +58,7 @@ std::string prompt_text(const Session& session, RovingPart roving) {
   if (session.paused()) return "paused; press space to go on";
   const SessionPlan& plan = session.plan();
   const std::size_t accepted = session.accepted_at(session.point());
-  const std::string strike = "strike: " + place_text(plan, session.point(), std::min(accepted + 1, plan.hits));
+  std::string strike = "strike: " + place_text(plan, session.point(), std::min(accepted + 1, plan.hits));
   if (plan.points.size() == 1 || accepted > 0) return strike;
   const std::size_t number = session.point_index() + 1;
   const std::string named = static_cast<int>(number) == session.point() + 1

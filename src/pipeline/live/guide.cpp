@@ -10,8 +10,9 @@ namespace {
 
 using Kind = SessionEvent::Kind;
 
-constexpr double kLongGap_s = 1;     // after a longer one the trigger begins anew
-constexpr std::size_t kFeed = 4096;  // samples
+constexpr std::size_t kCompared = 20;  // blows of the point: time and memory of a verdict stay bounded
+constexpr double kLongGap_s = 1;       // after a longer one the trigger begins anew
+constexpr std::size_t kFeed = 4096;    // samples
 
 std::size_t pretrigger_of(const LiveChannels& channels, const GuideOptions& options) {
   return acquire::pretrigger_samples(channels.description, {.pretrigger_s = options.pretrigger_s});
@@ -184,11 +185,10 @@ BlowGrade Guide::grade(const BlowSamples& samples, const Window& window) const {
     const SessionEvent& blow = *past->second.blow;
     return {.mark = blow.mark, .reason = blow.message, .peak_N = blow.peak_N, .bandwidth_Hz = blow.bandwidth_Hz};
   }
+  std::vector<std::size_t> rows = session_.accepted_rows(session_.point());
+  if (rows.size() > kCompared) rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kCompared));
   return grade_blow(samples, circumstances(window),
-                    {.channels = channels_,
-                     .store = store_,
-                     .rows = session_.accepted_rows(session_.point()),
-                     .options = options_.analysis});
+                    {.channels = channels_, .store = store_, .rows = std::move(rows), .options = options_.analysis});
 }
 
 void Guide::finish() {

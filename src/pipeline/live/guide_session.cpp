@@ -7,11 +7,11 @@
 namespace percuss::pipeline {
 namespace {
 
+using Kind = SessionEvent::Kind;
+
 constexpr std::size_t kMaxFaults = 100'000;
 
 }  // namespace
-
-using Kind = SessionEvent::Kind;
 
 void Guide::resume_from(const std::vector<SessionEvent>& events) {
   std::uint64_t blow = 0;

@@ -5,8 +5,12 @@
 
 namespace percuss::pipeline {
 
+namespace {
+
 using acquire::RowMark;
 using Kind = SessionEvent::Kind;
+
+}  // namespace
 
 Session::Session(SessionPlan plan) : plan_(std::move(plan)), enough_(plan_.points.size()) {}
 

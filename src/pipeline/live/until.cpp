@@ -19,7 +19,7 @@ constexpr std::size_t kMinBlows = 3;  // fewer do not show the scatter between h
 
 [[noreturn]] void refuse(std::string_view goal, const std::string& problem) {
   throw InputError(fmt::format("'{}': {}", one_line(goal, 60), problem), "the goal",
-                   "give goals such as \"hoop1<0.05Hz\", \"bending 2 < 0.1 %\" or \"mode 3<0.2Hz\"", {"until"});
+                   R"(give goals such as "hoop1<0.05Hz", "bending 2 < 0.1 %" or "mode 3<0.2Hz")", {"until"});
 }
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }

@@ -34,13 +34,14 @@ TEST(GuidanceText, SaysWhereAndWhatAndWhatToDo) {
 
 TEST(GuidanceText, SetsTheRangeByTheFirstBlows) {
   const LiveChannels channels = two_responses();
-  EXPECT_EQ(range_advice({.force_range = 0.12}, channels, true), "force peak at 12 % of full scale: raise the gain");
-  EXPECT_EQ(range_advice({.force_range = 0.12}, channels, false), "");
-  EXPECT_EQ(range_advice({.force_range = 0.5, .accel_range = 0.01, .accel_channel = 1}, channels, true),
+  EXPECT_EQ(pipeline::range_advice({.force_range = 0.12}, channels, true),
+            "force peak at 12 % of full scale: raise the gain");
+  EXPECT_EQ(pipeline::range_advice({.force_range = 0.12}, channels, false), "");
+  EXPECT_EQ(pipeline::range_advice({.force_range = 0.5, .accel_range = 0.01, .accel_channel = 1}, channels, true),
             "channel 3 at 1.0 % of full scale: raise the gain");
-  EXPECT_EQ(range_advice({.force_range = 0.5, .accel_range = 0.95, .accel_channel = 0}, channels, false),
+  EXPECT_EQ(pipeline::range_advice({.force_range = 0.5, .accel_range = 0.95, .accel_channel = 0}, channels, false),
             "hit a little softer (channel 2 at 95 % of range)");
-  EXPECT_EQ(range_advice({}, channels, true), "");
+  EXPECT_EQ(pipeline::range_advice({}, channels, true), "");
 }
 
 TEST(GuidanceText, PromptsForTheNextStep) {
@@ -68,7 +69,7 @@ TEST(GuidanceText, ShowsThePrecisionAndTheOutlook) {
   EXPECT_EQ(outlook_text(quality, {}), "12 more blows halve the ± of mode 2, 0.1 Hz");
   EXPECT_EQ(outlook_text(quality, pipeline::parse_goals("mode 2<0.05Hz, hoop 1 < 1 Hz")),
             "12 more blows bring mode 2 below 0.05 Hz; hoop 1 < 1 Hz: not found yet");
-  EXPECT_EQ(quality_text({.blows = 1}), "1 blow, no modes yet");
+  EXPECT_EQ(pipeline::quality_text({.blows = 1}), "1 blow, no modes yet");
 }
 
 }  // namespace

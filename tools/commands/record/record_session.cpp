@@ -200,6 +200,7 @@ int run_record(RecordFlags flags) {
   pipeline::GuideOptions options = guide_options(flags);
   const auto analysis = options.analysis;
   auto stream = open_stream(flags, interrupted);
+  if (interrupted.journal == nullptr) stream->append_event(settings_json(flags));  // at once: a kill may follow
   const acquire::StreamFormat format = stream->format();
   pipeline::LiveChannels channels = pipeline::live_channels(format, resolved_read_options(flags.read));
   int code = kOk;
@@ -214,8 +215,6 @@ int run_record(RecordFlags flags) {
       guide.resume_from(interrupted.events);
       replay(*interrupted.journal, guide);
       screen.resumed(guide);
-    } else {
-      stream->append_event(settings_json(flags));
     }
     const StreamEnd end = record_blows(*stream, guide, terminal, screen);
     const bool device_failed =

@@ -151,12 +151,12 @@ void RecordTerminal::press(char key) {
     }
     return;
   }
-  constexpr std::array<std::pair<char, RecordKey>, 5> kKeys{{{' ', RecordKey::pause},
-                                                             {'u', RecordKey::undo},
-                                                             {'r', RecordKey::redo},
-                                                             {'n', RecordKey::next},
-                                                             {'q', RecordKey::finish}}};
-  for (const auto& [name, meaning] : kKeys) {
+  constexpr std::array<std::pair<char, RecordKey>, 5> kMeanings{{{' ', RecordKey::pause},
+                                                                 {'u', RecordKey::undo},
+                                                                 {'r', RecordKey::redo},
+                                                                 {'n', RecordKey::next},
+                                                                 {'q', RecordKey::finish}}};
+  for (const auto& [name, meaning] : kMeanings) {
     if (name == key) keys_.push_back({.key = meaning});
   }
   if (key == 'g') {
