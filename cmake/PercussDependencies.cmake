@@ -17,6 +17,8 @@ add_library(CRYPTO::crypto ALIAS PkgConfig::CRYPTO)
 pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp>=2.5)
 add_library(SECCOMP::seccomp ALIAS PkgConfig::SECCOMP)
 pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0)
+# Without its -pthread, which would make the precompiled headers of a layer differ from those of the others.
+set_property(TARGET PkgConfig::PORTAUDIO PROPERTY INTERFACE_COMPILE_OPTIONS)
 add_library(PORTAUDIO::portaudio ALIAS PkgConfig::PORTAUDIO)
 
 include(PercussHdf5)
