@@ -166,7 +166,7 @@ TEST(CaptureStream, JournalsNothingWithoutATrigger) {
 TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.h5.journal");
-  CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,accels=6,fs=51200,speed=10,hits=5,end=12"),
+  CaptureStream stream(at_speed(kSpeed, "aluminium-bat,numbered,accels=6,fs=51200,hits=5,end=13"),
                        {.journal = path, .store = {.ring_s = 4, .trigger = CaptureTrigger{.channel = 0, .level = 20}}});
   Seen seen;
   while (seen.frames < 51200) {
