@@ -172,7 +172,7 @@ TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
   while (seen.frames < 51200) {
     if (const auto block = stream.next(100ms)) seen.add(*block, 8);
   }
-  std::this_thread::sleep_for(10s / kSpeed);
+  std::this_thread::sleep_for(10000ms / kSpeed);
   EXPECT_GT(stream.state().unread_frames, 9U * 51200U);
   read_all(stream, seen);
   EXPECT_EQ(seen.frames, 13U * 51200U);
