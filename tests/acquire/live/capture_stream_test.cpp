@@ -200,7 +200,7 @@ TEST(CaptureStream, CountsWhatAStallLosesWithoutAJournal) {
   read_all(stream, seen);
   EXPECT_EQ(seen.wrong, 0U);
   EXPECT_LT(seen.frames, 14U * 25600U);
-  constexpr std::uint64_t kSent = 14U * 25600U;
+  constexpr std::uint64_t kSent = std::uint64_t{14} * 25600U;
   EXPECT_EQ(stream.state().dropped_frames, kSent - seen.frames);
   EXPECT_EQ(counts(stream.take_findings())[CaptureFault::dropped], stream.state().dropped_frames);
 }
