@@ -119,7 +119,7 @@ TEST(FrameRing, NumbersFramesRightAfterManyLosses) {
 }
 
 TEST(FrameRing, HoldsTwelveSecondsOf8ChannelsIn20MB) {
-  constexpr std::size_t kFrames = 12U * 51200U, kChannels = 8;
+  constexpr std::size_t kFrames = std::size_t{12} * 51200U, kChannels = 8;
   EXPECT_LE(kFrames * kChannels * bytes_per_sample(SampleType::float32), 20000000U);
 }
 
