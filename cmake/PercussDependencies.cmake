@@ -18,5 +18,7 @@ pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp>=2.5)
 add_library(SECCOMP::seccomp ALIAS PkgConfig::SECCOMP)
 pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0)
 add_library(PORTAUDIO::portaudio ALIAS PkgConfig::PORTAUDIO)
+# Its -pthread defines a macro, which the precompiled header of the other layers does not have. It is not needed.
+set_target_properties(PkgConfig::PORTAUDIO PROPERTIES INTERFACE_COMPILE_OPTIONS "")
 
 include(PercussHdf5)

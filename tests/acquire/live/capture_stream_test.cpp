@@ -143,7 +143,8 @@ TEST(CaptureStream, JournalsFromTheFrameThatTheGuidanceNames) {
   read_all(stream, seen);
   stream.stop();
   const JournalReader journal(path);
-  EXPECT_THAT(journal.ranges(), ElementsAre(FrameRange{20000, 6 * 25600 - 20000}));
+  constexpr std::uint64_t kSecond = 25600;
+  EXPECT_THAT(journal.ranges(), ElementsAre(FrameRange{20000, 6 * kSecond - 20000}));
   ASSERT_EQ(journal.events().size(), 2U);
   EXPECT_EQ(journal.events()[0].frame, 0U);
   EXPECT_EQ(wrong_numbers(journal), 0U);
@@ -165,13 +166,13 @@ TEST(CaptureStream, JournalsNothingWithoutATrigger) {
 TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.h5.journal");
-  CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,accels=6,fs=51200,speed=10,hits=5,end=12"),
+  CaptureStream stream(at_speed(kSpeed, "aluminium-bat,numbered,accels=6,fs=51200,hits=5,end=13"),
                        {.journal = path, .store = {.ring_s = 4, .trigger = CaptureTrigger{.channel = 0, .level = 20}}});
   Seen seen;
   while (seen.frames < 51200) {
     if (const auto block = stream.next(100ms)) seen.add(*block, 8);
   }
-  std::this_thread::sleep_for(10s / kSpeed);
+  std::this_thread::sleep_for(10000ms / kSpeed);
   EXPECT_GT(stream.state().unread_frames, 9U * 51200U);
   read_all(stream, seen);
   EXPECT_EQ(seen.frames, 13U * 51200U);
@@ -199,7 +200,8 @@ TEST(CaptureStream, CountsWhatAStallLosesWithoutAJournal) {
   read_all(stream, seen);
   EXPECT_EQ(seen.wrong, 0U);
   EXPECT_LT(seen.frames, 14U * 25600U);
-  EXPECT_EQ(stream.state().dropped_frames, 14U * 25600U - seen.frames);
+  constexpr std::uint64_t kSent = 14U * 25600U;
+  EXPECT_EQ(stream.state().dropped_frames, kSent - seen.frames);
   EXPECT_EQ(counts(stream.take_findings())[CaptureFault::dropped], stream.state().dropped_frames);
 }
 
@@ -216,7 +218,8 @@ TEST(CaptureStream, StatesGapsAndOverruns) {
   EXPECT_EQ(seen.wrong, 0U);
   const auto findings = stream.take_findings();
   ASSERT_EQ(findings.size(), 2U);
-  EXPECT_EQ(findings[0], (CaptureFinding{.fault = CaptureFault::gap, .frame = 4 * 25600, .count = 2 * 25600}));
+  constexpr std::uint64_t kSecond = 25600;
+  EXPECT_EQ(findings[0], (CaptureFinding{.fault = CaptureFault::gap, .frame = 4 * kSecond, .count = 2 * kSecond}));
   EXPECT_EQ(findings[1].fault, CaptureFault::overrun);
   EXPECT_EQ(findings[1].count, 256U);
   const JournalReader journal(path);

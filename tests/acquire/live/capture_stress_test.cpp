@@ -19,6 +19,7 @@ using namespace std::chrono_literals;
 using test::ScratchFolder;
 
 constexpr std::uint64_t kCounterRange = std::uint64_t{1} << 24U;
+constexpr std::uint64_t kSecond = 51200;  // in frames
 const StoreOptions kStore{.trigger = CaptureTrigger{.channel = 0, .level = 20}};
 
 /// Reads up to a frame. The number of frames that are missing or wrong.
@@ -54,18 +55,18 @@ TEST(CaptureStress, DISABLED_LosesNothingInStallsOf10And20Seconds) {
   CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,accels=6,fs=51200,hits=10,every=3,end=45"),
                        {.journal = folder.file("t.journal"), .store = kStore});
   std::uint64_t next = 0;
-  EXPECT_EQ(faults_until(stream, 3 * 51200, next), 0U);
+  EXPECT_EQ(faults_until(stream, 3 * kSecond, next), 0U);
   std::this_thread::sleep_for(10s);
-  EXPECT_EQ(faults_until(stream, 15 * 51200, next), 0U);
+  EXPECT_EQ(faults_until(stream, 15 * kSecond, next), 0U);
   std::this_thread::sleep_for(20s);
-  EXPECT_GT(stream.state().unread_frames, 19U * 51200U);
-  EXPECT_EQ(faults_until(stream, 99 * 51200, next), 0U);
-  EXPECT_EQ(next, 45U * 51200U);
+  EXPECT_GT(stream.state().unread_frames, 19 * kSecond);
+  EXPECT_EQ(faults_until(stream, 99 * kSecond, next), 0U);
+  EXPECT_EQ(next, 45 * kSecond);
   EXPECT_EQ(stream.state().dropped_frames, 0U);
   stream.stop();
   const JournalReader journal(folder.file("t.journal"));
   EXPECT_EQ(journal.ranges().size(), 1U);
-  EXPECT_EQ(journal.end_frame(), 45U * 51200U);
+  EXPECT_EQ(journal.end_frame(), 45 * kSecond);
 }
 
 TEST(CaptureStress, DISABLED_RunsForADayInFlatMemory) {

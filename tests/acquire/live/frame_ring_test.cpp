@@ -119,7 +119,8 @@ TEST(FrameRing, NumbersFramesRightAfterManyLosses) {
 }
 
 TEST(FrameRing, HoldsTwelveSecondsOf8ChannelsIn20MB) {
-  EXPECT_LE(12 * 51200 * 8 * bytes_per_sample(SampleType::float32), 20000000U);
+  constexpr std::size_t kFrames = 12U * 51200U, kChannels = 8;
+  EXPECT_LE(kFrames * kChannels * bytes_per_sample(SampleType::float32), 20000000U);
 }
 
 TEST(FrameRing, KeepsTheFirstReasonToEnd) {

@@ -58,10 +58,12 @@ std::uint64_t read_frames(CaptureStream& stream, std::uint64_t until, std::uint6
 
 std::vector<CaptureFault> faults(const std::vector<CaptureFinding>& findings) {
   std::vector<CaptureFault> out;
+  out.reserve(findings.size());
   for (const CaptureFinding& finding : findings) out.push_back(finding.fault);
   return out;
 }
 
+constexpr std::uint64_t kSecond = 25600;  // in frames
 const StoreOptions kStore{.history_s = 0.5, .ring_s = 8, .trigger = CaptureTrigger{.channel = 0, .level = 20}};
 
 // The disk is full for as long as the ring lasts: nothing is lost, neither for the reader nor for the journal.
@@ -72,20 +74,20 @@ TEST(FullDisk, IsSurvivedByTheRing) {
   CaptureStream stream(synth::open_simulated_device("wood-bat,hits=5,end=16,speed=" PERCUSS_DISK_SPEED),
                        {.journal = path, .store = kStore});
   std::uint64_t next = 0;
-  EXPECT_EQ(read_frames(stream, 3 * 25600, next), 0U);
+  EXPECT_EQ(read_frames(stream, 3 * kSecond, next), 0U);
   limit.set(stream.state().journal_bytes + 5000);
-  EXPECT_EQ(read_frames(stream, 8 * 25600, next), 0U);
+  EXPECT_EQ(read_frames(stream, 8 * kSecond, next), 0U);
   EXPECT_FALSE(stream.state().journal_fault.empty());
   EXPECT_EQ(faults(stream.take_findings()), std::vector{CaptureFault::journal_failed});
   stream.append_event("{\"blow\":3}");
   limit.lift();
-  EXPECT_EQ(read_frames(stream, 99 * 25600, next), 0U);
+  EXPECT_EQ(read_frames(stream, 99 * kSecond, next), 0U);
   stream.stop();
   EXPECT_TRUE(stream.state().journal_fault.empty());
-  EXPECT_EQ(next, 16U * 25600U);
+  EXPECT_EQ(next, 16 * kSecond);
   const JournalReader journal(path);
   EXPECT_EQ(journal.ranges().size(), 1U);
-  EXPECT_EQ(journal.end_frame(), 16U * 25600U);
+  EXPECT_EQ(journal.end_frame(), 16 * kSecond);
   EXPECT_EQ(journal.torn_bytes(), 0U);
   ASSERT_EQ(journal.events().size(), 1U);
   ASSERT_EQ(journal.findings().size(), 1U);
@@ -100,24 +102,24 @@ TEST(FullDisk, LeavesAStatedHoleInTheJournal) {
   CaptureStream stream(synth::open_simulated_device("wood-bat,hits=5,end=22,speed=" PERCUSS_DISK_SPEED),
                        {.journal = path, .store = kStore});
   std::uint64_t next = 0;
-  EXPECT_EQ(read_frames(stream, 3 * 25600, next), 0U);
+  EXPECT_EQ(read_frames(stream, 3 * kSecond, next), 0U);
   limit.set(stream.state().journal_bytes + 5000);
-  EXPECT_EQ(read_frames(stream, 16 * 25600, next), 0U);
+  EXPECT_EQ(read_frames(stream, 16 * kSecond, next), 0U);
   limit.lift();
-  EXPECT_EQ(read_frames(stream, 99 * 25600, next), 0U);
+  EXPECT_EQ(read_frames(stream, 99 * kSecond, next), 0U);
   stream.stop();
-  EXPECT_EQ(next, 22U * 25600U);
+  EXPECT_EQ(next, 22 * kSecond);
   EXPECT_EQ(stream.state().dropped_frames, 0U);
   const JournalReader journal(path);
   ASSERT_EQ(journal.ranges().size(), 2U);
-  EXPECT_EQ(journal.end_frame(), 22U * 25600U);
+  EXPECT_EQ(journal.end_frame(), 22 * kSecond);
   const FrameRange before = journal.ranges()[0], after = journal.ranges()[1];
   const std::uint64_t hole = after.first - (before.first + before.frames);
   ASSERT_EQ(journal.findings().size(), 2U);
   EXPECT_EQ(journal.findings()[1].fault, CaptureFault::not_in_journal);
   EXPECT_EQ(journal.findings()[1].frame, after.first);
   EXPECT_EQ(journal.findings()[1].count, hole);
-  EXPECT_GT(hole, 25600U);
+  EXPECT_GT(hole, kSecond);
 }
 
 }  // namespace percuss::acquire::full_disk_test

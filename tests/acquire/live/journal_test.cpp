@@ -40,7 +40,7 @@ std::string sample_bytes(const SampleBlock& block) {
 
 /// A journal of 3 blocks of 10 frames with an event after each.
 std::string example(const ScratchFolder& folder) {
-  const std::string path = folder.file("test.h5.journal");
+  std::string path = folder.file("test.h5.journal");
   JournalWriter writer(path, kFormat, true);
   for (std::uint64_t i = 0; i < 3; ++i) {
     writer.append(sample_bytes(samples(10 * i, 10)));
@@ -66,8 +66,8 @@ TEST(Journal, ReturnsWhatWasWritten) {
 
 TEST(Journal, StoresFloatsOf4BytesOnlyWhereTheyAreExact) {
   const std::string narrow = sample_bytes(samples(0, 10)), wide = sample_bytes(samples(0, 10, 0.1));
-  EXPECT_EQ(narrow.size(), kBlockHeader_bytes + 10 * 2 * 4);
-  EXPECT_EQ(wide.size(), kBlockHeader_bytes + 10 * 2 * 8);
+  EXPECT_EQ(narrow.size(), kBlockHeader_bytes + 80);
+  EXPECT_EQ(wide.size(), kBlockHeader_bytes + 160);
   const auto header = parse_block_header(wide);
   ASSERT_TRUE(header);
   EXPECT_EQ(block_values(*header, std::string_view(wide).substr(kBlockHeader_bytes)), samples(0, 10, 0.1).values);
@@ -110,7 +110,7 @@ TEST(Journal, IsRecoveredFromEveryTornTail) {
     write_bytes(path, whole.substr(0, size));
     const JournalReader reader(path);
     EXPECT_EQ(reader.whole_bytes() + reader.torn_bytes(), size);
-    EXPECT_LE(reader.torn_bytes(), kBlockHeader_bytes + 10 * 2 * 4);
+    EXPECT_LE(reader.torn_bytes(), kBlockHeader_bytes + 80);
     EXPECT_EQ(reader.frames() % 10, 0U);
     EXPECT_GE(reader.frames() / 10, reader.events().size());
     EXPECT_EQ(reader.read(0, reader.frames()), samples(0, reader.frames()).values);
