@@ -12,10 +12,10 @@ namespace percuss::synth {
 namespace {
 
 constexpr std::uint64_t kBlowStream = 11, kSessionNoiseStream = 12;
-constexpr double kFaintest = 20;      // a decay ends below e^−20, a thirtieth of the last bit of 24
-constexpr double kHeadroom = 1.5;     // full scale over the largest value of an ordinary blow
-constexpr double kClippedPeak = 1.8;  // over the full scale
-constexpr double kWeakPeak = 0.04;    // over the usual peak
+constexpr double kFaintest = 20;           // a decay ends below e^−20, a thirtieth of the last bit of 24
+constexpr double kOrdinaryHeadroom = 1.5;  // full scale over the largest value of an ordinary blow
+constexpr double kClippedPeak = 1.8;       // over the full scale
+constexpr double kWeakPeak = 0.04;         // over the usual peak
 constexpr double kSecondPeak = 0.5, kSecondDelay_s = 0.012;
 
 }  // namespace
@@ -53,13 +53,13 @@ void BlowRenderer::set_levels() {
     for (std::size_t c = 0; c < channels(); ++c) {
       double squares = 0;
       for (std::size_t i = c; i < values.size(); i += channels()) {
-        full_scales_[c] = std::max(full_scales_[c], kHeadroom * std::abs(values[i]));
+        full_scales_[c] = std::max(full_scales_[c], kOrdinaryHeadroom * std::abs(values[i]));
         squares += values[i] * values[i];
       }
       rms[c] = std::max(rms[c], std::sqrt(squares / static_cast<double>(frames)));
     }
   }
-  noise_[0] = spec.noise.force * full_scales_[0] / kHeadroom;
+  noise_[0] = spec.noise.force * full_scales_[0] / kOrdinaryHeadroom;
   if (spec.recorder.force_range_N) full_scales_[0] = *spec.recorder.force_range_N;
   for (std::size_t c = 1; c < channels(); ++c) {
     noise_[c] = spec.noise.accel * rms[c];

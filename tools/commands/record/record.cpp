@@ -24,7 +24,7 @@ void add_record(CommandLine& line) {
   command.example(
       "percuss record -o test.h5 --device sim:aluminium-bat --fast --force --band 60:3200 --report test.html",
       "Write the report at the end; a softer tip than the band needs is rejected");
-  command.value("-o,--output", flags->output, "Write the record to this file (.h5)").type("FILE");
+  command.value("-o,--output", flags->output, "Write the record to this file; its kind: .h5, .hdf5").type("FILE");
   command
       .value(
           "--device", flags->device,

@@ -23,6 +23,7 @@ void write_session_report(const RecordFlags& flags) {
   CommandLine line("percuss", "", report::version(), &host);
   survey ? add_survey(line) : add_analyze(line);
   std::vector<const char*> arguments;
+  arguments.reserve(words.size());
   for (const std::string& word : words) arguments.push_back(word.c_str());
   line.run(static_cast<int>(arguments.size()), arguments.data());
 }

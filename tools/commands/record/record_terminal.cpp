@@ -44,7 +44,7 @@ std::string fitting(const std::string& text, std::size_t columns) {
 
 RecordTerminal::RecordTerminal(int input, int output, bool quiet)
     : input_(input), output_(output), quiet_(quiet), interactive_(::isatty(input) == 1 && ::isatty(output) == 1) {
-  if (::pipe2(wake_, O_CLOEXEC | O_NONBLOCK) != 0)
+  if (::pipe2(wake_.data(), O_CLOEXEC | O_NONBLOCK) != 0)
     throw_system_error("cannot watch the terminal", errno, "the session", "close other programs");
   if (interactive_) enter_raw_mode(input_);
   thread_ = std::thread([this] { run(); });

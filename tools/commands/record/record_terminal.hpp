@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <deque>
@@ -44,7 +45,7 @@ class RecordTerminal {
 
   int input_, output_;
   bool quiet_, interactive_;
-  int wake_[2] = {-1, -1};
+  std::array<int, 2> wake_{-1, -1};
   std::mutex mutex_;
   std::deque<std::string> lines_;
   std::size_t dropped_ = 0;
