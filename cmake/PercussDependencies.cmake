@@ -20,7 +20,5 @@ pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0)
 # Without its -pthread, which would make the precompiled headers of a layer differ from those of the others.
 set_property(TARGET PkgConfig::PORTAUDIO PROPERTY INTERFACE_COMPILE_OPTIONS)
 add_library(PORTAUDIO::portaudio ALIAS PkgConfig::PORTAUDIO)
-# Its -pthread defines a macro, which the precompiled header of the other layers does not have. It is not needed.
-set_target_properties(PkgConfig::PORTAUDIO PROPERTIES INTERFACE_COMPILE_OPTIONS "")
 
 include(PercussHdf5)
