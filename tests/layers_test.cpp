@@ -37,6 +37,7 @@ const std::vector<Level>& levels() {
       {"acquire/hits"},
       {"acquire/sandbox"},
       {"acquire"},
+      {"acquire/live/sound_cards"},
       {"acquire/live"},  // replays records of any format
       {"frf"},
       {"identify/model"},
@@ -288,7 +289,8 @@ TEST(Folders, HoldAtMost25Units) {
 }
 
 TEST(Folders, OfTestsMirrorTheSources) {
-  std::set<std::string> folders{"commands", "commands/model", "docs", "hostile", "stress", "support"};
+  std::set<std::string> folders{"commands", "commands/inputs", "commands/model", "commands/record",
+                                "docs",     "hostile",         "stress",         "support"};
   for (const auto& source : sources()) {
     for (std::string folder = source.folder; !folder.empty(); folder = fs::path(folder).parent_path().generic_string())
       folders.insert(folder);

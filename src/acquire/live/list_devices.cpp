@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "acquire/live/portaudio_library.hpp"
-#include "acquire/live/sound_cards.hpp"
+#include "acquire/live/sound_cards/portaudio_library.hpp"
+#include "acquire/live/sound_cards/sound_cards.hpp"
 
 namespace percuss::acquire {
 namespace {

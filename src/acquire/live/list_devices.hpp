@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "acquire/live/usb_front_end.hpp"
+#include "acquire/live/sound_cards/usb_front_end.hpp"
 
 namespace percuss::acquire {
 

@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "acquire/live/portaudio_library.hpp"
-#include "acquire/live/sound_cards.hpp"
-#include "acquire/live/usb_front_end.hpp"
+#include "acquire/live/sound_cards/portaudio_library.hpp"
+#include "acquire/live/sound_cards/sound_cards.hpp"
+#include "acquire/live/sound_cards/usb_front_end.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire {

@@ -11,7 +11,7 @@
 #include "acquire/live/file_device.hpp"
 #include "acquire/live/list_devices.hpp"
 #include "acquire/live/open_device.hpp"
-#include "acquire/live/sound_cards.hpp"
+#include "acquire/live/sound_cards/sound_cards.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -12,7 +12,7 @@
 #include "acquire/live/capture_stream.hpp"
 #include "acquire/live/list_devices.hpp"
 #include "acquire/live/open_device.hpp"
-#include "acquire/live/portaudio_library.hpp"
+#include "acquire/live/sound_cards/portaudio_library.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -180,7 +180,8 @@ int list_devices() {
 
 void check_paths(const RecordFlags& flags) {
   if (flags.output.empty()) throw OptionError({"output"}, "is missing", "name the file to record, such as -o test.h5");
-  if (!is_hdf5(flags.output))
+  const std::string kind = extension_of(flags.output);
+  if (kind != ".h5" && kind != ".hdf5")
     throw OptionError::wrong_value("output", flags.output, "name a file that ends in .h5 or .hdf5");
   for (const std::string& path : {flags.output, flags.report}) {
     if (!path.empty() && !flags.force && fs::exists(path))

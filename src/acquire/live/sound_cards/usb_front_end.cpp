@@ -1,4 +1,4 @@
-#include "acquire/live/usb_front_end.hpp"
+#include "acquire/live/sound_cards/usb_front_end.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "acquire/live/portaudio_library.hpp"
+#include "acquire/live/sound_cards/portaudio_library.hpp"
 
 #include <fcntl.h>
 #include <portaudio.h>

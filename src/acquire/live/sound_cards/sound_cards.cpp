@@ -1,4 +1,4 @@
-#include "acquire/live/sound_cards.hpp"
+#include "acquire/live/sound_cards/sound_cards.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -6,7 +6,7 @@
 #include "acquire/live/list_devices.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
-#include "commands/devices_text.hpp"
+#include "commands/record/devices_text.hpp"
 #include "core/error.hpp"
 #include "report/text/text_table.hpp"
 
