@@ -39,7 +39,7 @@ place.""", 'tables 1, 2; figures 1 to 70, A1 to A7, B1 to B5, C1 to C3, E1')
                         '--quiet > /dev/null')
     s.softball = s.command('percuss model trampoline --ball softball --m2 0.16 --speed 110mph -o softball.json '
                            '-o figure-4.svg --quiet > /dev/null')
-    s.synth = s.command('percuss synth aluminium-bat -o bat.h5 --quiet')
+    s.synth = s.command('percuss synth aluminium-bat -o bat.h5 > /dev/null')
     s.modes = s.command('percuss analyze bat.h5 --band 60:3200 --picture magnitude,coherence -o figure-12.svg '
                         '-o modes.json --quiet > /dev/null')
     s.example = s.command('percuss study --example > bats.csv')
@@ -61,7 +61,7 @@ place.""", 'tables 1, 2; figures 1 to 70, A1 to A7, B1 to B5, C1 to C3, E1')
     s.surveys = []
     for name, (rings, around) in SURVEYS.items():
         s.surveys += [s.command(GRID % (rings, around, around, name)),
-                      s.command('percuss synth %s.spec.json -o %s.h5 --quiet' % (name, name)),
+                      s.command('percuss synth %s.spec.json -o %s.h5 > /dev/null' % (name, name)),
                       s.command('percuss survey %s.h5 --band 60:3200 -o %s.html -o %s.json --quiet > /dev/null'
                                 % (name, name, name))]
     return s

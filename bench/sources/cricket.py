@@ -40,10 +40,10 @@ file == 2 && FNR > 1 {
 file == 3 && FNR > 1 { specification(bat "-" ++points ".json", $4, $7, 1.5707963 * 0.16 * 5 * (1 + $6) / $7, 1.2) }
 END { specification(bat "-hammer.json", 0.48, 0.0004, 300, 4) }' $1.beam.json $1.beam.csv $1.sweep.csv
 for point in 1 2 3 4 5 6 7 8 9; do
-  percuss synth $1-$point.json --seed $point -o record.csv --force --quiet
+  percuss synth $1-$point.json --seed $point -o record.csv --force > /dev/null
   cut -d, -f1,2,4 record.csv > $1-$point.csv
 done
-percuss synth $1-hammer.json -o $1-hammer.h5 --quiet
+percuss synth $1-hammer.json -o $1-hammer.h5 > /dev/null
 END'''
 
 
