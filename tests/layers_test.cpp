@@ -69,15 +69,15 @@ const std::vector<Level>& levels() {
       {"report/text"},
       {"report/json"},
       {"report/svg"},
-      {"report/gltf", "report/html"},
+      {"report/csv", "report/gltf", "report/html"},
       {"report"},
       {"batch"},
       {"api"},  // include/percuss
-      {"tools/cli/pdf"},
+      {"tools/cli/pdf", "tools/cli/terminal"},
       {"tools/cli"},
       {"tools/cli/completion"},
       {"tools/commands"},
-      {"tools/commands/batch", "tools/commands/model", "tools/commands/record"},
+      {"tools/commands/batch", "tools/commands/info", "tools/commands/model", "tools/commands/record"},
       {"tools"},
       {"python"},
   };

@@ -11,11 +11,11 @@
 
 #include "acquire/calibrate.hpp"
 #include "acquire/channels/csv_columns.hpp"
-#include "cli/color.hpp"
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "cli/suggested_command.hpp"
-#include "cli/visible_output.hpp"
+#include "cli/terminal/color.hpp"
+#include "cli/terminal/visible_output.hpp"
 #include "commands/commands.hpp"
 #include "core/budget.hpp"
 #include "core/error.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "report/csv/study_csv.hpp"
 #include "report/json/json_document.hpp"
-#include "report/study_csv.hpp"
 #include "report/svg/study_charts.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"

@@ -57,8 +57,8 @@ TEST(OptionFields, AreTheIdentifierAndItsUnit) {
 // Options without a C++ field. They concern the terminal, the output files and their title block, or documents that
 // json() does not contain.
 const std::set<std::string> kOfTheCommandLine{
-    "bat",  "bat_id", "beam", "compare",  "customer", "example", "explain", "help",     "hits",  "json",
-    "logo", "note",   "only", "operator", "output",   "paper",   "quiet",   "specimen", "title", "trace"};
+    "bat",  "bat_id",     "beam", "compare", "customer", "example", "explain", "frf",   "help",     "hits",  "json",
+    "logo", "modes_file", "note", "only",    "operator", "output",  "paper",   "quiet", "specimen", "title", "trace"};
 
 TEST(OptionFields, ExistForTheOptionsOfTheCommandLine) {
   for (const char* const command : {"analyze", "frf", "survey", "deflect"}) {

@@ -11,10 +11,10 @@
 #include <iostream>
 #include <set>
 
-#include "cli/color.hpp"
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "cli/page_output.hpp"
+#include "cli/terminal/color.hpp"
 #include "core/error.hpp"
 #include "core/visible_text.hpp"
 

@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/input_file.hpp"
-#include "report/study_csv.hpp"
+#include "report/csv/study_csv.hpp"
 #include "report/study_report.hpp"
 #include "report/svg/study_charts.hpp"
 #include "synth/population.hpp"

@@ -36,8 +36,9 @@ TEST_F(Inputs, MayBeAFolderOrAQuotedPattern) {
     command.insert(command.end(), words.begin(), words.end());
     const auto outcome = run_percuss(command, {.folder = folder_.path()});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const auto document = test::parse_json(outcome.out);
     std::string names;
-    for (const auto& input : test::parse_json(outcome.out)["inputs"])
+    for (const auto& input : document["inputs"])
       names += std::filesystem::path(input["path"].get<std::string>()).filename().string() + " ";
     EXPECT_EQ(names, "hit1.h5 hit2.h5 hit10.h5 ") << words.front();
   }
@@ -52,8 +53,9 @@ TEST_F(Inputs, AcceptHitsAsRangesAndAll) {
     std::vector<std::string> command{"analyze", "bat.h5", "--json", "--only", "hits"};
     command.insert(command.end(), options.begin(), options.end());
     const auto outcome = run_percuss(command, {.folder = folder_.path()});
+    const auto document = test::parse_json(outcome.out);
     std::string accepted;
-    for (const auto& hit : test::parse_json(outcome.out)["hits"]) accepted += hit["accepted"] ? "1" : "0";
+    for (const auto& hit : document["hits"]) accepted += hit["accepted"] ? "1" : "0";
     return accepted;
   };
   EXPECT_EQ(judged({"--reject-hit", "1-2,4"}), "0010");
@@ -113,7 +115,8 @@ TEST_F(Inputs, OfOtherKindsAreNamedWithTheirCommand) {
   test::write_bytes(file("s.json"), run_percuss({"certify", "--example"}).out);
   test::write_bytes(file("any.json"), "{\"a\": 1}");
   EXPECT_THAT(analyze({"a.json"}).err, AllOf(HasSubstr("the modes of an analysis"), HasSubstr("percuss compare")));
-  EXPECT_THAT(run_percuss({"info", file("bat.truth.json")}).err, HasSubstr("the truth of a synthetic test"));
+  ASSERT_EQ(run_percuss({"synth", "wood-bat", "-o", file("wood.h5")}).code, 0);
+  EXPECT_THAT(run_percuss({"info", file("wood.truth.json")}).err, HasSubstr("the truth of a synthetic test"));
   EXPECT_THAT(analyze({"s.json"}).err, HasSubstr("percuss certify reads it"));
   EXPECT_THAT(analyze({"any.json"}).err, HasSubstr("not a record of samples, but JSON"));
 }

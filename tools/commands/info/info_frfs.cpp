@@ -1,4 +1,4 @@
-#include "commands/info_frfs.hpp"
+#include "commands/info/info_frfs.hpp"
 
 #include <fmt/format.h>
 

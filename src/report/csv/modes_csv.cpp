@@ -1,4 +1,4 @@
-#include "report/modes_csv.hpp"
+#include "report/csv/modes_csv.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cli/visible_output.hpp"
+#include "cli/terminal/visible_output.hpp"
 
 #include <algorithm>
 

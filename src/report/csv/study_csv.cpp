@@ -1,4 +1,4 @@
-#include "report/study_csv.hpp"
+#include "report/csv/study_csv.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "commands/info_columns.hpp"
+#include "commands/info/info_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "cli/option_names.hpp"
 #include "cli/suggested_command.hpp"
-#include "commands/info_frfs.hpp"
+#include "commands/info/info_frfs.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "report/text/text_table.hpp"

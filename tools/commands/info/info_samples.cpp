@@ -1,4 +1,4 @@
-#include "commands/info_samples.hpp"
+#include "commands/info/info_samples.hpp"
 
 #include <algorithm>
 #include <array>
