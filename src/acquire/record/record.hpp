@@ -69,7 +69,7 @@ struct Record {
   std::vector<TraceLine> trace_lines;         // may be empty
   std::vector<TraceFace> trace_faces;         // may be empty; universal files hold them
   std::vector<ContiguousSignal> contiguous;   // the force and each channel, where all are contiguous; else empty
-  std::vector<RecordFault> faults;        // faults while the record was captured, in order of time
+  std::vector<RecordFault> faults;            // faults while the record was captured, in order of time
   std::vector<Message> notes;                 // assumptions, and parts that could not be read
   /// The first file's path, or the format where there is no file: the record's name in messages.
   std::string source() const { return files.empty() ? format : files.front().path; }

@@ -29,8 +29,7 @@ using hdf5::InputHdf5;
 
 constexpr std::size_t kMaxChannels = 100'000;
 constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
-constexpr std::array kKnownNames{"force",    "accel",       "point",    "run",
-                                 "geometry", "trace_lines", "rejected", "faults"};
+constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry", "trace_lines", "rejected", "faults"};
 
 /// The data shared by the read functions of a record.
 struct OpenRecord {
