@@ -27,9 +27,9 @@ def test_the_sources_are_up_to_date():
 
 
 def test_every_command_has_its_function():
-    """Except the commands of a shell: batches, conversion (write), completion and manual pages."""
+    """Except the commands of a shell: batches, conversion (write), completion, manual pages, devices and recording."""
     commands = {one for one in make_functions.declared() if not one.startswith("batch")}
-    assert commands - {one.command for one in make_functions.FUNCTIONS} == {"convert", "completion", "man"}
+    assert commands - {one.command for one in make_functions.FUNCTIONS} == {"convert", "completion", "man", "devices", "record"}
 
 
 def test_the_module_uses_the_stable_interface_of_python():
