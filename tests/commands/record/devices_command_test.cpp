@@ -56,8 +56,9 @@ TEST(DevicesCommand, SaysWhatToDoWhereNothingCanRecord) {
   EXPECT_THAT(test::schema_violations(document, test::schema_named("devices")), IsEmpty());
   EXPECT_EQ(text.code, 0);
   EXPECT_EQ(text.err, "");
-  if (document["advice"].is_null()) GTEST_SKIP() << "this machine has a sound card";
-  EXPECT_THAT(text.out, HasSubstr(document["advice"].get<std::string>()));
+  const bool can_record = document["advice"].is_null();
+  EXPECT_THAT(text.out, HasSubstr(can_record ? document["devices"][0]["name"].get<std::string>()
+                                             : document["advice"].get<std::string>()));
 }
 
 }  // namespace percuss::devices_command_test

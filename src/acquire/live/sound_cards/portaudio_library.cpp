@@ -14,6 +14,14 @@
 
 #include "core/error.hpp"
 
+// Of the address sanitizer; null in other builds.
+// NOLINTBEGIN(bugprone-reserved-identifier)
+extern "C" {
+[[gnu::weak]] void __lsan_disable();
+[[gnu::weak]] void __lsan_enable();
+}
+// NOLINTEND(bugprone-reserved-identifier)
+
 namespace percuss::acquire {
 namespace {
 
@@ -45,7 +53,9 @@ void check_in_child() {
 
 }  // namespace
 
+// The plug-ins of ALSA keep some memory for good, and are unloaded.
 QuietErrors::QuietErrors() : saved_(::dup(STDERR_FILENO)) {
+  if (__lsan_disable != nullptr) __lsan_disable();
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere < 0) return;
   std::fflush(stderr);
@@ -54,6 +64,7 @@ QuietErrors::QuietErrors() : saved_(::dup(STDERR_FILENO)) {
 }
 
 QuietErrors::~QuietErrors() {
+  if (__lsan_enable != nullptr) __lsan_enable();
   if (saved_ < 0) return;
   std::fflush(stderr);
   ::dup2(saved_, STDERR_FILENO);

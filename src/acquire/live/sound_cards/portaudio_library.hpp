@@ -34,7 +34,7 @@ class PortAudioLibrary {
 PortAudioInput find_input(const std::vector<PortAudioInput>& inputs, const std::string& name, bool alsa_only);
 
 /// Discards what C libraries write to standard error while it lives: ALSA and JACK report each device that they look
-/// for in vain.
+/// for in vain. The leak checker of a sanitizer ignores the memory allocated meanwhile.
 class QuietErrors {
  public:
   QuietErrors();
