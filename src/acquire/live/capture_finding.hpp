@@ -8,7 +8,7 @@ namespace percuss::acquire {
 
 /// A fault of the capture. None is repaired silently; all are stored in the journal.
 enum class CaptureFault {
-  gap,             // frames are missing between rows of a replay, or the device states how many it lost
+  gap,             // the device states how many frames it lost
   overrun,         // the device lost an unknown number of frames
   dropped,         // the ring was full: percuss lost frames
   not_in_journal,  // the disk was full: frames were analysed, but are not in the journal

@@ -40,7 +40,7 @@ class FrameSink {
   /// Takes `count` frames of the device's numbers, all channels interleaved. Frames without room are counted as lost.
   virtual void write(const void* frames, std::size_t count) noexcept = 0;
   /// States that the device lost `frames` frames here; 0 where it does not know how many. `overrun`: a buffer
-  /// overflowed. Otherwise the frames never existed (a gap between the rows of a replayed record).
+  /// overflowed. A skip by StreamFormat::pause_frames without an overrun is the pause between two rows of a replay.
   virtual void skip(std::uint64_t frames, bool overrun) noexcept = 0;
   /// The frames that can be written now.
   virtual std::size_t room() const noexcept = 0;

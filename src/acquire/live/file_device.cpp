@@ -16,10 +16,12 @@ namespace {
 constexpr std::size_t kReplayPiece_frames = 4096;
 constexpr double kReplayPoll_s = 0.005;
 
+// A second passes from row to row.
 DeviceFormat replay_format(const Record& record, bool fast) {
   DeviceFormat format{.type = SampleType::float64, .pace = fast ? DevicePace::reader : DevicePace::clock};
   format.stream.device = "file:" + record.source();
   format.stream.fs_Hz = record.fs_Hz;
+  format.stream.pause_frames = static_cast<std::uint64_t>(std::ceil(record.fs_Hz));
   if (record.has_force) {
     format.stream.names.push_back(record.force.name);
     format.stream.units.emplace_back("N");
@@ -35,10 +37,7 @@ DeviceFormat replay_format(const Record& record, bool fast) {
 class ReplayDevice final : public PolledDevice {
  public:
   ReplayDevice(Record record, const DeviceOptions& options)
-      : record_(std::move(record)),
-        fast_(options.fast),
-        format_(replay_format(record_, fast_)),
-        gap_(static_cast<std::uint64_t>(std::ceil(record_.fs_Hz))) {
+      : record_(std::move(record)), fast_(options.fast), format_(replay_format(record_, fast_)) {
     seek(options.start_frame);
   }
   ~ReplayDevice() override { stop(); }
@@ -65,10 +64,11 @@ class ReplayDevice final : public PolledDevice {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Frames count over rows and gaps.
+  // Frames count over rows and pauses.
   void seek(std::uint64_t frame) {
-    while (row_ < record_.rows.size() && frame > record_.rows[row_].samples + gap_) {
-      frame -= record_.rows[row_].samples + gap_;
+    const std::uint64_t pause = format_.stream.pause_frames;
+    while (row_ < record_.rows.size() && frame > record_.rows[row_].samples + pause) {
+      frame -= record_.rows[row_].samples + pause;
       ++row_;
     }
     if (row_ < record_.rows.size())
@@ -77,7 +77,7 @@ class ReplayDevice final : public PolledDevice {
 
   void next_row(FrameSink& sink) {
     at_ = 0;
-    if (++row_ < record_.rows.size()) sink.skip(gap_, false);
+    if (++row_ < record_.rows.size()) sink.skip(format_.stream.pause_frames, false);
   }
 
   std::size_t frames_due() {
@@ -112,7 +112,6 @@ class ReplayDevice final : public PolledDevice {
   const Record record_;
   const bool fast_;
   const DeviceFormat format_;
-  const std::uint64_t gap_;
   std::size_t row_ = 0, at_ = 0;
   std::uint64_t played_ = 0;
   Clock::time_point start_;

@@ -109,6 +109,7 @@ void SampleStore::inspect_range(const RingRange& range) {
 
 void SampleStore::note_loss(const RingRange& range) {
   const std::uint64_t lost = range.first_frame - expected_frame_;
+  if (format_.is_pause(lost, range.overrun)) return;
   const std::uint64_t dropped = ring_.dropped() - std::exchange(known_dropped_, ring_.dropped());
   CaptureFault fault = range.overrun ? CaptureFault::overrun : CaptureFault::gap;
   if (dropped > 0) fault = CaptureFault::dropped;

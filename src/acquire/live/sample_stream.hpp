@@ -17,11 +17,16 @@ struct StreamFormat {
   std::vector<std::string> units;   // [channels], of the delivered numbers: "V", "N", "m/s^2"; empty: full scale is 1
   double full_scale = 0;            // the largest |value| that the device can deliver; 0: not known
   std::vector<double> full_scales;  // [channels], where they differ; `full_scale` is then the first channel's
+  std::uint64_t pause_frames = 0;   // from row to row of a replayed record; no frame exists there
+
+  /// Whether a jump by so many frames is the pause between two rows, and no loss.
+  bool is_pause(std::uint64_t frames, bool overrun) const { return !overrun && frames > 0 && frames == pause_frames; }
 };
 
 /// Consecutive frames of all channels, in the order of their capture. A frame has one sample per channel.
 struct SampleBlock {
-  std::uint64_t first_frame = 0;  // by the device's count since its start: a jump from block to block is a gap
+  std::uint64_t first_frame =
+      0;  // by the device's count since its start: a jump from block to block is a loss or a pause
   std::size_t frames = 0;
   std::vector<double> values;  // [frames × channels], interleaved
   bool overrun = false;        // the device states that it lost samples before this block

@@ -38,6 +38,7 @@ Guide::Guide(const acquire::StreamFormat& format, LiveChannels channels, GuideOp
       options_(std::move(options)),
       log_(log),
       observer_(observer),
+      format_(format),
       fs_Hz_(format.fs_Hz),
       full_scales_(format.full_scales.empty() ? std::vector(format.channels, format.full_scale) : format.full_scales),
       pretrigger_(pretrigger_of(channels_, options_)),
@@ -77,7 +78,7 @@ void Guide::take_whole(acquire::SampleBlock block) {
   const std::uint64_t before = history_.end_frame();
   history_.add(std::move(block));
   for (const SampleLoss& loss : history_.losses(before, history_.end_frame())) {
-    if (loss.frame < before) continue;
+    if (loss.frame < before || format_.is_pause(loss.frames, loss.overrun)) continue;
     add_fault(loss.overrun ? acquire::FaultKind::overrun : acquire::FaultKind::gap, loss.frame,
               static_cast<double>(loss.frames));
     observer_.on_loss(loss);

@@ -129,6 +129,7 @@ class Guide {
   GuideOptions options_;
   acquire::SessionLog& log_;
   GuideObserver& observer_;
+  const acquire::StreamFormat format_;
   double fs_Hz_;
   std::vector<double> full_scales_;  // [channels of the device]; 0: not known
   std::size_t pretrigger_;

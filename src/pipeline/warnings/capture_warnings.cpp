@@ -28,10 +28,9 @@ void add_losses(const acquire::Record& record, std::vector<Warning>& out) {
     if (finding.row >= 0) ++in_blows;
   }
   if (losses == 0) return;
-  const std::string text = fmt::format(
-      "the capture lost {:.0f} samples per channel in {} place{}, first at {:.1f} s; {} of them in a blow, which was "
-      "rejected",
-      frames, losses, losses == 1 ? "" : "s", first_s, in_blows);
+  std::string text = fmt::format("the capture lost {:.0f} samples per channel in {} place{}, first at {:.1f} s", frames,
+                                 losses, losses == 1 ? "" : "s", first_s);
+  if (in_blows > 0) text += fmt::format("; {} of them in a blow, which was rejected", in_blows);
   out.push_back(with_remedy({"capture_lost_samples", text},
                             "close other programs, use another USB socket, or record fewer channels"));
 }
