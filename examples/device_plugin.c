@@ -92,6 +92,7 @@ static void read_frames(percuss_device* device, void* frames, uint32_t capacity,
   if (device->lose_at > 0 && device->frame == device->lose_at) {
     device->frame += LOST_FRAMES;
     block->flags = PERCUSS_BLOCK_OVERRUN;
+    return; /* the next block states how many frames were lost */
   } else if (device->frame < device->lose_at && device->lose_at < until) {
     until = device->lose_at;
   }
@@ -109,9 +110,7 @@ static void stop(percuss_device* device) { (void)device; }
 static void close_device(percuss_device* device) { free(device); }
 
 static const percuss_device_plugin kPlugin = {
-    .abi = PERCUSS_DEVICE_ABI,
     .size = sizeof(percuss_device_plugin),
-    .name = "example generator",
     .open = open_device,
     .format = format_of,
     .start = start,
@@ -123,6 +122,7 @@ static const percuss_device_plugin kPlugin = {
 #if defined(__GNUC__)
 __attribute__((visibility("default")))
 #endif
-const percuss_device_plugin* percuss_device_plugin_v1(void);
+const percuss_device_plugin*
+percuss_device_plugin_v1(void);
 
 const percuss_device_plugin* percuss_device_plugin_v1(void) { return &kPlugin; }

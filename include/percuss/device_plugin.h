@@ -18,8 +18,6 @@
 extern "C" {
 #endif
 
-#define PERCUSS_DEVICE_ABI 1u
-
 /* Numbers of a frame, in the byte order of the machine. */
 enum { PERCUSS_SAMPLE_INT32 = 1, PERCUSS_SAMPLE_FLOAT32 = 2, PERCUSS_SAMPLE_FLOAT64 = 3 };
 
@@ -48,20 +46,19 @@ typedef struct percuss_device_format {
 } percuss_device_format;
 
 typedef struct percuss_device_block {
+  uint32_t size;        /* sizeof(percuss_device_block) of percuss; the other members are 0 before read */
+  uint32_t flags;       /* PERCUSS_BLOCK_… */
   uint64_t first_frame; /* frames since start, lost ones included: a jump is a loss */
   uint32_t frames;      /* delivered; 0: none came in time */
-  uint32_t flags;       /* PERCUSS_BLOCK_… */
 } percuss_device_block;
 
 typedef struct percuss_device_plugin {
-  uint32_t abi;  /* PERCUSS_DEVICE_ABI */
   uint32_t size; /* sizeof(percuss_device_plugin) */
-  const char* name;
   /* Opens a device. `arguments` is what the user wrote after the path, or "". `fs_hz` is the rate wanted, or 0. Returns
    * NULL after a failure, with one line of text in `error`. */
   percuss_device* (*open)(const char* arguments, double fs_hz, char* error, size_t error_bytes);
   const percuss_device_format* (*format)(percuss_device* device);
-  /* Starts the frames. 0, or another number after a failure, with one line of text in `error`. */
+  /* Starts the frames. Returns 0; any other number is a failure, with one line of text in `error`. */
   int (*start)(percuss_device* device, char* error, size_t error_bytes);
   /* Waits up to `timeout_ms` for frames and copies at most `capacity` of them, channels interleaved, to `frames`.
    * Describes them in `block`. */

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -132,8 +133,14 @@ class SimulatedDevice final : public acquire::PolledDevice {
       std::uint64_t until = std::min(last, piece + kPiece_frames);
       if (next_loss_ < losses_.size()) until = std::min(until, losses_[next_loss_].at);
       const auto count = static_cast<std::size_t>(until - frame_);
-      if (session_.fast && !wait_for_room(sink, count)) return;
-      sink.write(piece_.data() + static_cast<std::size_t>(frame_ - piece) * format_.stream.channels, count);
+      const std::size_t channels = format_.stream.channels;
+      const auto frames =
+          std::span(piece_).subspan(static_cast<std::size_t>(frame_ - piece) * channels, count * channels);
+      if (session_.fast) {
+        write_with_room(sink, std::as_bytes(frames), channels * sizeof(float));
+      } else {
+        sink.write(frames.data(), count);
+      }
       frame_ = until;
     }
   }

@@ -174,6 +174,7 @@ SimulatedSession parse_simulated_session(std::string_view text, const acquire::D
   if (const auto seed = options.number("seed", 0, 1e15)) session.spec.seed = static_cast<std::uint64_t>(*seed);
   if (const auto rate = options.number("fs", 100, 1e6)) session.spec.fs_Hz = *rate;
   if (device.fs_Hz) session.spec.fs_Hz = *device.fs_Hz;
+  check(session.spec, "sim");
   plan_blows(options, session);
   session.gaps = options.periods("gap", 2);
   session.overruns = options.periods("overrun", 0.01);

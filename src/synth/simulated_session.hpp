@@ -24,7 +24,7 @@ struct SimulatedPeriod {
 };
 
 /// A session of hammer blows on the structure of a spec, with faults at stated times: the text after "sim:",
-///   SPEC[,OPTION[=VALUE]]…           docs/guides/record-devices.md lists the options
+///   SPEC[,OPTION[=VALUE]]…           docs/guides/recording-devices.md lists the options
 /// Blows come one after another, spec.hits (or hits=N) at each point; a faulty blow is an extra one. Blows count
 /// from 1.
 struct SimulatedSession {

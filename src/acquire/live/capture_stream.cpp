@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <numeric>
 #include <utility>
@@ -64,7 +65,7 @@ std::unique_ptr<SessionJournal> journal_of(const CaptureOptions& options, const 
 }  // namespace
 
 CaptureStream::CaptureStream(std::unique_ptr<Device> device, const CaptureOptions& options)
-    : device_(std::move(device)), pause_(device_->format().pace == DevicePace::clock ? kPause : kFastPause) {
+    : device_(std::move(device)), pause_(device_->format().pace == DevicePace::reader ? kFastPause : kPause) {
   const DeviceFormat& given = device_->format();
   const std::vector<std::size_t> channels = channels_kept(given, options);
   format_ = format_of(given.stream, channels);
@@ -74,11 +75,13 @@ CaptureStream::CaptureStream(std::unique_ptr<Device> device, const CaptureOption
   }
   store_ = std::make_unique<SampleStore>(layout_of(given, channels), format_, given.pace, journal_of(options, format_),
                                          options.store);
-  device_->start(store_->sink());
   try {
+    device_->start(store_->sink());
     writer_ = std::thread([this] { pump(); });
   } catch (...) {
     device_->stop();
+    store_.reset();
+    if (!options.journal.empty() && !options.resume) std::remove(options.journal.c_str());
     throw;
   }
 }

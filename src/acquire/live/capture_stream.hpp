@@ -25,8 +25,8 @@ struct CaptureOptions {
 /// A running device with its journal. The device's thread fills a ring without waiting for anybody, a thread writes the
 /// journal, and the reader gets each block once: from memory, or from the journal when it has stalled. The journal is
 /// made at once and takes events and findings; samples follow from the trigger or from keep_from() on, or when the
-/// reader stalls. A kill of the process loses at most the block being collected (StoreOptions::block_s). A loss of
-/// power loses at most what was written in the last second.
+/// reader stalls. A kill of the process loses the block being collected (StoreOptions::block_s), and the blocks that
+/// a busy machine has kept the writer from writing. A loss of power loses what was written in the last second.
 class CaptureStream final : public SampleStream, public SessionLog {
  public:
   /// Starts the capture.

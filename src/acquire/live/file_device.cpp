@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -49,11 +50,7 @@ class ReplayDevice final : public PolledDevice {
     if (row_ == record_.rows.size()) return sink.end(StreamEnd::finished);
     if (at_ == record_.rows[row_].samples) return next_row(sink);
     std::size_t count = std::min(kReplayPiece_frames, record_.rows[row_].samples - at_);
-    if (fast_) {
-      if (!wait_for_room(sink, count)) return;
-    } else {
-      count = std::min(count, frames_due());
-    }
+    if (!fast_) count = std::min(count, frames_due());
     if (count > 0) {
       play(sink, count);
     } else {
@@ -104,7 +101,11 @@ class ReplayDevice final : public PolledDevice {
       record_.read_accel_mps2(row_, c, at_, signal_);
       add();
     }
-    sink.write(frames_.data(), count);
+    if (fast_) {
+      write_with_room(sink, std::as_bytes(std::span(frames_)), channels * sizeof(double));
+    } else {
+      sink.write(frames_.data(), count);
+    }
     at_ += count;
     played_ += count;
   }

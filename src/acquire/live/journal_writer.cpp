@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,6 +11,7 @@
 
 #include "acquire/live/journal_reader.hpp"
 #include "core/error.hpp"
+#include "core/io/pending_file.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -55,15 +57,20 @@ JournalWriter::JournalWriter(std::string path, const StreamFormat& format, bool 
                      {"resume", "force"});
   }
   if (descriptor_ < 0) fail("cannot make the journal", errno);
+  bool existed = true;
   try {
     lock();
+    struct stat status {};
+    existed = ::fstat(descriptor_, &status) != 0 || status.st_size > 0;
     if (::ftruncate(descriptor_, 0) != 0) fail("cannot make the journal", errno);
     const std::string head = journal_header() + journal_block(JournalBlockType::format, format_json(format));
     if (const int error = write_at(descriptor_, head, 0); error != 0) fail("cannot write the journal", error);
     end_ = head.size();
-    sync();
+    if (const int error = sync(); error != 0) fail("cannot write the journal", error);
+    sync_folder(path_);
   } catch (...) {
     ::close(descriptor_);
+    if (!existed) ::unlink(path_.c_str());
     throw;
   }
 }
@@ -115,7 +122,7 @@ JournalWriter::Outcome JournalWriter::append(const CaptureFinding& finding) {
   return append(journal_block(JournalBlockType::finding, finding_json(finding), finding.frame));
 }
 
-bool JournalWriter::sync() const { return ::fdatasync(descriptor_) == 0; }
+int JournalWriter::sync() const { return ::fdatasync(descriptor_) == 0 ? 0 : errno; }
 
 std::string JournalWriter::block_at(std::uint64_t offset, std::size_t bytes) const {
   std::string out(bytes, '\0');

@@ -33,8 +33,8 @@ class JournalWriter {
   /// Appends a block as journal_block() and make_sample_block() make it. After a failure the file ends as before.
   Outcome append(const std::string& block);
   Outcome append(const CaptureFinding& finding);
-  /// Waits until the blocks are on the disk. Whether this worked.
-  bool sync() const;
+  /// Waits until the blocks are on the disk. A value of errno; 0: done.
+  int sync() const;
 
   /// The bytes of a block at an offset that append() returned; empty where they cannot be read.
   std::string block_at(std::uint64_t offset, std::size_t bytes) const;

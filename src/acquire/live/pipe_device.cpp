@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -43,9 +44,10 @@ bool fill_from(int descriptor, std::span<std::byte> out) {
   return true;
 }
 
-double whole_number(const std::string& text, double high, const std::string& where) {
+double number_up_to(double high, const std::string& text, bool whole, const std::string& where) {
   const ParsedNumber parsed = parse_number(text, false);
-  if (parsed.problem != NumberProblem::none || !(parsed.value > 0) || parsed.value > high)
+  if (parsed.problem != NumberProblem::none || !(parsed.value > 0) || parsed.value > high ||
+      (whole && parsed.value != std::floor(parsed.value)))
     throw InputError("a wrong rate or number of channels", one_line(where), "write stdin:raw:s24:51200:2", {"device"});
   return parsed.value;
 }
@@ -65,8 +67,8 @@ WavHeader raw_header(const std::string& description) {
   }
   constexpr double kMaxRate_Hz = 1e7, kMaxPipeChannels = 1024;
   return {.encoding = pcm_encoding(parts[1]),
-          .fs_Hz = whole_number(parts[2], kMaxRate_Hz, description),
-          .channels = static_cast<std::size_t>(whole_number(parts[3], kMaxPipeChannels, description))};
+          .fs_Hz = number_up_to(kMaxRate_Hz, parts[2], false, description),
+          .channels = static_cast<std::size_t>(number_up_to(kMaxPipeChannels, parts[3], true, description))};
 }
 
 DeviceFormat pipe_format(const WavHeader& header) {
@@ -99,10 +101,10 @@ class PipeDevice final : public PolledDevice {
     if (got < 0) return sink.end(StreamEnd::finished);
     held_ += static_cast<std::size_t>(got);
     left_bytes_ -= static_cast<std::uint64_t>(got);
-    const std::size_t frames = held_ / frame_bytes_, whole = frames * frame_bytes_;
-    if (frames == 0 || !wait_for_room(sink, frames)) return;
+    const std::size_t whole = held_ - held_ % frame_bytes_;
+    if (whole == 0) return;
     decode_pcm(encoding_, std::span(buffer_).first(whole), decoded_);
-    sink.write(decoded_.data(), frames);
+    write_with_room(sink, decoded_, format_.stream.channels * bytes_per_sample(format_.type));
     std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(whole),
               buffer_.begin() + static_cast<std::ptrdiff_t>(held_), buffer_.begin());
     held_ -= whole;

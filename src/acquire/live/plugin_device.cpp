@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -19,6 +20,11 @@ namespace {
 constexpr std::uint32_t kPluginTimeout_ms = 50;
 constexpr std::size_t kMessage_bytes = 300, kMaxPluginChannels = 4096;
 constexpr double kPluginPiece_s = 0.02, kMaxPluginRate_Hz = 1e8;
+constexpr std::uint64_t kMaxPluginFrame = std::uint64_t{1} << 60U;
+
+// The sizes in version 1: a plug-in that was built with them stays good when the structures grow.
+constexpr std::size_t kTable_bytes = offsetof(percuss_device_plugin, close) + sizeof(percuss_device_plugin::close);
+constexpr std::size_t kFormat_bytes = offsetof(percuss_device_format, units) + sizeof(percuss_device_format::units);
 
 /// A loaded library. It stays loaded until the device is closed.
 class Library {
@@ -56,8 +62,7 @@ const percuss_device_plugin& table_of(const Library& library, const std::string&
   static_assert(sizeof function == sizeof symbol);
   std::memcpy(&function, &symbol, sizeof symbol);  // ISO C++ has no cast from void* to a function
   const percuss_device_plugin* const table = function();
-  if (table == nullptr || table->abi != PERCUSS_DEVICE_ABI || table->size < sizeof(percuss_device_plugin))
-    refuse_plugin("the plug-in is of another version", path);
+  if (table == nullptr || table->size < kTable_bytes) refuse_plugin("the plug-in is of another version", path);
   if (table->open == nullptr || table->format == nullptr || table->start == nullptr || table->read == nullptr ||
       table->stop == nullptr || table->close == nullptr)
     refuse_plugin("the plug-in lacks a function", path);
@@ -77,10 +82,10 @@ std::vector<std::string> texts_of(const char* const* texts, std::size_t channels
 }
 
 DeviceFormat format_of_plugin(const percuss_device_format* given, const std::string& path) {
-  if (given == nullptr || given->size < sizeof(percuss_device_format) || given->channels == 0 ||
-      given->channels > kMaxPluginChannels || !(given->fs_hz > 0) || given->fs_hz > kMaxPluginRate_Hz ||
-      given->sample_type < PERCUSS_SAMPLE_INT32 || given->sample_type > PERCUSS_SAMPLE_FLOAT64 ||
-      !std::isfinite(given->scale) || !(given->full_scale >= 0))
+  if (given == nullptr || given->size < kFormat_bytes || given->channels == 0 || given->channels > kMaxPluginChannels ||
+      !(given->fs_hz > 0) || given->fs_hz > kMaxPluginRate_Hz || given->sample_type < PERCUSS_SAMPLE_INT32 ||
+      given->sample_type > PERCUSS_SAMPLE_FLOAT64 || !std::isfinite(given->scale) ||
+      !std::isfinite(given->full_scale) || given->full_scale < 0)
     refuse_plugin("the plug-in states an impossible format", path);
   constexpr std::array kTypes = {SampleType::int32, SampleType::float32, SampleType::float64};
   DeviceFormat format{.type = kTypes[given->sample_type - PERCUSS_SAMPLE_INT32],
@@ -107,12 +112,12 @@ class PluginDevice final : public PolledDevice {
     }
     try {
       format_ = format_of_plugin(table_.format(device_), path);
+      capacity_ = static_cast<std::size_t>(std::clamp(kPluginPiece_s * format_.stream.fs_Hz, 16.0, 65536.0));
+      frames_.resize(capacity_ * format_.stream.channels * bytes_per_sample(format_.type));
     } catch (...) {
       table_.close(device_);
       throw;
     }
-    capacity_ = static_cast<std::size_t>(std::clamp(kPluginPiece_s * format_.stream.fs_Hz, 16.0, 65536.0));
-    frames_.resize(capacity_ * format_.stream.channels * bytes_per_sample(format_.type));
   }
   ~PluginDevice() override {
     stop();
@@ -133,14 +138,16 @@ class PluginDevice final : public PolledDevice {
   }
 
   void poll(FrameSink& sink) override {
-    percuss_device_block block{};
-    if (format_.pace == DevicePace::reader && !wait_for_room(sink, capacity_)) return;
-    table_.read(device_, frames_.data(), static_cast<std::uint32_t>(capacity_), kPluginTimeout_ms, &block);
-    if (block.frames > capacity_ || (block.frames > 0 && block.first_frame < next_frame_))
-      return sink.end(StreamEnd::failed);  // frames went back in time, or beyond the memory
-    const bool overrun = (block.flags & PERCUSS_BLOCK_OVERRUN) != 0;
+    const std::size_t capacity = format_.pace == DevicePace::reader ? std::min(capacity_, sink.room()) : capacity_;
+    if (capacity == 0) return wait_shortly();
+    percuss_device_block block{.size = sizeof block, .flags = 0, .first_frame = 0, .frames = 0};
+    table_.read(device_, frames_.data(), static_cast<std::uint32_t>(capacity), kPluginTimeout_ms, &block);
+    const bool back_in_time = block.frames > 0 && block.first_frame < next_frame_;
+    if (block.frames > capacity || back_in_time || block.first_frame > kMaxPluginFrame)
+      return sink.end(StreamEnd::failed);
+    if ((block.flags & PERCUSS_BLOCK_OVERRUN) != 0) sink.skip(0, true);
     if (block.frames > 0) {
-      if (overrun || block.first_frame > next_frame_) sink.skip(block.first_frame - next_frame_, overrun);
+      if (block.first_frame > next_frame_) sink.skip(block.first_frame - next_frame_, false);
       sink.write(frames_.data(), block.frames);
       next_frame_ = block.first_frame + block.frames;
     }

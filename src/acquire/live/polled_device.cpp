@@ -1,5 +1,6 @@
 #include "acquire/live/polled_device.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 
@@ -38,9 +39,18 @@ void PolledDevice::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-bool PolledDevice::wait_for_room(const FrameSink& sink, std::size_t frames) const {
-  while (sink.room() < frames && !stopping()) std::this_thread::sleep_for(kWaitForRoom);
-  return sink.room() >= frames;
+void PolledDevice::wait_shortly() { std::this_thread::sleep_for(kWaitForRoom); }
+
+void PolledDevice::write_with_room(FrameSink& sink, std::span<const std::byte> frames, std::size_t frame_bytes) const {
+  while (!frames.empty() && !stopping()) {
+    const std::size_t count = std::min(sink.room(), frames.size() / frame_bytes);
+    if (count == 0) {
+      wait_shortly();
+      continue;
+    }
+    sink.write(frames.data(), count);
+    frames = frames.subspan(count * frame_bytes);
+  }
 }
 
 void PolledDevice::run(FrameSink& sink) {

@@ -1,5 +1,7 @@
 #pragma once
 #include <atomic>
+#include <cstddef>
+#include <span>
 #include <thread>
 
 #include "acquire/live/device.hpp"
@@ -19,8 +21,10 @@ class PolledDevice : public Device {
   /// Exceptions end the stream as failed.
   virtual void poll(FrameSink& sink) = 0;
   bool stopping() const { return stopping_.load(std::memory_order_relaxed); }
-  /// Waits until the sink has room for `frames`, or until the device shall stop. Whether there is room.
-  bool wait_for_room(const FrameSink& sink, std::size_t frames) const;
+  /// Writes frames in parts, each as soon as the sink has room. Frames are left out only when the device shall stop.
+  void write_with_room(FrameSink& sink, std::span<const std::byte> frames, std::size_t frame_bytes) const;
+  /// Waits shortly for room in the sink.
+  static void wait_shortly();
 
  private:
   void run(FrameSink& sink);

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <portaudio.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 
 #include "acquire/live/sound_cards/portaudio_library.hpp"
 #include "acquire/live/sound_cards/sound_cards.hpp"
@@ -43,7 +45,7 @@ class PortAudioDevice final : public Device {
   PortAudioDevice(const std::string& name, bool alsa_only, const DeviceOptions& options)
       : input_(find_input(library_.inputs(), name, alsa_only)) {
     const std::size_t usual = input_.channels <= kMaxUnasked ? input_.channels : kUsualChannels;
-    const std::size_t channels = options.channels.value_or(usual);
+    const std::size_t channels = std::max(usual, options.channels.value_or(0));
     if (channels > input_.channels) {
       throw InputError(fmt::format("the device has {} channels", input_.channels), input_.name, "name fewer",
                        {"channels"});
@@ -73,6 +75,7 @@ class PortAudioDevice final : public Device {
 
   void start(FrameSink& sink) override {
     sink_ = &sink;
+    const std::lock_guard guard(mutex_);
     const QuietErrors quiet;
     if (const PaError error = ::Pa_StartStream(stream_); error != paNoError) fail_to_open(error, input_);
     running_ = true;
@@ -80,6 +83,7 @@ class PortAudioDevice final : public Device {
   }
 
   void stop() override {
+    const std::lock_guard guard(mutex_);
     if (!running_) return;
     running_ = false;
     const QuietErrors quiet;
@@ -87,6 +91,7 @@ class PortAudioDevice final : public Device {
   }
 
   StreamEnd check() override {
+    const std::lock_guard guard(mutex_);
     if (!running_) return StreamEnd::none;
     const std::uint64_t callbacks = callbacks_.load(std::memory_order_relaxed);
     const Clock::time_point now = Clock::now();
@@ -137,7 +142,8 @@ class PortAudioDevice final : public Device {
   FrameSink* sink_ = nullptr;
   std::atomic<std::uint64_t> callbacks_{0};
   std::uint64_t known_callbacks_ = 0;
-  std::atomic<bool> running_{false};
+  std::mutex mutex_;  // of the calls of PortAudio once the stream runs, and the members below
+  bool running_ = false;
   Clock::time_point heard_;
 };
 

@@ -39,7 +39,8 @@ SampleStore::SampleStore(const FrameLayout& layout, const StreamFormat& format, 
       pace_(pace),
       options_(options),
       block_frames_(block_frames(format, options.block_s)),
-      history_frames_(frames_in(options.history_s, format.fs_Hz)),
+      history_frames_(
+          std::min(frames_in(options.history_s, format.fs_Hz), ring_frames(layout, format, options.ring_s) / 2)),
       ring_(layout, ring_frames(layout, format, options.ring_s), journal ? journal->writer().next_frame() : 0),
       first_frame_(journal ? journal->writer().next_frame() : 0),
       journal_(std::move(journal)),
@@ -69,12 +70,28 @@ void SampleStore::finish() {
   if (end == StreamEnd::unplugged) note({.fault = CaptureFault::unplugged, .frame = expected_frame_});
   if (end == StreamEnd::rate_changed) note({.fault = CaptureFault::rate_changed, .frame = expected_frame_});
   if (end == StreamEnd::failed) note({.fault = CaptureFault::failed, .frame = expected_frame_});
-  while (write_block(true)) {
-  }
   if (!journal_) return;
+  write_rest();
   watch_journal();
   journal_->flush();
   journal_->sync();
+}
+
+// A full disk gets one more trial. The frames that are then still missing are stated.
+void SampleStore::write_rest() {
+  const auto write = [this] {
+    while (write_block(true)) {
+    }
+  };
+  write();
+  journal_->wait_for_retry();
+  write();
+  std::uint64_t lost = 0;
+  {
+    const std::lock_guard guard(mutex_);
+    lost = std::exchange(lost_by_journal_, 0) + (begun_ ? ring_.written() - written_ : 0);
+  }
+  if (lost > 0) note({.fault = CaptureFault::not_in_journal, .frame = expected_frame_, .count = lost});
 }
 
 bool SampleStore::inspect() {
@@ -91,6 +108,8 @@ bool SampleStore::inspect() {
     inspect_range(range);
     inspected_ += range.frames;
     expected_frame_ = range.first_frame + range.frames;
+    // The count of frames is wrong after a loss of unknown length.
+    if (range.overrun) drift_ = ClockDrift(format_.fs_Hz);
     if (pace_ == DevicePace::clock) drift_.add(expected_frame_, now_s());
     const std::lock_guard guard(mutex_);
     newest_frame_ = expected_frame_;

@@ -78,6 +78,7 @@ class SampleStore {
   void note_drift();
   void watch_trigger(const RingRange& range);
   bool write_block(bool last);
+  void write_rest();
   void watch_journal();
   void begin_at(std::uint64_t index);
   void make_room();

@@ -66,15 +66,32 @@ bool SessionJournal::flush() {
   return flush_locked();
 }
 
+void SessionJournal::sync() {
+  const int error = writer_.sync();
+  const std::lock_guard guard(mutex_);
+  if (error != 0) accept(error);
+}
+
+void SessionJournal::wait_for_retry() const {
+  Clock::time_point retry;
+  {
+    const std::lock_guard guard(mutex_);
+    if (fault_.empty()) return;
+    retry = retry_;
+  }
+  std::this_thread::sleep_until(retry);
+}
+
 void SessionJournal::sync_every_second() {
   std::uint64_t synced_bytes = 0;
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, kSyncEvery, [this] { return closing_; })) {
     lock.unlock();
     const std::uint64_t bytes = writer_.size_bytes();
-    // A failing disk also refuses writes, which are reported.
-    if (bytes != synced_bytes && writer_.sync()) synced_bytes = bytes;
+    const int error = bytes != synced_bytes ? writer_.sync() : 0;
     lock.lock();
+    if (error == 0) synced_bytes = bytes;
+    if (error != 0) accept(error);
   }
 }
 

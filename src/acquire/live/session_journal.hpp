@@ -30,7 +30,9 @@ class SessionJournal {
   bool flush();
   /// Waits until everything written is on the disk. Otherwise this happens once a second, in a thread of its own: a
   /// slow disk must not delay the blocks that follow.
-  void sync() { writer_.sync(); }
+  void sync();
+  /// Waits until a write that the disk has refused may be tried again.
+  void wait_for_retry() const;
   /// Why the disk refused the last write; empty while it accepts them.
   std::string fault() const;
 

@@ -29,6 +29,14 @@ std::string folder_of(const std::string& path) {
 
 std::string name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
+// Some network drives cannot synchronise a folder, which is not an error.
+void sync_folder_named(const char* name) noexcept {
+  const int folder = ::open(name, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  ::fsync(folder);
+  ::close(folder);
+}
+
 /// The target of a chain of symbolic links; `path` itself when it does not exist.
 std::string resolved(const std::string& path) {
   const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr), &std::free);
@@ -197,13 +205,10 @@ void PendingFile::fail(std::string_view problem) const {
   throw_system_error(problem, error, path_, remedy_for(error));
 }
 
-void PendingFile::sync_folder() const noexcept {
-  const int folder = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0) return;
-  // The file is complete under its name. Some network drives cannot synchronise a folder, which is not an error.
-  ::fsync(folder);
-  ::close(folder);
-}
+// The file is complete under its name.
+void PendingFile::sync_folder() const noexcept { sync_folder_named(folder_.c_str()); }
+
+void sync_folder(const std::string& path) { sync_folder_named(folder_of(path).c_str()); }
 
 }  // namespace core
 }  // namespace percuss

@@ -8,6 +8,10 @@
 namespace percuss {
 inline namespace core {
 
+/// Synchronises the folder of a file, so that a new name in it survives a loss of power. Failures are ignored: some
+/// network drives cannot synchronise a folder.
+void sync_folder(const std::string& path);
+
 /// A file under a temporary name in its folder, or without a name. The implementation of AtomicFile.
 /// errors  InputError from every member, as AtomicFile
 class PendingFile {

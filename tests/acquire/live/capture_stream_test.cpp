@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "acquire/live/journal_reader.hpp"
+#include "core/error.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 #include "synth/simulated_device.hpp"
@@ -95,6 +97,37 @@ TEST(CaptureStream, DeliversEachFrameOnce) {
   EXPECT_EQ(seen.frames, 10U * 25600U);  // blows at 1, 3 and 5 s, and 5 s after them
   EXPECT_EQ(seen.wrong + seen.jumps, 0U);
   EXPECT_THAT(stream.take_findings(), IsEmpty());
+}
+
+// The device writes pieces of 2048 frames; the ring holds 1024.
+TEST(CaptureStream, DeliversThroughARingThatIsSmallerThanAPiece) {
+  CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,fast,hits=1"),
+                       {.store = {.history_s = 2, .ring_s = 0.02}});
+  Seen seen;
+  read_all(stream, seen);
+  EXPECT_EQ(seen.frames, 6U * 25600U);
+  EXPECT_EQ(seen.wrong + seen.jumps, 0U);
+}
+
+/// A device that does not start.
+class SilentDevice final : public Device {
+ public:
+  const DeviceFormat& format() const override { return format_; }
+  void start(FrameSink&) override { throw InputError("the device does not start", "bench", "switch it on"); }
+  void stop() override {}
+
+ private:
+  const DeviceFormat format_{.stream = {.device = "bench", .fs_Hz = 1000, .channels = 2}};
+};
+
+TEST(CaptureStream, LeavesNoJournalOfADeviceThatDoesNotStart) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("t.h5.journal");
+  for (int trial = 0; trial < 2; ++trial) {
+    EXPECT_THAT(input_error_of([&] { CaptureStream(std::make_unique<SilentDevice>(), {.journal = path}); }),
+                HasSubstr("does not start"));
+    EXPECT_FALSE(std::filesystem::exists(path));
+  }
 }
 
 TEST(CaptureStream, DeliversChosenChannels) {

@@ -112,6 +112,17 @@ TEST(PipeDevice, ReadsWavFromPrograms) {
   EXPECT_THAT(values_of("wav", wav(extensible, 0, bytes_of_numbers(2.0F))), ElementsAre(2));
 }
 
+// The ring holds 1024 frames, and the pipe brings more at once.
+TEST(PipeDevice, WaitsForRoomFrameByFrame) {
+  const FilledPipe pipe(std::string(80000, '\0'), 60000);
+  CaptureStream stream(open_pipe_device("raw:s16:10:1", pipe.reading()), {});
+  std::size_t frames = 0;
+  while (stream.end() == StreamEnd::none) {
+    if (const auto block = stream.next(100ms)) frames += block->frames;
+  }
+  EXPECT_EQ(frames, 40000U);
+}
+
 TEST(PipeDevice, StatesRateChannelsAndScale) {
   const FilledPipe pipe(wav(format_chunk(1, 3, 44100, 24), 0, {}));
   const auto device = open_pipe_device("wav", pipe.reading());
@@ -134,7 +145,8 @@ TEST(PipeDevice, RefusesOtherStreams) {
   EXPECT_THAT(refusal(wav("short", 0, {})), HasSubstr("damaged format"));
   EXPECT_THAT(refusal("RIFF0000WAVEdata0000"), HasSubstr("before their format"));
   EXPECT_THAT(refusal("RIFF0000WAVEjunk" + bytes_of_numbers(std::uint32_t{0x7fffffff})), HasSubstr("16 MiB"));
-  for (const char* wrong : {"raw", "raw:s16:1000", "raw:s17:1000:1", "raw:s16:0:1", "raw:s16:1000:-1", "mp3", ""})
+  for (const char* wrong : {"raw", "raw:s16:1000", "raw:s17:1000:1", "raw:s16:0:1", "raw:s16:1000:-1",
+                            "raw:s16:1000:0.5", "raw:s16:1000:2.7", "mp3", ""})
     input_error_of([&] { open_pipe_device(wrong, 0); });
 }
 

@@ -45,6 +45,10 @@ void check_in_child() {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) {
+    throw InputError("a sound device does not answer", "portaudio", "unplug the devices that are not needed",
+                     {"device"});
+  }
   if (WIFSIGNALED(status)) {
     throw InputError("PortAudio cannot look for devices", "portaudio",
                      "check the configuration of ALSA: it needs a device called default", {"device"});
@@ -54,7 +58,7 @@ void check_in_child() {
 }  // namespace
 
 // The plug-ins of ALSA keep some memory for good, and are unloaded.
-QuietErrors::QuietErrors() : saved_(::dup(STDERR_FILENO)) {
+QuietErrors::QuietErrors() : saved_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) {
   if (__lsan_disable != nullptr) __lsan_disable();
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere < 0) return;

@@ -12,7 +12,8 @@
 #include "support/scratch_folder.hpp"
 #include "synth/simulated_device.hpp"
 
-// Long runs of the capture, on request: ctest -C stress -L stress. The ordinary tests are shorter or faster than time.
+// Long runs of the capture, on request: ctest -C stress-full -L stress. The ordinary tests are shorter or faster than
+// time.
 namespace percuss::acquire::capture_stress_test {
 
 using namespace std::chrono_literals;
@@ -50,7 +51,7 @@ double memory_MB(const std::string& name) {
 }
 
 // Twice: within the ring, and longer than the ring lasts.
-TEST(CaptureStress, DISABLED_LosesNothingInStallsOf10And20Seconds) {
+TEST(CaptureStress, LosesNothingInStallsOf10And20Seconds) {
   const ScratchFolder folder;
   CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,accels=6,fs=51200,hits=10,every=3,end=45"),
                        {.journal = folder.file("t.journal"), .store = kStore});
@@ -69,7 +70,7 @@ TEST(CaptureStress, DISABLED_LosesNothingInStallsOf10And20Seconds) {
   EXPECT_EQ(journal.end_frame(), 45 * kSecond);
 }
 
-TEST(CaptureStress, DISABLED_RunsForADayInFlatMemory) {
+TEST(CaptureStress, RunsForADayInFlatMemory) {
   constexpr std::uint64_t kHour = std::uint64_t{2000} * 3600;
   constexpr double kMaxMemory_MB = 64;
   const ScratchFolder folder;
