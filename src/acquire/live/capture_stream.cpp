@@ -69,10 +69,6 @@ CaptureStream::CaptureStream(std::unique_ptr<Device> device, const CaptureOption
   const DeviceFormat& given = device_->format();
   const std::vector<std::size_t> channels = channels_kept(given, options);
   format_ = format_of(given.stream, channels);
-  if (options.store.trigger && options.store.trigger->channel >= channels.size()) {
-    throw InputError("the channel of the trigger is not recorded", format_.device, "name a recorded channel",
-                     {"trigger"});
-  }
   store_ = std::make_unique<SampleStore>(layout_of(given, channels), format_, given.pace, journal_of(options, format_),
                                          options.store);
   try {

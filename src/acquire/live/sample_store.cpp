@@ -42,10 +42,8 @@ SampleStore::SampleStore(const FrameLayout& layout, const StreamFormat& format, 
       history_frames_(
           std::min(frames_in(options.history_s, format.fs_Hz), ring_frames(layout, format, options.ring_s) / 2)),
       ring_(layout, ring_frames(layout, format, options.ring_s), journal ? journal->writer().next_frame() : 0),
-      first_frame_(journal ? journal->writer().next_frame() : 0),
       journal_(std::move(journal)),
-      newest_frame_(first_frame_),
-      expected_frame_(first_frame_),
+      expected_frame_(journal_ ? journal_->writer().next_frame() : 0),
       inspection_(format),
       drift_(format.fs_Hz) {}
 
@@ -111,8 +109,6 @@ bool SampleStore::inspect() {
     // The count of frames is wrong after a loss of unknown length.
     if (range.overrun) drift_ = ClockDrift(format_.fs_Hz);
     if (pace_ == DevicePace::clock) drift_.add(expected_frame_, now_s());
-    const std::lock_guard guard(mutex_);
-    newest_frame_ = expected_frame_;
   }
 }
 
@@ -123,7 +119,6 @@ void SampleStore::inspect_range(const RingRange& range) {
   found_.clear();
   inspection_.add(range.first_frame, values_, found_);
   for (CaptureFinding& finding : std::exchange(found_, {})) note(std::move(finding));
-  watch_trigger(range);
 }
 
 void SampleStore::note_loss(const RingRange& range) {
@@ -145,18 +140,6 @@ void SampleStore::note_drift() {
   const auto drift = drift_.estimate();
   if (!drift || std::abs(drift->relative) < kDriftLimit + kSigmas * drift->standard_deviation) return;
   note({.fault = CaptureFault::clock_drift, .frame = expected_frame_, .value = drift->relative});
-}
-
-void SampleStore::watch_trigger(const RingRange& range) {
-  if (!options_.trigger || !journal_) return;
-  const std::lock_guard guard(mutex_);
-  if (begun_) return;
-  const std::size_t channels = format_.channels;
-  for (std::size_t i = options_.trigger->channel; i < values_.size(); i += channels) {
-    if (std::abs(values_[i]) < options_.trigger->level) continue;
-    const std::uint64_t at = range.index + i / channels;
-    return begin_at(at - std::min<std::uint64_t>(at, history_frames_));
-  }
 }
 
 void SampleStore::begin_at(std::uint64_t index) {
@@ -185,7 +168,6 @@ bool SampleStore::write_block(bool last) {
   {
     const std::lock_guard guard(mutex_);
     written_ += range.frames;
-    journal_frames_ += range.frames;
     lost = std::exchange(lost_by_journal_, 0);
     if (written_ > read_) unread_.push_back({range.index, *offset, range.frames, block_bytes_.size()});
   }

@@ -16,28 +16,18 @@
 
 namespace percuss::acquire {
 
-/// The first sample with |value| ≥ level begins the journal.
-struct CaptureTrigger {
-  std::size_t channel = 0;  // of the stream
-  double level = 0;
-};
-
 struct StoreOptions {
-  double history_s = 2;  // before the trigger, kept in memory until the journal begins
+  double history_s = 2;  // kept in memory until the journal begins
   double ring_s = 12;    // of frames in memory; less where they need more than 32 MiB
   double block_s = 0.1;  // of samples in a block of the journal
-  std::optional<CaptureTrigger> trigger{};
 };
 
 /// How a capture stands.
 struct CaptureState {
-  std::uint64_t captured_frames = 0;  // by the frame number of the newest frame, from the start of this session
-  std::uint64_t journal_frames = 0;   // written in this session
-  std::uint64_t journal_bytes = 0;    // length of the journal
-  std::uint64_t unread_frames = 0;    // captured, and not yet read by the analysis
-  std::uint64_t dropped_frames = 0;   // lost by percuss
-  bool journal_begun = false;
-  std::string journal_fault{};  // why the journal cannot be written now; empty: it can
+  std::uint64_t journal_bytes = 0;   // length of the journal
+  std::uint64_t unread_frames = 0;   // captured, and not yet read by the analysis
+  std::uint64_t dropped_frames = 0;  // lost by percuss
+  std::string journal_fault{};       // why the journal cannot be written now; empty: it can
 };
 
 /// Frames on their way from a device to the reader: in a ring in memory, and in the journal. Three threads use it: the
@@ -76,7 +66,6 @@ class SampleStore {
   void note_loss(const RingRange& range);
   void note(CaptureFinding finding);
   void note_drift();
-  void watch_trigger(const RingRange& range);
   bool write_block(bool last);
   void write_rest();
   void watch_journal();
@@ -89,13 +78,12 @@ class SampleStore {
   const StoreOptions options_;
   const std::size_t block_frames_, history_frames_;
   FrameRing ring_;
-  const std::uint64_t first_frame_;
   std::unique_ptr<SessionJournal> journal_;
 
   std::mutex mutex_;                      // of the consumer's side of the ring, and the members up to the next comment
   std::uint64_t read_ = 0, written_ = 0;  // index of the next frame for the reader, for the journal
   bool begun_ = false;
-  std::uint64_t newest_frame_ = 0, journal_frames_ = 0, lost_by_reader_ = 0, lost_by_journal_ = 0;
+  std::uint64_t lost_by_reader_ = 0, lost_by_journal_ = 0;
   bool overrun_for_reader_ = false;
   std::deque<UnreadBlock> unread_;
   std::vector<CaptureFinding> findings_;

@@ -91,11 +91,8 @@ CaptureState SampleStore::state() {
     state.journal_fault = journal_->fault();
   }
   const std::lock_guard guard(mutex_);
-  state.captured_frames = newest_frame_ - first_frame_;
-  state.journal_frames = journal_frames_;
   state.unread_frames = ring_.written() - read_;
   state.dropped_frames = ring_.dropped() + lost_by_reader_;
-  state.journal_begun = begun_;
   return state;
 }
 

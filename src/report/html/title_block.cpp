@@ -20,6 +20,7 @@ std::string row_html(const std::string& what, const std::string& text) {
 // Paragraphs between empty lines; line ends within a paragraph stay.
 std::string note_html(const std::string& note) {
   std::istringstream lines(note);
+  lines.exceptions(std::ios::badbit);  // else a failed allocation would end the text
   std::string out, paragraph;
   const auto close = [&] {
     if (!paragraph.empty()) out += "<p>" + paragraph + "</p>\n";

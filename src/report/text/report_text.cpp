@@ -20,6 +20,7 @@ class Html {
   }
   void lines(const std::string& text) {
     std::istringstream in(text);
+    in.exceptions(std::ios::badbit);  // else a failed allocation would end the text
     for (std::string line; std::getline(in, line);) {
       const std::size_t begin = line.find_first_not_of(' ');
       if (begin != std::string::npos) paragraph(line.substr(begin));

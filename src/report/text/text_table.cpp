@@ -53,6 +53,7 @@ bool is_unit(std::string_view word) {
 // The words of a text. A number and its unit or standard deviation form one word.
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream in(text);
+  in.exceptions(std::ios::badbit);  // else a failed allocation would end the text
   std::vector<std::string> words;
   bool after_number = false;
   for (std::string word; in >> word; after_number = is_number(word)) {

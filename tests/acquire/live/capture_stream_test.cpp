@@ -140,27 +140,6 @@ TEST(CaptureStream, DeliversChosenChannels) {
               HasSubstr("there is no channel 4"));
 }
 
-TEST(CaptureStream, JournalsFromShortlyBeforeTheTrigger) {
-  const ScratchFolder folder;
-  const std::string path = folder.file("t.h5.journal");
-  {
-    CaptureStream stream(
-        synth::open_simulated_device("aluminium-bat,numbered,fast,hits=2,first=4"),
-        {.journal = path, .store = {.history_s = 1, .trigger = CaptureTrigger{.channel = 0, .level = 20}}});
-    Seen seen;
-    read_all(stream, seen);
-    EXPECT_EQ(seen.frames, 11U * 25600U);
-    EXPECT_TRUE(stream.state().journal_begun);
-    EXPECT_EQ(stream.state().unread_frames, 0U);
-  }
-  const JournalReader journal(path);
-  ASSERT_EQ(journal.ranges().size(), 1U);
-  // The pulse begins at 4 s and lasts 0.25 ms.
-  EXPECT_NEAR(static_cast<double>(journal.ranges()[0].first), 3 * 25600, 0.001 * 25600);
-  EXPECT_EQ(journal.end_frame(), 11U * 25600U);
-  EXPECT_EQ(wrong_numbers(journal), 0U);
-}
-
 TEST(CaptureStream, JournalsFromTheFrameThatTheGuidanceNames) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.h5.journal");
@@ -183,7 +162,7 @@ TEST(CaptureStream, JournalsFromTheFrameThatTheGuidanceNames) {
   EXPECT_EQ(wrong_numbers(journal), 0U);
 }
 
-TEST(CaptureStream, JournalsNothingWithoutATrigger) {
+TEST(CaptureStream, JournalsNothingUntilItIsAsked) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.h5.journal");
   CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,fast,hits=1"), {.journal = path});
@@ -200,7 +179,8 @@ TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.h5.journal");
   CaptureStream stream(at_speed(kSpeed, "aluminium-bat,numbered,accels=6,fs=51200,hits=5,end=13"),
-                       {.journal = path, .store = {.ring_s = 4, .trigger = CaptureTrigger{.channel = 0, .level = 20}}});
+                       {.journal = path, .store = {.ring_s = 4}});
+  stream.keep_from(0);
   Seen seen;
   while (seen.frames < 51200) {
     if (const auto block = stream.next(100ms)) seen.add(*block, 8);
@@ -214,8 +194,8 @@ TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
   EXPECT_EQ(wrong_numbers(JournalReader(path)), 0U);
 }
 
-// Without a trigger yet, a stalled reader begins the journal.
-TEST(CaptureStream, JournalsAStallBeforeTheTrigger) {
+// A stalled reader begins the journal.
+TEST(CaptureStream, JournalsAStallBeforeTheFirstBlow) {
   const ScratchFolder folder;
   CaptureStream stream(at_speed(kStallSpeed, "aluminium-bat,numbered,hits=1,first=9"),
                        {.journal = folder.file("t.journal"), .store = {.ring_s = 4}});
@@ -242,7 +222,8 @@ TEST(CaptureStream, StatesGapsAndOverruns) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.journal");
   CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,fast,hits=2,gap=2:2,overrun=4.5:0.01"),
-                       {.journal = path, .store = {.trigger = CaptureTrigger{.channel = 0, .level = 20}}});
+                       {.journal = path});
+  stream.keep_from(0);
   Seen seen;
   read_all(stream, seen);
   stream.stop();
@@ -304,10 +285,10 @@ TEST(CaptureStream, StopsAtOnceAndKeepsWhatItHas) {
 TEST(CaptureStream, ResumesItsJournal) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.journal");
-  const StoreOptions store{.history_s = 0.5, .trigger = CaptureTrigger{.channel = 0, .level = 20}};
   const auto run = [&](bool resume) {
     CaptureStream stream(synth::open_simulated_device("wood-bat,fast,numbered,hits=1"),
-                         {.journal = path, .resume = resume, .store = store});
+                         {.journal = path, .resume = resume});
+    stream.keep_from(0);
     Seen seen;
     while (stream.end() == StreamEnd::none) {
       if (const auto block = stream.next(100ms)) seen.add(*block, 4);

@@ -64,7 +64,7 @@ std::vector<CaptureFault> faults(const std::vector<CaptureFinding>& findings) {
 }
 
 constexpr std::uint64_t kSecond = 25600;  // in frames
-const StoreOptions kStore{.history_s = 0.5, .ring_s = 8, .trigger = CaptureTrigger{.channel = 0, .level = 20}};
+const StoreOptions kStore{.ring_s = 8};
 
 // The disk is full for as long as the ring lasts: nothing is lost, neither for the reader nor for the journal.
 TEST(FullDisk, IsSurvivedByTheRing) {
@@ -73,6 +73,7 @@ TEST(FullDisk, IsSurvivedByTheRing) {
   const FileLimit limit;
   CaptureStream stream(synth::open_simulated_device("wood-bat,hits=5,end=16,speed=" PERCUSS_DISK_SPEED),
                        {.journal = path, .store = kStore});
+  stream.keep_from(0);
   std::uint64_t next = 0;
   EXPECT_EQ(read_frames(stream, 3 * kSecond, next), 0U);
   limit.set(stream.state().journal_bytes + 5000);
@@ -101,6 +102,7 @@ TEST(FullDisk, LeavesAStatedHoleInTheJournal) {
   const FileLimit limit;
   CaptureStream stream(synth::open_simulated_device("wood-bat,hits=5,end=22,speed=" PERCUSS_DISK_SPEED),
                        {.journal = path, .store = kStore});
+  stream.keep_from(0);
   std::uint64_t next = 0;
   EXPECT_EQ(read_frames(stream, 3 * kSecond, next), 0U);
   limit.set(stream.state().journal_bytes + 5000);

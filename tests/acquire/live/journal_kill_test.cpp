@@ -36,9 +36,8 @@ struct Progress {
 
 [[noreturn]] void capture(const std::string& path, bool resume, Progress& progress) {
   CaptureStream stream(synth::open_simulated_device("wood-bat,numbered,first=0.1,end=100000"),
-                       {.journal = path,
-                        .resume = resume,
-                        .store = {.history_s = 0.5, .trigger = CaptureTrigger{.channel = 0, .level = 20}}});
+                       {.journal = path, .resume = resume});
+  stream.keep_from(0);
   for (std::uint64_t number = 0;;) {
     const auto block = stream.next(100ms);
     progress.written_bytes = stream.state().journal_bytes;

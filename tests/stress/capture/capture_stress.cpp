@@ -21,7 +21,6 @@ using test::ScratchFolder;
 
 constexpr std::uint64_t kCounterRange = std::uint64_t{1} << 24U;
 constexpr std::uint64_t kSecond = 51200;  // in frames
-const StoreOptions kStore{.trigger = CaptureTrigger{.channel = 0, .level = 20}};
 
 /// Reads up to a frame. The number of frames that are missing or wrong.
 std::uint64_t faults_until(CaptureStream& stream, std::uint64_t last, std::uint64_t& next) {
@@ -54,7 +53,8 @@ double memory_MB(const std::string& name) {
 TEST(CaptureStress, LosesNothingInStallsOf10And20Seconds) {
   const ScratchFolder folder;
   CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,accels=6,fs=51200,hits=10,every=3,end=45"),
-                       {.journal = folder.file("t.journal"), .store = kStore});
+                       {.journal = folder.file("t.journal")});
+  stream.keep_from(0);
   std::uint64_t next = 0;
   EXPECT_EQ(faults_until(stream, 3 * kSecond, next), 0U);
   std::this_thread::sleep_for(10s);
@@ -76,7 +76,8 @@ TEST(CaptureStress, RunsForADayInFlatMemory) {
   const ScratchFolder folder;
   const double before_MB = memory_MB("VmRSS:");
   CaptureStream stream(synth::open_simulated_device("wood-bat,numbered,fs=2000,fast,hits=1439,every=60,end=86400"),
-                       {.journal = folder.file("t.journal"), .store = kStore});
+                       {.journal = folder.file("t.journal")});
+  stream.keep_from(0);
   std::uint64_t next = 0, faults = faults_until(stream, kHour, next);
   const double hour_MB = memory_MB("VmRSS:") - before_MB;
   double largest_MB = hour_MB;

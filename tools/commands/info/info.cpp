@@ -73,6 +73,8 @@ Json channel_json(const Channel& channel, const ChannelSamples* samples) {
 
 Json record_json(const acquire::Record& record, const RecordSamples& samples) {
   const Extent extent = extent_of(record);
+  Json notes = note_texts(notes_of(record, samples));
+  if (samples.problem) notes.push_back(std::string("the samples cannot all be read: ") + samples.problem->what());
   Json channels = Json::array();
   for (const Channel& channel : channels_of(record)) {
     const std::size_t c = channels.size();
@@ -94,7 +96,7 @@ Json record_json(const acquire::Record& record, const RecordSamples& samples) {
           {"channels", channels},
           {"geometry_points", record.geometry.size()},
           {"trace_lines", record.trace_lines.size()},
-          {"notes", note_texts(notes_of(record, samples))}};
+          {"notes", notes}};
 }
 
 std::string record_text(const acquire::Record& record, const RecordSamples& samples, std::size_t width, bool pictures) {
@@ -174,6 +176,12 @@ std::variant<acquire::Record, acquire::FrfRecord> opened_at(const ReadFlags& rea
   }
 }
 
+// Prints why a file, or its samples, cannot be read. Returns the exit code.
+int refused(const OutputFlags& output, const InputError& error) {
+  if (output.host == nullptr) std::cerr << "percuss: " << error.written(flag_of) << '\n';
+  return kBadInput;
+}
+
 int run_info(InfoFlags flags) {
   if (flags.example) {
     print(flags.output, acquire::channel_setup_example());
@@ -201,15 +209,15 @@ int run_info(InfoFlags flags) {
       const RecordSamples samples = samples_of(record);
       files.push_back(record_json(record, samples));
       if (!flags.output.json) std::cout << record_text(record, samples, terminal_width(), can_plot_in_terminal());
+      if (samples.problem) code = refused(flags.output, *samples.problem);
     } catch (const acquire::AmbiguousColumns& seen) {
       files.push_back(columns_json(flags.read.paths[i], seen));
       any = true;
       if (!flags.output.json) std::cout << columns_text(flags.read.paths[i], seen, terminal_width());
     } catch (const InputError& error) {
       // One bad file must not hide the descriptions of the others.
-      if (flags.output.host == nullptr) std::cerr << "percuss: " << error.written(flag_of) << '\n';
       files.push_back({{"path", flags.read.paths[i]}, {"error", error.what()}});
-      code = kBadInput;
+      code = refused(flags.output, error);
     }
   }
   const std::string document =

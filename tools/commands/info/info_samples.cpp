@@ -86,14 +86,9 @@ RecordSamples samples_of(const acquire::Record& record) {
           all_samples(record, [&](std::size_t row, std::span<double> to) { record.read_accel_mps2(row, c, 0, to); })));
     }
     find_hammers(record, out.channels);
-  } catch (const InputError& error) {
-    out.problem = error.what();
-    return out;
-  }
-  try {
     if (record.has_force && !out.partial) out.hits = pulses_in(record);
-  } catch (const InputError&) {  // too short, or without any hit
-    out.hits = 0;
+  } catch (const InputError& error) {
+    out.problem = error;
   }
   return out;
 }
@@ -111,7 +106,6 @@ std::vector<Channel> channels_of(const acquire::Record& record) {
 
 std::vector<Message> notes_of(const acquire::Record& record, const RecordSamples& samples) {
   std::vector<Message> notes = record.notes;
-  if (!samples.problem.empty()) notes.emplace_back("the samples cannot all be read: " + samples.problem);
   if (samples.partial) notes.emplace_back("a long record: rms, peak and picture are those of its beginning");
   for (std::size_t c = 0; c < samples.channels.size(); ++c) {
     const bool force = record.has_force && c == 0;

@@ -23,7 +23,7 @@ struct RecordSamples {
   std::vector<ChannelSamples> channels;  // the force, if there is one, then the accelerations
   std::optional<std::size_t> hits;       // with a pulse; nothing without a force and for long records
   bool partial = false;                  // a long record: only its beginning was read
-  std::string problem;                   // why samples could not be read; empty: none
+  std::optional<InputError> problem;     // why samples could not be read
 };
 
 /// Reads up to 4 million samples of each channel. Never throws for samples that cannot be read.
