@@ -32,7 +32,7 @@ using testing::IsEmpty;
 #ifdef PERCUSS_SANITIZED
 constexpr int kSpeed = 1, kStallSpeed = 5;
 #else
-constexpr int kSpeed = 4, kStallSpeed = 20;
+constexpr int kSpeed = 4, kStallSpeed = 10;
 #endif
 
 /// A device with this speed.

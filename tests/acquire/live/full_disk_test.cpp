@@ -18,7 +18,7 @@ namespace percuss::acquire::full_disk_test {
 #ifdef PERCUSS_SANITIZED
 #define PERCUSS_DISK_SPEED "2"
 #else
-#define PERCUSS_DISK_SPEED "8"
+#define PERCUSS_DISK_SPEED "4"
 #endif
 
 using namespace std::chrono_literals;
