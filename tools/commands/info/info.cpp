@@ -189,8 +189,7 @@ int run_info(InfoFlags flags) {
   }
   if (flags.read.paths.empty()) throw OptionError({}, "no file is given", "name at least one, or - for standard input");
   check_outputs(flags.output, {".json"});
-  if (flags.output.host == nullptr || flags.output.host->inputs.empty())
-    flags.read.paths = found_files(flags.read.paths);
+  flags.read = with_found_files(flags.read);
   const acquire::ReadOptions options = resolved_read_options(flags.read);
   Json files = Json::array();
   int code = kOk;
