@@ -44,6 +44,11 @@ class Option:
     def is_file(self) -> bool:
         return self.shown in ("FILE", "FOLDER")
 
+    @property
+    def may_be_list(self) -> bool:
+        """Whether the option takes a range or, instead, a list: START:STEP:END|POSITION,..."""
+        return any(":" not in form and form.endswith(",...") for form in self.shown.split("|"))
+
     def words(self, value: Any, files: MemoryFiles) -> list[str]:
         """The command-line words that set this value; none for None, which means not given."""
         if value is None:
@@ -64,7 +69,8 @@ class Option:
             value = value.tolist()
         if not isinstance(value, (list, tuple, range)):
             return [_text(self.keyword, value)]
-        if ":" in self.shown:  # (60, 3200) becomes 60:3200; a list may hold several ranges
+        is_range = ":" in self.shown and (isinstance(value, tuple) or not self.may_be_list)
+        if is_range:  # (60, 3200) becomes 60:3200; a list may hold several ranges
             parts = list(value)
             if self.repeatable and parts and all(isinstance(part, (list, tuple, str)) for part in parts):
                 whole = [part if isinstance(part, str) else _joined(self.keyword, part, ":") for part in parts]

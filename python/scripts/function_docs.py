@@ -78,7 +78,8 @@ def _in_words(option: Option) -> str:
     }  # fmt: skip
     if kind == "Range":
         parts = re.split(r"[|\[]", option.shown.removesuffix(",..."))[0].lower().replace("_", " ")
-        return "(" + ", ".join(parts.split(":")) + ")" + (" or a list of them" if option.repeatable or option.list else "")
+        several = " or a list of them" if option.repeatable or option.list else " or a list" if option.may_be_list else ""
+        return "(" + ", ".join(parts.split(":")) + ")" + several
     return words[kind] + unit
 
 

@@ -170,6 +170,14 @@ def test_deflection_prints_the_same_document(tool, bat):
         assert np.nanmax(np.abs(curve["deflection_m"])) >= abs(hit["peak_m"]) > 0
 
 
+def test_title_stands_on_pages_alone(bat):
+    bat.save("bat.h5")
+    found = percuss.analyze("bat.h5", band=BAND, effort="quick", title="Bat 7")
+    found.save("found.json")
+    found.save("found.html")
+    assert "Bat 7" in open("found.html", encoding="utf-8").read()
+
+
 def test_nodes_print_the_same_document(tool):
     # A beam struck every half inch from 6 to 9 in, with a node at 7.5 in.
     inches = [6 + 0.5 * i for i in range(7)]
@@ -181,6 +189,11 @@ def test_nodes_print_the_same_document(tool):
     percuss.synth("scan.json").save("scan.h5")
     found = percuss.nodes("scan.h5", positions="6:0.5:9in", band=(60, 1000))
     assert found.json == tool.document("nodes", "scan.h5", "--positions", "6:0.5:9in", "--band", "60:1000")
+    assert percuss.nodes("scan.h5", positions=(6, 0.5, 9), band=(60, 1000)).json == tool.document(
+        "nodes", "scan.h5", "--positions", "6.0:0.5:9.0", "--band", "60:1000")
+    for listed in (inches, np.array(inches)):
+        assert percuss.nodes("scan.h5", positions=listed, band=(60, 1000)).json == tool.document(
+            "nodes", "scan.h5", "--positions", ",".join(str(at) for at in inches), "--band", "60:1000")
 
 
 MODELS = [

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "acquire/format_registry.hpp"
+#include "batch/natural_order.hpp"
 #include "batch/sha256_file.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
@@ -21,8 +22,6 @@ namespace percuss::batch {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_pattern(const std::string& name) { return name.find_first_of("*?[") != std::string::npos; }
 
 class CollectedFiles {
  public:
@@ -45,7 +44,7 @@ class CollectedFiles {
       }
     }
     if (problem) throw InputError("cannot read the folder: " + problem.message(), folder, "check its permissions");
-    std::sort(found.begin(), found.end());
+    std::sort(found.begin(), found.end(), comes_first_naturally);
     for (const std::string& path : found) add(path);
   }
   void add_pattern(const std::string& pattern) {
@@ -54,13 +53,15 @@ class CollectedFiles {
     if (::glob(pattern.c_str(), GLOB_ERR, nullptr, &matches) != 0) {
       throw InputError("no file matches the pattern", pattern, "check the path, or name the folder");
     }
-    for (std::size_t i = 0; i < matches.gl_pathc; ++i) add_named(matches.gl_pathv[i]);
+    std::vector<std::string> found(matches.gl_pathv, matches.gl_pathv + matches.gl_pathc);
+    std::sort(found.begin(), found.end(), comes_first_naturally);
+    for (const std::string& path : found) add_named(path);
   }
   void add_named(const std::string& name) {
     std::error_code ignored;
     if (fs::is_directory(name, ignored)) {
       add_folder(name);
-    } else if (!fs::exists(name, ignored) && is_pattern(name)) {
+    } else if (is_pattern(name)) {
       add_pattern(name);
     } else {
       first_bytes(name, 0);  // checks that the file exists and can be read
@@ -85,6 +86,13 @@ std::string path_from(const std::string& path, const fs::path& folder) {
 }
 
 }  // namespace
+
+bool is_pattern(const std::string& name) {
+  const std::size_t bracket = name.find('[');
+  const bool set = bracket != std::string::npos && name.find(']', bracket) != std::string::npos;
+  std::error_code ignored;
+  return (set || name.find_first_of("*?") != std::string::npos) && !fs::exists(name, ignored);
+}
 
 RecordFiles record_files(const std::vector<std::string>& named) {
   CollectedFiles gathered;

@@ -19,6 +19,11 @@ inline constexpr double kDegree_rad = std::numbers::pi / 180;
 
 enum class Quantity { force, acceleration, voltage, time, angle, length, mass, pressure };
 
+/// Whether a response of a structure is measured in it: acceleration or sound pressure.
+constexpr bool is_response(Quantity quantity) {
+  return quantity == Quantity::acceleration || quantity == Quantity::pressure;
+}
+
 /// A unit: its quantity, and its size in SI units (V for voltage, rad for angle).
 struct Unit {
   Quantity quantity;

@@ -50,6 +50,12 @@ TEST_F(BatchPlan, AcceptsPatternsAndTakesEachFileOnce) {
   EXPECT_THROW(record_files({folder_.file("none.csv")}), InputError);
 }
 
+TEST_F(BatchPlan, ListsFilesInNaturalOrder) {
+  const std::string ten = make("hit10.csv"), two = make("hit2.csv");
+  EXPECT_THAT(record_files({folder_.path()}).paths, ElementsAre(two, ten));
+  EXPECT_THAT(record_files({folder_.file("*.csv")}).paths, ElementsAre(two, ten));
+}
+
 TEST_F(BatchPlan, ReadsOnePathPerLine) {
   EXPECT_THAT(parse_path_list("a b.h5\r\n\nc.h5\nd.h5"), ElementsAre("a b.h5", "c.h5", "d.h5"));
   EXPECT_TRUE(parse_path_list("").empty());

@@ -171,9 +171,36 @@ TEST_F(AnalyzeResponses, WritesATableOfSeveralTests) {
   EXPECT_GE(row, 2 * test::kPing.size());
 }
 
+// --modes-file writes the table of tests with a force: a row per mode, point and channel.
+TEST_F(AnalyzeResponses, WritesTheModesThatAreAskedFor) {
+  const auto outcome = run_percuss(
+      {"analyze", "ping.wav", "--modes-file", "found.csv", "-o", "ping.modes.csv", "-o", "m.json", "--quiet"},
+      {.folder = folder_.path()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string bytes = test::bytes_of(folder_.file("found.csv"));
+  EXPECT_EQ(test::lines_of(bytes).front(),
+            "mode,frequency_hz,frequency_std_hz,damping_ratio,damping_ratio_std,family,order,point,channel,residue_re,"
+            "residue_im,residue_std");
+  EXPECT_EQ(test::bytes_of(folder_.file("ping.modes.csv")), bytes);
+  auto table = test::csv_columns(folder_.file("found.csv"));
+  const json modes = test::parse_json(test::bytes_of(folder_.file("m.json")))["modes"];
+  ASSERT_EQ(table["mode"].size(), test::kPing.size());
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    EXPECT_EQ(table["frequency_hz"][m], modes[m]["frequency_hz"].get<double>());
+    EXPECT_EQ(table["channel"][m], 0);
+    EXPECT_EQ(table["residue_re"][m], modes[m]["residues"][0]["re"].get<double>());
+  }
+  const auto shapes = run_percuss({"analyze", "ping.wav", "--modes-file", "m.uff"}, {.folder = folder_.path()});
+  EXPECT_EQ(shapes.code, 3);
+  EXPECT_THAT(shapes.err, HasSubstr("m.uff"));
+}
+
 TEST_F(AnalyzeResponses, RefusesWhatNeedsAForce) {
-  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
-           {"--estimator", "h2"}, {"--only", "frf"}, {"--per-hit"}, {"--delay", "auto"}}) {
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{{"--estimator", "h2"},
+                                                                                    {"--only", "frf"},
+                                                                                    {"--per-hit"},
+                                                                                    {"--delay", "auto"},
+                                                                                    {"--frf", folder_.file("f.csv")}}) {
     std::vector<std::string> arguments{"analyze", folder_.file("ping.wav")};
     arguments.insert(arguments.end(), more.begin(), more.end());
     EXPECT_EQ(run_percuss(arguments).code, 2) << more.front();

@@ -60,7 +60,7 @@ TEST_F(NodesCommand, PrintsADocumentThatFitsItsSchema) {
 }
 
 TEST_F(NodesCommand, ReadsInchesUnlessAUnitFollows) {
-  for (const char* positions : {"6:0.5:9", "6:0.5:9in", "0.1524:0.0127:0.2286m", "152.4:12.7:228.6mm"}) {
+  for (const char* positions : {"6:0.5:9", "+6:0.5:9in", "0.1524:0.0127:0.2286m", "152.4:12.7:228.6mm"}) {
     const auto outcome = nodes({file("scan.h5"), "--positions", positions, "--json"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNodeTolerance_in) << positions;

@@ -198,4 +198,19 @@ TEST(SessionPage, EscapesMarkupInNames) {
   EXPECT_THAT(page, AllOf(Not(HasSubstr("<img")), HasSubstr("&lt;img src=x onerror=alert(1)")));
 }
 
+// The title stands on the page; files of numbers have none.
+TEST(AnalyzeTitle, AllowsFilesThatHaveNone) {
+  const test::ScratchFolder folder;
+  test::write_small_test(folder.file("bat.h5"));
+  const auto outcome = run_percuss(
+      {"analyze", "bat.h5", "--title", "Bat 7", "-o", "bat.html", "--frf", "f.csv", "--modes-file", "m.csv", "--quiet"},
+      {.folder = folder.path()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(test::bytes_of(folder.file("bat.html")), HasSubstr("Bat 7"));
+  EXPECT_FALSE(test::bytes_of(folder.file("f.csv")).empty());
+  const auto none = run_percuss({"analyze", "bat.h5", "--title", "Bat 7", "--frf", "g.csv"}, {.folder = folder.path()});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("need a page"));
+}
+
 }  // namespace percuss::report_files_test

@@ -1,17 +1,12 @@
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <thread>
 
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
+#include "support/terminal_process.hpp"
 
 // Output on a terminal: colours, pictures and the width of tables.
 namespace percuss::terminal_command_test {
@@ -20,27 +15,12 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-// Runs percuss with a pseudo-terminal of this width as standard output; returns what arrives there.
+// What percuss writes on a terminal of this width.
 std::string on_terminal(const std::vector<std::string>& words, unsigned short columns,
-                        std::vector<std::string> environment = {}) {
-  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
-  EXPECT_TRUE(terminal >= 0 && ::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0);
-  const std::string name = ::ptsname(terminal);
-  const int kept_open = ::open(name.c_str(), O_RDWR | O_NOCTTY);  // else reading ends before the program writes
-  winsize size{.ws_row = 50, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
-  EXPECT_EQ(::ioctl(kept_open, TIOCSWINSZ, &size), 0);
-  std::string shown;
-  std::thread reader([&] {
-    std::array<char, 4096> bytes{};
-    for (ssize_t got = 0; (got = ::read(terminal, bytes.data(), bytes.size())) > 0;)
-      shown.append(bytes.data(), static_cast<std::size_t>(got));
-  });
-  environment.emplace_back("TERM=xterm");
-  test::run_percuss(words, {.output = name, .environment = environment});
-  ::close(kept_open);  // the reader now gets an error at the end
-  reader.join();
-  ::close(terminal);
-  return shown;
+                        const std::vector<std::string>& environment = {}) {
+  test::TerminalProcess process(words, {.folder = "", .columns = columns, .environment = environment});
+  EXPECT_EQ(process.wait(), 0);
+  return process.screen();
 }
 
 // In characters, without the line of the file's name and without the terminal's carriage returns.

@@ -81,21 +81,9 @@ void reject_mismatch(const DeclaredCommand& command, const CLI::App& app, const 
 
 bool is_number(const std::string& text) { return parse_number(text, false).problem == NumberProblem::none; }
 
-// The command that the first words name; a group or the program where they name no command.
-const DeclaredCommand& named_command(const Declaration& all, const std::vector<std::string>& typed) {
-  const DeclaredCommand* at = &all.commands.front();
-  for (const std::string& word : typed) {
-    const std::string name = at->name.empty() ? word : at->name + " " + word;
-    const DeclaredCommand* const next = at->is_group ? find_command(all, name) : nullptr;
-    if (next == nullptr) break;
-    at = next;
-  }
-  return *at;
-}
-
 // "--band 60 3200" as "--band 60:3200": the second number would be taken for a file.
 std::vector<std::string> with_whole_ranges(const Declaration& all, const std::vector<std::string>& typed) {
-  const DeclaredCommand& command = named_command(all, typed);
+  const DeclaredCommand& command = *longest_command(all, typed).command;
   const auto takes_range = [&](const std::string& word) {
     const DeclaredOption* const option = word.starts_with("--") ? find_option(command, word) : nullptr;
     return option != nullptr && option->value == "LO:HI";
@@ -159,13 +147,9 @@ void CommandLine::exit_code(int code, const char* meaning) {
 
 // CLI11 would report an unknown command as a missing one.
 void CommandLine::check_commands(const std::vector<std::string>& words) const {
-  const DeclaredCommand* at = &declaration_.commands.front();
-  for (const std::string& word : words) {
-    if (!at->is_group || word.starts_with('-')) return;
-    const DeclaredCommand* const next = find_command(declaration_, at->name.empty() ? word : at->name + " " + word);
-    if (word.empty() || next == nullptr) throw unknown_command(declaration_, *at, word);
-    at = next;
-  }
+  const CommandMatch named = longest_command(declaration_, words);
+  if (!named.command->is_group || named.words == words.size() || words[named.words].starts_with('-')) return;
+  throw unknown_command(declaration_, *named.command, words[named.words]);
 }
 
 // "percuss help model beam" is "percuss model beam --help".

@@ -32,6 +32,18 @@ const DeclaredCommand* find_command(const Declaration& all, std::string_view nam
   return found == all.commands.end() ? nullptr : &*found;
 }
 
+CommandMatch longest_command(const Declaration& all, const std::vector<std::string>& words) {
+  CommandMatch found{.command = &all.commands.front()};
+  for (const std::string& word : words) {
+    const std::string& group = found.command->name;
+    const DeclaredCommand* const next =
+        word.empty() ? nullptr : find_command(all, group.empty() ? word : group + " " + word);
+    if (next == nullptr) break;
+    found = {.command = next, .words = found.words + 1};
+  }
+  return found;
+}
+
 const DeclaredOption* find_option(const DeclaredCommand& command, std::string_view name) {
   for (const DeclaredOption& option : command.options) {
     if (std::find(option.names.begin(), option.names.end(), name) != option.names.end()) return &option;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <deque>
 #include <string>
 #include <string_view>
@@ -66,6 +67,15 @@ std::vector<const DeclaredCommand*> commands_of(const Declaration& all, const De
 
 /// The command of this name, or nullptr.
 const DeclaredCommand* find_command(const Declaration& all, std::string_view name);
+
+/// A command or group, and how many words name it.
+struct CommandMatch {
+  const DeclaredCommand* command = nullptr;
+  std::size_t words = 0;
+};
+
+/// The longest command that the first words name; the program itself if they name none.
+CommandMatch longest_command(const Declaration& all, const std::vector<std::string>& words);
 
 /// The option with this name, "-o" or "--output", or nullptr.
 const DeclaredOption* find_option(const DeclaredCommand& command, std::string_view name);

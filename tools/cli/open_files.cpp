@@ -22,30 +22,6 @@ namespace {
 
 constexpr std::size_t kFlopsPerFile = 1'000'000;  // cost of opening a file, in floating-point operations
 
-// "hit2.csv" before "hit10.csv": numbers in names compare by their value.
-bool comes_first_naturally(const std::string& a, const std::string& b) {
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-  const auto number = [&](const std::string& text, std::size_t& at) {
-    const std::size_t end = std::min(text.find_first_not_of("0123456789", at), text.size());
-    const std::size_t first = std::min(text.find_first_not_of('0', at), end);
-    at = end;
-    return text.substr(first, end - first);
-  };
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (digit(a[i]) && digit(b[j])) {
-      const std::string x = number(a, i), y = number(b, j);
-      if (x != y) return x.size() != y.size() ? x.size() < y.size() : x < y;
-    } else if (a[i] != b[j]) {
-      return a[i] < b[j];
-    } else {
-      ++i;
-      ++j;
-    }
-  }
-  return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
-}
-
 void require_distinct(const std::vector<std::string>& paths) {
   std::set<std::string> seen;
   for (const auto& path : paths) {
@@ -58,13 +34,6 @@ bool has_in_memory_inputs(const ReadFlags& flags) { return flags.host != nullptr
 
 std::size_t input_count(const ReadFlags& flags) {
   return has_in_memory_inputs(flags) ? flags.host->inputs.size() : flags.paths.size();
-}
-
-// A reading option with a value per file counts the files that were found.
-ReadFlags with_found_files(const ReadFlags& given) {
-  ReadFlags flags = given;
-  if (!has_in_memory_inputs(flags)) flags.paths = found_files(given.paths);
-  return flags;
 }
 
 void require_files(const ReadFlags& flags) {
@@ -113,28 +82,26 @@ bool is_folder(const std::string& path) {
   return std::filesystem::is_directory(path, ignored);
 }
 
-bool is_pattern(const std::string& path) {
-  std::error_code ignored;
-  const std::size_t bracket = path.find('[');
-  const bool set = bracket != std::string::npos && path.find(']', bracket) != std::string::npos;
-  return (set || path.find_first_of("*?") != std::string::npos) && !std::filesystem::exists(path, ignored);
-}
-
 }  // namespace
 
 std::vector<std::string> found_files(const std::vector<std::string>& paths) {
   std::vector<std::string> files;
   for (const std::string& path : paths) {
-    if (!is_folder(path) && !is_pattern(path)) {
+    if (!is_folder(path) && !batch::is_pattern(path)) {
       files.push_back(path);
       continue;
     }
-    std::vector<std::string> found = batch::record_files({path}).paths;
+    const std::vector<std::string> found = batch::record_files({path}).paths;
     if (found.empty()) throw InputError("no file of a known kind in the folder", path, "name the files");
-    std::sort(found.begin(), found.end(), comes_first_naturally);
     files.insert(files.end(), found.begin(), found.end());
   }
   return files;
+}
+
+ReadFlags with_found_files(const ReadFlags& given) {
+  ReadFlags flags = given;
+  if (!has_in_memory_inputs(flags)) flags.paths = found_files(given.paths);
+  return flags;
 }
 
 acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOptions& options, std::size_t index) {

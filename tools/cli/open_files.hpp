@@ -11,6 +11,9 @@ namespace percuss::tools {
 /// "hit10". Throws InputError for a folder without records and a pattern without a match.
 std::vector<std::string> found_files(const std::vector<std::string>& paths);
 
+/// The flags with found_files() as paths: a reading option with a value per file counts them. Inputs of a host stay.
+ReadFlags with_found_files(const ReadFlags& given);
+
 /// Opens the path (or the host's input) of this index as a record. `options` come from resolved_read_options().
 acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOptions& options, std::size_t index);
 

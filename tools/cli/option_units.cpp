@@ -71,17 +71,23 @@ const UnitOfValue* unit_of_option(std::string_view placeholder) {
 
 bool has_option_units(std::string_view placeholder) { return unit_of_option(placeholder) != nullptr; }
 
+NumberAndUnit split_unit(std::string_view text) {
+  text = trimmed(text);
+  if (parse_number(text, false).problem == NumberProblem::none) return {.number = text, .unit = {}};
+  // The 2 of m/s2 belongs to the unit.
+  const std::size_t before = text.ends_with('2') ? text.size() - 2 : std::string_view::npos;
+  const std::size_t digits = text.find_last_of("0123456789.", before) + 1;  // 0 for none
+  return {.number = text.substr(0, digits), .unit = trimmed(text.substr(digits))};
+}
+
 std::string in_option_unit(const std::string& text, std::string_view placeholder) {
   const UnitOfValue* const wanted = unit_of_option(placeholder);
-  const std::size_t last = text.find_last_of("0123456789.", text.ends_with('2') ? text.size() - 2 : std::string::npos);
-  if (wanted == nullptr || last == std::string::npos || last + 1 == text.size()) return text;
-  const std::size_t begin = text.find_first_not_of(' ', last + 1);
-  if (begin == std::string::npos) return text;
-  const std::string_view name = std::string_view(text).substr(begin);
-  const ParsedNumber number = parse_number(std::string_view(text).substr(0, last + 1), false);
-  const UnitOfValue* const given = unit_named(name);
-  if (given == nullptr || given->dimension != wanted->dimension || number.problem != NumberProblem::none) return text;
-  if (given == wanted) return text.substr(0, last + 1);
+  const NumberAndUnit parts = split_unit(text);
+  const UnitOfValue* const given = unit_named(parts.unit);
+  const ParsedNumber number = parse_number(parts.number, false);
+  const bool converts = wanted != nullptr && given != nullptr && given->dimension == wanted->dimension;
+  if (!converts || number.problem != NumberProblem::none) return text;
+  if (given == wanted) return std::string(parts.number);
   return fmt::format("{}", number.value * given->si / wanted->si);
 }
 

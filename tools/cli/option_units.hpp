@@ -10,6 +10,12 @@ namespace percuss::tools {
 /// KG*M2, OZIN2, or lists of them such as IN,... . Any other text stays as it is.
 std::string in_option_unit(const std::string& text, std::string_view placeholder);
 
+/// The number of "136 mph", and its unit, which is empty where none follows.
+struct NumberAndUnit {
+  std::string_view number, unit;
+};
+NumberAndUnit split_unit(std::string_view text);
+
 /// Whether a placeholder names such a unit.
 bool has_option_units(std::string_view placeholder);
 

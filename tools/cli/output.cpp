@@ -75,6 +75,7 @@ OutputFlags captured_output(const OutputFlags& flags) {
 OutputFlags single_output(const OutputFlags& kept, const std::string& path, bool force) {
   OutputFlags one = kept;
   one.paths = {path};
+  if (!is_page(path)) one.title = {};  // it stands on pages alone
   one.force = force;
   return one;
 }
@@ -155,10 +156,10 @@ bool can_plot_in_terminal() {
 }
 
 std::size_t terminal_width() {
-  constexpr std::size_t kWidest = 140;  // longer lines are hard to read
+  constexpr std::size_t kMaxWidth = 140;  // longer lines are hard to read
   winsize size{};
   if (isatty(STDOUT_FILENO) == 1 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40)
-    return std::min<std::size_t>(size.ws_col, kWidest);
+    return std::min<std::size_t>(size.ws_col, kMaxWidth);
   return 100;
 }
 

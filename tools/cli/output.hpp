@@ -31,7 +31,7 @@ CsvFormulas csv_formulas(bool keep_formulas);
 
 /// The flags for files that a host saves after the command has run: without the host, but with its command line.
 OutputFlags captured_output(const OutputFlags& flags);
-/// `kept` with this path alone, and this value of --force.
+/// `kept` with this path alone, and this value of --force. The title is kept for pages only.
 OutputFlags single_output(const OutputFlags& kept, const std::string& path, bool force);
 
 /// Prints the result of a command on standard output, a text in colour where wants_color() allows it, or gives it to

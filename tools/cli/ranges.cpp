@@ -31,6 +31,7 @@ RangeText parse_range_with_unit(const OptionId& option, const std::string& text,
   const char* const end = at + text.size();
   for (std::size_t i = 0; i < number.size(); ++i) {
     if (i > 0 && (at == end || *at++ != ':')) throw refuse("it is not three numbers separated by colons");
+    if (end - at > 1 && at[0] == '+' && at[1] != '-') ++at;  // std::from_chars takes no plus sign
     const auto [after, error] = std::from_chars(at, end, number.at(i));
     if (error != std::errc{} || !std::isfinite(number.at(i)))
       throw refuse("it is not three numbers separated by colons");

@@ -10,14 +10,15 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMaxWord_bytes = 400;
+constexpr std::size_t kMaxCommandBytes = 300;  // a longer one hides its options
 
 std::string quoted(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%^";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
   std::string out = "'";
   for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return one_line(out + "'", kMaxWord_bytes);
+  out += "'";
+  return one_line(out, std::string::npos);
 }
 
 // Whether the word is an option that the guess replaces.
@@ -44,7 +45,9 @@ std::string suggested_command(const std::vector<std::string>& typed, const acqui
     }
     command += " " + quoted(typed[i]);
   }
-  return "; the samples suggest: " + command + " " + suggested_options(guess);
+  const std::string options = suggested_options(guess);
+  command += " " + options;
+  return "; the samples suggest: " + (command.size() > kMaxCommandBytes ? options : command);
 }
 
 }  // namespace percuss::tools

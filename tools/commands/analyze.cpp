@@ -127,9 +127,10 @@ void add_analyze(CommandLine& line) {
   add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .hdf5, .mat, .uff, .unv");
   const std::string previous = command.heading("Output");
   command
-      .value("--frf", flags->frf_path,
-             "Write the FRFs to this file: .csv, .h5, .hdf5, .mat, .uff, .unv (with -o, .uff holds mode shapes, and a "
-             ".csv named modes.csv or NAME.modes.csv the modes)")
+      .value(
+          "--frf", flags->frf_path,
+          "Write the FRFs to this file: .csv, .h5, .hdf5, .mat, .uff, .unv (-o writes mode shapes to .uff, and modes "
+          "to NAME.modes.csv)")
       .type("FILE");
   command
       .value("--modes-file", flags->modes_path,

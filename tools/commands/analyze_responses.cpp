@@ -10,8 +10,11 @@
 #include "cli/option_error.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_output.hpp"
+#include "commands/analyze_outputs.hpp"
+#include "core/io/atomic_file.hpp"
 #include "pipeline/response/response_test.hpp"
 #include "pipeline/run_analyses.hpp"
+#include "report/csv/modes_csv.hpp"
 #include "report/response_report.hpp"
 
 namespace percuss::tools {
@@ -24,6 +27,7 @@ void refuse_force_options(const AnalyzeFlags& flags) {
                         {"force_channel"});
     }
   };
+  refuse(!flags.frf_path.empty(), "frf");
   refuse(flags.analysis.estimator != "h1", "estimator");
   refuse(flags.analysis.exponential_end > 0, "exponential");
   refuse(flags.analysis.delay != "off", "delay");
@@ -70,14 +74,19 @@ std::vector<pipeline::ResponseTest> tests_of(const AnalyzeFlags& flags, std::vec
 int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> records,
                       const std::optional<report::BatLabel>& bat) {
   refuse_force_options(flags);
+  std::vector<std::string> tables;  // of modes; the other files are a report's
   OutputFlags output = flags.output;
-  if (!flags.frf_path.empty()) output.paths.push_back(flags.frf_path);
+  if (extension_of(flags.modes_path) == ".csv") {
+    tables.push_back(flags.modes_path);
+  } else if (!flags.modes_path.empty()) {
+    output.paths.push_back(flags.modes_path);
+  }
   refuse_frf_files(output, records.front().source());
-  if (!flags.modes_path.empty()) output.paths.push_back(flags.modes_path);
-  if (!flags.frf_path.empty())
-    throw OptionError({"frf"}, "needs a force, and none was recorded", "leave it out, or name the force's channel",
-                      {"force_channel"});
   check_report_outputs(output);
+  const auto first_table = std::stable_partition(output.paths.begin(), output.paths.end(),
+                                                 [](const std::string& path) { return !is_modes_table(path); });
+  tables.insert(tables.end(), first_table, output.paths.end());
+  output.paths.erase(first_table, output.paths.end());
   const Progress progress("fitting decays", flags.output.quiet);
   std::vector<std::string> inputs;
   for (const acquire::Record& record : records) {
@@ -90,7 +99,20 @@ int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> re
     report.text += comparison_of(flags, report.json, inputs.front()).text;
   }
   progress.stop();
+  const std::string table = report::modes_csv(tests);
+  OutputGroup outputs;
+  for (const std::string& path : tables) write_file(path, table, output.force);
   show_report(report, output, inputs);
+  outputs.commit();
+  if (Host* const host = flags.output.host; host != nullptr) {
+    host->outcome.save = [table, save_report = host->outcome.save](const std::string& path, bool force) {
+      if (is_modes_table(path)) {
+        write_file(path, table, force);
+      } else {
+        save_report(path, force);
+      }
+    };
+  }
   const bool possible = std::all_of(tests.begin(), tests.end(), [](const auto& test) { return test.possible(); });
   return possible ? kOk : kImpossible;
 }

@@ -20,13 +20,9 @@ struct ManFlags {
 };
 
 const DeclaredCommand& command_named(const Declaration& all, const std::vector<std::string>& words) {
-  const DeclaredCommand* at = &all.commands.front();
-  for (const std::string& word : words) {
-    const DeclaredCommand* const next = find_command(all, at->name.empty() ? word : at->name + " " + word);
-    if (word.empty() || next == nullptr) throw unknown_command(all, *at, word);
-    at = next;
-  }
-  return *at;
+  const CommandMatch named = longest_command(all, words);
+  if (named.words < words.size()) throw unknown_command(all, *named.command, words[named.words]);
+  return *named.command;
 }
 
 void write_pages(const Declaration& all, const ManFlags& flags) {

@@ -11,6 +11,7 @@
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
 #include "cli/option_error.hpp"
+#include "cli/option_units.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/ranges.hpp"
@@ -50,19 +51,17 @@ double to_metres(std::string_view unit_name, const std::string& text) {
 
 // "3,3.5,5in": the last unit holds for the numbers without one.
 pipeline::ScanPositions parse_list(const std::string& text) {
-  constexpr std::string_view kDigits = "0123456789.";
   std::vector<double> numbers;
-  std::vector<std::string> units;
+  std::vector<std::string_view> units;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t end = std::min(text.find(',', from), text.size());
-    const std::string_view piece = trimmed(std::string_view(text).substr(from, end - from));
-    const std::size_t digits = piece.find_last_of(kDigits) + 1;  // 0 for none
-    const ParsedNumber number = parse_number(piece.substr(0, digits), false);
+    const NumberAndUnit piece = split_unit(std::string_view(text).substr(from, end - from));
+    const ParsedNumber number = parse_number(piece.number, false);
     if (number.problem != NumberProblem::none)
       throw OptionError::wrong_value("positions", text, kPositionsRemedy,
                                      "it is neither a range nor a list of numbers");
     numbers.push_back(number.value);
-    units.emplace_back(trimmed(piece.substr(digits)));
+    units.push_back(piece.unit);
     from = end + 1;
   }
   if (numbers.size() < 2) throw OptionError::wrong_value("positions", text, kPositionsRemedy, "it is one position");
@@ -79,10 +78,14 @@ pipeline::ScanPositions parse_positions(const std::string& text) {
   return {.start_m = range.low * to_m, .step_m = range.step * to_m, .count = range.count};
 }
 
-// Takes the positions from the record where `positions` is empty. `assumed`: the record does not state the points of
-// its hits.
-std::unique_ptr<pipeline::Analysis> analysis_of(const NodesFlags& flags,
-                                                std::optional<pipeline::ScanPositions>& positions, bool& assumed) {
+struct OpenScan {
+  std::shared_ptr<const pipeline::Analysis> analysis;
+  pipeline::ScanPositions positions;
+  bool assumed_points = false;  // the record does not state the points of its hits
+};
+
+// The positions come from the record where none are stated.
+OpenScan open_scan(const NodesFlags& flags, const std::optional<pipeline::ScanPositions>& stated) {
   const acquire::FileGrouping grouping =
       flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
   if (grouping == acquire::FileGrouping::tests)
@@ -96,35 +99,37 @@ std::unique_ptr<pipeline::Analysis> analysis_of(const NodesFlags& flags,
     acquire::FrfRecord frfs = join_frfs_of(flags.read, std::move(opened.frfs));
     std::set<int> points;
     for (const acquire::PointFrf& frf : frfs.frfs) points.insert(frf.point);
-    if (!positions)
-      positions = pipeline::positions_of_geometry(renumbered ? Places{} : frfs.geometry, points, frfs.source());
-    return std::make_unique<pipeline::Analysis>(std::move(frfs), options);
+    const auto positions =
+        stated ? *stated
+               : pipeline::positions_of_geometry(renumbered ? Places{} : frfs.geometry, points, frfs.source());
+    return {.analysis = std::make_shared<pipeline::Analysis>(std::move(frfs), options), .positions = positions};
   }
   acquire::Record record = acquire::join_records(std::move(opened.records), grouping);
-  if (!positions) {
-    positions =
-        pipeline::positions_of_geometry(renumbered ? Places{} : record.geometry, record.points(), record.source());
-  }
-  assumed = record.points().size() != positions->count;
-  return std::make_unique<pipeline::Analysis>(pipeline::as_scan(std::move(record), *positions), options);
+  const auto positions = stated ? *stated
+                                : pipeline::positions_of_geometry(renumbered ? Places{} : record.geometry,
+                                                                  record.points(), record.source());
+  const bool assumed = record.points().size() != positions.count;
+  return {.analysis = std::make_shared<pipeline::Analysis>(pipeline::as_scan(std::move(record), positions), options),
+          .positions = positions,
+          .assumed_points = assumed};
 }
 
 int nodes(const NodesFlags& flags) {
-  std::optional<pipeline::ScanPositions> positions;
-  if (flags.positions) positions = parse_positions(*flags.positions);
+  std::optional<pipeline::ScanPositions> stated;
+  if (flags.positions) stated = parse_positions(*flags.positions);
   check_outputs(flags.output, {".json", ".svg", ".html"});
   const Progress progress("analysing", flags.output.quiet);
-  bool assumed = false;
-  const std::shared_ptr<const pipeline::Analysis> opened = analysis_of(flags, positions, assumed);
-  if (flags.output.host != nullptr) flags.output.host->outcome.analyses = {opened};
-  const pipeline::Analysis& analysis = *opened;
+  const OpenScan opened = open_scan(flags, stated);
+  if (flags.output.host != nullptr) flags.output.host->outcome.analyses = {opened.analysis};
+  const pipeline::Analysis& analysis = *opened.analysis;
   analysis.hits();
   if (!analysis.possible()) {
     progress.stop();
     print(flags.output, report::analysis_json(analysis, {.sections = {report::ReportSection::hits}}));
     return kImpossible;
   }
-  const pipeline::NodeScan scan = pipeline::scan_nodes(analysis, *positions, kResolution_m, assumed);
+  const pipeline::NodeScan scan =
+      pipeline::scan_nodes(analysis, opened.positions, kResolution_m, opened.assumed_points);
   progress.stop();
   return show_report(report::nodes_report(analysis, scan), flags.output, inputs_of(analysis));
 }
@@ -149,7 +154,7 @@ void add_nodes(CommandLine& line) {
           "Set the positions of the hits from the end of the barrel, in the order of points or files: a range or a "
           "list such as 3,3.5,5in; in inches unless a unit (in, m, mm, cm, ft) follows (default: from the record's "
           "geometry)")
-      .type("START:STEP:END[UNIT]");
+      .type("START:STEP:END[UNIT]|POSITION,...");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output, ".json, .svg, .html");

@@ -118,7 +118,7 @@ Sensitivity volts_per_SI(const std::string& unit, const std::string& role, const
   const Unit volts = parse_unit(unit.substr(0, slash)).value_or(none);
   const Unit per = parse_unit(unit.substr(std::min(slash + 1, unit.size()))).value_or(none);
   const bool force = per.quantity == Quantity::force;
-  const bool response = per.quantity == Quantity::acceleration || per.quantity == Quantity::pressure;
+  const bool response = is_response(per.quantity);
   if (volts.quantity != Quantity::voltage || (!force && !response)) {
     throw InputError("unknown sensitivity unit " + shown, where, "use mV/N, mV/lbf, mV/g, V/(m/s^2) or mV/Pa");
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "acquire/channels/column_words.hpp"
 #include "core/error.hpp"
@@ -50,8 +49,13 @@ class Finder {
     columns_.point = column_called("point");
     columns_.run = column_called("run");
     columns_.time = find_time();
-    columns_.force = find_force();
-    find_accel();
+    try {
+      find_force();
+      find_accel();
+    } catch (AmbiguousColumns& error) {
+      error.known = columns_;
+      throw;
+    }
     return std::move(columns_);
   }
 
@@ -68,9 +72,8 @@ class Finder {
     if (!options_.accel_channels.empty()) return;  // the user has chosen
     for (const auto& entry : options_.setup) {
       if (entry.role == "ignore") continue;
-      const bool known = std::any_of(header_.columns.begin(), header_.columns.end(), [&](const CsvColumn& column) {
-        return is_named(column, entry.name) || is_number_of(column, entry.name);
-      });
+      const bool known = std::any_of(header_.columns.begin(), header_.columns.end(),
+                                     [&](const CsvColumn& column) { return is_called(column, entry.name); });
       if (!known) {
         throw InputError("no column \"" + one_line(entry.name, 40) + "\" among " + list_of(header_.columns),
                          where_ + ": channel set-up", "correct the name in the set-up, or remove the entry");
@@ -86,11 +89,6 @@ class Finder {
       if (column.has_numbers && column.index == 0 && quantity_of(column) == Quantity::time) return column;
     }
     return std::nullopt;
-  }
-
-  bool is_helper(const CsvColumn& column) const {
-    const auto is = [&](const std::optional<CsvColumn>& other) { return other && other->index == column.index; };
-    return is(columns_.time) || is(columns_.hit) || is(columns_.point) || is(columns_.run);
   }
 
   // The column that the user named in `option`.
@@ -127,7 +125,7 @@ class Finder {
   }
 
   bool could_be(const CsvColumn& column, Quantity quantity, Words words) const {
-    if (!column.has_numbers || is_helper(column)) return false;
+    if (!column.has_numbers || is_helper(column, columns_)) return false;
     if (const auto measured = quantity_of(column)) {
       if (*measured == quantity) return true;
       if (*measured != Quantity::voltage) return false;
@@ -148,28 +146,34 @@ class Finder {
     return by_role.empty() ? by_header : by_role;
   }
 
-  CsvColumn find_force() {
-    if (!options_.force_channel.empty()) return named_by_user(options_.force_channel, "force_channel");
-    const auto found = candidates(Quantity::force, kForceWords, "force");
-    if (found.size() == 1) return found.front();
-    if (found.empty() && options_.force_optional) {
-      columns_.has_force = false;
-      return {.index = std::numeric_limits<std::size_t>::max()};
+  void find_force() {
+    std::vector<CsvColumn> found;
+    if (options_.force_channel.empty()) {
+      found = candidates(Quantity::force, kForceWords, "force");
+    } else {
+      found.push_back(named_by_user(options_.force_channel, "force_channel"));
     }
+    if (found.empty() && options_.force_optional) return;
     if (found.empty()) {
       throw AmbiguousColumns("no force column found among " + list_of(header_.columns), where_, "name the force",
                              header_, {"force_channel"});
     }
-    throw AmbiguousColumns(fmt::format("{} columns could be the force: {}", found.size(), list_of(found)), where_,
-                           "name the force", header_, {"force_channel"});
+    if (found.size() > 1) {
+      throw AmbiguousColumns(fmt::format("{} columns could be the force: {}", found.size(), list_of(found)), where_,
+                             "name the force", header_, {"force_channel"});
+    }
+    columns_.force = found.front();
+    columns_.has_force = true;
   }
+
+  bool is_force(const CsvColumn& column) const { return columns_.has_force && column.index == columns_.force.index; }
 
   void find_accel() {
     for (const auto& name : options_.accel_channels) {
       const auto column = named_by_user(name, "accel_channel");
       const bool twice =
           std::any_of(columns_.accel.begin(), columns_.accel.end(), [&](auto& c) { return c.index == column.index; });
-      if (twice || column.index == columns_.force.index) {
+      if (twice || is_force(column)) {
         throw InputError("column \"" + one_line(column.name, 40) + "\" is named twice", where_,
                          "give each column one role");
       }
@@ -177,7 +181,7 @@ class Finder {
     }
     if (!columns_.accel.empty()) return;
     for (const auto& column : candidates(Quantity::acceleration, kAccelWords, "acceleration")) {
-      if (column.index != columns_.force.index) columns_.accel.push_back(column);
+      if (!is_force(column)) columns_.accel.push_back(column);
     }
     if (columns_.accel.empty() && !columns_.has_force) find_only_response();
     if (!columns_.accel.empty()) return;
@@ -195,7 +199,7 @@ class Finder {
   void find_only_response() {
     std::vector<CsvColumn> signals;
     for (const CsvColumn& column : header_.columns) {
-      if (!column.has_numbers || is_helper(column) || role_of(column) == "ignore") continue;
+      if (!column.has_numbers || is_helper(column, columns_) || role_of(column) == "ignore") continue;
       signals.push_back(column);
       if (quantity_of(column) == Quantity::pressure) columns_.accel.push_back(column);
     }
@@ -226,12 +230,21 @@ const ChannelSetup* setup_of(const CsvColumn& column, const ReadOptions& options
   return nullptr;
 }
 
+bool is_called(const CsvColumn& column, const std::string& name) {
+  return is_named(column, name) || is_number_of(column, name);
+}
+
+bool is_helper(const CsvColumn& column, const CsvColumns& columns) {
+  const auto is = [&](const std::optional<CsvColumn>& other) { return other && other->index == column.index; };
+  return is(columns.time) || is(columns.hit) || is(columns.point) || is(columns.run);
+}
+
 bool may_be_time(const CsvColumn& column, const CsvColumns& columns) {
   const auto is = [&](const CsvColumn& other) { return other.index == column.index; };
-  const auto is_helper = [&](const std::optional<CsvColumn>& other) { return other && is(*other); };
-  if (column.index != 0 || !column.has_numbers || quantity_of(column) || is(columns.force)) return false;
-  if (std::any_of(columns.accel.begin(), columns.accel.end(), is) || is_helper(columns.hit)) return false;
-  return !is_helper(columns.point) && !is_helper(columns.run) && !is_one_of(lower_case(column.base), kCountWords);
+  if (column.index != 0 || !column.has_numbers || quantity_of(column)) return false;
+  if ((columns.has_force && is(columns.force)) || is_helper(column, columns)) return false;
+  return std::none_of(columns.accel.begin(), columns.accel.end(), is) &&
+         !is_one_of(lower_case(column.base), kCountWords);
 }
 
 }  // namespace percuss::acquire

@@ -16,9 +16,9 @@ namespace percuss::acquire {
 
 /// The roles of a text file's columns; indices as in CsvColumn::index.
 struct CsvColumns {
-  CsvColumn force;
-  bool has_force = true;  // false: `force` is not a column
-  std::vector<CsvColumn> accel;
+  CsvColumn force{};
+  bool has_force = false;  // false: `force` is not a column
+  std::vector<CsvColumn> accel{};
   std::optional<CsvColumn> time, hit, point, run;
 };
 
@@ -33,6 +33,7 @@ class AmbiguousColumns : public InputError {
   std::vector<CsvColumn> columns;  // all columns of the file
   std::optional<double> fs_Hz;     // where a line of the header states it
   std::string format = "CSV";
+  CsvColumns known;  // the roles found before the error
   RoleGuess guess;
 };
 
@@ -45,6 +46,12 @@ CsvColumns find_csv_columns(const CsvHeader& header, const ReadOptions& options,
 
 /// The set-up's entry for a column, or nullptr.
 const ChannelSetup* setup_of(const CsvColumn& column, const ReadOptions& options);
+
+/// Whether an option means this column by `name`: its name, its name without unit, or its 1-based number.
+bool is_called(const CsvColumn& column, const std::string& name);
+
+/// Whether the column is the time, or numbers the hits, points or runs.
+bool is_helper(const CsvColumn& column, const CsvColumns& columns);
 
 /// Whether a first column may be the time although neither its name nor its unit says so: it is neither a count of
 /// samples nor a signal.

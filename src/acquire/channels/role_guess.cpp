@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "acquire/channels/column_words.hpp"
+#include "acquire/channels/csv_columns.hpp"
 #include "core/error.hpp"
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
@@ -14,7 +17,6 @@ namespace {
 // Enough for a hit. Fewer samples of many signals, so that a guess takes less than a second.
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U, kMinSamples = std::size_t{1} << 14U;
 constexpr std::size_t kMaxInAll = std::size_t{1} << 21U;
-constexpr std::size_t kMaxSignals = 64;  // more than a command line should list
 
 bool is_plain_name(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
@@ -39,16 +41,17 @@ std::string option_value(const CsvColumn& signal, const std::vector<CsvColumn>& 
   return std::to_string(signal.index + 1);
 }
 
-bool measures_response(const CsvColumn& signal) {
-  const auto unit = parse_unit(signal.unit);
-  return unit && (unit->quantity == Quantity::acceleration || unit->quantity == Quantity::pressure);
+// The median; of some evenly spaced samples where there are many, which is as good for the rest position.
+double rest_of(std::span<const double> samples) {
+  const std::size_t step = (samples.size() - 1) / kMaxSamples + 1;
+  std::vector<double> some;
+  some.reserve(samples.size() / step + 1);
+  for (std::size_t i = 0; i < samples.size(); i += step) some.push_back(samples[i]);
+  return median(std::move(some));
 }
 
-}  // namespace
-
-double active_share(std::span<const double> samples) {
-  if (samples.empty() || !are_finite(samples)) return 1;
-  const double rest = median(std::vector<double>(samples.begin(), samples.end()));
+// (1) of samples around `rest`
+double active_share_around(std::span<const double> samples, double rest) {
   double largest = 0;
   for (const double x : samples) largest = std::max(largest, std::abs(x - rest));
   if (!(largest > 0) || !std::isfinite(largest)) return 1;
@@ -61,67 +64,93 @@ double active_share(std::span<const double> samples) {
   return squares * squares / (static_cast<double>(samples.size()) * fourths);  // (1)
 }
 
-double hammer_measure(std::span<const double> samples) {
-  constexpr double kLeastRatio = 0.05;
+// Whether a column is a helper or the user excludes it.
+bool is_no_signal(const CsvColumn& column, const CsvColumns& known, const ReadOptions& options) {
+  const std::string base = lower_case(column.base);
+  const ChannelSetup* const setup = setup_of(column, options);
+  return is_helper(column, known) || is_one_of(base, kTimeWords) || is_one_of(base, kCountWords) ||
+         (setup != nullptr && setup->role == "ignore");
+}
+
+// Whether the user or the unit says that the signal is a response.
+bool is_stated_response(const CsvColumn& signal, const ReadOptions& options) {
+  const ChannelSetup* const setup = setup_of(signal, options);
+  const auto names = [&](const std::string& typed) { return is_called(signal, typed); };
+  const auto unit = parse_unit(signal.unit);
+  return (unit && is_response(unit->quantity)) || (setup != nullptr && setup->role == "acceleration") ||
+         std::any_of(options.accel_channels.begin(), options.accel_channels.end(), names);
+}
+
+}  // namespace
+
+double active_share(std::span<const double> samples) {
   if (samples.empty() || !are_finite(samples)) return 1;
-  const double rest = median(std::vector<double>(samples.begin(), samples.end()));
+  return active_share_around(samples, rest_of(samples));
+}
+
+double hammer_measure(std::span<const double> samples) {
+  constexpr double kMinSideRatio = 0.05;
+  if (samples.empty() || !are_finite(samples)) return 1;
+  const double rest = rest_of(samples);
   const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
   const double above = *high - rest, below = rest - *low;
   const double larger = std::max(above, below);
   const double ratio = larger > 0 ? std::min(above, below) / larger : 1;
-  return active_share(samples) * std::max(kLeastRatio, ratio);  // (2)
+  return active_share_around(samples, rest) * std::max(kMinSideRatio, ratio);  // (2)
 }
 
 bool rises_evenly(std::span<const double> samples) {
-  constexpr double kMostDeviation = 0.5;  // of a step
-  constexpr std::size_t kFewest = 8;
-  if (samples.size() < kFewest) return false;
+  constexpr double kMaxDeviation = 0.5;  // of a step
+  constexpr std::size_t kMinStamps = 8;
+  if (samples.size() < kMinStamps) return false;
   const double step = (samples.back() - samples.front()) / static_cast<double>(samples.size() - 1);
   if (!(step > 0) || !std::isfinite(step)) return false;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double expected = samples.front() + static_cast<double>(i) * step;
     // Rounded stamps deviate by up to half a step in the coarsest usable column.
-    if (!(std::abs(samples[i] - expected) <= kMostDeviation * step)) return false;
+    if (!(std::abs(samples[i] - expected) <= kMaxDeviation * step)) return false;
   }
   return true;
 }
 
-RoleGuess guess_roles(const std::vector<CsvColumn>& signals,
-                      const std::function<std::vector<double>(std::size_t index, std::size_t most)>& read,
+RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& known, const ReadOptions& options,
+                      const std::function<std::vector<double>(std::size_t index, std::size_t max_samples)>& read,
                       const std::function<std::string(const CsvColumn&)>& name_of) {
-  RoleGuess guess{.force = {}, .accel = {}, .rate_known = false};
+  const auto value = [&](const CsvColumn& signal) { return name_of ? name_of(signal) : option_value(signal, signals); };
+  RoleGuess guess{.force = {}, .accel = {}, .rate_known = known.time.has_value()};
   std::vector<const CsvColumn*> found;
-  constexpr double kNone = 2;  // above every measure
-  std::size_t force = 0;
-  double least = kNone;
-  const std::size_t most = std::clamp(kMaxInAll / std::max<std::size_t>(signals.size(), 1), kMinSamples, kMaxSamples);
+  const CsvColumn* force = nullptr;
+  double smallest = std::numeric_limits<double>::infinity();
+  const std::size_t max_samples =
+      std::clamp(kMaxInAll / std::max<std::size_t>(signals.size(), 1), kMinSamples, kMaxSamples);
   for (const CsvColumn& signal : signals) {
-    const std::string base = lower_case(signal.base);
-    if (!signal.has_numbers || found.size() == kMaxSignals) continue;
-    if (is_one_of(base, kTimeWords)) guess.rate_known = true;
-    if (is_one_of(base, kTimeWords) || is_one_of(base, kCountWords) || base == "hit" || base == "run") continue;
+    if (!signal.has_numbers || found.size() == kMaxGuessedSignals) continue;
+    if (known.has_force && signal.index == known.force.index) continue;
+    if (is_one_of(lower_case(signal.base), kTimeWords)) guess.rate_known = true;
+    if (is_no_signal(signal, known, options)) continue;
     try {
-      const std::vector<double> samples = read(signal.index, most);
+      const std::vector<double> samples = read(signal.index, max_samples);
       if (signal.index == 0 && rises_evenly(samples)) {
         guess.rate_known = true;
         continue;
       }
-      const double share = hammer_measure(samples);
-      if (share < least && !measures_response(signal)) {
-        least = share;
-        force = found.size();
+      const double measure = hammer_measure(samples);
+      if (measure < smallest && !is_stated_response(signal, options)) {
+        smallest = measure;
+        force = &signal;
       }
       found.push_back(&signal);
     } catch (const InputError&) {
       continue;
     }
   }
-  const bool with_force = found.size() > 1 && least < kNone;
-  const auto value = [&](const CsvColumn& signal) { return name_of ? name_of(signal) : option_value(signal, signals); };
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (i != force || !with_force) guess.accel.push_back(value(*found[i]));
+  if (known.has_force) force = &known.force;
+  if (!known.has_force && found.size() < 2) force = nullptr;
+  if (force != nullptr) guess.force = value(*force);
+  for (const CsvColumn* signal : found) {
+    if (signal != force) guess.accel.push_back(value(*signal));
   }
-  if (with_force) guess.force = value(*found[force]);
+  if (!options.accel_channels.empty()) guess.accel = options.accel_channels;
   return guess;
 }
 

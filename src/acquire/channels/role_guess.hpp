@@ -9,6 +9,13 @@
 
 namespace percuss::acquire {
 
+struct CsvColumns;
+struct ReadOptions;
+
+inline constexpr std::size_t kMaxGuessedSignals = 64;  // more than a command line should list
+/// Between the hammer_measure() of two hammers. A response differs from its hammer by a factor of 20 and more.
+inline constexpr double kMaxMeasureRatio = 10;
+
 /// The likely force and accelerations of a file that does not name them, as the options accept them. Empty: no guess.
 struct RoleGuess {
   std::string force;
@@ -16,9 +23,9 @@ struct RoleGuess {
   bool rate_known = true;  // false: nothing in the file states the sampling rate
 };
 
-/// The share of samples in which a signal lives: (Σ x²)² / (N Σ x⁴), where x is the distance from the median. A hammer
-/// pulse has a few thousandths, a decay more, noise 1/3. 1 for a constant signal and for numbers that are not finite.
-/// (1)
+/// The share of samples in which a signal lives: (Σ x²)² / (N Σ x⁴), where x is the distance from the median (of 262144
+/// evenly spaced samples at most). A hammer pulse has a few thousandths, a decay more, noise 1/3. 1 for a constant
+/// signal and for numbers that are not finite. (1)
 double active_share(std::span<const double> samples);
 
 /// How little a signal resembles a hammer's force, small for a hammer: (1) times the larger of 0.05 and the ratio of
@@ -28,13 +35,14 @@ double hammer_measure(std::span<const double> samples);
 /// Whether the numbers rise evenly, as times do: none is more than half a step from its place. False for fewer than 8.
 bool rises_evenly(std::span<const double> samples);
 
-/// Guesses the roles from the samples: a first signal that rises evenly is the time, the signal with the smallest
-/// hammer_measure() the force unless its unit is another's, all others are accelerations. `read` gives up to the
+/// Guesses the roles that are not known from the samples: a first signal that rises evenly is the time, the signal with
+/// the smallest hammer_measure() the force unless its unit is another's, all others are accelerations. The roles in
+/// `known` stay, as do the accelerations that the options name and the roles of their set-up. `read` gives up to the
 /// demanded number of samples. A single signal is an acceleration. `name_of`: how the options name a signal; by default
 /// its name if it is unique and holds no character that a shell changes, else its number.
 /// errors  None: a signal that cannot be read is no candidate.
-RoleGuess guess_roles(const std::vector<CsvColumn>& signals,
-                      const std::function<std::vector<double>(std::size_t index, std::size_t most)>& read,
+RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& known, const ReadOptions& options,
+                      const std::function<std::vector<double>(std::size_t index, std::size_t max_samples)>& read,
                       const std::function<std::string(const CsvColumn&)>& name_of = {});
 
 }  // namespace percuss::acquire

@@ -99,9 +99,10 @@ void describe_table(ScaledTable& open, const ReadOptions& options, Record& recor
 }
 
 // From the samples of the first row.
-RoleGuess guess_of(const SignalTable& table, const CsvHeader& header) {
-  return guess_roles(header.columns, [&](std::size_t index, std::size_t most) {
-    std::vector<double> samples(table.rows.empty() ? 0 : std::min(table.rows.front().samples, most));
+RoleGuess guess_of(const SignalTable& table, const CsvHeader& header, const CsvColumns& known,
+                   const ReadOptions& options) {
+  return guess_roles(header.columns, known, options, [&](std::size_t index, std::size_t max_samples) {
+    std::vector<double> samples(table.rows.empty() ? 0 : std::min(table.rows.front().samples, max_samples));
     table.read(0, index, 0, samples);
     return samples;
   });
@@ -123,7 +124,7 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
     return roles;
   } catch (AmbiguousColumns& error) {
     error.format = table.format;
-    if (table.read) error.guess = guess_of(table, header);
+    if (table.read) error.guess = guess_of(table, header, error.known, options);
     error.guess.rate_known = table.fs_Hz > 0 || options.fs_Hz.has_value() || !options.fs_variable.empty();
     // The user chooses among arrays by their sizes.
     for (CsvColumn& column : error.columns) {

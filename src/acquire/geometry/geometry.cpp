@@ -90,8 +90,9 @@ Columns columns_of(const std::vector<std::string_view>& names, const std::string
   if (!has(kPoint)) throw InputError("no column of points", where, kGeometryRemedy, {"survey.example"});
   const bool cartesian = has(kX) || has(kY) || has(kZ), tube = has(kPosition) || has(kAngle);
   if (cartesian == tube || (tube && !has(kPosition))) {
-    throw InputError("the columns must be either x, y and z, or position and angle", where,
-                     "name the columns point,x_m,y_m,z_m or point,position_m,angle_deg");
+    throw InputError("the columns state no place, or two kinds of it", where,
+                     "give x, y, z (missing ones are 0), or position with or without angle: point,x_m,y_m,z_m or "
+                     "point,position_m,angle_deg");
   }
   return columns;
 }

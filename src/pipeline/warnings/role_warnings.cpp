@@ -12,8 +12,6 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;
-// Of the measures of a hammer's force and a response: in a swapped pair they differ by a factor of 20 and more.
-constexpr double kMaxShare = 0.1;
 
 bool lacks_pulse(const AnalysedHit& hit) {
   const auto& findings = hit.hit.findings;
@@ -29,18 +27,18 @@ std::vector<Warning> role_warnings(const acquire::Record& record, const std::vec
   const std::size_t row = hits.front().hit.row;
   std::vector<double> samples(std::min(record.rows[row].samples, kMaxSamples));
   record.read_force_N(row, 0, samples);
-  const double force_share = acquire::hammer_measure(samples);
+  const double force_measure = acquire::hammer_measure(samples);
   std::size_t hammer = 0;
-  double least = 1;
+  double smallest = 1;
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     record.read_accel_mps2(row, c, 0, samples);
-    const double share = acquire::hammer_measure(samples);
-    if (share < least) {
-      least = share;
+    const double measure = acquire::hammer_measure(samples);
+    if (measure < smallest) {
+      smallest = measure;
       hammer = c;
     }
   }
-  if (!(least < kMaxShare * force_share)) return {};
+  if (!(acquire::kMaxMeasureRatio * smallest < force_measure)) return {};
   const std::string force = one_line(record.force.name, 40), response = one_line(record.accel[hammer].name, 40);
   return {with_remedy(
       {"swapped_channels",

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/response/response_test.hpp"
 #include "report/json/analysis_json.hpp"
 
 namespace percuss::report {
@@ -10,5 +11,8 @@ namespace percuss::report {
 /// damping_ratio_std, family, order (empty if unknown), point, channel, residue_re, residue_im, residue_std (in 1/kg).
 /// Several tests: a first column `test`. A test without usable hits has no lines.
 std::string modes_csv(const std::vector<NumberedAnalysis>& tests);
+
+/// The same of tests without a force, whose residues are amplitudes of the decay. The tests count from 0.
+std::string modes_csv(const std::vector<pipeline::ResponseTest>& tests);
 
 }  // namespace percuss::report

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "acquire/channels/csv_columns.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire::role_guess_test {
@@ -61,14 +62,14 @@ TEST(GuessRoles, TakesThePulseAsTheForce) {
   for (std::size_t i = 0; i < columns.size(); ++i)
     signals.push_back({.index = i, .name = "column " + std::to_string(i + 1), .base = ""});
   const auto read = [&](std::size_t index, std::size_t) { return columns[index]; };
-  const RoleGuess guess = guess_roles(signals, read);
+  const RoleGuess guess = guess_roles(signals, {}, {}, read);
   EXPECT_EQ(guess.force, "3") << "a name with a blank is no word of a shell";
   EXPECT_THAT(guess.accel, ElementsAre("2"));
   EXPECT_TRUE(guess.rate_known);
   signals[2].name = "CH3";
-  EXPECT_EQ(guess_roles(signals, read).force, "CH3");
+  EXPECT_EQ(guess_roles(signals, {}, {}, read).force, "CH3");
   signals[1].name = "ch3";
-  EXPECT_EQ(guess_roles(signals, read).force, "3") << "the name is not the only one";
+  EXPECT_EQ(guess_roles(signals, {}, {}, read).force, "3") << "the name is not the only one";
 }
 
 TEST(GuessRoles, TakesNoAccelerationAsTheForce) {
@@ -76,22 +77,51 @@ TEST(GuessRoles, TakesNoAccelerationAsTheForce) {
   const auto read = [&](std::size_t index, std::size_t) { return columns[index]; };
   std::vector<CsvColumn> signals{{.index = 0, .name = "a", .base = "a", .unit = "cm/s2"},
                                  {.index = 1, .name = "b", .base = "b", .unit = "V"}};
-  EXPECT_EQ(guess_roles(signals, read).force, "b");
+  EXPECT_EQ(guess_roles(signals, {}, {}, read).force, "b");
   signals[1].unit = "g";
-  EXPECT_EQ(guess_roles(signals, read).force, "");
-  EXPECT_THAT(guess_roles(signals, read).accel, ElementsAre("a", "b"));
+  EXPECT_EQ(guess_roles(signals, {}, {}, read).force, "");
+  EXPECT_THAT(guess_roles(signals, {}, {}, read).accel, ElementsAre("a", "b"));
+}
+
+TEST(GuessRoles, KeepsWhatIsKnown) {
+  const std::vector<std::vector<double>> columns{pulse(1000, 10, 1), sine(1000), pulse(1000, 20, 1), sine(1000)};
+  const auto read = [&](std::size_t index, std::size_t) { return columns[index]; };
+  std::vector<CsvColumn> signals;
+  for (const char* name : {"a", "b", "c", "d"})
+    signals.push_back({.index = signals.size(), .name = name, .base = name});
+  CsvColumns known{.force = signals[1], .has_force = true, .accel = {}, .time = {}, .hit = {}, .point = {}, .run = {}};
+  EXPECT_EQ(guess_roles(signals, known, {}, read).force, "b");
+  EXPECT_THAT(guess_roles(signals, known, {}, read).accel, ElementsAre("a", "c", "d"));
+  known = {};
+  known.point = signals[0];
+  EXPECT_EQ(guess_roles(signals, known, {}, read).force, "c");
+  EXPECT_THAT(guess_roles(signals, known, {}, read).accel, ElementsAre("b", "d"));
+  const RoleGuess typed = guess_roles(signals, {}, {.accel_channels = {"A", "4"}}, read);
+  EXPECT_EQ(typed.force, "c");
+  EXPECT_THAT(typed.accel, ElementsAre("A", "4"));
+}
+
+TEST(GuessRoles, FollowsTheRolesOfASetUp) {
+  const std::vector<std::vector<double>> columns{pulse(1000, 10, 1), pulse(1000, 20, 1), pulse(1000, 30, 1)};
+  const auto read = [&](std::size_t index, std::size_t) { return columns[index]; };
+  std::vector<CsvColumn> signals;
+  for (const char* name : {"a", "b", "c"}) signals.push_back({.index = signals.size(), .name = name, .base = name});
+  const ReadOptions options{.setup = {{.name = "a", .role = "ignore"}, {.name = "b", .role = "acceleration"}}};
+  const RoleGuess guess = guess_roles(signals, {}, options, read);
+  EXPECT_EQ(guess.force, "c");
+  EXPECT_THAT(guess.accel, ElementsAre("b"));
 }
 
 TEST(GuessRoles, LeavesOutSignalsThatCannotBeRead) {
   const std::vector<CsvColumn> signals{{.index = 0, .name = "a", .base = "a"}, {.index = 1, .name = "b", .base = "b"}};
-  const RoleGuess guess = guess_roles(signals, [](std::size_t index, std::size_t) -> std::vector<double> {
+  const RoleGuess guess = guess_roles(signals, {}, {}, [](std::size_t index, std::size_t) -> std::vector<double> {
     if (index == 0) throw InputError("damaged", "x", "y");
     return sine(100);
   });
   EXPECT_EQ(guess.force, "");
   EXPECT_THAT(guess.accel, ElementsAre("b"));
   EXPECT_FALSE(guess.rate_known);
-  EXPECT_THAT(guess_roles({}, {}).accel, IsEmpty());
+  EXPECT_THAT(guess_roles({}, {}, {}, {}).accel, IsEmpty());
 }
 
 }  // namespace percuss::acquire::role_guess_test

@@ -110,7 +110,7 @@ TEST(Geometry, NamesLineAndRemedyOfAnError) {
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1\n"), HasSubstr("no cell for angle (g.csv: line 2)"));
   EXPECT_THAT(rejection_of("point,position,angle_deg\n0,0.1,0\n"), HasSubstr("no unit for position (g.csv: line 1)"));
   EXPECT_THAT(rejection_of("point,position_kg,angle_deg\n0,0.1,0\n"), HasSubstr("g.csv: line 1"));
-  EXPECT_THAT(rejection_of("point,x_m,angle_deg\n0,0.1,0\n"), HasSubstr("either x, y and z, or position and angle"));
+  EXPECT_THAT(rejection_of("point,x_m,angle_deg\n0,0.1,0\n"), HasSubstr("x, y, z (missing ones are 0), or position with or without angle"));
   EXPECT_THAT(rejection_of("point,x,y\n0,0.1,0\n"), HasSubstr("call the column x_m, for instance"));
   EXPECT_THAT(rejection_of("x_m,y_m,z_m\n0,0.1,0\n"), HasSubstr("no column of points"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg,angle_rad\n0,0.1,0,0\n"),

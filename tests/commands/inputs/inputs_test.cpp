@@ -18,7 +18,7 @@
 // Files as users have them: percuss reads them, or one message says what would work.
 namespace percuss::inputs_test {
 
-using test::kFrequency_Hz;
+using test::kFrequencyTolerance_Hz;
 using test::run_percuss;
 using testing::AllOf;
 using testing::EndsWith;
@@ -87,7 +87,7 @@ TEST_F(Inputs, WithoutNamesGetTheCommandThatWorks) {
     EXPECT_EQ(outcome.code, 3);
     EXPECT_EQ(test::lines_of(outcome.err).size(), 1U);
     EXPECT_THAT(outcome.err, EndsWith(std::string(roles) + "\n"));
-    EXPECT_NEAR(first_mode_Hz(run_suggestion(outcome.err)), 200, kFrequency_Hz) << name;
+    EXPECT_NEAR(first_mode_Hz(run_suggestion(outcome.err)), 200, kFrequencyTolerance_Hz) << name;
   }
 }
 
@@ -105,7 +105,7 @@ TEST_F(Inputs, MayHaveTimeStamps) {
           << record_.accel_mps2[i] << '\n';
     }
     out.close();
-    EXPECT_NEAR(first_mode_Hz(analyze({"stamp.csv", "--json"})), 200, kFrequency_Hz) << date;
+    EXPECT_NEAR(first_mode_Hz(analyze({"stamp.csv", "--json"})), 200, kFrequencyTolerance_Hz) << date;
   }
 }
 
@@ -149,7 +149,7 @@ TEST_F(Inputs, WithSwappedChannelsAreNamedWithTheirCure) {
   EXPECT_THAT(text, HasSubstr("accel looks like the hammer and force like a response"));
   EXPECT_THAT(text, HasSubstr("--force-channel"));
   EXPECT_NEAR(first_mode_Hz(analyze({"swapped.csv", "--force-channel", "accel", "--accel-channel", "force", "--json"})),
-              200, kFrequency_Hz);
+              200, kFrequencyTolerance_Hz);
 }
 
 TEST_F(Inputs, ShowTheHammerInTheirSamples) {
@@ -195,7 +195,7 @@ TEST_F(Inputs, OfSoundMayComeThroughAPipe) {
   for (const char* kind : {"x.wav", "x.mat", "x.h5"}) {
     ASSERT_EQ(run_percuss({"convert", file("x.csv"), file(kind), "--force"}).code, 0);
     const auto outcome = analyze({"-", "--json"}, file(kind));
-    EXPECT_NEAR(first_mode_Hz(outcome), 200, kFrequency_Hz) << kind;
+    EXPECT_NEAR(first_mode_Hz(outcome), 200, kFrequencyTolerance_Hz) << kind;
     EXPECT_EQ(test::parse_json(outcome.out)["inputs"][0]["path"], "-");
   }
 }

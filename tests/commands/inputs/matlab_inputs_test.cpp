@@ -10,7 +10,7 @@
 // MAT files as users have them.
 namespace percuss::matlab_inputs_test {
 
-using test::kFrequency_Hz;
+using test::kFrequencyTolerance_Hz;
 using test::run_percuss;
 using testing::AllOf;
 using testing::EndsWith;
@@ -28,7 +28,7 @@ TEST_F(MatlabInputs, MayHoldTheTimeBesideTheSignal) {
   test::MatBuilder(file("tx.mat"), test::MatLevel::v5)
       .numbers("force", {n, 2}, beside(record_.force_N))
       .numbers("accel", {n, 2}, beside(record_.accel_mps2));
-  EXPECT_NEAR(first_mode_Hz(analyze({"tx.mat", "--json"})), 200, kFrequency_Hz);
+  EXPECT_NEAR(first_mode_Hz(analyze({"tx.mat", "--json"})), 200, kFrequencyTolerance_Hz);
   std::vector<double> all = beside(record_.force_N);
   all.insert(all.end(), record_.accel_mps2.begin(), record_.accel_mps2.end());
   test::MatBuilder(file("all.mat"), test::MatLevel::v5).numbers("data", {n, 3}, all);
@@ -36,7 +36,7 @@ TEST_F(MatlabInputs, MayHoldTheTimeBesideTheSignal) {
     EXPECT_THAT(outcome.out + outcome.err, HasSubstr("--force-channel 'data(:,2)' --accel-channel 'data(:,3)'\n"));
   EXPECT_NEAR(
       first_mode_Hz(analyze({"all.mat", "--force-channel", "data(:,2)", "--accel-channel", "data(:,3)", "--json"})),
-      200, kFrequency_Hz);
+      200, kFrequencyTolerance_Hz);
 }
 
 // As an analyser saves them: spectra beside the signals, and names that do not tell the force.
@@ -50,7 +50,7 @@ TEST_F(MatlabInputs, WithoutRolesGetTheCommandThatWorks) {
       .numbers("Auto_Correlation_1", {2 * n, 1}, std::vector<double>(2 * n, 1.0));
   const auto outcome = analyze({"all.mat", "--fs", "4096", "--json"});
   EXPECT_THAT(outcome.err, EndsWith("--force-channel Time_chan_2 --accel-channel Time_chan_1\n"));
-  EXPECT_NEAR(first_mode_Hz(run_suggestion(outcome.err)), 200, kFrequency_Hz);
+  EXPECT_NEAR(first_mode_Hz(run_suggestion(outcome.err)), 200, kFrequencyTolerance_Hz);
 }
 
 TEST_F(MatlabInputs, MayStateUnitsAndCoherence) {

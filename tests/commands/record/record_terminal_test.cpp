@@ -1,107 +1,43 @@
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <poll.h>
-#include <pty.h>
-#include <sys/wait.h>
-#include <termios.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <memory>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/terminal_process.hpp"
 
 // percuss record on a terminal.
 namespace percuss::record_terminal_test {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using testing::HasSubstr;
 
-constexpr std::chrono::seconds kPatience{100};  // sanitizers are slow
-
 /// percuss record -o t.h5 with a simulated device, on a pseudo-terminal.
-class Terminal {
+class Terminal : public test::TerminalProcess {
  public:
-  explicit Terminal(const std::string& device, std::vector<std::string> more = {}) {
-    std::vector<std::string> words{"percuss", "record", "-o", "t.h5", "--device", device};
-    words.insert(words.end(), more.begin(), more.end());
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    winsize size{.ws_row = 40, .ws_col = 200, .ws_xpixel = 0, .ws_ypixel = 0};
-    child_ = ::forkpty(&master_, nullptr, nullptr, &size);
-    if (child_ == 0) {
-      if (::chdir(folder.path().c_str()) == 0) ::execv(PERCUSS_EXECUTABLE, arguments.data());
-      ::_exit(99);
-    }
-    ::fcntl(master_, F_SETFL, O_NONBLOCK);
-  }
-  ~Terminal() {
-    if (child_ > 0) {
-      ::kill(child_, SIGKILL);
-      ::waitpid(child_, nullptr, 0);
-    }
-    ::close(master_);
-  }
-  Terminal(const Terminal&) = delete;
-  Terminal& operator=(const Terminal&) = delete;
-
-  void type(const std::string& keys) const { static_cast<void>(!::write(master_, keys.data(), keys.size())); }
-  void send(int signal) const { ::kill(child_, signal); }
-  /// Reads until the screen has shown this text. False after a long time.
-  bool shows(const std::string& text) {
-    const auto deadline = Clock::now() + kPatience;
-    while (screen.find(text, seen_) == std::string::npos) {
-      if (Clock::now() > deadline) return false;
-      read_some();
-    }
-    seen_ = screen.find(text, seen_) + text.size();
-    return true;
-  }
-  /// The exit code; −1 for a signal or after a long time. `read`: takes what is written meanwhile.
-  int wait(bool read = true) {
-    const auto deadline = Clock::now() + kPatience;
-    int status = 0;
-    while (::waitpid(child_, &status, WNOHANG) == 0) {
-      if (Clock::now() > deadline) return -1;
-      if (read) read_some();
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    child_ = -1;
-    if (read) read_some();
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-  /// The terminal shows what is typed, and delivers lines.
-  bool is_ordinary() const {
-    termios mode{};
-    return ::tcgetattr(master_, &mode) == 0 && (mode.c_lflag & ICANON) != 0 && (mode.c_lflag & ECHO) != 0;
-  }
-  std::size_t blows() const { return acquire::open_hdf5(folder.file("t.h5"), {}).rows.size(); }
-
-  test::ScratchFolder folder;
-  std::string screen;
+  explicit Terminal(const std::string& device, const std::vector<std::string>& more = {})
+      : Terminal(std::make_unique<test::ScratchFolder>(), device, more) {}
+  std::string file(const std::string& name) const { return folder_->file(name); }
+  std::size_t blows() const { return acquire::open_hdf5(file("t.h5"), {}).rows.size(); }
 
  private:
-  void read_some() {
-    pollfd file{.fd = master_, .events = POLLIN, .revents = 0};
-    ::poll(&file, 1, 20);
-    std::array<char, 4096> bytes{};
-    const auto got = ::read(master_, bytes.data(), bytes.size());
-    if (got > 0) screen.append(bytes.data(), static_cast<std::size_t>(got));
+  Terminal(std::unique_ptr<test::ScratchFolder> folder, const std::string& device, const std::vector<std::string>& more)
+      : TerminalProcess(words_for(device, more), {.folder = folder->path(), .columns = 200}),
+        folder_(std::move(folder)) {}
+  static std::vector<std::string> words_for(const std::string& device, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"record", "-o", "t.h5", "--device", device};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
   }
 
-  int master_ = -1;
-  pid_t child_ = -1;
-  std::size_t seen_ = 0;
+  std::unique_ptr<test::ScratchFolder> folder_;
 };
 
 TEST(RecordTerminal, ShowsBlowsModesAndAPrompt) {
@@ -112,8 +48,8 @@ TEST(RecordTerminal, ShowsBlowsModesAndAPrompt) {
   EXPECT_FALSE(terminal.is_ordinary());
   EXPECT_EQ(terminal.wait(), 0);
   EXPECT_TRUE(terminal.is_ordinary());
-  EXPECT_THAT(terminal.screen, HasSubstr("modes in Hz: "));
-  EXPECT_EQ(std::count(terminal.screen.begin(), terminal.screen.end(), '\a'), 6);
+  EXPECT_THAT(terminal.screen(), HasSubstr("modes in Hz: "));
+  EXPECT_EQ(std::count(terminal.screen().begin(), terminal.screen().end(), '\a'), 6);
 }
 
 TEST(RecordTerminal, ObeysKeys) {
@@ -141,14 +77,14 @@ TEST(RecordTerminal, IsRestoredAfterSignals) {
     EXPECT_EQ(terminal.wait(), 6) << signal;
     EXPECT_TRUE(terminal.is_ordinary()) << signal;
     EXPECT_GE(terminal.blows(), 1U);
-    EXPECT_FALSE(std::filesystem::exists(terminal.folder.file("t.h5.journal")));
+    EXPECT_FALSE(std::filesystem::exists(terminal.file("t.h5.journal")));
   }
   Terminal terminal("sim:aluminium-bat,speed=4");
   EXPECT_TRUE(terminal.shows("Blow 1 of 5: accepted"));
   terminal.send(SIGQUIT);  // ends it at once; the journal stays
   EXPECT_EQ(terminal.wait(), -1);
   EXPECT_TRUE(terminal.is_ordinary());
-  EXPECT_TRUE(std::filesystem::exists(terminal.folder.file("t.h5.journal")));
+  EXPECT_TRUE(std::filesystem::exists(terminal.file("t.h5.journal")));
 }
 
 // Nobody reads the terminal: its buffer is full after some lines.

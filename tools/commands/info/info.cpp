@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "acquire/channels/channel_setup.hpp"
-#include "acquire/channels/column_words.hpp"
 #include "acquire/channels/csv_columns.hpp"
 #include "cli/open_files.hpp"
 #include "cli/option_error.hpp"
@@ -147,14 +146,9 @@ void write_outputs(const OutputFlags& output, const std::string& document) {
   outputs.commit();
 }
 
-// Whether the record uses all columns of numbers but the time.
-bool uses_all_columns(const acquire::Record& record, const std::vector<CsvColumn>& columns) {
-  return std::all_of(columns.begin(), columns.end(), [&](const CsvColumn& column) {
-    const bool time = column.index == 0 || acquire::is_one_of(lower_case(column.base), acquire::kTimeWords);
-    return !column.has_numbers || time ||
-           std::any_of(record.accel.begin(), record.accel.end(),
-                       [&](const acquire::SignalInfo& signal) { return signal.name == column.name; });
-  });
+// Whether the record uses all signals among the columns: no other one may be the force.
+bool uses_all_signals(const acquire::Record& record, const acquire::RoleGuess& guess) {
+  return record.accel.size() >= guess.accel.size() + (guess.force.empty() ? 0 : 1);
 }
 
 // As analyze, which accepts records without a force. Where another column may be the force, the columns say more.
@@ -169,7 +163,7 @@ std::variant<acquire::Record, acquire::FrfRecord> opened_at(const ReadFlags& rea
     try {
       auto opened = open_measurement_at(read, without_force, index);
       const auto* const record = std::get_if<acquire::Record>(&opened);
-      if (record == nullptr || uses_all_columns(*record, seen.columns)) return opened;
+      if (record == nullptr || uses_all_signals(*record, seen.guess)) return opened;
     } catch (const InputError&) {  // the first error says more
     }
     throw;
@@ -189,8 +183,7 @@ int run_info(InfoFlags flags) {
   }
   if (flags.read.paths.empty()) throw OptionError({}, "no file is given", "name at least one, or - for standard input");
   check_outputs(flags.output, {".json"});
-  if (flags.output.host == nullptr || flags.output.host->inputs.empty())
-    flags.read.paths = found_files(flags.read.paths);
+  flags.read = with_found_files(flags.read);
   const acquire::ReadOptions options = resolved_read_options(flags.read);
   Json files = Json::array();
   int code = kOk;

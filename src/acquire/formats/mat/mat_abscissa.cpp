@@ -8,14 +8,15 @@
 #include <utility>
 
 #include "acquire/channels/role_guess.hpp"
+#include "acquire/formats/mat/mat_description.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
 #include "core/io/csv_header.hpp"
 
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kFewestLines = 16;   // a shorter matrix may be anything
-constexpr std::size_t kMostColumns = 256;  // of a matrix with an abscissa
+constexpr std::size_t kMinRows = 16;      // a shorter matrix may be anything
+constexpr std::size_t kMaxColumns = 256;  // of a matrix with an abscissa
 
 bool is_frf_word(const std::string& name) {
   constexpr std::array<std::string_view, 9> kWords{"frf",         "h",        "h1",         "h2",       "hv",
@@ -23,15 +24,8 @@ bool is_frf_word(const std::string& name) {
   return std::find(kWords.begin(), kWords.end(), lower_case(field_name(name))) != kWords.end();
 }
 
-// percuss's own names of arrays without an abscissa.
-bool is_own_description(const std::string& name) {
-  constexpr std::array<std::string_view, 7> kNames{"point",     "run",        "geometry", "trace_lines",
-                                                   "angle_deg", "position_m", "frf_std"};
-  return std::find(kNames.begin(), kNames.end(), lower_case(field_name(name))) != kNames.end();
-}
-
 // The numbers of a matrix with its columns in sequence, whether the lines run down or across.
-struct Lines {
+struct MatrixRows {
   std::size_t count = 0, columns = 0;
   bool across = false;
 
@@ -40,7 +34,7 @@ struct Lines {
   }
 };
 
-std::vector<double> column_of(const std::vector<double>& numbers, const Lines& lines, std::size_t column) {
+std::vector<double> column_of(const std::vector<double>& numbers, const MatrixRows& lines, std::size_t column) {
   std::vector<double> out(lines.count);
   for (std::size_t i = 0; i < lines.count; ++i) out[i] = numbers[lines.at(i, column)];
   return out;
@@ -49,7 +43,7 @@ std::vector<double> column_of(const std::vector<double>& numbers, const Lines& l
 bool counts_by_one(const std::vector<double>& x) { return std::abs(x[1] - x[0] - 1) < 1e-9; }
 
 // The columns from `first` on, lines down.
-std::vector<double> columns_from(const std::vector<double>& numbers, const Lines& lines, std::size_t first) {
+std::vector<double> columns_from(const std::vector<double>& numbers, const MatrixRows& lines, std::size_t first) {
   std::vector<double> out;
   for (std::size_t c = first; c < lines.columns; ++c) {
     const std::vector<double> column = column_of(numbers, lines, c);
@@ -62,9 +56,9 @@ std::vector<double> columns_from(const std::vector<double>& numbers, const Lines
 std::vector<double> take_abscissa(MatVariable& variable) {
   if (variable.is_text || variable.shape.size() != 2 || is_own_description(variable.name)) return {};
   const bool across = variable.shape[1] > variable.shape[0];
-  const Lines lines{
+  const MatrixRows lines{
       .count = variable.shape[across ? 1 : 0], .columns = variable.shape[across ? 0 : 1], .across = across};
-  if (lines.count < kFewestLines || lines.columns < 2 || lines.columns > kMostColumns) return {};
+  if (lines.count < kMinRows || lines.columns < 2 || lines.columns > kMaxColumns) return {};
   std::vector<double> abscissa = column_of(variable.real, lines, 0);
   const bool frf = variable.is_complex() || (is_frf_word(variable.name) && lines.columns == 3);
   if (!rises_evenly(abscissa) || (!frf && counts_by_one(abscissa))) return {};

@@ -2,48 +2,41 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string_view>
 
+#include "acquire/channels/column_words.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
 
 namespace percuss::acquire {
-namespace {
-
-// Names of percuss's own layout that are not signals.
-bool is_description(const std::string& name) {
-  static const std::vector<std::string> kNames{"point",     "run",        "geometry",   "trace_lines",
-                                               "angle_deg", "position_m", "continuous", "fs"};
-  return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+bool is_own_description(const std::string& name) {
+  constexpr std::array<std::string_view, 9> kNames{"point",      "run",        "geometry", "trace_lines", "angle_deg",
+                                                   "position_m", "continuous", "fs",       "frf_std"};
+  return is_one_of(lower_case(field_name(name)), kNames);
 }
 
-// Lower case without underscores: accel_unit and accelUnit are equal.
-std::string bare(std::string_view name) {
-  std::string out = lower_case(name);
-  std::erase(out, '_');
-  return out;
+bool is_other_spectrum(const std::string& name) {
+  constexpr std::array<std::string_view, 7> kWords{"spec", "psd", "csd", "coh", "auto", "cross", "corr"};
+  return has_one_of(name, kWords);
 }
-
-}  // namespace
 
 bool may_be_signal(const MatVariable& variable) {
-  return !variable.is_text && !variable.is_abscissa && variable.size() > 1 &&
-         !is_description(lower_case(field_name(variable.name)));
+  return !variable.is_text && !variable.is_abscissa && variable.size() > 1 && !is_own_description(variable.name);
 }
 
 std::string unit_in(const MatFile& file, const std::string& name) {
   const std::string base(field_name(name)), parent = name.substr(0, name.size() - base.size());
   for (const MatVariable& variable : file.variables) {
     if (!variable.is_text) continue;
-    const std::string stated = bare(variable.name);
+    const std::string stated = bare_name(variable.name);
     for (const char* word : {"unit", "units", "unitstr"}) {
-      const bool beside = stated == bare(name) + word || stated == word + bare(name);
-      const bool listed = stated == bare(parent) + word + "." + bare(base);
-      const bool field = !parent.empty() && stated == bare(parent) + word;
+      const bool beside = stated == bare_name(name) + word || stated == word + bare_name(name);
+      const bool listed = stated == bare_name(parent) + word + "." + bare_name(base);
+      const bool field = !parent.empty() && stated == bare_name(parent) + word;
       if (beside || listed || field) return variable.text;
     }
   }

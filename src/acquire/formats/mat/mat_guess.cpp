@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "acquire/channels/column_words.hpp"
+#include "acquire/channels/csv_columns.hpp"
 #include "acquire/formats/mat/mat_description.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
 #include "core/io/csv_header.hpp"
@@ -15,24 +18,21 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kMostGuessed = 64;  // more than a command line should list
-
 // Signals that may be the force or an acceleration, as the options name them.
 struct Candidates {
   std::vector<CsvColumn> signals;
-  std::vector<std::pair<const double*, std::size_t>> samples;
+  std::vector<std::span<const double>> samples;
 
-  void add(std::string name, std::string unit, const double* first, std::size_t count) {
+  void add(std::string name, std::string unit, std::span<const double> of) {
     signals.push_back({.index = signals.size(), .name = std::move(name), .base = "", .unit = std::move(unit)});
-    samples.emplace_back(first, count);
+    samples.push_back(of);
   }
 };
 
 bool names_spectrum(const std::string& name) {
-  constexpr std::array<std::string_view, 8> kWords{"psd", "spec", "freq", "corr", "coh", "frf", "hf_", "phase"};
+  constexpr std::array<std::string_view, 4> kWords{"freq", "frf", "hf_", "phase"};
   const std::string lower = lower_case(name);
-  return std::any_of(kWords.begin(), kWords.end(),
-                     [&](std::string_view word) { return lower.find(word) != std::string::npos; });
+  return is_other_spectrum(lower) || has_one_of(lower, kWords);
 }
 
 Candidates longest_vectors(const MatFile& file, const std::vector<std::size_t>& index) {
@@ -47,8 +47,7 @@ Candidates longest_vectors(const MatFile& file, const std::vector<std::size_t>& 
   }
   Candidates out;
   for (const MatVariable* variable : vectors) {
-    if (variable->size() == longest)
-      out.add(variable->name, unit_in(file, variable->name), variable->real.data(), longest);
+    if (variable->size() == longest) out.add(variable->name, unit_in(file, variable->name), variable->real);
   }
   return out;
 }
@@ -58,12 +57,13 @@ Candidates columns_of_matrix(const MatFile& file, const std::vector<std::size_t>
   for (const std::size_t v : index) {
     const MatVariable& variable = file.variables[v];
     const auto& shape = variable.shape;
-    if (variable.is_complex() || shape.size() != 2 || shape[1] < 2 || shape[1] > kMostGuessed || shape[0] < shape[1])
+    if (variable.is_complex() || shape.size() != 2 || shape[1] < 2 || shape[1] > kMaxGuessedSignals ||
+        shape[0] < shape[1])
       continue;
     for (std::size_t c = 0; c < shape[1]; ++c) {
-      const double* const first = variable.real.data() + c * shape[0];
-      if (rises_evenly({first, shape[0]})) continue;
-      out.add(fmt::format("{}(:,{})", variable.name, variable.columns_taken + c + 1), "", first, shape[0]);
+      const auto column = std::span<const double>(variable.real).subspan(c * shape[0], shape[0]);
+      if (rises_evenly(column)) continue;
+      out.add(fmt::format("{}(:,{})", variable.name, variable.columns_taken + c + 1), "", column);
     }
     break;
   }
@@ -72,14 +72,20 @@ Candidates columns_of_matrix(const MatFile& file, const std::vector<std::size_t>
 
 }  // namespace
 
-RoleGuess guess_mat_roles(const MatFile& file, const std::vector<std::size_t>& index) {
+RoleGuess guess_mat_roles(const MatFile& file, const std::vector<std::size_t>& index, const CsvColumns& known,
+                          const ReadOptions& options) {
   Candidates found = longest_vectors(file, index);
   if (found.signals.size() < 2) found = columns_of_matrix(file, index);
-  const auto read = [&](std::size_t signal, std::size_t most) {
-    const auto& [first, count] = found.samples[signal];
-    return std::vector<double>(first, first + std::min(count, most));
+  CsvColumns force{.force = known.force, .has_force = known.has_force};
+  const auto is_force = [&](const CsvColumn& signal) { return signal.name == known.force.name; };
+  const auto at = std::find_if(found.signals.begin(), found.signals.end(), is_force);
+  force.force.index = static_cast<std::size_t>(at - found.signals.begin());  // past the end: it is none of these
+  const auto read = [&](std::size_t signal, std::size_t max_samples) {
+    const std::span<const double> samples = found.samples[signal];
+    const auto some = samples.first(std::min(samples.size(), max_samples));
+    return std::vector<double>(some.begin(), some.end());
   };
-  return guess_roles(found.signals, read, [](const CsvColumn& signal) { return signal.name; });
+  return guess_roles(found.signals, force, options, read, [](const CsvColumn& signal) { return signal.name; });
 }
 
 }  // namespace percuss::acquire

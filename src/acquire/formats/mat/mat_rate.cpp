@@ -18,13 +18,6 @@ namespace {
 constexpr double kSingleEpsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
 constexpr double kSameRates = 1e-6;  // relative: single precision
 
-// Lower case without underscores: Sample_Rate and SampleRate are equal.
-std::string bare_name(std::string_view name) {
-  std::string out = lower_case(name);
-  std::erase(out, '_');
-  return out;
-}
-
 bool is_time_vector(const MatVariable& variable) {
   const std::string name = bare_name(field_name(variable.name));
   const bool named = name == "t" || name == "time" || name == "ts" || name == "times" || name == "timedomain" ||
@@ -47,6 +40,12 @@ double rate_of_times_Hz(const MatFile& file, const MatVariable& variable) {
 }
 
 }  // namespace
+
+std::string bare_name(std::string_view name) {
+  std::string out = lower_case(name);
+  std::erase(out, '_');
+  return out;
+}
 
 std::string_view field_name(std::string_view name) { return name.substr(name.rfind('.') + 1); }
 

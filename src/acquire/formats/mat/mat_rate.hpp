@@ -7,6 +7,9 @@
 
 namespace percuss::acquire {
 
+/// The name in lower case without underscores: Sample_Rate and SampleRate are equal.
+std::string bare_name(std::string_view name);
+
 /// The part of a variable's name after its last dot: "force" of "test.force".
 std::string_view field_name(std::string_view name);
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "acquire/channels/csv_columns.hpp"
+#include "acquire/formats/mat/mat_description.hpp"
 #include "acquire/formats/mat/mat_frf_layout.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
 #include "acquire/record/point_number.hpp"
@@ -18,13 +19,6 @@ namespace {
 constexpr std::size_t kMaxMatFrfs = 1'000'000;
 
 bool is_frf_name(const std::string& name) { return lower_case(field_name(name)) == "frf"; }
-
-bool is_other_spectrum(const std::string& name) {
-  for (const char* word : {"spec", "psd", "csd", "coh", "auto", "cross", "corr"}) {
-    if (name.find(word) != std::string::npos) return true;
-  }
-  return false;
-}
 
 std::vector<const MatVariable*> frf_candidates(const MatFile& file) {
   std::vector<const MatVariable*> out;

@@ -73,7 +73,7 @@ SignalRoles roles_of(const SignalTable& table, const MatFile& file, const std::v
     return find_roles(table, variable_options(file, options));
   } catch (AmbiguousColumns& error) {
     const bool rate_known = error.guess.rate_known;
-    error.guess = guess_mat_roles(file, index);
+    error.guess = guess_mat_roles(file, index, error.known, variable_options(file, options));
     error.guess.rate_known = rate_known;
     throw;
   }
@@ -103,8 +103,7 @@ MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const st
   const bool one_row = first.shape.size() == 2 && layout.rows == 1 && first.size() > layout.samples;
   if (!one_row) return layout;
   const auto unit = parse_unit(signal.unit.empty() ? split_name(signal.name).unit : signal.unit);
-  const bool measures_response =
-      unit && (unit->quantity == Quantity::acceleration || unit->quantity == Quantity::pressure);
+  const bool measures_response = unit && is_response(unit->quantity);
   const bool named = !options.accel_channels.empty() || !options.setup.empty();
   if (!named && !measures_response && quantity_named(signal.name) != Quantity::acceleration) {
     CsvHeader header{.named = true, .text = false};
@@ -115,7 +114,7 @@ MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const st
                            "name all of it as accelerations, or save the force as a variable of its own", header,
                            {"force_channel", "accel_channel"});
     error.format = table.format;
-    error.guess = guess_mat_roles(open.file, index);
+    error.guess = guess_mat_roles(open.file, index, {}, {});
     error.guess.rate_known = true;
     throw error;
   }

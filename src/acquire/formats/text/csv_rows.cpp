@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <set>
+#include <string_view>
 
 #include "acquire/record/point_number.hpp"
 #include "acquire/record/sampling_rate.hpp"
@@ -64,75 +66,66 @@ void end_row(std::vector<CsvRow>& rows, std::size_t line) {
                    {"fs"});
 }
 
-std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& time, const std::vector<CsvRow>& rows,
-                                        StampProblem& problem, bool& steps_of_one) {
-  // Stamps may lack trailing zeros. Of the last 64, the one with the most decimals shows the rounding.
-  constexpr std::size_t kLast = 64;
-  const double to_s = parse_unit(time.unit) ? parse_unit(time.unit)->to_SI : 1;
-  std::vector<double> time_s(table.lines());
-  std::vector<int> decimals(rows.size(), -400);
-  std::size_t row = 0;
-  table.for_each_cell(time.index, [&](std::size_t line, std::string_view cell) {
-    const auto number = parse_number(cell, table.dialect().decimal_comma);
-    if (number.problem != NumberProblem::none) {
-      throw InputError("the time is " + std::string(describe(number.problem)), table.place(line, time.index),
-                       "fill the gap, or state the sampling rate", {"fs"});
-    }
-    time_s[line] = number.value * to_s;
-    while (line >= rows[row].first_line + rows[row].info.samples) ++row;
-    if (line + kLast >= rows[row].first_line + rows[row].info.samples) {
-      decimals[row] = std::max(decimals[row], decimals_of(cell, table.dialect().decimal_comma));
-    }
-  });
-  std::vector<TimeStamps> stamps;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    stamps.push_back(
-        {std::span(time_s).subspan(rows[r].first_line, rows[r].info.samples), to_s * std::pow(10.0, -decimals[r])});
-  }
-  auto rate = rate_of_time_stamps(stamps, problem);
-  steps_of_one = rate && std::abs(rate->fs_Hz * to_s - 1) < 1e-9;
-  return rate;
-}
+// Reads the cells of a time column, line by line.
+struct StampReader {
+  std::size_t index = 0;
+  double to_s = 1;                                                        // s per unit of the cells
+  std::function<double(std::size_t line, std::string_view cell)> time_s;  // errors  InputError
+  std::function<int(std::string_view cell)> decimals;
+};
 
-// The first column of times of day among the leftmost ones; a text with them has no other time column.
-std::optional<std::size_t> clock_column(const CsvTable& table) {
-  constexpr std::size_t kLeftmost = 4;
-  for (std::size_t index = 0; index < kLeftmost; ++index) {
-    std::size_t clocks = 0;
-    for (std::size_t line = 0; line < std::min<std::size_t>(2, table.lines()); ++line)
-      clocks += parse_clock(table.cell(index, line)) ? 1U : 0U;
-    if (clocks == 2) return index;
-  }
-  return std::nullopt;
+StampReader number_reader(const CsvTable& table, const CsvColumn& time) {
+  const double to_s = parse_unit(time.unit) ? parse_unit(time.unit)->to_SI : 1;
+  const bool comma = table.dialect().decimal_comma;
+  const auto time_s = [&table, index = time.index, to_s, comma](std::size_t line, std::string_view cell) {
+    const auto number = parse_number(cell, comma);
+    if (number.problem == NumberProblem::none) return number.value * to_s;
+    throw InputError("the time is " + std::string(describe(number.problem)), table.place(line, index),
+                     "fill the gap, or state the sampling rate", {"fs"});
+  };
+  return {.index = time.index, .to_s = to_s, .time_s = time_s, .decimals = [comma](std::string_view cell) {
+            return decimals_of(cell, comma);
+          }};
 }
 
 // Times of day as seconds from the first stamp, so that their digits are kept. A day may end within the record.
-double clock_rate_Hz(const CsvTable& table, std::size_t index, const std::vector<CsvRow>& rows,
-                     std::vector<Message>& notes) {
+StampReader clock_reader(const CsvTable& table, std::size_t index) {
   constexpr double kDay_s = 86400;
-  std::vector<double> time_s(table.lines());
-  int decimals = 0;
-  table.for_each_cell(index, [&](std::size_t line, std::string_view cell) {
+  const auto time_s = [&table, index, first_s = 0.0, last_s = 0.0](std::size_t line, std::string_view cell) mutable {
     const auto clock = parse_clock(cell);
     if (!clock) {
       throw InputError("\"" + one_line(to_utf8(trimmed(cell)), 40) + "\" is no time of day", table.place(line, index),
                        "correct it, or state the sampling rate", {"fs"});
     }
-    decimals = std::max(decimals, clock->decimals);
-    time_s[line] = clock->time_s;
-    if (line > 0 && time_s[line] < time_s[line - 1] - kDay_s / 2) time_s[line] += kDay_s;
+    const bool next_day = line > 0 && clock->time_s < last_s - kDay_s / 2;
+    last_s = clock->time_s + (next_day ? kDay_s : 0);
+    if (line == 0) first_s = last_s;
+    return last_s - first_s;
+  };
+  return {.index = index, .time_s = time_s, .decimals = [](std::string_view cell) {
+            return parse_clock(cell).value_or(ClockTime{}).decimals;
+          }};
+}
+
+std::optional<StampedRate> stamped_rate(const CsvTable& table, const StampReader& reader,
+                                        const std::vector<CsvRow>& rows, StampProblem& problem) {
+  // Stamps may lack trailing zeros. Of the last 64, the one with the most decimals shows the rounding.
+  constexpr std::size_t kLast = 64;
+  std::vector<double> time_s(table.lines());
+  std::vector<int> decimals(rows.size(), -400);
+  std::size_t row = 0;
+  table.for_each_cell(reader.index, [&](std::size_t line, std::string_view cell) {
+    time_s[line] = reader.time_s(line, cell);
+    while (line >= rows[row].first_line + rows[row].info.samples) ++row;
+    if (line + kLast >= rows[row].first_line + rows[row].info.samples)
+      decimals[row] = std::max(decimals[row], reader.decimals(cell));
   });
-  const double first_s = time_s.front();
-  for (double& t_s : time_s) t_s -= first_s;
   std::vector<TimeStamps> stamps;
-  stamps.reserve(rows.size());
-  for (const CsvRow& row : rows)
-    stamps.push_back({std::span(time_s).subspan(row.first_line, row.info.samples), std::pow(10.0, -decimals)});
-  StampProblem problem;
-  const auto rate = rate_of_time_stamps(stamps, problem);
-  if (!rate) refuse_stamps(table, index, rows, problem);
-  if (!rate->note.empty()) notes.emplace_back(rate->note, std::vector<OptionId>{"fs"});
-  return rate->fs_Hz;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    stamps.push_back({std::span(time_s).subspan(rows[r].first_line, rows[r].info.samples),
+                      reader.to_s * std::pow(10.0, -decimals[r])});
+  }
+  return rate_of_time_stamps(stamps, problem);
 }
 
 // Hammer tests are sampled at 200 Hz or more. A time without a unit that gives a lower rate is probably in
@@ -148,13 +141,13 @@ void require_plausible_unit(const CsvColumn& time, const CsvHeader& header, doub
 }
 
 // The rate from header and time column. Prefers the exact rate of the header if the rounded stamps allow it.
-double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const CsvColumn& time,
+double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const std::string& time,
                       const std::string& file, std::vector<Message>& notes) {
   constexpr double kSame = 1e-3;  // allowed between a header's nominal rate and a measured clock
   if (header.fs_Hz && *header.fs_Hz >= stamped.lowest_Hz && *header.fs_Hz <= stamped.highest_Hz) return *header.fs_Hz;
   if (header.fs_Hz && !(std::abs(*header.fs_Hz / stamped.fs_Hz - 1) <= kSame)) {
     throw InputError(fmt::format("two sampling rates: {:.6g} Hz by \"{}\" and {:.6g} Hz by the column {}",
-                                 *header.fs_Hz, header.fs_line, stamped.fs_Hz, time.name),
+                                 *header.fs_Hz, header.fs_line, stamped.fs_Hz, time),
                      file + ": header", "state the right one", {"fs"});
   }
   if (header.fs_Hz) {
@@ -164,6 +157,27 @@ double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const
     notes.emplace_back(stamped.note, std::vector<OptionId>{"fs"});
   }
   return stamped.fs_Hz;
+}
+
+double header_rate_Hz(const CsvHeader& header, const std::string& file) {
+  if (header.fs_Hz) return checked_rate_Hz(*header.fs_Hz, file + ": " + header.fs_line);
+  throw InputError("no sampling rate: no time column and no line that states it", file, "state it in Hz", {"fs"});
+}
+
+// The rate from times of day; from the header where they give none, for instance in whole seconds.
+double clock_rate_Hz(const CsvTable& table, std::size_t index, const std::vector<CsvRow>& rows, const std::string& file,
+                     std::vector<Message>& notes) {
+  const CsvHeader& header = table.header();
+  StampProblem problem;
+  std::optional<StampedRate> stamped;
+  try {
+    stamped = stamped_rate(table, clock_reader(table, index), rows, problem);
+  } catch (const InputError&) {
+    if (!header.fs_Hz) throw;
+  }
+  if (!stamped && header.fs_Hz) return *header.fs_Hz;
+  if (!stamped) refuse_stamps(table, index, rows, problem);
+  return agreed_rate_Hz(header, *stamped, header.columns.at(index).name, file, notes);
 }
 
 }  // namespace
@@ -198,32 +212,38 @@ std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& colum
   return rows;
 }
 
+std::optional<std::size_t> clock_column(const CsvTable& table) {
+  constexpr std::size_t kLeftmost = 4;
+  for (std::size_t index = 0; index < kLeftmost; ++index) {
+    std::size_t clocks = 0;
+    for (std::size_t line = 0; line < std::min<std::size_t>(2, table.lines()); ++line)
+      clocks += parse_clock(table.cell(index, line)) ? 1U : 0U;
+    if (clocks == 2) return index;
+  }
+  return std::nullopt;
+}
+
 double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,
                         const ReadOptions& options, std::vector<Message>& notes) {
+  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "the rate stated");
   const CsvHeader& header = table.header();
   const std::string file = input_name(table.path());
-  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "the rate stated");
-  if (const auto clock = columns.time ? std::nullopt : clock_column(table))
-    return checked_rate_Hz(clock_rate_Hz(table, *clock, rows, notes), file + ": time stamps");
+  const auto clock = columns.time ? std::nullopt : clock_column(table);
+  if (clock) return checked_rate_Hz(clock_rate_Hz(table, *clock, rows, file, notes), file + ": time stamps");
   const bool guessed = !columns.time && may_be_time(header.columns.front(), columns);
-  if (!columns.time && !guessed) {
-    if (header.fs_Hz) return checked_rate_Hz(*header.fs_Hz, file + ": " + header.fs_line);
-    throw InputError("no sampling rate: no time column and no line that states it", file, "state it in Hz", {"fs"});
-  }
+  if (!columns.time && !guessed) return header_rate_Hz(header, file);
   const CsvColumn& time = guessed ? header.columns.front() : *columns.time;
+  const StampReader reader = number_reader(table, time);
   StampProblem problem;
-  bool counts = false;
-  const auto stamped = stamped_rate(table, time, rows, problem, counts);
-  if (guessed && (!stamped || counts)) {
-    // The first column is not the time: it is a count of samples or a signal.
-    if (header.fs_Hz) return checked_rate_Hz(*header.fs_Hz, file + ": " + header.fs_line);
-    throw InputError("no sampling rate: no time column and no line that states it", file, "state it in Hz", {"fs"});
-  }
+  const auto stamped = stamped_rate(table, reader, rows, problem);
+  const bool counts = stamped && std::abs(stamped->fs_Hz * reader.to_s - 1) < 1e-9;
+  // Such a first column is not the time: it is a count of samples or a signal.
+  if (guessed && (!stamped || counts)) return header_rate_Hz(header, file);
   if (!stamped) refuse_stamps(table, time.index, rows, problem);
   if (!guessed) require_plausible_unit(time, header, stamped->fs_Hz, file);
   if (guessed)
     notes.emplace_back(fmt::format("the first column ({}) rises evenly and is taken as time in s", time.name));
-  return checked_rate_Hz(agreed_rate_Hz(header, *stamped, time, file, notes), file + ": time column");
+  return checked_rate_Hz(agreed_rate_Hz(header, *stamped, time.name, file, notes), file + ": time column");
 }
 
 }  // namespace percuss::acquire

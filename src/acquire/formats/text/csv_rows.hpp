@@ -21,8 +21,11 @@ struct CsvRow {
 /// rows.
 std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns);
 
-/// The sampling rate: the user's, else from the time column and the header, which must agree. Adds assumptions to
-/// `notes`.
+/// The first column of times of day among the leftmost four; a text with them has no other time column.
+std::optional<std::size_t> clock_column(const CsvTable& table);
+
+/// The sampling rate: the user's, else from the time column and the header, which must agree. Times of day that give no
+/// rate, such as whole seconds, leave it to the header. Adds assumptions to `notes`.
 /// errors  InputError: no rate is stated, two rates disagree, time stamps are uneven or coarse, the rate is
 /// implausible.
 double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,

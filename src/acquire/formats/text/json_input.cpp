@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/error.hpp"
+#include "core/io/strict_json.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -12,13 +13,24 @@ struct KindOfDocument {
   std::string_view schema, what, remedy;
 };
 
-// By the beginning of the schema's name; longer names before their beginnings.
+constexpr const char* kCompareReads = "percuss compare reads it";
 constexpr std::array kKinds = {
     KindOfDocument{"percuss/analysis/", "the modes of an analysis",
                    "percuss compare and percuss study read it; give the record that it names in \"inputs\""},
     KindOfDocument{"percuss/deflection/", "the deflections of a test",
                    "percuss compare reads it; give the record that it names in \"inputs\""},
-    KindOfDocument{"percuss/model-", "the result of a model", "percuss compare reads it"},
+    KindOfDocument{"percuss/compare/", "a comparison", "no command reads it; give the record of a test"},
+    KindOfDocument{"percuss/nodes/", "the nodes of a scan", "no command reads it; give the record of the scan"},
+    KindOfDocument{"percuss/info/", "the description of files", "no command reads it; give a file that it describes"},
+    KindOfDocument{"percuss/calibration/", "a calibration",
+                   "no command reads it; give its sensitivity as an option, beside the record"},
+    KindOfDocument{"percuss/study/", "the result of a study", "no command reads it; give the record of a test"},
+    KindOfDocument{"percuss/model-rigid/", "the result of a model", "no command reads it; give the record of a test"},
+    KindOfDocument{"percuss/model-trampoline/", "the result of a model", "percuss study reads it"},
+    KindOfDocument{"percuss/model-beam/", "the result of a model", kCompareReads},
+    KindOfDocument{"percuss/model-bat/", "the result of a model", kCompareReads},
+    KindOfDocument{"percuss/model-impact/", "the result of a model", kCompareReads},
+    KindOfDocument{"percuss/model-shell/", "the result of a model", kCompareReads},
     KindOfDocument{"percuss/synth-truth/", "the truth of a synthetic test",
                    "no command reads it; give the record that lies beside it"},
     KindOfDocument{"percuss/synth/", "the spec of a synthetic test", "percuss synth makes the record from it"},
@@ -45,13 +57,17 @@ std::string_view schema_in(std::string_view head) {
   return rest.substr(0, rest.find_first_of("\"\n"));
 }
 
+// A list of objects, such as a channel set-up.
+bool begins_with_objects(std::string_view head) {
+  head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), head.size()));
+  if (!head.starts_with('[')) return false;
+  return looks_like_json(head.substr(1));
+}
+
 }  // namespace
 
 void refuse_json(std::string_view head, const std::string& name) {
-  constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
-  if (head.starts_with(kUtf8Mark)) head.remove_prefix(kUtf8Mark.size());
-  head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
-  if (head.empty() || (head.front() != '{' && !head.starts_with("[{"))) return;
+  if (!looks_like_json(head) && !begins_with_objects(head)) return;
   const std::string_view schema = schema_in(head);
   const auto* const kind = std::find_if(kKinds.begin(), kKinds.end(),
                                         [&](const KindOfDocument& one) { return schema.starts_with(one.schema); });

@@ -103,13 +103,14 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 }
 
 // The guess must not fail: the caller reports the missing roles.
-RoleGuess guess_of(const CsvTable& table) {
-  RoleGuess guess = guess_roles(table.header().columns, [&](std::size_t index, std::size_t most) {
-    std::vector<double> samples(std::min(table.lines(), most));
+RoleGuess guess_of(const CsvTable& table, const CsvColumns& known, const ReadOptions& options) {
+  const auto read = [&](std::size_t index, std::size_t max_samples) {
+    std::vector<double> samples(std::min(table.lines(), max_samples));
     table.read(index, 0, samples);
     return samples;
-  });
-  guess.rate_known = guess.rate_known || table.header().fs_Hz.has_value();
+  };
+  RoleGuess guess = guess_roles(table.header().columns, known, options, read);
+  guess.rate_known = guess.rate_known || table.header().fs_Hz || options.fs_Hz || clock_column(table);
   return guess;
 }
 
@@ -117,8 +118,7 @@ CsvColumns columns_of(const CsvTable& table, const ReadOptions& options, const s
   try {
     return find_csv_columns(table.header(), options, file);
   } catch (AmbiguousColumns& error) {
-    error.guess = guess_of(table);
-    error.guess.rate_known = error.guess.rate_known || options.fs_Hz.has_value();
+    error.guess = guess_of(table, error.known, options);
     throw;
   }
 }

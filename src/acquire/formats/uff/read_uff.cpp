@@ -157,7 +157,7 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
     }
     if (const auto spectra = spectra_in(all); !spectra.empty()) {
       throw InputError("neither time records nor FRFs, but " + spectra, name,
-                       "a spectrum of one signal holds no phase: give the time record, or the FRFs (function type 4)");
+                       "these functions are no FRFs: give the time record, or FRFs (function type 4)");
     }
     const bool shapes = open->contents.shapes > 0;
     throw InputError("no time records and no FRFs among " + list_of_sets(open->contents), name,

@@ -68,9 +68,9 @@ class NodeReader {
         for (int column = 0; column < 3; ++column)
           global = numbers.cells.number(25) == std::optional(row == column ? 1.0 : 0.0) && global;
       }
-      if (!label) others_unreadable_ = true;
-      if (label && global) other_global_.insert(*label);
-      if (label && !global) other_.insert(*label);
+      if (!label) unlabelled_2420_ = true;
+      if (label && global) global_2420_.insert(*label);
+      if (label && !global) unread_2420_.insert(*label);
     }
   }
 
@@ -104,7 +104,7 @@ class NodeReader {
  private:
   bool in_other_frame(int system) const {
     if (frames_.contains(system)) return false;
-    return other_.contains(system) || (others_unreadable_ && system != 0);
+    return unread_2420_.contains(system) || (unlabelled_2420_ && system != 0);
   }
 
   struct Fields {
@@ -156,7 +156,7 @@ class NodeReader {
       const auto frame = frames_.find(system);
       if (frame == frames_.end()) {
         // 0 is the global system; so is 1 unless the file defines it.
-        if (system <= 1 || other_global_.contains(system)) return at;
+        if (system <= 1 || global_2420_.contains(system)) return at;
         fail(set, line, "a node in an undefined coordinate system");
       }
       at = frame->second.origin + frame->second.axes * cartesian(frame->second.kind, at);
@@ -169,8 +169,8 @@ class NodeReader {
   const FileBytes& file_;
   double length_factor_;
   std::map<int, Frame> frames_;
-  std::set<std::int64_t> other_, other_global_;  // labels of the systems of set 2420
-  bool others_unreadable_ = false;
+  std::set<std::int64_t> unread_2420_, global_2420_;  // labels of the systems of set 2420
+  bool unlabelled_2420_ = false;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "acquire/formats/text/csv_rows.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -128,6 +129,33 @@ TEST(CsvRate, NamesTheLineWhereTimeIsUneven) {
                 "rate"));
   EXPECT_THAT(input_error_of([] { csv_record("t_s,force_N,acc_g\n0,1,2\n,1,2\n0.2,1,2\n"); }),
               HasSubstr("the time is empty (x.csv: line 3"));
+}
+
+// Rows with times of day, `step_ms` apart, written in whole seconds or in milliseconds.
+std::string clock_lines(const std::string& head, int step_ms, bool fractions) {
+  std::string text = head + "Timestamp,force_N,acc_g\n";
+  for (int i = 0; i < 5000; ++i) {
+    const int t_ms = i * step_ms;
+    text += fmt::format("07:08:{:02}{},1,2\n", t_ms / 1000, fractions ? fmt::format(".{:03}", t_ms % 1000) : "");
+  }
+  return text;
+}
+
+TEST(CsvRate, ComesFromTheHeaderWhereTimesOfDayAreCoarse) {
+  const Record record = csv_record(clock_lines("Sampling Rate(Hz),1000\n", 1, false));
+  EXPECT_EQ(record.fs_Hz, 1000);
+  EXPECT_THAT(record.notes, IsEmpty());
+  EXPECT_THAT(input_error_of([] { csv_record(clock_lines("", 1, false)); }), HasSubstr("x.csv: line"));
+  std::string gap = clock_lines("Sampling Rate(Hz),1000\n", 1, false);
+  gap.replace(gap.rfind("07:08:04"), 8, "--:--:--");
+  EXPECT_EQ(csv_record(gap).fs_Hz, 1000) << "a stamp that is not used";
+}
+
+TEST(CsvRate, OfTimesOfDayMustAgreeWithTheHeader) {
+  EXPECT_EQ(csv_record(clock_lines("", 2, true)).fs_Hz, 500);
+  EXPECT_EQ(csv_record(clock_lines("Sampling Rate(Hz),500\n", 2, true)).fs_Hz, 500);
+  EXPECT_THAT(input_error_of([] { csv_record(clock_lines("Sampling Rate(Hz),1000\n", 2, true)); }),
+              AllOf(HasSubstr("1000 Hz by \"Sampling Rate(Hz),1000\""), HasSubstr("500 Hz by the column Timestamp")));
 }
 
 }  // namespace percuss::acquire::csv_rows_test

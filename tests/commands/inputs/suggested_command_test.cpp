@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "commands/inputs/input_files.hpp"
+
+// The command that a message suggests for files that do not name their channels.
+namespace percuss::suggested_command_test {
+
+using test::run_percuss;
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+class SuggestedCommand : public test::InputFiles {
+ protected:
+  std::string suggestion(const std::vector<std::string>& words) const {
+    const auto outcome = run_percuss(words, {.folder = folder_.path()});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U);
+    return outcome.err;
+  }
+};
+
+TEST_F(SuggestedCommand, LeavesOutNumbersOfHitsAndPoints) {
+  const std::vector<double> zeros(record_.time_s.size(), 0.0);
+  test::write_columns(file("x.csv"), "time_s,point,hit,run,CH1,CH2",
+                      {record_.time_s, zeros, zeros, zeros, record_.accel_mps2, record_.force_N});
+  EXPECT_THAT(suggestion({"analyze", "x.csv"}), EndsWith(" --force-channel CH2 --accel-channel CH1\n"));
+}
+
+TEST_F(SuggestedCommand, KeepsTheForceThatIsKnown) {
+  test::write_columns(file("x.csv"), "time_s,CH1,CH2", {record_.time_s, record_.accel_mps2, record_.force_N});
+  EXPECT_THAT(suggestion({"analyze", "x.csv", "--force-channel", "CH1"}),
+              EndsWith(" --force-channel CH1 --accel-channel CH2\n"));
+  test::write_columns(file("load.csv"), "time_s,CH1,load_N,CH2",
+                      {record_.time_s, record_.force_N, record_.accel_mps2, record_.accel_mps2});
+  EXPECT_THAT(suggestion({"analyze", "load.csv"}), EndsWith(" --force-channel load_N --accel-channel CH1,CH2\n"));
+}
+
+TEST_F(SuggestedCommand, KeepsTheAccelerationsThatAreTyped) {
+  test::write_columns(file("x.csv"), "time_s,CH1,CH2,CH3",
+                      {record_.time_s, record_.force_N, record_.force_N, record_.accel_mps2});
+  EXPECT_THAT(suggestion({"frf", "x.csv", "--accel-channel", "ch1"}),
+              EndsWith(" --force-channel CH2 --accel-channel ch1\n"));
+}
+
+TEST_F(SuggestedCommand, FollowsTheRolesOfASetUp) {
+  test::write_columns(file("x.csv"), "time_s,CH1,CH2,CH3",
+                      {record_.time_s, record_.force_N, record_.accel_mps2, record_.force_N});
+  test::write_bytes(file("setup.json"), R"([{"name": "CH1", "role": "ignore"}])");
+  EXPECT_THAT(suggestion({"analyze", "x.csv", "--setup", "setup.json"}),
+              EndsWith(" --force-channel CH3 --accel-channel CH2\n"));
+}
+
+TEST_F(SuggestedCommand, NeedsNoRateWhereTimesOfDayGiveIt) {
+  std::string text = "Timestamp,CH1,CH2\n";
+  for (std::size_t i = 0; i < record_.time_s.size(); ++i) {
+    text += fmt::format("07:08:{:09.6f},{},{}\n", 9.0 + record_.time_s[i], record_.force_N[i], record_.accel_mps2[i]);
+  }
+  test::write_bytes(file("stamp.csv"), text);
+  EXPECT_THAT(suggestion({"analyze", "stamp.csv"}), EndsWith(" --force-channel CH1 --accel-channel CH2\n"));
+}
+
+// A long command would hide the options. They are never cut.
+TEST_F(SuggestedCommand, IsOnlyItsOptionsWhereItWouldBeLong) {
+  std::vector<std::vector<double>> columns{record_.time_s, record_.force_N};
+  std::string header = "time_s,hammer_channel_of_the_left_amplifier", accel;
+  for (int i = 1; i <= 20; ++i) {
+    accel += fmt::format("{}left_amplifier_signal_{}", i > 1 ? "," : "", i);
+    columns.push_back(record_.accel_mps2);
+  }
+  test::write_columns(file("x.csv"), header + "," + accel, columns);
+  ASSERT_GT(accel.size(), 400U);
+  const std::string message = suggestion({"analyze", "x.csv"});
+  EXPECT_THAT(message,
+              EndsWith("--force-channel hammer_channel_of_the_left_amplifier --accel-channel " + accel + "\n"));
+  std::vector<std::string> words{"analyze"};
+  for (int i = 0; i < 8; ++i) {
+    words.push_back(fmt::format("the_left_side_of_the_frame_struck_at_point_{}.csv", i));
+    test::write_columns(file(words.back()), "", {record_.time_s, record_.force_N, record_.accel_mps2});
+  }
+  EXPECT_THAT(suggestion(words), AllOf(EndsWith("; the samples suggest: --force-channel 2 --accel-channel 3\n"),
+                                       Not(HasSubstr("analyze"))));
+}
+
+// info describes what analyze accepts, and lists the columns where one of them may be the force.
+TEST_F(SuggestedCommand, IsAlsoShownByInfoWhereAForceMayBeMissed) {
+  const std::vector<double> zeros(record_.time_s.size(), 0.0);
+  std::vector<double> count(record_.time_s.size());
+  for (std::size_t i = 0; i < count.size(); ++i) count[i] = static_cast<double>(i);
+  test::write_columns(file("hits.csv"), "time_s,hit,point,accel_g", {record_.time_s, zeros, zeros, record_.accel_mps2});
+  test::write_columns(file("index.csv"), "CH0,index,time_s,accel_g",
+                      {record_.force_N, count, record_.time_s, record_.accel_mps2});
+  test::write_columns(file("first.csv"), "CH1,accel_g", {record_.force_N, record_.accel_mps2});
+  const auto described = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> command{"info", "--json"};
+    command.insert(command.end(), words.begin(), words.end());
+    const auto outcome = run_percuss(command, {.folder = folder_.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return test::parse_json(outcome.out)["files"].at(0);
+  };
+  const auto hits = described({"hits.csv"});
+  ASSERT_TRUE(hits.contains("channels")) << hits;
+  EXPECT_EQ(hits["channels"].size(), 1U);
+  EXPECT_TRUE(described({"first.csv", "--fs", "4096"}).contains("columns"));
+  EXPECT_TRUE(described({"index.csv"}).contains("columns"));
+}
+
+}  // namespace percuss::suggested_command_test
