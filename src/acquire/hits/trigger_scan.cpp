@@ -15,13 +15,6 @@ constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples per task
 constexpr std::size_t kPart = std::size_t{1} << 15;   // samples per read: 256 KiB stay in the cache
 constexpr std::size_t kBlock = 64;                    // samples per value of the envelope
 constexpr std::size_t kNoiseSamples = 1024;           // per chunk: give a standard deviation to 4 %
-// Standard deviations: one false alarm in 10^30 samples of Gaussian noise, if the standard deviation is 4 % too small.
-constexpr double kTriggerNoise = 12;
-constexpr double kTriggerFraction = 0.01;  // of the largest: a smaller hit is useless
-// A hammer bounces back within some tens of milliseconds, and with less force. A later pulse of this part of the other
-// is a hit of its own.
-constexpr double kOwnHit_s = 0.1;
-constexpr double kOwnHitFraction = 0.5;
 
 struct Envelope {
   std::vector<Extremes> blocks;

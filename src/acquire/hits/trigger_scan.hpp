@@ -7,6 +7,15 @@
 
 namespace percuss::acquire {
 
+// Standard deviations: one false alarm in 10^30 samples of Gaussian noise, if the standard deviation is 4 % too small.
+inline constexpr double kTriggerNoise = 12;
+inline constexpr double kTriggerFraction = 0.01;  // of the largest: a smaller hit is useless
+inline constexpr double kTriggerSeparation_s = 0.25;
+// A hammer bounces back within some tens of milliseconds, and with less force. A later pulse of this part of the other
+// is a hit of its own.
+inline constexpr double kOwnHit_s = 0.1;
+inline constexpr double kOwnHitFraction = 0.5;
+
 /// The force pulses of one row.
 struct TriggerScan {
   double baseline_N = 0;                           // median over the row
@@ -19,7 +28,7 @@ struct TriggerScan {
 
 struct TriggerOptions {
   std::optional<double> trigger_N;  // threshold on |force − baseline|; default: from the noise
-  double separation_s = 0.25;       // pulses within this time belong to one event
+  double separation_s = kTriggerSeparation_s;  // pulses within this time belong to one event
   std::size_t first = 0;            // samples to search, [first, last)
   std::size_t last = static_cast<std::size_t>(-1);
 };

@@ -125,16 +125,14 @@ void Guide::collect_events() {
   }
 }
 
-bool Guide::all_known_before(std::uint64_t frame) const {
-  return trigger_->searched_to() >= frame && !trigger_->begins_before(frame);
-}
+bool Guide::all_known_before(std::uint64_t frame) const { return trigger_->searched_to() >= frame; }
 
 bool Guide::is_complete(const Window& window, bool last) const {
   const std::uint64_t end = window.first + *length_;
   if (last) return true;
   if (history_.end_frame() < end) return false;
   const bool next_known = windows_.size() > 1 && windows_[1].event.first < end;
-  return next_known || trigger_->begins_before(end) || trigger_->searched_to() >= end;
+  return next_known || all_known_before(end);
 }
 
 void Guide::advance(bool last) {

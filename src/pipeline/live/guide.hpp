@@ -82,7 +82,6 @@ class Guide {
   /// The first frame of the first blow, less this time, but not before the start.
   std::uint64_t frame_before_first_blow(double time_s) const;
   std::optional<std::size_t> length() const { return length_; }
-  double trigger_N() const { return trigger_->threshold_N(); }
 
   /// The session as a record: one row per blow, rejected ones marked. Its samples stay available after the guide.
   acquire::Record record() const;

@@ -26,12 +26,14 @@ std::uint64_t Guide::undisturbed_end(const Window& window) const {
 
 bool Guide::choose_length(Window& window, bool last) {
   const std::uint64_t end = undisturbed_end(window);
-  const bool cut = last || end < history_.end_frame() || windows_.size() > 1;
+  const bool next_known = last || windows_.size() > 1, cut = next_known || end < history_.end_frame();
+  // The next window begins before its blow.
+  const auto known_before = [&](std::uint64_t frame) { return next_known || all_known_before(frame + pretrigger_); };
   for (; window.horizon < kHorizons; ++window.horizon) {
     const auto samples =
         static_cast<std::size_t>(std::ldexp(kFirstHorizon_s, static_cast<int>(window.horizon)) * fs_Hz_);
     if (window.first + samples > end) break;
-    if (!cut && !all_known_before(window.first + samples)) return false;  // the next blow may lie within
+    if (!known_before(window.first + samples)) return false;  // the next blow may lie within
     const auto decayed =
         decayed_samples(channels_.description, read_blow(history_, channels_, window.first, samples), pretrigger_);
     if (!decayed && window.horizon + 1 < kHorizons) continue;
@@ -39,7 +41,7 @@ bool Guide::choose_length(Window& window, bool last) {
     observer_.on_length(*length_);
     return true;
   }
-  if (!cut) return false;
+  if (!cut || !known_before(end)) return false;
   const std::size_t whole = end - window.first;
   if (static_cast<double>(whole) >= kShortestCut_s * fs_Hz_) {
     length_ = fast_length_at_most(static_cast<std::size_t>(kSpareAtCut * static_cast<double>(whole)));
@@ -60,7 +62,7 @@ BlowCircumstances Guide::circumstances(const Window& window) const {
   const std::uint64_t end = window.first + *length_;
   BlowCircumstances at{
       .lost_samples = !history_.losses(window.first, end).empty() || history_.end_frame() < end,
-      .struck_again = (windows_.size() > 1 && windows_[1].event.first < end) || trigger_->begins_before(end),
+      .struck_again = windows_.size() > 1 && windows_[1].event.first < end,
       .during_previous = window.event.first < previous_end_,
       .typical_peak_N = typical(&Session::Blow::peak_N),
       .typical_bandwidth_Hz = typical(&Session::Blow::bandwidth_Hz),

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "acquire/hits/pulse_shape.hpp"
+#include "acquire/hits/trigger_scan.hpp"
 #include "core/math/statistics.hpp"
 
 namespace percuss::pipeline {
@@ -15,8 +16,6 @@ constexpr std::size_t kStep = 512;        // samples: 10 ms at 51.2 kHz
 constexpr std::size_t kNoiseSteps = 256;  // about 2.6 s at 51.2 kHz
 constexpr double kArming_s = 0.25;        // of noise before the first search; a pulse in it does not matter
 constexpr std::size_t kRecentPeaks = 9, kMinPeaks = 3;
-// As acquire::scan_for_triggers.
-constexpr double kNoiseFactor = 12, kPeakFraction = 0.01, kOwnPulse_s = 0.1, kOwnPulseFraction = 0.5;
 
 std::uint64_t frames_in(double time_s, double fs_Hz) { return static_cast<std::uint64_t>(time_s * fs_Hz) + 1; }
 
@@ -32,8 +31,8 @@ double std_of(const std::vector<double>& x) {
 
 OnlineTrigger::OnlineTrigger(const OnlineTriggerOptions& options, std::uint64_t first_frame)
     : options_(options),
-      apart_(frames_in(options.separation_s, options.fs_Hz)),
-      own_(std::min(apart_, frames_in(kOwnPulse_s, options.fs_Hz))),
+      apart_(frames_in(acquire::kTriggerSeparation_s, options.fs_Hz)),
+      own_(std::min(apart_, frames_in(acquire::kOwnHit_s, options.fs_Hz))),
       reach_(static_cast<std::uint64_t>(acquire::kLongestPulse_s * options.fs_Hz) + acquire::kLongestPulse),
       armed_after_(frames_in(kArming_s, options.fs_Hz)),
       base_(first_frame),
@@ -52,7 +51,7 @@ double OnlineTrigger::threshold_N() const {
     std::nth_element(peaks_N.begin(), middle, peaks_N.end());
     typical_N = *middle;
   }
-  return std::max(kNoiseFactor * noise_N_, kPeakFraction * typical_N);
+  return std::max(acquire::kTriggerNoise * noise_N_, acquire::kTriggerFraction * typical_N);
 }
 
 void OnlineTrigger::add(std::span<const double> force_N, bool lost) {
@@ -78,7 +77,11 @@ void OnlineTrigger::finish() {
 void OnlineTrigger::step(std::size_t samples) {
   measure_noise(samples);
   stepped_ += samples;
-  if (finished_ || measured_ >= armed_after_) search();
+  if (finished_ || measured_ >= armed_after_) {
+    search();
+  } else if (stepped_ - at_ > armed_after_ && lost_to_ > at_) {
+    at_ = stepped_ - armed_after_;  // while samples are lost, nothing arms the search, and memory must not grow
+  }
   // The search of an event looks back by the length of a pulse.
   const std::uint64_t needed = at_ > reach_ ? at_ - reach_ : 0;
   while (base_ < std::min(needed, stepped_)) {
@@ -139,7 +142,7 @@ void OnlineTrigger::search() {
     // Hits of their own before the largest.
     while (best >= *first + own_) {
       const std::uint64_t before = largest_in(*first, best - own_ + 1);
-      if (distance(before) < kOwnPulseFraction * distance(best)) break;
+      if (distance(before) < acquire::kOwnHitFraction * distance(best)) break;
       best = before;
     }
     take_event(*first, best, end);
@@ -153,11 +156,11 @@ void OnlineTrigger::take_event(std::uint64_t first, std::uint64_t best, std::uin
   for (std::uint64_t frame = from; frame < to; ++frame) x.push_back(force_[frame - base_] - baseline_N_);
   const double peak_N = x[best - from];
   if (acquire::is_hammer_pulse(x, best - from, noise_N_, options_.fs_Hz)) {
-    events_.push_back({.first = first, .peak = best, .peak_N = peak_N, .noise_N = noise_N_});
+    events_.push_back({.first = first, .peak = best});
     peaks_N_.push_back(std::abs(peak_N));
     if (peaks_N_.size() > kRecentPeaks) peaks_N_.pop_front();
   }
-  own_level_N_ = kOwnPulseFraction * std::abs(peak_N);
+  own_level_N_ = acquire::kOwnHitFraction * std::abs(peak_N);
   quiet_until_ = std::max(best + apart_, end);
   at_ = std::min(best + own_, quiet_until_);
   waiting_ = false;
@@ -168,10 +171,6 @@ std::optional<BlowEvent> OnlineTrigger::next() {
   const BlowEvent event = events_.front();
   events_.pop_front();
   return event;
-}
-
-bool OnlineTrigger::begins_before(std::uint64_t frame) const {
-  return (!events_.empty() && events_.front().first < frame) || (waiting_ && at_ < frame);
 }
 
 }  // namespace percuss::pipeline

@@ -12,14 +12,11 @@ namespace percuss::pipeline {
 struct BlowEvent {
   std::uint64_t first = 0;  // frame of the first sample above the threshold
   std::uint64_t peak = 0;   // frame of the largest |force − baseline|
-  double peak_N = 0;        // signed, baseline removed
-  double noise_N = 0;
 };
 
 struct OnlineTriggerOptions {
   double fs_Hz = 0;
   std::optional<double> trigger_N;  // threshold on |force − baseline|; default: from the noise
-  double separation_s = 0.25;       // pulses within this time belong to one event
 };
 
 /// Finds the blows that acquire::scan_for_triggers finds in the whole record, as soon as their samples have arrived.
@@ -36,15 +33,12 @@ class OnlineTrigger {
   /// The next blow, in order.
   std::optional<BlowEvent> next();
 
-  /// All blows that begin before this frame have been found.
+  /// All blows that begin before this frame have been found. It stays at the first sample of an excursion until the
+  /// samples that decide whether it is a blow have arrived.
   std::uint64_t searched_to() const { return at_; }
-  /// The next blow begins before `frame`: it is known, or its samples have begun to arrive.
-  bool begins_before(std::uint64_t frame) const;
-  double baseline_N() const { return baseline_N_; }
-  double noise_N() const { return noise_N_; }
-  double threshold_N() const;
 
  private:
+  double threshold_N() const;
   void step(std::size_t samples);
   void measure_noise(std::size_t samples);
   void search();
