@@ -24,6 +24,7 @@
 #include "acquire/write_record.hpp"
 #include "batch/plan.hpp"
 #include "batch/run_shard.hpp"
+#include "core/io/temporary_folder.hpp"
 #include "core/parallel/parallel.hpp"
 #include "pipeline/run_analyses.hpp"
 #include "report/text/version.hpp"
@@ -52,30 +53,15 @@ synth::SynthSpec small_test(std::size_t seed) {
   return spec;
 }
 
-class Folder {
- public:
-  Folder() : path_((fs::temp_directory_path() / fmt::format("percuss-batch-{}", ::getpid())).string()) {
-    fs::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string file(const std::string& name) const { return path_ + "/" + name; }
-  std::string subfolder(const std::string& name) const {
-    fs::create_directories(file(name));
-    return file(name);
-  }
-
- private:
-  std::string path_;
-};
+std::string subfolder_of(const TemporaryFolder& folder, const std::string& name) {
+  fs::create_directories(folder.file(name));
+  return folder.file(name);
+}
 
 // Writes records of one format and their manifest. Returns the path of the manifest.
-std::string write_manifest_of(const Folder& folder, const std::string& kind, std::size_t records) {
-  const std::string seeds = folder.subfolder("seeds"), place = folder.subfolder(fmt::format("{}-{}", kind, records));
+std::string write_manifest_of(const TemporaryFolder& folder, const std::string& kind, std::size_t records) {
+  const std::string seeds = subfolder_of(folder, "seeds"),
+                    place = subfolder_of(folder, fmt::format("{}-{}", kind, records));
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < records; ++i) {
     const std::string seed = fmt::format("{}/{}.{}", seeds, i % kDifferent, kind);
@@ -152,7 +138,7 @@ void run_arithmetic(std::size_t threads) {
   });
 }
 
-void compare(const Folder& folder, const std::string& kind) {
+void compare(const TemporaryFolder& folder, const std::string& kind) {
   const batch::Manifest manifest(write_manifest_of(folder, kind, kPerTurn));
   const std::string results = folder.file("results");
   ElapsedTime in_loop, on_one, on_two, sequential, parallel;
@@ -174,7 +160,7 @@ void compare(const Folder& folder, const std::string& kind) {
 }
 
 // The peak memory of a child process that runs the batch on two threads.
-double largest_memory_MB(const Folder& folder, const std::string& manifest) {
+double largest_memory_MB(const TemporaryFolder& folder, const std::string& manifest) {
   const pid_t child = ::fork();
   if (child == 0) {
     run_batch(batch::Manifest(manifest), 2, folder.file("results"));
@@ -186,7 +172,7 @@ double largest_memory_MB(const Folder& folder, const std::string& manifest) {
   return static_cast<double>(used.ru_maxrss) / 1024;
 }
 
-void compare_memory(const Folder& folder, std::size_t records) {
+void compare_memory(const TemporaryFolder& folder, std::size_t records) {
   const std::string few = write_manifest_of(folder, "csv", 100), many = write_manifest_of(folder, "csv", records);
   const double few_MB = largest_memory_MB(folder, few), many_MB = largest_memory_MB(folder, many);
   fmt::print("largest memory on two threads: {:.1f} MB for 100 records, {:.1f} MB for {}, {:.2f} x\n", few_MB, many_MB,
@@ -199,7 +185,7 @@ void compare_memory(const Folder& folder, std::size_t records) {
 int main(int count, char** arguments) {
   using namespace percuss;
   try {
-    const Folder folder;
+    const TemporaryFolder folder("percuss-batch");
     // Memory first: it forks, and a process with threads must not fork.
     compare_memory(folder, count > 1 ? std::strtoul(arguments[1], nullptr, 10) : 10000);
     for (const char* kind : {"csv", "uff", "h5"}) compare(folder, kind);

@@ -7,13 +7,13 @@
 
 #include "acquire/formats/hdf5/write_hdf5.hpp"
 #include "acquire/open_measurement.hpp"
+#include "core/io/temporary_folder.hpp"
 #include "core/parallel/parallel.hpp"
 #include "deflection_bound.hpp"
 #include "deflection_truth.hpp"
 #include "fft_read_baseline.hpp"
 #include "pipeline/impact_test.hpp"
 #include "pipeline/run_analyses.hpp"
-#include "scratch_folder.hpp"
 #include "synth/schedule.hpp"
 
 namespace percuss::accuracy {
@@ -126,7 +126,7 @@ std::vector<Figure> errors(const synth::SyntheticTest& test, const std::vector<s
 
 void measure_deflection_times(const acquire::Record& run, const synth::SynthSpec& spec, const TimingOptions& timing,
                               std::vector<Figure>& figures) {
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("percuss-accuracy");
   const std::string path = folder.file("run.h5");
   acquire::write_hdf5(path, run, true);
   const FftReadBaseline limit({path}, run);

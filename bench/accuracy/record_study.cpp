@@ -4,11 +4,11 @@
 
 #include "acquire/formats/hdf5/write_hdf5.hpp"
 #include "acquire/open_measurement.hpp"
+#include "core/io/temporary_folder.hpp"
 #include "fft_read_baseline.hpp"
 #include "frf_figures.hpp"
 #include "mode_figures.hpp"
 #include "pipeline/run_analyses.hpp"
-#include "scratch_folder.hpp"
 
 namespace percuss::accuracy {
 namespace {
@@ -22,7 +22,7 @@ pipeline::AnalysisOptions options_for(const synth::SynthSpec& spec) {
 // Measures the times of both sets of figures, in alternation with the baseline.
 void measure_times(const acquire::Record& run, const synth::SynthSpec& spec, const TimingOptions& timing,
                    std::vector<Figure>& frfs, std::vector<Figure>& modes) {
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("percuss-accuracy");
   const std::string path = folder.file("run.h5");
   acquire::write_hdf5(path, run, true);
   const FftReadBaseline limit({path}, run);

@@ -8,11 +8,11 @@
 #include <functional>
 
 #include "acquire/open_measurement.hpp"
+#include "core/io/temporary_folder.hpp"
 #include "fft_read_baseline.hpp"
 #include "forked.hpp"
 #include "pipeline/analysis.hpp"
 #include "scaling_files.hpp"
-#include "scratch_folder.hpp"
 
 namespace percuss::accuracy {
 namespace {
@@ -121,7 +121,7 @@ double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock
 bool measure_at(std::size_t n, const ScalingCase& question, const TimingOptions& timing, Scaling& scaling,
                 double& making_s) {
   const double start_s = wall_s();
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("percuss-accuracy");
   const synth::SynthSpec spec = question.spec(n);
   const auto paths = question.files ? many_files(spec, n, folder.path()) : one_file(spec, folder.path());
   making_s = wall_s() - start_s;

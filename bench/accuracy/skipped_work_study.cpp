@@ -4,8 +4,8 @@
 
 #include "acquire/formats/hdf5/write_hdf5.hpp"
 #include "acquire/open_measurement.hpp"
+#include "core/io/temporary_folder.hpp"
 #include "pipeline/analysis.hpp"
-#include "scratch_folder.hpp"
 #include "synth/synthesise.hpp"
 
 namespace percuss::accuracy {
@@ -42,7 +42,7 @@ class Files {
   }
 
  private:
-  TemporaryFolder folder_;
+  TemporaryFolder folder_{"percuss-accuracy"};
 };
 
 enum class Wanted { hits, frfs, modes };

@@ -45,11 +45,12 @@ struct GeometryPoint {
 
 struct Geometry {
   std::vector<GeometryPoint> points;
-  bool tube = false;  // position and angle are known for every point
+  bool tube = false;          // position and angle are known for every point
+  bool unit_assumed = false;  // the file states no unit: its lengths are taken as m
 };
 
 /// Reads "point, x_m, y_m, z_m" or "point, position_m, angle_deg" from a text file. Points around an axis become a
-/// tube. errors  InputError: not such a file.
+/// tube. Lengths without a unit are taken as m unless they exceed 10. errors  InputError: not such a file.
 Geometry read_geometry(const std::string& path);
 
 /// The part that moves from point to point; the other one stays.

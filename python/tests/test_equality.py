@@ -170,7 +170,7 @@ def test_deflection_prints_the_same_document(tool, bat):
         assert np.nanmax(np.abs(curve["deflection_m"])) >= abs(hit["peak_m"]) > 0
 
 
-def test_title_stands_on_pages_alone(bat):
+def test_title_stands_on_pages_alone(tool, bat):
     bat.save("bat.h5")
     found = percuss.analyze("bat.h5", band=BAND, effort="quick", title="Bat 7")
     found.save("found.json")

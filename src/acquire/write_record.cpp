@@ -33,7 +33,7 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
   const FileFormat* const format = written_format(path);
   if (format == nullptr) return {};
   auto losses = format->record_losses != nullptr ? format->record_losses(path, record) : std::vector<std::string>{};
-  if (!record.trace_faces.empty() && !format->keeps_frf_geometry) losses.emplace_back("the faces between points");
+  if (!record.trace_faces.empty() && !format->keeps_faces) losses.emplace_back("the faces between points");
   const bool marked =
       std::any_of(record.rows.begin(), record.rows.end(), [](const RowInfo& row) { return row.mark != RowMark::none; });
   if (!format->keeps_marks && marked) losses.emplace_back("which blows were rejected while they were recorded");

@@ -12,7 +12,7 @@ namespace api {
 namespace {
 
 acquire::Geometry internal_geometry(const Geometry& geometry) {
-  acquire::Geometry out{.points = {}, .tube = geometry.tube};
+  acquire::Geometry out{.points = {}, .tube = geometry.tube, .unit_assumed = geometry.unit_assumed};
   for (const GeometryPoint& p : geometry.points) {
     out.points.push_back({.point = p.point,
                           .xyz_m = p.xyz_m,
@@ -24,7 +24,7 @@ acquire::Geometry internal_geometry(const Geometry& geometry) {
 }
 
 Geometry public_geometry(const acquire::Geometry& geometry) {
-  Geometry out{.points = {}, .tube = geometry.tube};
+  Geometry out{.points = {}, .tube = geometry.tube, .unit_assumed = geometry.unit_assumed};
   for (const acquire::GeometryPoint& p : geometry.points) {
     out.points.push_back({.point = p.point,
                           .xyz_m = p.xyz_m,

@@ -13,6 +13,7 @@
 
 #include "batch/line_reader.hpp"
 #include "core/error.hpp"
+#include "core/io/write_all.hpp"
 #include "report/text/digest.hpp"
 
 namespace percuss::batch {
@@ -107,16 +108,10 @@ void Journal::remove_incomplete_line() {
 
 void Journal::append(const std::string& line) {
   if (incomplete_) remove_incomplete_line();
-  std::string_view rest = line;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(file_.descriptor(), rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const int error = errno;
-      incomplete_ = ::ftruncate(file_.descriptor(), static_cast<off_t>(end_)) != 0;
-      fail_to_write(path_, error);
-    }
-    rest.remove_prefix(static_cast<std::size_t>(written));
+  if (!write_all(file_.descriptor(), line)) {
+    const int error = errno;
+    incomplete_ = ::ftruncate(file_.descriptor(), static_cast<off_t>(end_)) != 0;
+    fail_to_write(path_, error);
   }
   end_ += line.size();
 }

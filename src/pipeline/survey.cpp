@@ -12,6 +12,7 @@
 #include "core/units.hpp"
 #include "identify/classify/asymmetry_split.hpp"
 #include "identify/start/cmif.hpp"
+#include "pipeline/survey_geometry.hpp"
 #include "pipeline/warnings/ranking.hpp"
 
 namespace percuss::pipeline {
@@ -68,27 +69,9 @@ bool Survey::is_tube() const {
   return geometry_ && geometry_->tube && analysis_.options().classes.object != identify::ObjectKind::other;
 }
 
-// A file may number the points from 1 where the record counts from 0.
-void Survey::renumber_points() {
-  if (!options_.geometry) return;
-  std::set<int> known;
-  for (const acquire::GeometryPoint& p : geometry_->points) known.insert(p.point);
-  const std::set<int> measured = analysis_.points();
-  const auto lacks = [&](int offset) {
-    return std::any_of(measured.begin(), measured.end(), [&](int point) { return !known.contains(point + offset); });
-  };
-  if (!lacks(0) || lacks(1) || known.contains(0)) return;
-  for (acquire::GeometryPoint& p : geometry_->points) --p.point;
-  geometry_warnings_.push_back(
-      {"points_from_one",
-       fmt::format("the geometry numbers its points from {}, the record from {}: one is subtracted from the geometry's",
-                   *known.begin(), *measured.begin()),
-       {"geometry"}});
-}
-
 void Survey::place_points() {
   if (!geometry_) return;
-  renumber_points();
+  if (options_.geometry) geometry_warnings_ = fit_geometry(*geometry_, analysis_.points());
   std::set<int> known;
   for (const acquire::GeometryPoint& p : geometry_->points) {
     known.insert(p.point);

@@ -55,7 +55,6 @@ class Survey {
  private:
   bool is_tube() const;
   void place_points();
-  void renumber_points();
   void find_driving_points();
   std::vector<identify::ModeClassification> classify_by_shapes() const;
   identify::LowerOrders lower_orders(const std::vector<identify::ModeClassification>& found) const;

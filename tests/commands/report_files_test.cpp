@@ -198,6 +198,21 @@ TEST(SessionPage, EscapesMarkupInNames) {
   EXPECT_THAT(page, AllOf(Not(HasSubstr("<img")), HasSubstr("&lt;img src=x onerror=alert(1)")));
 }
 
+// The date of a text stays in the HDF5 file that is made from it, and stands on the page.
+TEST(PageDate, ComesFromTheFile) {
+  const test::ScratchFolder folder;
+  test::write_small_test(folder.file("bat.h5"));
+  ASSERT_EQ(run_percuss({"convert", "bat.h5", "bat.csv"}, {.folder = folder.path()}).code, 0);
+  test::write_bytes(folder.file("dated.csv"), "# Date: 2026-11-20\n" + test::bytes_of(folder.file("bat.csv")));
+  ASSERT_EQ(run_percuss({"convert", "dated.csv", "dated.h5"}, {.folder = folder.path()}).code, 0);
+  for (const char* file : {"dated.csv", "dated.h5"}) {
+    const auto outcome = run_percuss({"analyze", file, "--title", "Bat 7", "-o", "page.html", "--force", "--quiet"},
+                                     {.folder = folder.path()});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(test::bytes_of(folder.file("page.html")), HasSubstr("2026-11-20")) << file;
+  }
+}
+
 // The title stands on the page; files of numbers have none.
 TEST(AnalyzeTitle, AllowsFilesThatHaveNone) {
   const test::ScratchFolder folder;

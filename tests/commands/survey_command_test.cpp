@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -107,6 +108,27 @@ TEST_F(SurveyCommand, ReadsGeometryNumberedFromOne) {
   bool said = false;
   for (const json& warning : document["warnings"]) said = said || warning["code"] == "points_from_one";
   EXPECT_TRUE(said);
+}
+
+// Coordinates without z and without units: metres, and the document says so. Large ones need a unit.
+TEST_F(SurveyCommand, ReadsCoordinatesWithoutUnits) {
+  const auto table = [](const char* names, double scale) {
+    std::string text = std::string(names) + "\n";
+    for (std::size_t p = 0; p < 18; ++p)
+      text += fmt::format("{},{},{}\n", p, scale * static_cast<double>(p / 6), scale * static_cast<double>(p % 6));
+    return text;
+  };
+  test::write_bytes(file("bare.csv"), table("point,x,y", 0.05));
+  test::write_bytes(file("unit.csv"), table("point,x_m,y_m", 0.05));
+  test::write_bytes(file("large.csv"), table("point,x,y", 50));
+  const json document = document_of({file("bare.h5"), "--geometry", file("bare.csv")});
+  EXPECT_EQ(document["modes"], document_of({file("bare.h5"), "--geometry", file("unit.csv")})["modes"]);
+  bool said = false;
+  for (const json& warning : document["warnings"]) said = said || warning["code"] == "geometry_unit_assumed";
+  EXPECT_TRUE(said);
+  const auto large = survey({file("bare.h5"), "--geometry", file("large.csv")});
+  EXPECT_EQ(large.code, 3);
+  EXPECT_THAT(large.err, HasSubstr("call the column x_mm if they are in mm, x_m in m, x_in in inches"));
 }
 
 TEST_F(SurveyCommand, UsesTheGeometryAndDrivingPointOfTheRecord) {

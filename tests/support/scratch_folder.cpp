@@ -1,21 +1,10 @@
 #include "support/scratch_folder.hpp"
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 namespace percuss::test {
-
-ScratchFolder::ScratchFolder() : path_((std::filesystem::temp_directory_path() / "percuss-test-XXXXXX").string()) {
-  if (::mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no scratch folder");
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
 
 std::string bytes_of(const std::string& path) {
   std::ostringstream bytes;

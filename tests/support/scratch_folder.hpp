@@ -1,21 +1,14 @@
 #pragma once
 #include <string>
 
+#include "core/io/temporary_folder.hpp"
+
 namespace percuss::test {
 
 /// A temporary folder for one test, removed with its contents.
-class ScratchFolder {
+class ScratchFolder : public TemporaryFolder {
  public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const std::string& path() const { return path_; }
-  std::string file(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
+  ScratchFolder() : TemporaryFolder("percuss-test") {}
 };
 
 std::string bytes_of(const std::string& path);

@@ -69,7 +69,7 @@ def nodes(
         acceleration in m/s², with `fs`, in the shapes that `Record` takes; or records; or FRFs.
         Arrays are not copied: do not change them before the function returns, or while the result
         still computes.
-    positions : (start, step, end), optional
+    positions : (start, step, end) or a list, optional
         Set the positions of the hits from the end of the barrel, in the order of points or files: a
         range or a list such as 3,3.5,5in; in inches unless a unit (in, m, mm, cm, ft) follows
         (default: from the record's geometry).

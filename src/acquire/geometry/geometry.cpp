@@ -6,13 +6,13 @@
 #include <cmath>
 #include <set>
 
+#include "acquire/geometry/geometry_columns.hpp"
 #include "acquire/geometry/geometry_connections.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_dialect.hpp"
 #include "core/io/csv_header.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/parse_number.hpp"
-#include "core/units.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -20,31 +20,6 @@ namespace {
 constexpr std::uint64_t kMaxGeometry_bytes = std::uint64_t{16} << 20U;
 constexpr std::size_t kMaxGeometryPoints = 100'000;
 constexpr double kMaxCoordinate_m = 1e4;  // m or rad: larger than any structure
-constexpr const char* kGeometryRemedy = "write a table like the example";
-
-enum Field : std::size_t { kPoint, kX, kY, kZ, kPosition, kAngle, kRadius, kLines, kFaces, kFields };
-constexpr std::size_t kLengthsAndAngles = kLines;  // the fields from kX to here have units
-
-struct Column {
-  std::optional<std::size_t> index;
-  double to_SI = 1;
-  bool unit = false;  // stated
-};
-using Columns = std::array<Column, kFields>;
-
-constexpr std::array<std::array<std::string_view, 3>, kFields> kNames = {{{"point", "node", "no"},
-                                                                          {"x"},
-                                                                          {"y"},
-                                                                          {"z"},
-                                                                          {"position", "pos", "axial"},
-                                                                          {"angle", "theta", "phi"},
-                                                                          {"radius", "r"},
-                                                                          {"lines"},
-                                                                          {"faces"}}};
-constexpr std::array<std::string_view, kFields> kTitles = {"point",     "x_m",      "y_m",   "z_m",  "position_m",
-                                                           "angle_deg", "radius_m", "lines", "faces"};
-
-Quantity quantity_of(std::size_t field) { return field == kAngle ? Quantity::angle : Quantity::length; }
 
 // A line of the file that is neither blank nor a comment.
 struct Line {
@@ -66,68 +41,14 @@ std::string place(const std::string& where, std::size_t line) { return fmt::form
 
 std::string shown(std::string_view cell) { return one_line(to_utf8(trimmed(cell)), 40); }
 
-void set_unit(Column& column, std::size_t field, std::string_view unit, const std::string& where) {
-  column.to_SI = require_unit(unit, quantity_of(field), where).to_SI;
-  column.unit = true;
-}
-
-Columns columns_of(const std::vector<std::string_view>& names, const std::string& where) {
-  Columns columns;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const NameAndUnit name = split_name(to_utf8(names[i]));
-    for (std::size_t field = 0; field < kFields; ++field) {
-      const auto& known = kNames[field];
-      const std::string base = lower_case(name.base);
-      if (base.empty() || std::find(known.begin(), known.end(), base) == known.end()) continue;
-      if (columns[field].index)
-        throw InputError(fmt::format("two columns are called {}", kNames[field].front()), where, "keep one");
-      columns[field].index = i;
-      if (field != kPoint && field < kLengthsAndAngles && !name.unit.empty())
-        set_unit(columns[field], field, name.unit, where);
-    }
-  }
-  const auto has = [&](Field field) { return columns[field].index.has_value(); };
-  if (!has(kPoint)) throw InputError("no column of points", where, kGeometryRemedy, {"survey.example"});
-  const bool cartesian = has(kX) || has(kY) || has(kZ), tube = has(kPosition) || has(kAngle);
-  if (cartesian == tube || (tube && !has(kPosition))) {
-    throw InputError("the columns state no place, or two kinds of it", where,
-                     "give x, y, z (missing ones are 0), or position with or without angle: point,x_m,y_m,z_m or "
-                     "point,position_m,angle_deg");
-  }
-  return columns;
-}
-
-// Takes a line of units below the names: a line without numbers. Returns false for a line with numbers.
-bool take_units(Columns& columns, const std::vector<std::string_view>& cells, const CsvDialect& dialect,
-                const std::string& where) {
-  for (const std::string_view cell : cells) {
-    if (parse_number(cell, dialect.decimal_comma).problem != NumberProblem::not_a_number && !trimmed(cell).empty())
-      return false;
-  }
-  for (std::size_t field = kX; field < kLengthsAndAngles; ++field) {
-    Column& column = columns[field];
-    if (column.index && *column.index < cells.size() && !trimmed(cells[*column.index]).empty())
-      set_unit(column, field, to_utf8(trimmed(cells[*column.index])), where);
-  }
-  return true;
-}
-
-void require_units(const Columns& columns, const std::string& where) {
-  for (std::size_t field = kX; field < kLengthsAndAngles; ++field) {
-    if (!columns[field].index || columns[field].unit) continue;
-    throw InputError(fmt::format("no unit for {}", kNames[field].front()), where,
-                     fmt::format("call the column {}, for instance", kTitles[field]));
-  }
-}
-
 class Row {
  public:
   Row(std::vector<std::string_view> cells, bool decimal_comma, std::string where)
       : cells_(std::move(cells)), decimal_comma_(decimal_comma), where_(std::move(where)) {}
 
-  double number(const Columns& columns, std::size_t field) const {
+  double number(const GeometryColumns& columns, std::size_t field) const {
     const std::size_t index = *columns[field].index;
-    const auto title = kNames[field].front();
+    const auto title = geometry_field_name(field);
     if (index >= cells_.size()) throw InputError(fmt::format("no cell for {}", title), where_, "fill every column");
     const ParsedNumber parsed = parse_number(cells_[index], decimal_comma_);
     if (parsed.problem != NumberProblem::none) {
@@ -140,8 +61,8 @@ class Row {
   }
 
   // The lines or faces that the columns of these names state for the point.
-  void add_connections(const Columns& columns, std::vector<Connection>& out) const {
-    for (const Field field : {kLines, kFaces}) {
+  void add_connections(const GeometryColumns& columns, std::vector<Connection>& out) const {
+    for (const GeometryField field : {kLines, kFaces}) {
       const auto index = columns[field].index;
       if (!index || *index >= cells_.size()) continue;
       for (Connection& each : connections_of_cell(cells_[*index], point(columns), field == kFaces, where_))
@@ -149,7 +70,7 @@ class Row {
     }
   }
 
-  int point(const Columns& columns) const {
+  int point(const GeometryColumns& columns) const {
     const double value = number(columns, kPoint);
     if (value >= 0 && value <= 1e9 && std::rint(value) == value) return static_cast<int>(value);
     throw InputError(fmt::format("{:g} is not a point number", value), where_,
@@ -162,7 +83,7 @@ class Row {
   std::string where_;
 };
 
-GeometryPoint point_of(const Row& row, const Columns& columns) {
+GeometryPoint point_of(const Row& row, const GeometryColumns& columns) {
   GeometryPoint out{.point = row.point(columns)};
   const auto number = [&](std::size_t field) { return columns[field].index ? row.number(columns, field) : 0; };
   if (columns[kAngle].index) {
@@ -198,7 +119,8 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
   const std::vector<Line> lines = lines_of(text, line_end);
   if (lines.size() < 2) throw InputError("no points", where, kGeometryRemedy, {"survey.example"});
   const CsvDialect dialect = dialect_of(lines, line_end);
-  Columns columns = columns_of(split_cells(lines.front().text, dialect), place(where, lines.front().number));
+  GeometryColumns columns =
+      geometry_columns(split_cells(lines.front().text, dialect), place(where, lines.front().number));
   Geometry geometry;
   std::set<int> seen;
   std::vector<Connection> connections;
@@ -206,7 +128,7 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
     const std::string at = place(where, lines[i].number);
     auto cells = split_cells(lines[i].text, dialect);
     if (i == 1 && take_units(columns, cells, dialect, at)) continue;
-    if (geometry.points.empty()) require_units(columns, place(where, lines.front().number));
+    if (geometry.points.empty()) geometry.unit_assumed = lacks_length_unit(columns, place(where, lines.front().number));
     if (!cells.empty() && is_connection_row(cells.front())) {
       connections.push_back(connection_of_row(cells, at));
       continue;
@@ -221,6 +143,7 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
   }
   if (geometry.points.empty()) throw InputError("no points", where, kGeometryRemedy, {"survey.example"});
   add_connections(geometry, connections);
+  if (geometry.unit_assumed) require_metres(geometry, columns, place(where, lines.front().number));
   geometry.tube = columns[kAngle].index.has_value();
   const bool spatial = columns[kX].index && columns[kY].index && columns[kZ].index;
   if (spatial) tube_from_coordinates(geometry);

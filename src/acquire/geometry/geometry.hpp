@@ -23,6 +23,7 @@ struct Geometry {
   std::size_t axis = 0;                     // of the tube: 0, 1, 2 for x, y, z; x without coordinates
   std::vector<std::array<int, 2>> lines{};  // by point number, each once; empty: none stated
   std::vector<std::vector<int>> faces{};    // corners in order around each face, by point number
+  bool unit_assumed = false;                // the file states no unit: its lengths are taken as m
 };
 
 /// Reads the places of a survey's points from a text with one line per point (docs/reference/formats.md, "Geometry of a
@@ -32,9 +33,9 @@ struct Geometry {
 /// A coordinate without a column is 0; positions without angles lie on a line. Drawings connect points by the optional
 /// columns `lines` and `faces`, or by rows "line,0,1,2" and "face,0,1,5,4" (see geometry_connections.hpp). Columns may
 /// have any order. Units are m, mm, cm, in and deg, rad; they stand in the name ("x_mm", "angle (rad)") or in a line of
-/// units. Delimiters, quotes and comments are as in records. Coordinates of points around an axis are turned into
-/// position and angle (tube_from_coordinates).
-/// errors  InputError with file, line and remedy: no such columns, a cell that is not a number, a point twice, no unit,
+/// units. Lengths without a unit are taken as m unless they exceed 10. Delimiters, quotes and comments are as in
+/// records. Coordinates of points around an axis are turned into position and angle (tube_from_coordinates). errors
+/// InputError with file, line and remedy: no such columns, a cell that is not a number, a point twice, no unit,
 ///         a connection with a point that is not listed, a text that is too long.
 Geometry read_geometry(const std::string& path);
 

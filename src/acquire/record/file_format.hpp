@@ -50,7 +50,8 @@ struct FileFormat {
   /// The parts of a record that a file of this name would lose, one line each.
   std::vector<std::string> (*record_losses)(const std::string& path, const Record& record) = nullptr;
   bool keeps_marks = false;         // RowInfo::mark and Record::capture
-  bool keeps_frf_geometry = false;  // files of FRFs keep points and lines, and all files keep faces
+  bool keeps_faces = false;         // Record::trace_faces
+  bool keeps_frf_geometry = false;  // files of FRFs keep points, lines and faces
 };
 
 /// ".h5" of "bat.H5".

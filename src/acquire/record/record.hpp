@@ -19,6 +19,7 @@ namespace percuss::acquire {
 struct InputFile {
   std::string path;
   std::uint64_t bytes = 0;
+  std::string date{};  // of the recording, where its reader found one; see date_of()
 };
 
 /// One measured signal: its name, its unit as stored, and the place of its sensor.
@@ -67,7 +68,7 @@ struct Record {
   bool continuous = false;                    // every row may hold several hits
   std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored; NaN where not known; may be empty
   std::vector<TraceLine> trace_lines;         // may be empty
-  std::vector<TraceFace> trace_faces;         // may be empty; universal files hold them
+  std::vector<TraceFace> trace_faces;         // may be empty
   std::vector<ContiguousSignal> contiguous;   // the force and each channel, where all are contiguous; else empty
   std::vector<RecordFault> faults;            // faults while the record was captured, in order of time
   std::vector<Message> notes;                 // assumptions, and parts that could not be read

@@ -20,17 +20,6 @@ std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\r
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// The text if it can be a date: at least three digits, printable, and short.
-std::string plausible_date(std::string_view text) {
-  text = trimmed(text);
-  const auto digit = [](unsigned char c) { return std::isdigit(c) != 0; };
-  const auto printable = [](unsigned char c) { return c >= 0x20 && c < 0x7F; };
-  if (text.size() > kMaxDate_bytes || std::count_if(text.begin(), text.end(), digit) < 3 ||
-      !std::all_of(text.begin(), text.end(), printable))
-    return "";
-  return std::string(text);
-}
-
 std::vector<std::string_view> lines_of(std::string_view text) {
   std::vector<std::string_view> lines;
   while (!text.empty() && lines.size() < kMaxHeadLines) {
@@ -111,8 +100,18 @@ std::string sound_date(std::string_view head) {
 
 }  // namespace
 
+std::string plausible_date(std::string_view text) {
+  text = trimmed(text);
+  const auto digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  const auto printable = [](unsigned char c) { return c >= 0x20 && c < 0x7F; };
+  if (text.size() > kMaxDate_bytes || std::count_if(text.begin(), text.end(), digit) < 3 ||
+      !std::all_of(text.begin(), text.end(), printable))
+    return "";
+  return std::string(text);
+}
+
 std::string stated_date(std::string_view head) {
-  if (head.starts_with("MATLAB 5.0")) return mat_date(head);
+  if (head.starts_with("MATLAB 5.0") || head.starts_with("MATLAB 7.3")) return mat_date(head);
   if (head.starts_with("RIFF") || head.starts_with("RF64")) return sound_date(head);
   if (head.find('\0') != std::string_view::npos) return "";
   const std::vector<std::string_view> lines = lines_of(head);
@@ -128,6 +127,18 @@ std::string stated_date_of_file(const std::string& path) {
   } catch (const InputError&) {
     return "";  // data in memory, or a file that is gone
   }
+}
+
+std::string date_of(const InputFile& file) { return file.date.empty() ? stated_date_of_file(file.path) : file.date; }
+
+std::string common_date_of(const std::vector<InputFile>& files) {
+  std::string common;
+  for (const InputFile& file : files) {
+    const std::string date = date_of(file);
+    if (date.empty() || (!common.empty() && date != common)) return "";
+    common = date;
+  }
+  return common;
 }
 
 }  // namespace percuss::acquire

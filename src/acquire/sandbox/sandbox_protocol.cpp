@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "acquire/sandbox/sandbox_limits.hpp"
+#include "core/io/write_all.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::size_t kMaxOptions = 16, kMaxOption_bytes = 60;
 
 bool send_outcome(int descriptor, SandboxOutcome outcome, const std::string& payload) {
   const SandboxOutcomeHead head{outcome, payload.size(), heap_growth_bytes()};
-  return send_bytes(descriptor, &head, sizeof head) && send_bytes(descriptor, payload.data(), payload.size());
+  return write_all(descriptor, {reinterpret_cast<const char*>(&head), sizeof head}) && write_all(descriptor, payload);
 }
 
 void serialize_error(Serializer& out, const InputError& error) {
@@ -80,18 +81,6 @@ std::vector<OptionId> deserialize_options(Deserializer& in) {
   if (options.size() > kMaxOptions) throw std::out_of_range("too many options");
   for (OptionId& option : options) option = deserialize_option(in);
   return options;
-}
-
-bool send_bytes(int descriptor, const void* from, std::size_t bytes) {
-  const auto* at = static_cast<const char*>(from);
-  while (bytes > 0) {
-    const auto sent = ::write(descriptor, at, bytes);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    at += sent;
-    bytes -= static_cast<std::size_t>(sent);
-  }
-  return true;
 }
 
 bool receive_bytes(int descriptor, void* to, std::size_t bytes) {

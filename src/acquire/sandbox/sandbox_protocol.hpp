@@ -36,8 +36,7 @@ struct SandboxOutcomeHead {
   std::uint64_t memory_bytes = 0;  // that the process has taken
 };
 
-/// Transfers all bytes. False when the other process has closed its end.
-bool send_bytes(int descriptor, const void* from, std::size_t bytes);
+/// Receives all bytes. False when the other process has closed its end.
 bool receive_bytes(int descriptor, void* to, std::size_t bytes);
 
 /// Runs `work` and sends its result, or the error that it threw. False when the parent has closed its end.

@@ -10,6 +10,7 @@
 #include "acquire/record/contiguous_samples.hpp"
 #include "acquire/record/point_number.hpp"
 #include "acquire/record/sample_limits.hpp"
+#include "acquire/record/stated_date.hpp"
 #include "acquire/sandbox/sandbox_protocol.hpp"
 #include "core/error.hpp"
 
@@ -37,6 +38,7 @@ void serialize_description(Serializer& out, const Record& record) {
   for (const InputFile& file : record.files) {
     out.put(file.path);
     out.put(file.bytes);
+    out.put(file.date);
   }
   out.put(record.format);
   out.put(record.fs_Hz);
@@ -49,16 +51,18 @@ void serialize_description(Serializer& out, const Record& record) {
   out.put(static_cast<std::uint64_t>(record.has_force));
   serialize_geometry(out, record.geometry);
   out.put_all(record.trace_lines);
+  serialize_faces(out, record.trace_faces);
   out.put_all(record.contiguous);
   serialize_notes(out, record.notes);
 }
 
 Record deserialize_description(Deserializer& in) {
   Record record;
-  const std::size_t files = in.count(2 * sizeof(std::uint64_t));
+  const std::size_t files = in.count(3 * sizeof(std::uint64_t));
   for (std::size_t i = 0; i < files; ++i) {
     std::string path = in.text();
-    record.files.push_back({.path = std::move(path), .bytes = in.get<std::uint64_t>()});
+    const auto bytes = in.get<std::uint64_t>();
+    record.files.push_back({.path = std::move(path), .bytes = bytes, .date = plausible_date(in.text())});
   }
   record.format = in.text();
   record.fs_Hz = in.get<double>();
@@ -72,6 +76,7 @@ Record deserialize_description(Deserializer& in) {
   record.has_force = in.get<std::uint64_t>() != 0;
   record.geometry = deserialize_geometry(in);
   record.trace_lines = in.all<TraceLine>();
+  record.trace_faces = deserialize_faces(in);
   record.contiguous = in.all<ContiguousSignal>();
   record.notes = deserialize_notes(in);
   return record;
@@ -109,6 +114,9 @@ bool plausible(const Record& record, std::uint64_t file_bytes) {
                fits(record.rows, record.accel.size(), file_bytes);
   for (const RowInfo& row : record.rows)
     valid = valid && row.samples >= 2 && row.file == 0 && is_point_number(row.point);
+  const auto exists = [&](int point) { return point >= 0 && static_cast<std::size_t>(point) < record.geometry.size(); };
+  for (const TraceFace& face : record.trace_faces)
+    valid = valid && face.size() >= 3 && std::all_of(face.begin(), face.end(), exists);
   for (const ContiguousSignal& signal : record.contiguous) valid = valid && fits(record.rows, signal, file_bytes);
   return valid;
 }
@@ -158,6 +166,18 @@ void serialize_geometry(Serializer& out, const std::vector<std::vector<double>>&
   for (const auto& point : geometry) out.put_all(point);
 }
 
+void serialize_faces(Serializer& out, const std::vector<TraceFace>& faces) {
+  out.put(static_cast<std::uint64_t>(faces.size()));
+  for (const TraceFace& face : faces) out.put_all(face);
+}
+
+std::vector<TraceFace> deserialize_faces(Deserializer& in) {
+  std::vector<TraceFace> faces;
+  const std::size_t count = in.count(sizeof(std::uint64_t));
+  for (std::size_t i = 0; i < count; ++i) faces.push_back(in.all<int>());
+  return faces;
+}
+
 std::vector<std::vector<double>> deserialize_geometry(Deserializer& in) {
   std::vector<std::vector<double>> geometry;
   const std::size_t count = in.count(sizeof(std::uint64_t));
@@ -188,7 +208,8 @@ Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>&
   }
   if (!plausible(record, process->file_bytes())) process->report_contradiction();
   // This process opens the file by this path.
-  for (InputFile& file : record.files) file = {.path = process->path(), .bytes = process->file_bytes()};
+  for (InputFile& file : record.files)
+    file = {.path = process->path(), .bytes = process->file_bytes(), .date = file.date};
   record.read_force_N = [process](std::size_t row, std::size_t first, std::span<double> out) {
     process->read(row, 0, first, out);
   };

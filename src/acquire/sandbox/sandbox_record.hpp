@@ -20,5 +20,7 @@ void serialize_notes(Serializer& out, const std::vector<Message>& notes);
 std::vector<Message> deserialize_notes(Deserializer& in);
 void serialize_geometry(Serializer& out, const std::vector<std::vector<double>>& geometry);
 std::vector<std::vector<double>> deserialize_geometry(Deserializer& in);
+void serialize_faces(Serializer& out, const std::vector<TraceFace>& faces);
+std::vector<TraceFace> deserialize_faces(Deserializer& in);
 
 }  // namespace percuss::acquire

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/io/write_all.hpp"
 
 namespace percuss {
 inline namespace core {
@@ -155,12 +156,7 @@ void PendingFile::open_named() {
 }
 
 void PendingFile::write(std::string_view bytes) const {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail("cannot write");
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (!write_all(descriptor_, bytes)) fail("cannot write");
 }
 
 void PendingFile::complete() const {

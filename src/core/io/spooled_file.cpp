@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/io/temporary_files.hpp"
+#include "core/io/write_all.hpp"
 
 namespace percuss {
 inline namespace core {
@@ -26,17 +27,12 @@ SpooledFile::SpooledFile(std::string_view bytes) {
   }
   registered_ = std::make_unique<TemporaryFile>(path_, descriptor_);
   ::flock(descriptor_, LOCK_UN);  // the HDF5 library locks the files that it opens
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const int error = errno;
-      ::unlink(path_.c_str());
-      ::close(descriptor_);
-      throw_system_error("cannot keep standard input in a temporary file", error, path_,
-                         "set TMPDIR to a folder with room");
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(written));
+  if (!write_all(descriptor_, bytes)) {
+    const int error = errno;
+    ::unlink(path_.c_str());
+    ::close(descriptor_);
+    throw_system_error("cannot keep standard input in a temporary file", error, path_,
+                       "set TMPDIR to a folder with room");
   }
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t kMaxFiles = 200, kMaxDates = 3;
 std::string dates_of(const std::vector<acquire::InputFile>& files) {
   std::vector<std::string> dates;
   for (std::size_t i = 0; i < std::min(files.size(), kMaxFiles); ++i) {
-    const std::string date = acquire::stated_date_of_file(files[i].path);
+    const std::string date = acquire::date_of(files[i]);
     if (!date.empty() && std::find(dates.begin(), dates.end(), date) == dates.end()) dates.push_back(date);
   }
   if (dates.empty()) return "not stated in the file";

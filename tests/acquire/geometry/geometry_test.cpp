@@ -99,6 +99,15 @@ TEST(Geometry, ComesFromTheRecordItself) {
   EXPECT_FALSE(geometry_of_record({{1}}));
 }
 
+TEST(Geometry, TakesLengthsWithoutAUnitAsMetres) {
+  const Geometry geometry = parse_geometry("point,x,y\n0,0,0\n1,0.5,0\n2,0.5,0.25\n", "g.csv");
+  EXPECT_TRUE(geometry.unit_assumed);
+  EXPECT_EQ(geometry.points.at(2).xyz_m, (std::array<double, 3>{0.5, 0.25, 0}));
+  EXPECT_TRUE(parse_geometry("point,position,angle_deg\n0,0.1,0\n", "g.csv").unit_assumed);
+  EXPECT_FALSE(parse_geometry("point,x_m,y_m\n0,120,0\n", "g.csv").unit_assumed);
+  EXPECT_FALSE(parse_geometry("point,x,y\n,mm,mm\n0,120,0\n", "g.csv").unit_assumed);
+}
+
 TEST(Geometry, NamesLineAndRemedyOfAnError) {
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1,zero\n"),
               AllOf(HasSubstr("angle \"zero\" is not a number (g.csv: line 2)"), HasSubstr("; write a number")));
@@ -108,10 +117,16 @@ TEST(Geometry, NamesLineAndRemedyOfAnError) {
               HasSubstr("0.5 is not a point number (g.csv: line 2)"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n-1,0.1,0\n"), HasSubstr("-1 is not a point number"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1\n"), HasSubstr("no cell for angle (g.csv: line 2)"));
-  EXPECT_THAT(rejection_of("point,position,angle_deg\n0,0.1,0\n"), HasSubstr("no unit for position (g.csv: line 1)"));
+  EXPECT_THAT(rejection_of("point,position_m,angle\n0,0.1,0\n"), HasSubstr("no unit for angle (g.csv: line 1)"));
+  EXPECT_THAT(rejection_of("point,x_mm,y\n0,0.1,0\n"),
+              AllOf(HasSubstr("no unit for y (g.csv: line 1)"), HasSubstr("call the column y_m, for instance")));
+  EXPECT_THAT(
+      rejection_of("point,x,y\n0,0,0\n1,120,0\n"),
+      AllOf(HasSubstr("no unit for lengths of up to 120 (g.csv: line 1)"), HasSubstr("x_mm if they are in mm")));
+  EXPECT_THAT(rejection_of("point,position\n0,12\n1,24\n"), HasSubstr("call the column position_mm"));
   EXPECT_THAT(rejection_of("point,position_kg,angle_deg\n0,0.1,0\n"), HasSubstr("g.csv: line 1"));
-  EXPECT_THAT(rejection_of("point,x_m,angle_deg\n0,0.1,0\n"), HasSubstr("x, y, z (missing ones are 0), or position with or without angle"));
-  EXPECT_THAT(rejection_of("point,x,y\n0,0.1,0\n"), HasSubstr("call the column x_m, for instance"));
+  EXPECT_THAT(rejection_of("point,x_m,angle_deg\n0,0.1,0\n"),
+              HasSubstr("x, y, z (missing ones are 0), or position with or without angle"));
   EXPECT_THAT(rejection_of("x_m,y_m,z_m\n0,0.1,0\n"), HasSubstr("no column of points"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg,angle_rad\n0,0.1,0,0\n"),
               HasSubstr("two columns are called angle"));

@@ -2,6 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include "acquire/open_measurement.hpp"
+#include "acquire/write_record.hpp"
+#include "support/hdf5_builder.hpp"
+#include "support/scratch_folder.hpp"
+
 namespace percuss::acquire::stated_date_test {
 
 TEST(StatedDate, IsTheThirdLineOfADataSet58) {
@@ -38,6 +45,44 @@ TEST(StatedDate, IsEmptyForControlCharactersLongTextsAndUnreadableFiles) {
   EXPECT_EQ(stated_date("Date: " + std::string(100, '1') + "\n"), "");
   EXPECT_EQ(stated_date_of_file("-"), "");
   EXPECT_EQ(stated_date_of_file("/nowhere/at/all"), "");
+}
+
+TEST(StatedDate, IsKeptInHdf5) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("dated.h5");
+  Record record = record_in_memory(1000, {{1, 2, 3}}, {{{4, 5, 6}}});
+  const auto date_read = [&](bool sandboxed) {
+    write_record(path, record, true);
+    return date_of(open_record(path, {.sandboxed = sandboxed}).files.front());
+  };
+  EXPECT_EQ(date_read(false), "");
+  record.files = {{.path = "none.csv", .date = "2026-11-20 14:03"}, {.path = "other.csv", .date = "2026-11-20 14:03"}};
+  EXPECT_EQ(date_read(false), "2026-11-20 14:03");
+  EXPECT_EQ(date_read(true), "2026-11-20 14:03");
+  record.files.back().date = "2026-11-21";
+  EXPECT_EQ(date_read(false), "") << "two dates";
+}
+
+TEST(StatedDate, OfHdf5IsATextThatCanBeADate) {
+  const test::ScratchFolder folder;
+  const auto date_with = [&](const char* name, const std::string& text) {
+    test::Hdf5Builder(folder.file("a.h5"))
+        .numbers("", "fs", {1000})
+        .ramp("force", {1, 8})
+        .ramp("accel", {1, 1, 8})
+        .text("", name, text);
+    return open_record(folder.file("a.h5")).files.front().date;
+  };
+  EXPECT_EQ(date_with("date", "20.11.2026"), "20.11.2026");
+  EXPECT_EQ(date_with("start_time", "2026-11-20T14:03:22Z"), "2026-11-20T14:03:22Z");
+  EXPECT_EQ(date_with("date", "soon"), "");
+  EXPECT_EQ(date_with("title", "2026-11-20"), "");
+  test::Hdf5Builder(folder.file("a.h5"))
+      .numbers("", "fs", {1000})
+      .numbers("", "timestamp", {1.7e9})
+      .ramp("force", {1, 8})
+      .ramp("accel", {1, 1, 8});
+  EXPECT_EQ(open_record(folder.file("a.h5")).files.front().date, "") << "a number";
 }
 
 }  // namespace percuss::acquire::stated_date_test

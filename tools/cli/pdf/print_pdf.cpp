@@ -17,6 +17,7 @@
 
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/temporary_folder.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX lets a program declare it
 
@@ -26,27 +27,6 @@ namespace {
 constexpr std::chrono::seconds kMaxTime{60};
 constexpr std::chrono::milliseconds kPoll{20};
 constexpr std::uint64_t kMaxPdf_bytes = std::uint64_t{1} << 28U;
-
-// A folder of its own for one run of the browser: the page, the document and the profile.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "percuss-pdf-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-      throw_system_error("cannot make a folder", errno, pattern, "free some room, or set TMPDIR to another folder");
-    path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::string file(const char* name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
 
 bool is_program(const std::string& path) {
   std::error_code ignored;
@@ -66,7 +46,7 @@ std::string program_in_path(const std::string& name) {
   return "";
 }
 
-std::vector<std::string> browser_arguments(const std::string& browser, const ScratchFolder& folder) {
+std::vector<std::string> browser_arguments(const std::string& browser, const TemporaryFolder& folder) {
   std::vector<std::string> words{browser,
                                  "--headless=new",
                                  "--disable-gpu",
@@ -141,7 +121,7 @@ std::string find_browser(const std::string& where) {
 
 std::string printed_pdf(const std::string& html, const std::string& where) {
   const std::string browser = find_browser(where);
-  const ScratchFolder folder;
+  const TemporaryFolder folder("percuss-pdf");  // the page, the document and the profile of the browser
   // Not write_file: within an OutputGroup its file appears only at the end.
   std::ofstream page(folder.file("page.html"), std::ios::binary);
   page << html;

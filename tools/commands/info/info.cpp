@@ -54,7 +54,7 @@ Extent extent_of(const acquire::Record& record) {
   return extent;
 }
 
-Json channel_json(const Channel& channel, const ChannelSamples* samples) {
+Json channel_json(const Channel& channel) {
   const acquire::SignalInfo& signal = *channel.signal;
   Json json{{"role", channel.role},
             {"name", signal.name},
@@ -63,10 +63,10 @@ Json channel_json(const Channel& channel, const ChannelSamples* samples) {
             {"to_si", signal.to_SI},
             {"angle_deg", optional_json(signal.angle_rad, kRadian_deg)},
             {"position_m", optional_json(signal.position_m, 1)}};
-  if (samples == nullptr) return json;
-  json["rms"] = samples->rms;
-  json["peak"] = samples->peak;
-  json["hammer"] = samples->hammer;
+  if (!channel.samples) return json;
+  json["rms"] = channel.samples->rms;
+  json["peak"] = channel.samples->peak;
+  json["hammer"] = channel.samples->hammer;
   return json;
 }
 
@@ -75,10 +75,7 @@ Json record_json(const acquire::Record& record, const RecordSamples& samples) {
   Json notes = note_texts(notes_of(record, samples));
   if (samples.problem) notes.push_back(std::string("the samples cannot all be read: ") + samples.problem->what());
   Json channels = Json::array();
-  for (const Channel& channel : channels_of(record)) {
-    const std::size_t c = channels.size();
-    channels.push_back(channel_json(channel, c < samples.channels.size() ? &samples.channels[c] : nullptr));
-  }
+  for (const Channel& channel : samples.channels) channels.push_back(channel_json(channel));
   return {{"path", record.files.front().path},
           {"bytes", record.files.front().bytes},
           {"kind", record.format},
@@ -120,23 +117,23 @@ std::string record_text(const acquire::Record& record, const RecordSamples& samp
                            {"rms", Align::right},
                            {"peak", Align::right},
                            {"looks like"}});
-  const std::vector<Channel> channels = channels_of(record);
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    const acquire::SignalInfo& signal = *channels[c].signal;
-    const ChannelSamples* const shown = c < samples.channels.size() ? &samples.channels[c] : nullptr;
-    const auto value = [&](double x) { return fmt::format("{:.3g} {}", x, channels[c].si_unit); };
-    table.add({std::string("  ") + channels[c].role, one_line(signal.name, 40),
-               signal.unit.empty() ? channels[c].si_unit : one_line(signal.unit, 20),
-               fmt::format("{:.6g}", signal.to_SI), optional_text(signal.angle_rad, kRadian_deg),
-               optional_text(signal.position_m, 1), shown != nullptr ? value(shown->rms) : "-",
-               shown != nullptr ? value(shown->peak) : "-",
-               shown == nullptr ? "-"
-               : shown->hammer  ? "hammer"
-                                : "response"});
+  for (const Channel& channel : samples.channels) {
+    const acquire::SignalInfo& signal = *channel.signal;
+    const std::optional<ChannelSamples>& shown = channel.samples;
+    const auto value = [&](double x) { return fmt::format("{:.3g} {}", x, channel.si_unit); };
+    table.add({std::string("  ") + channel.role, one_line(signal.name, 40),
+               signal.unit.empty() ? channel.si_unit : one_line(signal.unit, 20), fmt::format("{:.6g}", signal.to_SI),
+               optional_text(signal.angle_rad, kRadian_deg), optional_text(signal.position_m, 1),
+               shown ? value(shown->rms) : "-", shown ? value(shown->peak) : "-",
+               !shown          ? "-"
+               : shown->hammer ? "hammer"
+                               : "response"});
   }
   text += table.text(width);
-  for (std::size_t c = 0; pictures && c < samples.channels.size(); ++c)
-    text += fmt::format("  {:<14}{}\n", channels[c].role, picture_of(samples.channels[c].envelope));
+  for (const Channel& channel : samples.channels) {
+    if (pictures && channel.samples)
+      text += fmt::format("  {:<14}{}\n", channel.role, picture_of(channel.samples->envelope));
+  }
   return text + notes_paragraphs(notes_of(record, samples), width);
 }
 

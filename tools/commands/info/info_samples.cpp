@@ -18,7 +18,7 @@ constexpr std::size_t kColumns = 48;                        // of the picture
 // A haversine of 5 ms in 0.3 s has 4e-4, the decay of a mode of 2 kHz and 1 % in 1 s has 4e-3.
 constexpr double kHammerMeasure = 1e-3;
 
-std::size_t most_samples(const acquire::Record& record) {
+std::size_t max_samples(const acquire::Record& record) {
   return std::min(kMaxSamples, kMaxInAll / (record.accel.size() + 1));
 }
 
@@ -26,9 +26,9 @@ std::size_t most_samples(const acquire::Record& record) {
 template <class Read>
 std::vector<double> all_samples(const acquire::Record& record, const Read& read) {
   std::vector<double> samples;
-  const std::size_t most = most_samples(record);
-  for (std::size_t row = 0; row < record.rows.size() && samples.size() < most; ++row) {
-    const std::size_t count = std::min(record.rows[row].samples, most - samples.size());
+  const std::size_t max = max_samples(record);
+  for (std::size_t row = 0; row < record.rows.size() && samples.size() < max; ++row) {
+    const std::size_t count = std::min(record.rows[row].samples, max - samples.size());
     samples.resize(samples.size() + count);
     read(row, std::span(samples).last(count));
   }
@@ -49,16 +49,17 @@ ChannelSamples summary_of(const std::vector<double>& samples) {
   return out;
 }
 
-// A light structure moves like the force during the pulse: a response is taken for a hammer only where the force is
-// none and the response resembles one clearly more than all others.
-void find_hammers(const acquire::Record& record, std::vector<ChannelSamples>& channels) {
-  constexpr double kAlike = 10;  // between hammers; a response differs from its hammer by a factor of 20 and more
-  double least = 1;
-  for (const ChannelSamples& channel : channels) least = std::min(least, channel.hammer_measure);
-  for (ChannelSamples& channel : channels)
-    channel.hammer = channel.hammer_measure < kHammerMeasure && channel.hammer_measure <= kAlike * least;
-  if (!record.has_force || !channels.front().hammer) return;
-  for (std::size_t c = 1; c < channels.size(); ++c) channels[c].hammer = false;
+// A light structure moves like the force during the pulse. So a response counts as a hammer only if the force does not
+// look like one and the response's measure is within kMaxMeasureRatio times the smallest.
+void find_hammers(const acquire::Record& record, std::vector<Channel>& channels) {
+  double smallest = 1;
+  for (const Channel& channel : channels) smallest = std::min(smallest, channel.samples->hammer_measure);
+  for (Channel& channel : channels) {
+    const double measure = channel.samples->hammer_measure;
+    channel.samples->hammer = measure < kHammerMeasure && measure <= acquire::kMaxMeasureRatio * smallest;
+  }
+  if (!record.has_force || !channels.front().samples->hammer) return;
+  for (std::size_t c = 1; c < channels.size(); ++c) channels[c].samples->hammer = false;
 }
 
 std::size_t pulses_in(const acquire::Record& record) {
@@ -67,30 +68,6 @@ std::size_t pulses_in(const acquire::Record& record) {
     return std::none_of(hit.findings.begin(), hit.findings.end(),
                         [](const auto& finding) { return finding.code == acquire::FindingCode::no_pulse; });
   }));
-}
-
-}  // namespace
-
-RecordSamples samples_of(const acquire::Record& record) {
-  RecordSamples out;
-  std::size_t total = 0;
-  for (const acquire::RowInfo& row : record.rows) total += row.samples;
-  out.partial = total > most_samples(record);
-  try {
-    if (record.has_force) {
-      out.channels.push_back(summary_of(
-          all_samples(record, [&](std::size_t row, std::span<double> to) { record.read_force_N(row, 0, to); })));
-    }
-    for (std::size_t c = 0; c < record.accel.size(); ++c) {
-      out.channels.push_back(summary_of(
-          all_samples(record, [&](std::size_t row, std::span<double> to) { record.read_accel_mps2(row, c, 0, to); })));
-    }
-    find_hammers(record, out.channels);
-    if (record.has_force && !out.partial) out.hits = pulses_in(record);
-  } catch (const InputError& error) {
-    out.problem = error;
-  }
-  return out;
 }
 
 std::vector<Channel> channels_of(const acquire::Record& record) {
@@ -104,15 +81,42 @@ std::vector<Channel> channels_of(const acquire::Record& record) {
   return channels;
 }
 
+}  // namespace
+
+RecordSamples samples_of(const acquire::Record& record) {
+  RecordSamples out;
+  std::size_t total = 0;
+  for (const acquire::RowInfo& row : record.rows) total += row.samples;
+  out.partial = total > max_samples(record);
+  out.channels = channels_of(record);
+  const std::size_t first_accel = out.channels.size() - record.accel.size();
+  try {
+    if (record.has_force) {
+      out.channels.front().samples = summary_of(
+          all_samples(record, [&](std::size_t row, std::span<double> to) { record.read_force_N(row, 0, to); }));
+    }
+    for (std::size_t c = 0; c < record.accel.size(); ++c) {
+      out.channels[first_accel + c].samples = summary_of(
+          all_samples(record, [&](std::size_t row, std::span<double> to) { record.read_accel_mps2(row, c, 0, to); }));
+    }
+    find_hammers(record, out.channels);
+    if (record.has_force && !out.partial) out.hits = pulses_in(record);
+  } catch (const InputError& error) {
+    out.problem = error;
+  }
+  return out;
+}
+
 std::vector<Message> notes_of(const acquire::Record& record, const RecordSamples& samples) {
   std::vector<Message> notes = record.notes;
   if (samples.partial) notes.emplace_back("a long record: rms, peak and picture are those of its beginning");
-  for (std::size_t c = 0; c < samples.channels.size(); ++c) {
-    const bool force = record.has_force && c == 0;
-    if (force && !samples.channels[c].hammer)
+  for (const Channel& channel : samples.channels) {
+    if (!channel.samples) continue;
+    const bool force = channel.signal == &record.force;
+    if (force && !channel.samples->hammer)
       notes.emplace_back("the force does not look like a hammer's pulses", std::vector<OptionId>{"force_channel"});
-    if (!force && samples.channels[c].hammer) {
-      notes.emplace_back(one_line(channels_of(record)[c].signal->name, 40) + " looks like a hammer's pulses",
+    if (!force && channel.samples->hammer) {
+      notes.emplace_back(one_line(channel.signal->name, 40) + " looks like a hammer's pulses",
                          std::vector<OptionId>{"force_channel", "accel_channel"});
     }
   }

@@ -18,25 +18,24 @@ struct ChannelSamples {
   std::vector<double> envelope{};  // largest magnitudes over time
 };
 
-/// What the samples of a record show.
-struct RecordSamples {
-  std::vector<ChannelSamples> channels;  // the force, if there is one, then the accelerations
-  std::optional<std::size_t> hits;       // with a pulse; nothing without a force and for long records
-  bool partial = false;                  // a long record: only its beginning was read
-  std::optional<InputError> problem;     // why samples could not be read
-};
-
-/// Reads up to 4 million samples of each channel. Never throws for samples that cannot be read.
-RecordSamples samples_of(const acquire::Record& record);
-
 /// A channel of a record, as info describes it.
 struct Channel {
-  const acquire::SignalInfo* signal = nullptr;
+  const acquire::SignalInfo* signal = nullptr;  // of the record
   const char *role = "", *si_unit = "";
+  std::optional<ChannelSamples> samples{};  // nothing where they could not be read
 };
 
-/// The force, if there is one, then the accelerations. They point into `record`.
-std::vector<Channel> channels_of(const acquire::Record& record);
+/// What the samples of a record show.
+struct RecordSamples {
+  std::vector<Channel> channels;      // the force, if there is one, then the accelerations
+  std::optional<std::size_t> hits;    // with a pulse; nothing without a force and for long records
+  bool partial = false;               // a long record: only its beginning was read
+  std::optional<InputError> problem;  // why samples could not be read
+};
+
+/// Reads up to 4 million samples of each channel. The result points into `record`. Never throws for samples that cannot
+/// be read.
+RecordSamples samples_of(const acquire::Record& record);
 
 /// The record's notes, and what the samples suggest: channels that look like another role.
 std::vector<Message> notes_of(const acquire::Record& record, const RecordSamples& samples);

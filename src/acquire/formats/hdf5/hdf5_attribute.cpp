@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "acquire/formats/hdf5/hdf5_input.hpp"
+#include "acquire/record/stated_date.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire::hdf5 {
@@ -82,6 +83,18 @@ std::optional<std::string> text_attribute(hid_t object, const std::string& name,
   }
   if (!text) throw InputError("attribute " + name + " is not a text", where, "store one string, such as \"m/s^2\"");
   return text;
+}
+
+std::string date_attribute(Id object) {
+  for (const char* name : {"date", "Date", "datetime", "DateTime", "timestamp", "Timestamp", "start_time"}) {
+    try {
+      const std::string date = plausible_date(text_attribute(object, name, name).value_or(""));
+      if (!date.empty()) return date;
+    } catch (const InputError&) {  // another program may use the name for a number
+      continue;
+    }
+  }
+  return "";
 }
 
 }  // namespace percuss::acquire::hdf5

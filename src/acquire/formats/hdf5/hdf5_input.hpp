@@ -88,4 +88,7 @@ std::optional<std::vector<double>> number_attribute(Id object, const std::string
 /// The text of an attribute, nothing when it is absent. InputError when it is not one text.
 std::optional<std::string> text_attribute(Id object, const std::string& name, const std::string& where);
 
+/// The date that an attribute of the object states: "date", "timestamp", "start_time", …; empty without one.
+std::string date_attribute(Id object);
+
 }  // namespace percuss::acquire::hdf5

@@ -7,12 +7,14 @@
 #include <string>
 
 #include "acquire/formats/hdf5/hdf5_layout.hpp"
+#include "acquire/record/trace_faces.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire::hdf5 {
 namespace {
 
 constexpr std::size_t kMaxPoints = 1'000'000, kMaxLines = 10'000'000, kMaxFindings = 1'000'000;
+constexpr std::size_t kMaxCorners = 1000;  // of a face
 
 }  // namespace
 
@@ -92,6 +94,15 @@ std::vector<TraceLine> read_trace_lines(const InputHdf5& file, std::size_t point
     throw InputError("shape " + shape_text(set.shape()), file.where("trace_lines"), "store [lines, 2]");
   }
   return trace_lines_of(set.read_all(), points, file.where("trace_lines"));
+}
+
+std::vector<TraceFace> read_trace_faces(const InputHdf5& file, std::size_t points) {
+  if (!file.has("trace_faces")) return {};
+  const InputDataSet set(file, "trace_faces");
+  const auto& shape = set.shape();
+  if (shape.size() != 2 || shape[1] < 3 || shape[1] > kMaxCorners || shape[0] > kMaxLines)
+    throw InputError("shape " + shape_text(shape), file.where("trace_faces"), "store [faces, 3 corners or more]");
+  return trace_faces_of({.width = shape[1], .numbers = set.read_all()}, points, file.where("trace_faces"));
 }
 
 }  // namespace percuss::acquire::hdf5

@@ -25,4 +25,7 @@ std::vector<std::vector<double>> read_geometry(const InputHdf5& file);
 /// Lines between points; `points` is the number of points. Empty when the set is absent.
 std::vector<TraceLine> read_trace_lines(const InputHdf5& file, std::size_t points);
 
+/// /trace_faces [faces, corners], -1 behind the last corner of a face. Likewise.
+std::vector<TraceFace> read_trace_faces(const InputHdf5& file, std::size_t points);
+
 }  // namespace percuss::acquire::hdf5

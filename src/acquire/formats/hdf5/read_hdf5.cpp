@@ -29,7 +29,8 @@ using hdf5::InputHdf5;
 
 constexpr std::size_t kMaxChannels = 100'000;
 constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
-constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry", "trace_lines", "rejected", "faults"};
+constexpr std::array kKnownNames{"force",       "accel",       "point",    "run",   "geometry",
+                                 "trace_lines", "trace_faces", "rejected", "faults"};
 
 /// The data shared by the read functions of a record.
 struct OpenRecord {
@@ -220,13 +221,15 @@ Record open_hdf5(const std::string& path, const ReadOptions& options) {
   const hdf5::Lock lock;
   auto opened = open_sets(path, options.force_optional);
   Record record;
-  record.files.push_back({.path = path, .bytes = opened->file.bytes()});
+  record.files.push_back(
+      {.path = path, .bytes = opened->file.bytes(), .date = hdf5::date_attribute(opened->file.id())});
   record.format = "HDF5";
   record.fs_Hz = read_rate_Hz(*opened, options);
   describe_signals(*opened, options, record);
   describe_rows(*opened, record);
   record.geometry = hdf5::read_geometry(opened->file);
   record.trace_lines = hdf5::read_trace_lines(opened->file, record.geometry.size());
+  record.trace_faces = hdf5::read_trace_faces(opened->file, record.geometry.size());
   note_unused(opened->file, record);
   record.contiguous = contiguous_signals(*opened);
   // Closing the data sets uses the library, so the deleter needs a lock.

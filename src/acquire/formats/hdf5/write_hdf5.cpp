@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "acquire/formats/hdf5/hdf5_output.hpp"
+#include "acquire/record/stated_date.hpp"
+#include "acquire/record/trace_faces.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -114,6 +116,14 @@ void write_trace_lines(hdf5::OutputHdf5& out, const Record& record) {
     out.write("trace_lines", std::array{line++}, 0, std::array{static_cast<double>(from), static_cast<double>(to)});
 }
 
+void write_trace_faces(hdf5::OutputHdf5& out, const Record& record) {
+  if (record.trace_faces.empty()) return;
+  const FaceTable table = face_table(record.trace_faces);
+  out.create_set("trace_faces", std::array{record.trace_faces.size(), table.width}, hdf5::Stored::int32);
+  for (std::size_t face = 0; face < record.trace_faces.size(); ++face)
+    out.write("trace_faces", std::array{face}, 0, std::span(table.numbers).subspan(face * table.width, table.width));
+}
+
 }  // namespace
 
 void write_hdf5(const std::string& path, const Record& record, bool force) {
@@ -123,6 +133,7 @@ void write_hdf5(const std::string& path, const Record& record, bool force) {
   write_samples(out, record, one_row);
   out.set_numbers("", "fs", std::array{record.fs_Hz}, false);
   if (record.continuous && !one_row) out.set_numbers("", "continuous", std::array{1.0}, false);
+  if (const std::string date = common_date_of(record.files); !date.empty()) out.set_text("", "date", date);
   out.set_text("force", "unit_str", "N");
   out.set_text("accel", "unit_str", "m/s^2");
   write_sensor_numbers(out, record, "position_m", &SignalInfo::position_m, 1);
@@ -133,6 +144,7 @@ void write_hdf5(const std::string& path, const Record& record, bool force) {
   write_capture(out, record);
   write_geometry(out, record);
   write_trace_lines(out, record);
+  write_trace_faces(out, record);
   out.commit();
 }
 

@@ -9,13 +9,15 @@
 
 #include "acquire/channels/column_words.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
+#include "acquire/record/trace_faces.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
 
 namespace percuss::acquire {
 bool is_own_description(const std::string& name) {
-  constexpr std::array<std::string_view, 9> kNames{"point",      "run",        "geometry", "trace_lines", "angle_deg",
-                                                   "position_m", "continuous", "fs",       "frf_std"};
+  constexpr std::array<std::string_view, 10> kNames{"point",     "run",        "geometry",   "trace_lines",
+                                                    "angle_deg", "position_m", "continuous", "fs",
+                                                    "frf_std",   "trace_faces"};
   return is_one_of(lower_case(field_name(name)), kNames);
 }
 
@@ -93,13 +95,28 @@ std::vector<TraceLine> trace_lines_in(const MatFile& file, std::size_t points) {
   return trace_lines_of(numbers, points, file.path + ": trace_lines");
 }
 
+std::vector<TraceFace> trace_faces_in(const MatFile& file, std::size_t points) {
+  const MatVariable* const given = real_matrix(file, "trace_faces");
+  if (given == nullptr) return {};
+  const std::size_t faces = given->shape[0];
+  FaceTable table{.width = given->shape[1]};
+  for (std::size_t i = 0; i < given->size(); ++i)
+    table.numbers.push_back(given->real[i / table.width + i % table.width * faces]);
+  return trace_faces_of(table, points, file.path + ": trace_faces");
+}
+
 }  // namespace
 
-void take_trace_lines(const MatFile& file, SignalTable& table) {
+void take_connections(const MatFile& file, SignalTable& table) {
   try {
     table.trace_lines = trace_lines_in(file, table.geometry.size());
   } catch (const InputError&) {
     table.notes.emplace_back("trace_lines is not used: it refers to points without geometry");
+  }
+  try {
+    table.trace_faces = trace_faces_in(file, table.geometry.size());
+  } catch (const InputError& error) {
+    table.notes.emplace_back("trace_faces is not used: " + error.problem());
   }
 }
 

@@ -37,8 +37,8 @@ void refuse_spectral_densities(const MatFile& file);
 
 std::vector<std::vector<double>> geometry_in(const MatFile& file);
 
-/// Takes the lines between points. Unreadable ones do not make the file an error: another program may use the name for
-/// something else.
-void take_trace_lines(const MatFile& file, SignalTable& table);
+/// Takes the lines and faces between points. Unreadable ones do not make the file an error: another program may use the
+/// name for something else.
+void take_connections(const MatFile& file, SignalTable& table);
 
 }  // namespace percuss::acquire

@@ -52,6 +52,7 @@ const FileFormat kMatFormat{.name = "MAT",
                             .open = open_mat_file,
                             .write_record = write_mat,
                             .write_frfs = write_frf_record_mat,
-                            .record_losses = mat_losses};
+                            .record_losses = mat_losses,
+                            .keeps_faces = true};
 
 }  // namespace percuss::acquire

@@ -221,7 +221,7 @@ Record open_mat(MatFile file, const ReadOptions& options) {
   }
   lay_out(*open, variables, index, options, table);
   table.geometry = geometry_in(open->file);
-  take_trace_lines(open->file, table);
+  take_connections(open->file, table);
   const SignalRoles roles = chosen_roles(table, open->file, options, variables.has_force);
   std::vector<bool> used(open->file.variables.size(), false);
   for (const auto& source : open->sources) used[source.variable] = true;

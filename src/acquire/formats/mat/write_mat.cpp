@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "acquire/formats/mat/mat_output.hpp"
+#include "acquire/record/trace_faces.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -70,6 +71,17 @@ void write_trace_lines(MatOutput& out, const Record& record) {
   }
 }
 
+void write_trace_faces(MatOutput& out, const Record& record) {
+  if (record.trace_faces.empty()) return;
+  const std::size_t faces = record.trace_faces.size();
+  const FaceTable table = face_table(record.trace_faces);
+  out.begin("trace_faces", std::array{faces, table.width});
+  for (std::size_t corner = 0; corner < table.width; ++corner) {
+    for (std::size_t face = 0; face < faces; ++face)
+      out.append(std::span(table.numbers).subspan(face * table.width + corner, 1));
+  }
+}
+
 }  // namespace
 
 void write_mat(const std::string& path, const Record& record, bool force) {
@@ -95,6 +107,7 @@ void write_mat(const std::string& path, const Record& record, bool force) {
   if (record.continuous != (rows == 1)) out.number("continuous", record.continuous ? 1 : 0);
   write_geometry_rows(out, record);
   write_trace_lines(out, record);
+  write_trace_faces(out, record);
   out.commit();
 }
 

@@ -47,6 +47,7 @@ const FileFormat kUffFormat{
     .write_frfs = [](const std::string& path, const FrfRecord& record, FrfKind kind,
                      bool force) { write_frf_record_uff(path, record, kind, force); },
     .record_losses = uff_losses,
+    .keeps_faces = true,
     .keeps_frf_geometry = true};
 
 }  // namespace percuss::acquire

@@ -1,0 +1,45 @@
+#include "pipeline/survey_geometry.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace percuss::pipeline::survey_geometry_test {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+acquire::Geometry triangle(int first) {
+  acquire::Geometry out;
+  for (int i = 0; i < 3; ++i) out.points.push_back({.point = first + i, .xyz_m = std::array<double, 3>{1.0 * i, 0, 0}});
+  out.lines = {{first, first + 1}};
+  out.faces = {{first, first + 1, first + 2}};
+  return out;
+}
+
+TEST(SurveyGeometry, CountsFromZeroWithItsLinesAndFaces) {
+  acquire::Geometry geometry = triangle(1);
+  const auto warnings = fit_geometry(geometry, {0, 1, 2});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings.front().code, "points_from_one");
+  EXPECT_EQ(geometry.points.front().point, 0);
+  EXPECT_THAT(geometry.lines.front(), ElementsAre(0, 1));
+  EXPECT_THAT(geometry.faces.front(), ElementsAre(0, 1, 2));
+}
+
+TEST(SurveyGeometry, StaysWhereItsNumbersFit) {
+  for (const std::set<int>& measured : std::vector<std::set<int>>{{1, 2}, {1, 2, 3}, {0, 7}}) {
+    acquire::Geometry geometry = triangle(1);
+    EXPECT_THAT(fit_geometry(geometry, measured), IsEmpty());
+    EXPECT_EQ(geometry.points.front().point, 1);
+  }
+}
+
+TEST(SurveyGeometry, SaysThatItsUnitIsAssumed) {
+  acquire::Geometry geometry = triangle(0);
+  geometry.unit_assumed = true;
+  const auto warnings = fit_geometry(geometry, {0, 1, 2});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings.front().code, "geometry_unit_assumed");
+}
+
+}  // namespace percuss::pipeline::survey_geometry_test
