@@ -79,6 +79,12 @@ void Survey::renumber_points() {
   };
   if (!lacks(0) || lacks(1) || known.contains(0)) return;
   for (acquire::GeometryPoint& p : geometry_->points) --p.point;
+  for (auto& line : geometry_->lines) {
+    for (int& end : line) --end;
+  }
+  for (auto& face : geometry_->faces) {
+    for (int& corner : face) --corner;
+  }
   geometry_warnings_.push_back(
       {"points_from_one",
        fmt::format("the geometry numbers its points from {}, the record from {}: one is subtracted from the geometry's",
