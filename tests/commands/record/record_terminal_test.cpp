@@ -77,7 +77,7 @@ class Terminal {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     child_ = -1;
-    if (read) read_some();
+    if (read) read_rest();
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
   /// The terminal shows what is typed, and delivers lines.
@@ -91,6 +91,12 @@ class Terminal {
   std::string screen;
 
  private:
+  void read_rest() {
+    for (std::size_t before = screen.size() + 1; before != screen.size();) {
+      before = screen.size();
+      read_some();
+    }
+  }
   void read_some() {
     pollfd file{.fd = master_, .events = POLLIN, .revents = 0};
     ::poll(&file, 1, 20);
@@ -141,7 +147,8 @@ TEST(RecordTerminal, IsRestoredAfterSignals) {
     EXPECT_EQ(terminal.wait(), 6) << signal;
     EXPECT_TRUE(terminal.is_ordinary()) << signal;
     EXPECT_GE(terminal.blows(), 1U);
-    EXPECT_FALSE(std::filesystem::exists(terminal.folder.file("t.h5.journal")));
+    EXPECT_TRUE(std::filesystem::exists(terminal.folder.file("t.h5.journal")));
+    EXPECT_THAT(terminal.screen, HasSubstr("percuss record --resume t.h5"));
   }
   Terminal terminal("sim:aluminium-bat,speed=4");
   EXPECT_TRUE(terminal.shows("Blow 1 of 5: accepted"));
@@ -149,6 +156,23 @@ TEST(RecordTerminal, IsRestoredAfterSignals) {
   EXPECT_EQ(terminal.wait(), -1);
   EXPECT_TRUE(terminal.is_ordinary());
   EXPECT_TRUE(std::filesystem::exists(terminal.folder.file("t.h5.journal")));
+}
+
+// As Ctrl-Z does for a session that a shell runs: the pseudo-terminal's own session leader cannot be stopped, but goes
+// through the same handlers.
+TEST(RecordTerminal, GoesOnAfterAStop) {
+  Terminal terminal("sim:aluminium-bat,hits=40,speed=4", {"--hits", "30"});
+  EXPECT_TRUE(terminal.shows("Blow 1 of 30: accepted"));
+  terminal.send(SIGTSTP);
+  EXPECT_TRUE(terminal.shows("Blow 2 of 30: accepted"));
+  EXPECT_FALSE(terminal.is_ordinary());
+  terminal.send(SIGSTOP);
+  terminal.send(SIGCONT);
+  EXPECT_TRUE(terminal.shows("Blow 3 of 30: accepted"));
+  EXPECT_FALSE(terminal.is_ordinary());
+  terminal.type("q");
+  EXPECT_EQ(terminal.wait(), 0);
+  EXPECT_TRUE(terminal.is_ordinary());
 }
 
 // Nobody reads the terminal: its buffer is full after some lines.
