@@ -131,6 +131,25 @@ TEST_F(SurveyCommand, ReadsCoordinatesWithoutUnits) {
   EXPECT_THAT(large.err, HasSubstr("call the column x_mm if they are in mm, x_m in m, x_in in inches"));
 }
 
+// The lines and faces of such a file count from 1 as its points do.
+TEST_F(SurveyCommand, DrawsAGeometryNumberedFromOneAlike) {
+  const auto drawn = [&](const std::string& name, std::size_t first) {
+    std::string text = "point,position_mm,angle_deg\n";
+    for (std::size_t p = 0; p < 18; ++p) {
+      text += std::to_string(p + first) + "," + std::to_string(50 + 80 * (p / 6)) + "," + std::to_string(60 * (p % 6)) +
+              "\n";
+    }
+    const auto number = [&](std::size_t p) { return "," + std::to_string(p + first); };
+    text +=
+        "line" + number(0) + number(6) + number(12) + "\nface" + number(0) + number(1) + number(7) + number(6) + "\n";
+    test::write_bytes(file("connected.csv"), text);
+    const auto outcome = survey({file("bare.h5"), "--geometry", file("connected.csv"), "--force", "-o", file(name)});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return test::bytes_of(file(name));
+  };
+  EXPECT_TRUE(drawn("one.glb", 1) == drawn("zero.glb", 0));
+}
+
 TEST_F(SurveyCommand, UsesTheGeometryAndDrivingPointOfTheRecord) {
   const json document = document_of({file("barrel.h5")});
   EXPECT_EQ(document["geometry"]["from"], "record");

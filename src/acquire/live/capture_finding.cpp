@@ -58,7 +58,8 @@ std::string finding_text(const CaptureFinding& f) {
     case CaptureFault::overrun:
       return f.count > 0 ? fmt::format("the device lost {} frames", f.count) : "the device lost frames";
     case CaptureFault::dropped:
-      return fmt::format("{} frames were dropped because nobody took them", f.count);
+      return f.count > 0 ? fmt::format("{} frames were dropped because nobody took them", f.count)
+                         : "frames were dropped because nobody took them";
     case CaptureFault::not_in_journal:
       return fmt::format("{} frames are not in the journal", f.count);
     case CaptureFault::journal_failed:

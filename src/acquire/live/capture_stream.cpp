@@ -18,8 +18,7 @@ using namespace std::chrono_literals;
 // A reader's block is at most this late. A replay without a clock has no reason to wait.
 constexpr std::chrono::microseconds kPause = 3ms, kFastPause = 200us;
 
-std::vector<std::size_t> channels_kept(const DeviceFormat& device, const CaptureOptions& options) {
-  std::vector<std::size_t> channels = options.channels;
+std::vector<std::size_t> channels_kept(const DeviceFormat& device, std::vector<std::size_t> channels) {
   if (channels.empty()) {
     channels.resize(device.stream.channels);
     std::iota(channels.begin(), channels.end(), std::size_t{0});
@@ -64,10 +63,14 @@ std::unique_ptr<SessionJournal> journal_of(const CaptureOptions& options, const 
 
 }  // namespace
 
+StreamFormat stream_format(const DeviceFormat& device, const std::vector<std::size_t>& channels) {
+  return format_of(device.stream, channels_kept(device, channels));
+}
+
 CaptureStream::CaptureStream(std::unique_ptr<Device> device, const CaptureOptions& options)
     : device_(std::move(device)), pause_(device_->format().pace == DevicePace::reader ? kFastPause : kPause) {
   const DeviceFormat& given = device_->format();
-  const std::vector<std::size_t> channels = channels_kept(given, options);
+  const std::vector<std::size_t> channels = channels_kept(given, options.channels);
   format_ = format_of(given.stream, channels);
   store_ = std::make_unique<SampleStore>(layout_of(given, channels), format_, given.pace, journal_of(options, format_),
                                          options.store);

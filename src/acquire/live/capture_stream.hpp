@@ -22,6 +22,10 @@ struct CaptureOptions {
   StoreOptions store{};
 };
 
+/// The format of a stream of these channels of the device, counted from 0; empty: all.
+/// errors  InputError: a channel that the device does not have
+StreamFormat stream_format(const DeviceFormat& device, const std::vector<std::size_t>& channels);
+
 /// A running device with its journal. The device's thread fills a ring without waiting for anybody, a thread writes the
 /// journal, and the reader gets each block once: from memory, or from the journal when it has stalled. The journal is
 /// made at once and takes events and findings; samples follow from the trigger or from keep_from() on, or when the

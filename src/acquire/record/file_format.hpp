@@ -49,7 +49,7 @@ struct FileFormat {
   void (*write_frfs)(const std::string& path, const FrfRecord& record, FrfKind kind, bool force) = nullptr;
   /// The parts of a record that a file of this name would lose, one line each.
   std::vector<std::string> (*record_losses)(const std::string& path, const Record& record) = nullptr;
-  bool keeps_marks = false;         // RowInfo::mark and Record::capture
+  bool keeps_marks = false;         // RowInfo::mark and Record::faults
   bool keeps_faces = false;         // Record::trace_faces
   bool keeps_frf_geometry = false;  // files of FRFs keep points, lines and faces
 };

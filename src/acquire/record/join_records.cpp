@@ -76,9 +76,9 @@ Record join_records(std::vector<Record> records, FileGrouping grouping) {
     const Record& record = records[r];
     require_alike(records.front(), record);
     note_other_names(records.front(), record, out.notes);
-    for (RecordFault finding : record.faults) {
-      if (finding.row >= 0) finding.row += static_cast<int>(out.rows.size());
-      out.faults.push_back(finding);
+    for (RecordFault fault : record.faults) {
+      if (fault.row >= 0) fault.row += static_cast<int>(out.rows.size());
+      out.faults.push_back(fault);
     }
     for (std::size_t row = 0; row < record.rows.size(); ++row) {
       RowInfo info = record.rows[row];

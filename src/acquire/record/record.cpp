@@ -42,8 +42,8 @@ Record select_rows(const Record& record, const std::function<bool(const RowInfo&
     out.rows.push_back(record.rows[row]);
     from.push_back(row);
   }
-  for (RecordFault& finding : out.faults) {
-    if (finding.row >= 0) finding.row = number.at(static_cast<std::size_t>(finding.row));
+  for (RecordFault& fault : out.faults) {
+    if (fault.row >= 0) fault.row = number.at(static_cast<std::size_t>(fault.row));
   }
   out.read_force_N = [from, read = record.read_force_N](std::size_t row, std::size_t first, std::span<double> samples) {
     read(from.at(row), first, samples);

@@ -53,7 +53,7 @@ struct RecordFault {
   bool operator==(const RecordFault&) const = default;
 };
 
-/// The finding with these numbers, [fault, row, time, value] as files store it; nothing for an unknown fault, a row
+/// The fault with these numbers, [fault, row, time, value] as files store it; nothing for an unknown fault, a row
 /// that does not exist, or a number that is not finite.
 std::optional<RecordFault> record_fault(std::span<const double, 4> numbers, std::size_t rows);
 

@@ -26,10 +26,10 @@ void require_known(const Record& record) {
   for (const RowInfo& row : record.rows) {
     if (!row_mark(static_cast<int>(row.mark))) throw std::out_of_range("not a reason");
   }
-  for (const RecordFault& finding : record.faults) {
-    const std::array numbers{static_cast<double>(static_cast<int>(finding.kind)), static_cast<double>(finding.row),
-                             finding.time_s, finding.value};
-    if (!record_fault(numbers, record.rows.size())) throw std::out_of_range("not a finding");
+  for (const RecordFault& fault : record.faults) {
+    const std::array numbers{static_cast<double>(static_cast<int>(fault.kind)), static_cast<double>(fault.row),
+                             fault.time_s, fault.value};
+    if (!record_fault(numbers, record.rows.size())) throw std::out_of_range("not a fault");
   }
 }
 

@@ -34,12 +34,6 @@ const Finding* find(const acquire::Hit& hit, FindingCode code) {
   return it == hit.findings.end() ? nullptr : &*it;
 }
 
-std::string name_of_channel(const LiveChannels& channels, std::size_t accel) {
-  const std::string number = fmt::format("channel {}", channels.accel[accel] + 1);
-  const std::string& name = channels.accel_names[accel];
-  return name == number ? number : fmt::format("{} ({})", number, one_line(name, 40));
-}
-
 bool is_silent(std::span<const double> accel, std::size_t quiet) {
   const Extremes all = extremes_of(accel);
   if (all.low == all.high) return true;
@@ -50,6 +44,11 @@ bool is_silent(std::span<const double> accel, std::size_t quiet) {
 
 Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, const BlowContext& context) {
   if (at.lost_samples) return {RowMark::lost_samples, "samples were lost during the blow", "repeat it"};
+  if (at.no_numbers) {
+    const std::size_t signal = *at.no_numbers;
+    const std::string name = signal == 0 ? "the force" : name_of_channel(context.channels, signal - 1);
+    return {RowMark::lost_samples, name + " has values that are no numbers", "check its cable and its input"};
+  }
   const std::size_t quiet = at.pretrigger / 2;
   for (std::size_t c = 0; c + 1 < samples.size(); ++c) {
     if (is_silent(samples[c + 1], quiet)) {

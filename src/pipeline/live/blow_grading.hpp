@@ -15,10 +15,11 @@ namespace percuss::pipeline {
 /// What is known of a blow before its analysis.
 struct BlowCircumstances {
   bool lost_samples = false;
-  bool struck_again = false;     // the next blow begins within its samples
-  bool during_previous = false;  // it begins within the samples of the blow before
-  std::vector<double> range;     // [1 + channels], largest |value| over the device's full scale; empty: not known
-  double typical_peak_N = 0;     // median of the accepted blows; 0: too few
+  std::optional<std::size_t> no_numbers{};  // the first signal with samples that are no numbers: 0 for the force
+  bool struck_again = false;                // the next blow begins within its samples
+  bool during_previous = false;             // it begins within the samples of the blow before
+  std::vector<double> range;  // [1 + channels], largest |value| over the device's full scale; empty: not known
+  double typical_peak_N = 0;  // median of the accepted blows; 0: too few
   double typical_bandwidth_Hz = 0;
   std::size_t pretrigger = 0;  // samples
 };

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "acquire/live/capture_finding.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -31,6 +31,12 @@ int decimals_of(double std) { return std > 0 ? std::clamp(static_cast<int>(std::
 
 const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
+std::string point_text(const SessionPlan& plan, int point) {
+  const std::size_t place = index_of(plan, point) + 1, points = plan.points.size();
+  if (point == static_cast<int>(place)) return fmt::format("point {} of {}", point, points);
+  return fmt::format("point {} ({} of {})", point, place, points);
+}
+
 std::string goal_text(const PrecisionGoal& goal, const SessionQuality& quality) {
   const auto m = mode_of(goal, quality);
   if (!m) return goal.text() + ": not found yet";
@@ -50,7 +56,7 @@ std::string goal_text(const PrecisionGoal& goal, const SessionQuality& quality) 
 std::string place_text(const SessionPlan& plan, int point, std::size_t blow) {
   std::string blows = fmt::format("blow {} of {}", blow, plan.hits);
   if (plan.points.size() == 1) return blows;
-  return fmt::format("point {} of {}, {}", index_of(plan, point) + 1, plan.points.size(), blows);
+  return point_text(plan, point) + ", " + blows;
 }
 
 std::string prompt_text(const Session& session, RovingPart roving) {
@@ -60,12 +66,8 @@ std::string prompt_text(const Session& session, RovingPart roving) {
   const std::size_t accepted = session.accepted_at(session.point());
   std::string strike = "strike: " + place_text(plan, session.point(), std::min(accepted + 1, plan.hits));
   if (plan.points.size() == 1 || accepted > 0) return strike;
-  const std::size_t number = session.point_index() + 1;
-  const std::string named = static_cast<int>(number) == session.point() + 1
-                                ? ""
-                                : fmt::format(" (number {} of the geometry)", session.point());
-  return fmt::format("move the {} to point {} of {}{}, then strike", roving == RovingPart::hammer ? "hammer" : "sensor",
-                     number, plan.points.size(), named);
+  return fmt::format("move the {} to {}, then strike", roving == RovingPart::hammer ? "hammer" : "sensor",
+                     point_text(plan, session.point()));
 }
 
 std::string range_advice(const BlowGrade& grade, const LiveChannels& channels, bool first) {
@@ -124,6 +126,37 @@ std::string outlook_text(const SessionQuality& quality, const std::vector<Precis
   if (!more || *more > kMaxOutlook || !(widest->freq_std_Hz > 0)) return {};
   return fmt::format("{} more blow{} halve{} the ± of {}, {:.2g} Hz", *more, plural(*more), *more == 1 ? "s" : "", name,
                      widest->freq_std_Hz);
+}
+
+std::string goals_text(const SessionQuality& quality, const std::vector<PrecisionGoal>& goals) {
+  std::string text;
+  for (const PrecisionGoal& goal : goals) {
+    const auto m = mode_of(goal, quality);
+    text += fmt::format("{}the goal {} is {}", text.empty() ? "" : "; ", goal.text(),
+                        is_met(goal, quality) ? "met" : "not met");
+    if (!m) {
+      text += ": no such mode was found";
+    } else if (quality.modes[*m].freq_std_Hz > 0) {
+      text += fmt::format(", ± {:.2g} Hz", quality.modes[*m].freq_std_Hz);
+    }
+  }
+  return text;
+}
+
+std::string fault_text(const acquire::CaptureFinding& fault, const LiveChannels& channels) {
+  if (fault.fault != acquire::CaptureFault::not_a_number) return acquire::finding_text(fault);
+  const auto accel = std::find(channels.accel.begin(), channels.accel.end(), fault.channel);
+  const std::string name = accel == channels.accel.end()
+                               ? fmt::format("channel {} (the force)", fault.channel.value_or(0) + 1)
+                               : name_of_channel(channels, static_cast<std::size_t>(accel - channels.accel.begin()));
+  return name + " delivers values that are no numbers; check its cable and its input";
+}
+
+std::string left_out_text(double time_s) {
+  return fmt::format(
+      "a blow at {:.1f} s is not recorded: the next one, or lost samples, came before the length of "
+      "the blows was known; wait between blows, or state --length",
+      time_s);
 }
 
 std::string summary_text(const Session& session) {

@@ -8,11 +8,13 @@
 
 namespace percuss::pipeline {
 
-// The sentences of a guided session, for a terminal or a page. Points and blows count from 1, in the order of the plan.
+// The sentences of a guided session, for a terminal or a page. Points have the numbers of the geometry; their places in
+// the plan, and blows, count from 1.
 
 enum class RovingPart { hammer, sensor };
 
-/// "point 7 of 24, blow 3 of 5"; without the point where there is one only.
+/// "point 7 of 24, blow 3 of 5", "point 12 (7 of 24), blow 3 of 5" where the number of the point is not its place in
+/// the plan; without the point where there is one only.
 std::string place_text(const SessionPlan& plan, int point, std::size_t blow);
 /// What to do next: "strike: blow 3 of 5", "move the hammer to point 8 of 24", "paused".
 std::string prompt_text(const Session& session, RovingPart roving);
@@ -25,6 +27,12 @@ std::string range_advice(const BlowGrade& grade, const LiveChannels& channels, b
 std::string quality_text(const SessionQuality& quality, std::size_t max_modes = 6);
 /// "3 more blows bring hoop 1 below 0.05 Hz", goal by goal; without goals, about the mode with the largest ±.
 std::string outlook_text(const SessionQuality& quality, const std::vector<PrecisionGoal>& goals);
+/// Goal by goal, whether it was reached: "the goal hoop 1 < 0.05 Hz is met, ± 0.031 Hz".
+std::string goals_text(const SessionQuality& quality, const std::vector<PrecisionGoal>& goals);
+/// A fault of the capture, between the blows: "a gap of 200 frames".
+std::string fault_text(const acquire::CaptureFinding& fault, const LiveChannels& channels);
+/// A blow that is not recorded (GuideObserver::on_left_out).
+std::string left_out_text(double time_s);
 /// The end: "22 of 24 points are complete; 113 blows count, 9 were rejected".
 std::string summary_text(const Session& session);
 

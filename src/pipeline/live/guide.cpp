@@ -44,7 +44,8 @@ Guide::Guide(const acquire::StreamFormat& format, LiveChannels channels, GuideOp
       pretrigger_(pretrigger_of(channels_, options_)),
       session_(options_.plan),
       history_(format.channels),
-      store_(std::make_shared<RowStore>(options_.folder, channels_.accel.size())) {
+      store_(std::make_shared<RowStore>(options_.folder, channels_.accel.size())),
+      faults_(format.fs_Hz) {
   channels_.description.geometry = options_.geometry;
   channels_.description.trace_lines = options_.trace_lines;
   if (options_.length_s) length_ = acquire::selected_length(channels_.description, {.length_s = options_.length_s});
@@ -71,27 +72,23 @@ void Guide::take_whole(acquire::SampleBlock block) {
   if (session_.finished() || block.frames == 0) return;
   if (!started_) {
     started_ = true;
-    start_frame_ = fed_ = previous_end_ = block.first_frame;
+    start_frame_ = fed_ = previous_end_ = noted_ = block.first_frame;
     trigger_ =
         std::make_unique<OnlineTrigger>(OnlineTriggerOptions{.fs_Hz = fs_Hz_, .trigger_N = options_.trigger_N}, fed_);
   }
   const std::uint64_t before = history_.end_frame();
   history_.add(std::move(block));
-  for (const SampleLoss& loss : history_.losses(before, history_.end_frame())) {
-    if (loss.frame < before || format_.is_pause(loss.frames, loss.overrun)) continue;
-    add_fault(loss.overrun ? acquire::FaultKind::overrun : acquire::FaultKind::gap, loss.frame,
-              static_cast<double>(loss.frames));
-    observer_.on_loss(loss);
-  }
   feed_trigger(before);
   collect_events();
   advance(false);
   apply_commands(false);
+  const std::uint64_t searched = trigger_->searched_to();
+  note_losses(windows_.empty() ? searched : std::min(searched, windows_.front().event.first));
   forget();
 }
 
 void Guide::feed_trigger(std::uint64_t from) {
-  const auto losses = history_.losses(from, history_.end_frame());
+  const auto losses = force_losses(from, history_.end_frame());
   for (const SampleLoss& loss : losses) {
     if (loss.frame < fed_ || static_cast<double>(loss.frames) < kLongGap_s * fs_Hz_) continue;
     trigger_->finish();
@@ -140,10 +137,17 @@ void Guide::advance(bool last) {
     apply_commands(false);
     if (session_.finished()) return;
     Window& window = windows_.front();
+    note_losses(window.event.first);
     if (!length_ && !choose_length(window, last)) return;
     if (length_) {
       if (!is_complete(window, last)) return;
       judge(window);
+      if (session_.finished()) {
+        note_losses(previous_end_);
+        complete_ = true;
+      }
+    } else {
+      observer_.on_left_out(window.event.first);
     }
     windows_.pop_front();
   }
@@ -179,7 +183,7 @@ void Guide::judge(const Window& window) {
 
 BlowGrade Guide::grade(const BlowSamples& samples, const Window& window) const {
   const auto past = past_.find(window.first);
-  const bool whole = history_.losses(window.first, window.first + *length_).empty();
+  const bool whole = force_losses(window.first, window.first + *length_).empty();
   if (past != past_.end() && past->second.blow && whole) {
     const SessionEvent& blow = *past->second.blow;
     return {.mark = blow.mark, .reason = blow.message, .peak_N = blow.peak_N, .bandwidth_Hz = blow.bandwidth_Hz};
@@ -191,11 +195,14 @@ BlowGrade Guide::grade(const BlowSamples& samples, const Window& window) const {
 }
 
 void Guide::finish() {
-  if (!started_) return apply_commands(true);
-  trigger_->finish();
-  collect_events();
-  advance(true);
+  if (started_ && !session_.finished()) {
+    trigger_->finish();
+    collect_events();
+    advance(true);
+  }
   apply_commands(true);
+  note_losses(history_.end_frame());
+  for (const acquire::CaptureFinding& fault : faults_.finish(complete_)) observer_.on_fault(fault);
 }
 
 void Guide::forget() {

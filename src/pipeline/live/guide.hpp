@@ -16,6 +16,7 @@
 #include "pipeline/live/row_store.hpp"
 #include "pipeline/live/sample_history.hpp"
 #include "pipeline/live/session.hpp"
+#include "pipeline/live/session_faults.hpp"
 #include "pipeline/live/until.hpp"
 
 namespace percuss::pipeline {
@@ -53,7 +54,12 @@ class GuideObserver {
   virtual void on_regraded(std::size_t /*row*/, acquire::RowMark /*mark*/) {}
   virtual void on_command(const SessionEvent& /*command*/) {}
   virtual void on_length(std::size_t /*samples*/) {}
-  virtual void on_loss(const SampleLoss& /*loss*/) {}
+  /// A blow, first above the threshold at this frame, is too short to choose the length of all blows by it: the next
+  /// one, or lost samples, came too early. It is not recorded.
+  virtual void on_left_out(std::uint64_t /*frame*/) {}
+  /// A fault of the capture, between the verdicts where it happened. `frame` is the first lost one; a count of samples
+  /// without numbers is not final.
+  virtual void on_fault(const acquire::CaptureFinding& /*fault*/) {}
   virtual void on_goals_met() {}
 };
 
@@ -66,17 +72,22 @@ class Guide {
         GuideObserver& observer);
 
   /// Goes on from the events of an interrupted session: their verdicts and commands apply again when the samples of the
-  /// journal are taken. Call it first.
-  void resume_from(const std::vector<SessionEvent>& events);
+  /// journal are taken. Its samples begin at `first_frame`. Call it first.
+  void resume_from(const std::vector<SessionEvent>& events, const std::vector<acquire::CaptureFinding>& findings = {},
+                   std::uint64_t first_frame = 0);
   void take(acquire::SampleBlock block);
   /// The operator's choice, after the newest frame. It applies after the blows that began before it.
   void command(SessionEvent::Kind kind, int point = 0);
-  /// No more samples will come: judges the last blow.
+  /// Adds what the capture states about the stream. Losses are known from the samples.
+  void add_finding(const acquire::CaptureFinding& finding) { faults_.add(finding); }
+  /// No more samples and findings will come: judges the last blow, and tells the faults that follow it.
   void finish();
 
   const Session& session() const { return session_; }
   const LiveChannels& channels() const { return channels_; }
   std::uint64_t newest_frame() const { return history_.end_frame(); }
+  /// The frames in memory: they do not grow with the session.
+  std::uint64_t kept_frames() const { return history_.end_frame() - history_.first_frame(); }
   /// A blow's samples are being collected.
   bool collecting() const { return !windows_.empty(); }
   /// The first frame of the first blow, less this time, but not before the start.
@@ -87,7 +98,6 @@ class Guide {
   acquire::Record record() const;
   /// The accepted blows alone.
   acquire::Record accepted_record() const;
-  void add_fault(acquire::FaultKind kind, std::uint64_t frame, double value = 0);
 
  private:
   struct Window {
@@ -99,11 +109,6 @@ class Guide {
     std::optional<SessionEvent> blow;
     std::vector<SessionEvent> consequences;  // regraded, enough
   };
-  struct Fault {
-    acquire::FaultKind kind;
-    std::uint64_t frame;
-    double value;
-  };
   void take_whole(acquire::SampleBlock block);
   void feed_trigger(std::uint64_t from);
   void collect_events();
@@ -113,6 +118,10 @@ class Guide {
   /// False: more samples are needed. True with no length: the window is of no use.
   bool choose_length(Window& window, bool last);
   std::uint64_t undisturbed_end(const Window& window) const;
+  /// Lost frames, and samples of the force that are no numbers.
+  std::vector<SampleLoss> force_losses(std::uint64_t first, std::uint64_t last) const;
+  void note_losses(std::uint64_t frame);
+  bool is_used(std::size_t channel) const;
   void judge(const Window& window);
   BlowGrade grade(const BlowSamples& samples, const Window& window) const;
   BlowCircumstances circumstances(const Window& window) const;
@@ -145,7 +154,9 @@ class Guide {
   std::deque<SessionEvent> commands_;
   std::map<std::uint64_t, PastBlow> past_;  // by frame
   std::deque<SessionEvent> past_commands_;
-  std::vector<Fault> faults_;
+  SessionFaults faults_;
+  std::uint64_t noted_ = 0;  // losses before this frame are in faults_
+  bool complete_ = false;    // what happens after the last blow does not concern the session
 };
 
 }  // namespace percuss::pipeline

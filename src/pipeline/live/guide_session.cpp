@@ -9,11 +9,11 @@ namespace {
 
 using Kind = SessionEvent::Kind;
 
-constexpr std::size_t kMaxFaults = 100'000;
-
 }  // namespace
 
-void Guide::resume_from(const std::vector<SessionEvent>& events) {
+void Guide::resume_from(const std::vector<SessionEvent>& events, const std::vector<acquire::CaptureFinding>& findings,
+                        std::uint64_t first_frame) {
+  for (const acquire::CaptureFinding& finding : findings) faults_.add_past(finding, first_frame);
   std::uint64_t blow = 0;
   for (const SessionEvent& event : events) {
     if (event.kind == Kind::blow) {
@@ -81,8 +81,25 @@ std::uint64_t Guide::frame_before_first_blow(double time_s) const {
   return std::max(start_frame_, first > before ? first - before : 0);
 }
 
-void Guide::add_fault(acquire::FaultKind kind, std::uint64_t frame, double value) {
-  if (faults_.size() < kMaxFaults) faults_.push_back({.kind = kind, .frame = frame, .value = value});
+bool Guide::is_used(std::size_t channel) const {
+  return channel == channels_.force ||
+         std::find(channels_.accel.begin(), channels_.accel.end(), channel) != channels_.accel.end();
+}
+
+// Adds the losses up to a frame, and tells of them. All blows before it have been judged.
+void Guide::note_losses(std::uint64_t frame) {
+  if (complete_ || frame <= noted_) return;
+  for (SampleLoss loss : history_.losses(noted_, frame)) {
+    if (loss.channel) {
+      const std::uint64_t first = std::max(loss.frame, noted_), last = std::min(loss.frame + loss.frames, frame);
+      loss = {.frame = first, .frames = last - first, .channel = loss.channel};
+      if (!is_used(*loss.channel)) continue;
+    } else if (loss.frame < noted_ || format_.is_pause(loss.frames, loss.overrun)) {
+      continue;
+    }
+    if (const auto fault = faults_.add(loss)) observer_.on_fault(*fault);
+  }
+  noted_ = frame;
 }
 
 acquire::Record Guide::record_of(std::vector<std::size_t> rows) const {
@@ -101,16 +118,10 @@ acquire::Record Guide::record() const {
   std::vector<std::size_t> rows(session_.blows().size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   acquire::Record record = record_of(std::move(rows));
-  for (const Fault& fault : faults_) {
-    const auto& blows = session_.blows();
-    const auto in_blow = std::find_if(blows.begin(), blows.end(), [&](const Session::Blow& blow) {
-      return blow.frame <= fault.frame && fault.frame < blow.frame + store_->samples();
-    });
-    record.faults.push_back({.kind = fault.kind,
-                             .row = in_blow == blows.end() ? -1 : static_cast<int>(in_blow - blows.begin()),
-                             .time_s = static_cast<double>(fault.frame) / fs_Hz_,
-                             .value = fault.value});
-  }
+  std::vector<SessionFaults::Row> places;
+  for (const Session::Blow& blow : session_.blows())
+    places.push_back({.frame = blow.frame, .samples = store_->samples()});
+  record.faults = faults_.for_record(places);
   return record;
 }
 

@@ -20,8 +20,14 @@ constexpr std::size_t kMinTypical = 2;  // blows
 std::uint64_t Guide::undisturbed_end(const Window& window) const {
   std::uint64_t end = history_.end_frame();
   if (windows_.size() > 1) end = std::min(end, windows_[1].first);
-  const auto losses = history_.losses(window.event.peak + 1, end);
-  return losses.empty() ? end : std::min(end, losses.front().frame);
+  const auto losses = force_losses(window.event.peak + 1, end);
+  return losses.empty() ? end : std::clamp(losses.front().frame, window.first, end);
+}
+
+std::vector<SampleLoss> Guide::force_losses(std::uint64_t first, std::uint64_t last) const {
+  auto losses = history_.losses(first, last);
+  std::erase_if(losses, [&](const SampleLoss& loss) { return loss.channel && *loss.channel != channels_.force; });
+  return losses;
 }
 
 bool Guide::choose_length(Window& window, bool last) {
@@ -60,13 +66,20 @@ double Guide::typical(double Session::Blow::*value) const {
 
 BlowCircumstances Guide::circumstances(const Window& window) const {
   const std::uint64_t end = window.first + *length_;
-  BlowCircumstances at{
-      .lost_samples = !history_.losses(window.first, end).empty() || history_.end_frame() < end,
-      .struck_again = windows_.size() > 1 && windows_[1].event.first < end,
-      .during_previous = window.event.first < previous_end_,
-      .typical_peak_N = typical(&Session::Blow::peak_N),
-      .typical_bandwidth_Hz = typical(&Session::Blow::bandwidth_Hz),
-      .pretrigger = static_cast<std::size_t>(window.event.peak - window.first)};
+  const auto losses = history_.losses(window.first, end);
+  const bool frames_lost =
+      std::any_of(losses.begin(), losses.end(), [](const SampleLoss& loss) { return !loss.channel; });
+  BlowCircumstances at{.lost_samples = frames_lost || history_.end_frame() < end,
+                       .struck_again = windows_.size() > 1 && windows_[1].event.first < end,
+                       .during_previous = window.event.first < previous_end_,
+                       .typical_peak_N = typical(&Session::Blow::peak_N),
+                       .typical_bandwidth_Hz = typical(&Session::Blow::bandwidth_Hz),
+                       .pretrigger = static_cast<std::size_t>(window.event.peak - window.first)};
+  for (std::size_t s = 0; s <= channels_.accel.size() && !at.no_numbers; ++s) {
+    const std::size_t channel = s == 0 ? channels_.force : channels_.accel[s - 1];
+    if (std::any_of(losses.begin(), losses.end(), [&](const SampleLoss& loss) { return loss.channel == channel; }))
+      at.no_numbers = s;
+  }
   if (!(full_scales_.at(channels_.force) > 0)) return at;
   std::vector<double> x(*length_);
   const auto largest = [&](std::size_t channel) {

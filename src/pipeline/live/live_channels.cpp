@@ -1,5 +1,7 @@
 #include "pipeline/live/live_channels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <span>
@@ -54,6 +56,12 @@ acquire::SignalInfo as_stored(const acquire::SignalInfo& signal, const std::stri
 }
 
 }  // namespace
+
+std::string name_of_channel(const LiveChannels& channels, std::size_t accel) {
+  const std::string number = fmt::format("channel {}", channels.accel[accel] + 1);
+  const std::string& name = channels.accel_names[accel];
+  return name == number ? number : fmt::format("{} ({})", number, one_line(name, 40));
+}
 
 LiveChannels live_channels(const StreamFormat& format, const acquire::ReadOptions& options) {
   acquire::SignalTable table = table_of(format);

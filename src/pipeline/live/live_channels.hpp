@@ -22,6 +22,9 @@ struct LiveChannels {
   acquire::Record description;
 };
 
+/// "channel 3 (accel 2)": a response, for people.
+std::string name_of_channel(const LiveChannels& channels, std::size_t accel);
+
 /// Finds the roles by the rules of record files: the set-up, units, words in the names. Without any of these, the first
 /// channel is the force.
 /// errors  InputError: fewer than two channels, unknown or contradictory units.

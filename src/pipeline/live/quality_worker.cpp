@@ -20,6 +20,7 @@ void QualityWorker::ask(acquire::Record record) {
   {
     const std::lock_guard lock(mutex_);
     asked_ = std::move(record);
+    done_.reset();  // of other blows
   }
   wake_.notify_one();
 }
@@ -45,7 +46,7 @@ void QualityWorker::work() {
     } catch (const std::exception&) {  // no budget or memory: the next blow asks again
     }
     lock.lock();
-    if (quality) done_ = std::move(quality);
+    if (quality && !asked_) done_ = std::move(quality);
   }
 }
 

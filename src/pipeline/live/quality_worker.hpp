@@ -19,7 +19,7 @@ class QualityWorker {
 
   /// The record is read by the other thread.
   void ask(acquire::Record record);
-  /// The newest result since the last call.
+  /// The result for the blows asked last, once.
   std::optional<SessionQuality> take();
 
  private:

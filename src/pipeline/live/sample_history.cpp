@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -28,9 +29,17 @@ void SampleHistory::note_loss(const acquire::SampleBlock& block) {
   if (missing > 0 || block.overrun) losses_.push_back({.frame = end_, .frames = missing, .overrun = block.overrun});
 }
 
+void SampleHistory::note_no_number(std::size_t channel, std::uint64_t frame) {
+  std::deque<SampleLoss>& losses = no_numbers_[channel];
+  if (!losses.empty() && losses.back().frame + losses.back().frames == frame) {
+    ++losses.back().frames;
+  } else {
+    losses.push_back({.frame = frame, .frames = 1, .channel = channel});
+  }
+}
+
 void SampleHistory::replace_unusable(acquire::SampleBlock& block) {
   for (std::size_t i = 0; i < block.frames; ++i) {
-    bool lost = false;
     for (std::size_t c = 0; c < channels_; ++c) {
       double& value = block.values[i * channels_ + c];
       if (std::abs(value) <= acquire::kMaxSample) {
@@ -38,14 +47,7 @@ void SampleHistory::replace_unusable(acquire::SampleBlock& block) {
         continue;
       }
       value = last_[c];
-      lost = true;
-    }
-    if (!lost) continue;
-    const std::uint64_t frame = block.first_frame + i;
-    if (!losses_.empty() && losses_.back().frame + losses_.back().frames == frame && losses_.back().frames > 0) {
-      ++losses_.back().frames;
-    } else {
-      losses_.push_back({.frame = frame, .frames = 1});
+      note_no_number(c, block.first_frame + i);
     }
   }
 }
@@ -65,11 +67,16 @@ void SampleHistory::add(acquire::SampleBlock block) {
 }
 
 void SampleHistory::discard_before(std::uint64_t frame) {
-  while (blocks_.size() > 1 && end_of(blocks_.front()) <= frame) {
+  // A lost frame reads as the value before it: the block before a loss stays.
+  while (blocks_.size() > 1 && end_of(blocks_.front()) <= frame && blocks_[1].first_frame <= frame) {
     blocks_.pop_front();
     first_ = blocks_.front().first_frame;
   }
-  while (!losses_.empty() && losses_.front().frame + losses_.front().frames < first_) losses_.pop_front();
+  const auto forget = [this](std::deque<SampleLoss>& losses) {
+    while (!losses.empty() && losses.front().frame + losses.front().frames < first_) losses.pop_front();
+  };
+  forget(losses_);
+  for (auto& losses : no_numbers_) forget(losses);
 }
 
 void SampleHistory::read(std::size_t channel, std::uint64_t first, std::span<double> out) const {
@@ -99,9 +106,14 @@ void SampleHistory::read(std::size_t channel, std::uint64_t first, std::span<dou
 
 std::vector<SampleLoss> SampleHistory::losses(std::uint64_t first, std::uint64_t last) const {
   std::vector<SampleLoss> out;
-  std::copy_if(losses_.begin(), losses_.end(), std::back_inserter(out), [&](const SampleLoss& loss) {
-    return loss.frame < last && loss.frame + std::max<std::uint64_t>(loss.frames, 1) > first;
-  });
+  const auto add = [&](const std::deque<SampleLoss>& losses) {
+    std::copy_if(losses.begin(), losses.end(), std::back_inserter(out), [&](const SampleLoss& loss) {
+      return loss.frame < last && loss.frame + std::max<std::uint64_t>(loss.frames, 1) > first;
+    });
+  };
+  add(losses_);
+  for (const auto& losses : no_numbers_) add(losses);
+  std::stable_sort(out.begin(), out.end(), [](const SampleLoss& a, const SampleLoss& b) { return a.frame < b.frame; });
   return out;
 }
 

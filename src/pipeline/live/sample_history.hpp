@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,18 +10,19 @@
 
 namespace percuss::pipeline {
 
-/// Frames that a stream lost.
+/// Frames that a stream lost, or samples of one channel that are no numbers.
 struct SampleLoss {
-  std::uint64_t frame = 0;   // the first one
-  std::uint64_t frames = 0;  // 0: the device stated an overrun, but its count of frames goes on
-  bool overrun = false;      // stated by the device
+  std::uint64_t frame = 0;               // the first one
+  std::uint64_t frames = 0;              // 0: the device stated an overrun, but its count of frames goes on
+  bool overrun = false;                  // stated by the device
+  std::optional<std::size_t> channel{};  // whose samples are NaN, infinite or beyond all sense; nothing: lost frames
 };
 
 /// The recent samples of a stream, addressed by frame. A lost frame, and a sample that is not finite, read as the last
 /// value before it; losses() tells where.
 class SampleHistory {
  public:
-  explicit SampleHistory(std::size_t channels) : channels_(channels), last_(channels) {}
+  explicit SampleHistory(std::size_t channels) : channels_(channels), no_numbers_(channels), last_(channels) {}
 
   /// Appends a block. Frames that are known already are ignored.
   /// errors  std::invalid_argument: the block has another number of channels.
@@ -34,18 +36,21 @@ class SampleHistory {
   std::size_t channels() const { return channels_; }
   /// Frames first … first + out.size() − 1 of a channel, which must lie within the history.
   void read(std::size_t channel, std::uint64_t first, std::span<double> out) const;
-  /// The losses that touch the frames first … last − 1, ascending.
+  /// The losses that touch the frames first … last − 1, ascending. Samples without a number that follow one another are
+  /// one loss, whatever the blocks.
   std::vector<SampleLoss> losses(std::uint64_t first, std::uint64_t last) const;
 
  private:
   void note_loss(const acquire::SampleBlock& block);
+  void note_no_number(std::size_t channel, std::uint64_t frame);
   void replace_unusable(acquire::SampleBlock& block);
 
   std::size_t channels_;
   std::uint64_t first_ = 0, end_ = 0;
   std::deque<acquire::SampleBlock> blocks_;
-  std::deque<SampleLoss> losses_;
-  std::vector<double> last_;  // [channels], of the newest frame
+  std::deque<SampleLoss> losses_;                   // of frames
+  std::vector<std::deque<SampleLoss>> no_numbers_;  // [channels]
+  std::vector<double> last_;                        // [channels], of the newest frame
 };
 
 }  // namespace percuss::pipeline

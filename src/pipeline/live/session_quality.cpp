@@ -43,13 +43,8 @@ std::string name_of(const LiveMode& mode, std::size_t index) {
   return fmt::format("{} {}", identify::name_of(mode.type), mode.order);
 }
 
-SessionQuality session_quality(acquire::Record record, const AnalysisOptions& options) {
-  SessionQuality out{.blows = record.rows.size()};
-  if (record.rows.empty()) return out;
-  std::vector<acquire::Record> records;
-  records.push_back(std::move(record));
-  const auto runs = analyses_of_runs(std::move(records), options);
-  const Analysis& analysis = *runs.front().analysis;
+SessionQuality quality_of(const Analysis& analysis, std::size_t blows) {
+  SessionQuality out{.blows = blows};
   try {
     if (!analysis.possible()) return out;
     analysis.compute_modes_and_frfs();
@@ -61,6 +56,15 @@ SessionQuality session_quality(acquire::Record record, const AnalysisOptions& op
     out.modes.clear();
   }
   return out;
+}
+
+SessionQuality session_quality(acquire::Record record, const AnalysisOptions& options) {
+  const std::size_t blows = record.rows.size();
+  if (blows == 0) return {};
+  std::vector<acquire::Record> records;
+  records.push_back(std::move(record));
+  const auto runs = analyses_of_runs(std::move(records), options);
+  return quality_of(*runs.front().analysis, blows);
 }
 
 std::optional<std::size_t> further_blows(const LiveMode& mode, std::size_t blows, double target_Hz) {

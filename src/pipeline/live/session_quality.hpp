@@ -6,6 +6,7 @@
 
 #include "acquire/record/record.hpp"
 #include "identify/classify/classify.hpp"
+#include "pipeline/analysis.hpp"
 #include "pipeline/analysis_options.hpp"
 
 namespace percuss::pipeline {
@@ -28,6 +29,8 @@ struct SessionQuality {
   std::optional<double> coherence{};  // median over the band, of the channel where it is lowest
 };
 
+/// What an analysis of `blows` accepted blows shows. No modes where it is impossible.
+SessionQuality quality_of(const Analysis& analysis, std::size_t blows);
 /// Analyses the rows of `record`, which hold accepted blows only. No modes where the analysis is impossible.
 SessionQuality session_quality(acquire::Record record, const AnalysisOptions& options);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 
@@ -89,27 +90,35 @@ std::vector<PrecisionGoal> parse_goals(std::string_view text) {
 }
 
 std::optional<std::size_t> mode_of(const PrecisionGoal& goal, const SessionQuality& quality) {
+  std::optional<std::size_t> farthest;
+  double largest = -1;  // ± over the limit
   for (std::size_t m = 0; m < quality.modes.size(); ++m) {
-    const bool by_place = goal.type == ModeType::unknown && static_cast<std::size_t>(goal.number) == m + 1;
-    const bool by_name =
-        goal.type != ModeType::unknown && quality.modes[m].type == goal.type && quality.modes[m].order == goal.number;
-    if (by_place || by_name) return m;
+    const LiveMode& mode = quality.modes[m];
+    const bool named = goal.type == ModeType::unknown ? static_cast<std::size_t>(goal.number) == m + 1
+                                                      : mode.type == goal.type && mode.order == goal.number;
+    if (!named) continue;
+    const bool known = mode.freq_std_Hz > 0;
+    const double distance = known ? mode.freq_std_Hz / limit_Hz(goal, mode) : std::numeric_limits<double>::infinity();
+    if (distance <= largest) continue;
+    largest = distance;
+    farthest = m;
   }
-  return {};
+  return farthest;
 }
 
 double limit_Hz(const PrecisionGoal& goal, const LiveMode& mode) {
   return goal.relative ? goal.limit * mode.freq_Hz : goal.limit;
 }
 
+bool is_met(const PrecisionGoal& goal, const SessionQuality& quality) {
+  const auto m = mode_of(goal, quality);
+  if (quality.blows < kMinBlows || !m) return false;
+  const LiveMode& mode = quality.modes[*m];
+  return mode.freq_std_Hz > 0 && mode.freq_std_Hz < limit_Hz(goal, mode);
+}
+
 bool all_met(const std::vector<PrecisionGoal>& goals, const SessionQuality& quality) {
-  if (quality.blows < kMinBlows) return false;
-  return std::all_of(goals.begin(), goals.end(), [&](const PrecisionGoal& goal) {
-    const auto m = mode_of(goal, quality);
-    if (!m) return false;
-    const LiveMode& mode = quality.modes[*m];
-    return mode.freq_std_Hz > 0 && mode.freq_std_Hz < limit_Hz(goal, mode);
-  });
+  return std::all_of(goals.begin(), goals.end(), [&](const PrecisionGoal& goal) { return is_met(goal, quality); });
 }
 
 }  // namespace percuss::pipeline

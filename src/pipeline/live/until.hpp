@@ -24,10 +24,12 @@ struct PrecisionGoal {
 /// errors  InputError with the option "until": the part that is not understood, and what is allowed.
 std::vector<PrecisionGoal> parse_goals(std::string_view text);
 
-/// The mode that a goal names; nothing while it is not found.
+/// The mode that a goal names, of several with one name (a split pair) the one that is farthest from the limit; nothing
+/// while none is found.
 std::optional<std::size_t> mode_of(const PrecisionGoal& goal, const SessionQuality& quality);
 double limit_Hz(const PrecisionGoal& goal, const LiveMode& mode);
-/// Whether all goals are met, by three blows or more.
+/// Whether a goal is met by all modes that it names, and by three blows or more.
+bool is_met(const PrecisionGoal& goal, const SessionQuality& quality);
 bool all_met(const std::vector<PrecisionGoal>& goals, const SessionQuality& quality);
 
 }  // namespace percuss::pipeline

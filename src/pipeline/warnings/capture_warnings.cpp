@@ -18,18 +18,36 @@ const char* end_text(FaultKind fault) {
   return fault == FaultKind::rate_changed ? "the device changed its sampling rate" : "the device stopped";
 }
 
+const char* places_text(std::size_t count) { return count == 1 ? "" : "s"; }
+
 void add_losses(const acquire::Record& record, std::vector<Warning>& out) {
-  std::size_t losses = 0, in_blows = 0;
-  double first_s = 0, frames = 0;
-  for (const RecordFault& finding : record.faults) {
-    if (finding.kind > FaultKind::not_a_number) continue;
-    if (losses++ == 0) first_s = finding.time_s;
-    frames += finding.value;
-    if (finding.row >= 0) ++in_blows;
+  std::size_t losses = 0, unknown = 0, in_blows = 0, no_numbers = 0;
+  double first_s = 0, frames = 0, samples = 0, first_no_number_s = 0;
+  for (const RecordFault& fault : record.faults) {
+    if (fault.kind > FaultKind::not_a_number) continue;
+    if (fault.row >= 0) ++in_blows;
+    if (fault.kind == FaultKind::not_a_number) {
+      if (no_numbers++ == 0) first_no_number_s = fault.time_s;
+      samples += fault.value;
+      continue;
+    }
+    if (losses++ == 0) first_s = fault.time_s;
+    if (fault.value == 0) ++unknown;
+    frames += fault.value;
   }
-  if (losses == 0) return;
-  std::string text = fmt::format("the capture lost {:.0f} samples per channel in {} place{}, first at {:.1f} s", frames,
-                                 losses, losses == 1 ? "" : "s", first_s);
+  std::string text;
+  if (losses > 0) {
+    const std::string count = frames > 0
+                                  ? fmt::format("{}{:.0f} samples per channel", unknown > 0 ? "at least " : "", frames)
+                                  : "an unknown number of samples";
+    text = fmt::format("the capture lost {} in {} place{}, first at {:.1f} s", count, losses, places_text(losses),
+                       first_s);
+  }
+  if (no_numbers > 0) {
+    text += fmt::format("{}{:.0f} captured samples are no numbers, in {} place{}, first at {:.1f} s",
+                        text.empty() ? "" : "; ", samples, no_numbers, places_text(no_numbers), first_no_number_s);
+  }
+  if (text.empty()) return;
   if (in_blows > 0) text += fmt::format("; {} of them in a blow, which was rejected", in_blows);
   out.push_back(with_remedy({"capture_lost_samples", text},
                             "close other programs, use another USB socket, or record fewer channels"));
@@ -40,17 +58,17 @@ void add_losses(const acquire::Record& record, std::vector<Warning>& out) {
 std::vector<Warning> capture_warnings(const acquire::Record& record) {
   std::vector<Warning> out;
   add_losses(record, out);
-  for (const RecordFault& finding : record.faults) {
-    if (finding.kind == FaultKind::clock_drift && std::abs(finding.value) > kLargeDrift) {
+  for (const RecordFault& fault : record.faults) {
+    if (fault.kind == FaultKind::clock_drift && std::abs(fault.value) > kLargeDrift) {
       out.push_back(with_remedy(
           {"capture_clock", fmt::format("the device's clock differs by {:.0f} ppm from the computer's, and so may all "
                                         "frequencies",
-                                        finding.value * 1e6)},
+                                        fault.value * 1e6)},
           "state the true sampling rate"));
       out.back().options = {"fs"};
     }
-    if (finding.kind >= FaultKind::unplugged && finding.kind <= FaultKind::failed)
-      out.push_back({"capture_ended", fmt::format("{} after {:.1f} s", end_text(finding.kind), finding.time_s)});
+    if (fault.kind >= FaultKind::unplugged && fault.kind <= FaultKind::failed)
+      out.push_back({"capture_ended", fmt::format("{} after {:.1f} s", end_text(fault.kind), fault.time_s)});
   }
   return out;
 }

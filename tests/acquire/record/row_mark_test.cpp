@@ -102,7 +102,7 @@ TEST(RowMarks, AreRefusedWhereNobodyKnowsThem) {
   EXPECT_NE(error(List{0, 13}, Shape{1, 4}, List{1, 0, 0, 5}).find("13 is not the number of a reason"),
             std::string::npos);
   EXPECT_NE(error(List{0, 0, 0}, Shape{1, 4}, List{1, 0, 0, 5}).find("/rejected"), std::string::npos);
-  EXPECT_NE(error(List{0, 0}, Shape{2, 2}, List{1, 0, 0, 5}).find("store [findings, 4]"), std::string::npos);
+  EXPECT_NE(error(List{0, 0}, Shape{2, 2}, List{1, 0, 0, 5}).find("store [faults, 4]"), std::string::npos);
   EXPECT_NE(error(List{0, 0}, Shape{1, 4}, List{1, 2, 0, 5}).find("/faults"), std::string::npos);
 }
 

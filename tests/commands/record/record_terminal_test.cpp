@@ -77,7 +77,8 @@ TEST(RecordTerminal, IsRestoredAfterSignals) {
     EXPECT_EQ(terminal.wait(), 6) << signal;
     EXPECT_TRUE(terminal.is_ordinary()) << signal;
     EXPECT_GE(terminal.blows(), 1U);
-    EXPECT_FALSE(std::filesystem::exists(terminal.file("t.h5.journal")));
+    EXPECT_TRUE(std::filesystem::exists(terminal.file("t.h5.journal")));
+    EXPECT_THAT(terminal.screen(), HasSubstr("percuss record --resume t.h5"));
   }
   Terminal terminal("sim:aluminium-bat,speed=4");
   EXPECT_TRUE(terminal.shows("Blow 1 of 5: accepted"));
@@ -85,6 +86,23 @@ TEST(RecordTerminal, IsRestoredAfterSignals) {
   EXPECT_EQ(terminal.wait(), -1);
   EXPECT_TRUE(terminal.is_ordinary());
   EXPECT_TRUE(std::filesystem::exists(terminal.file("t.h5.journal")));
+}
+
+// As Ctrl-Z does for a session that a shell runs: the pseudo-terminal's own session leader cannot be stopped, but goes
+// through the same handlers.
+TEST(RecordTerminal, GoesOnAfterAStop) {
+  Terminal terminal("sim:aluminium-bat,hits=40,speed=4", {"--hits", "30"});
+  EXPECT_TRUE(terminal.shows("Blow 1 of 30: accepted"));
+  terminal.send(SIGTSTP);
+  EXPECT_TRUE(terminal.shows("Blow 2 of 30: accepted"));
+  EXPECT_FALSE(terminal.is_ordinary());
+  terminal.send(SIGSTOP);
+  terminal.send(SIGCONT);
+  EXPECT_TRUE(terminal.shows("Blow 3 of 30: accepted"));
+  EXPECT_FALSE(terminal.is_ordinary());
+  terminal.type("q");
+  EXPECT_EQ(terminal.wait(), 0);
+  EXPECT_TRUE(terminal.is_ordinary());
 }
 
 // Nobody reads the terminal: its buffer is full after some lines.

@@ -19,7 +19,7 @@ LiveChannels two_responses() {
 TEST(GuidanceText, SaysWhereAndWhatAndWhatToDo) {
   const pipeline::SessionPlan many{.points = {3, 5, 9}, .hits = 5}, one{.hits = 5};
   BlowReport blow{.row = 7, .point = 5, .blow = 3, .grade = {.peak_N = -312.4, .bandwidth_Hz = 4210}};
-  EXPECT_EQ(blow_text(blow, two_responses(), many), "Point 2 of 3, blow 3 of 5: accepted, 312 N up to 4.21 kHz");
+  EXPECT_EQ(blow_text(blow, two_responses(), many), "Point 5 (2 of 3), blow 3 of 5: accepted, 312 N up to 4.21 kHz");
   blow.point = 0;
   EXPECT_EQ(blow_text(blow, two_responses(), one), "Blow 3 of 5: accepted, 312 N up to 4.21 kHz");
   blow.grade.force_range = 0.94;
@@ -45,15 +45,14 @@ TEST(GuidanceText, SetsTheRangeByTheFirstBlows) {
 }
 
 TEST(GuidanceText, PromptsForTheNextStep) {
-  Session session({.points = {0, 1, 7}, .hits = 2});
+  Session session({.points = {1, 2, 7}, .hits = 2});
   const auto prompt = [&] { return prompt_text(session, pipeline::RovingPart::hammer); };
   EXPECT_EQ(prompt(), "move the hammer to point 1 of 3, then strike");
   session.apply({.kind = Kind::blow});
   EXPECT_EQ(prompt(), "strike: point 1 of 3, blow 2 of 2");
   session.apply({.kind = Kind::go_to, .point = 7});
-  EXPECT_EQ(prompt(), "move the hammer to point 3 of 3 (number 7 of the geometry), then strike");
-  EXPECT_EQ(prompt_text(session, pipeline::RovingPart::sensor),
-            "move the sensor to point 3 of 3 (number 7 of the geometry), then strike");
+  EXPECT_EQ(prompt(), "move the hammer to point 7 (3 of 3), then strike");
+  EXPECT_EQ(prompt_text(session, pipeline::RovingPart::sensor), "move the sensor to point 7 (3 of 3), then strike");
   session.apply({.kind = Kind::pause});
   EXPECT_EQ(prompt(), "paused; press space to go on");
   EXPECT_EQ(summary_text(session), "0 of 3 points complete; 1 blow counts, 0 rejected");
@@ -69,6 +68,10 @@ TEST(GuidanceText, ShowsThePrecisionAndTheOutlook) {
   EXPECT_EQ(outlook_text(quality, {}), "12 more blows halve the ± of mode 2, 0.1 Hz");
   EXPECT_EQ(outlook_text(quality, pipeline::parse_goals("mode 2<0.05Hz, hoop 1 < 1 Hz")),
             "12 more blows bring mode 2 below 0.05 Hz; hoop 1 < 1 Hz: not found yet");
+  EXPECT_EQ(
+      goals_text(quality, pipeline::parse_goals("mode 2<0.05Hz, hoop 1 < 1 Hz, mode 1<1Hz")),
+      "the goal mode 2 < 0.05 Hz is not met, ± 0.1 Hz; the goal hoop 1 < 1 Hz is not met: no such mode was found; "
+      "the goal mode 1 < 1 Hz is met, ± 0.012 Hz");
   EXPECT_EQ(pipeline::quality_text({.blows = 1}), "1 blow, no modes yet");
 }
 

@@ -69,6 +69,33 @@ TEST(SampleHistory, KnowsOverrunsAndValuesThatAreNoNumbers) {
   EXPECT_EQ(losses[1].frames, 2U);
 }
 
+// One run, whatever the blocks and the other channels.
+TEST(SampleHistory, JoinsSamplesWithoutNumbersAcrossBlocks) {
+  SampleHistory history(2);
+  for (std::uint64_t first = 0; first < 40; first += 10) {
+    SampleBlock dead = block(first, 10);
+    for (std::size_t i = 1; i < dead.values.size(); i += 2) dead.values[i] = std::numeric_limits<double>::quiet_NaN();
+    if (first == 20) dead.values[0] = std::numeric_limits<double>::infinity();
+    history.add(dead);
+  }
+  const auto losses = history.losses(5, 40);
+  ASSERT_EQ(losses.size(), 2U);
+  EXPECT_EQ(losses[0].frame, 0U);
+  EXPECT_EQ(losses[0].frames, 40U);
+  EXPECT_EQ(losses[0].channel, 1U);
+  EXPECT_EQ(losses[1].frame, 20U);
+  EXPECT_EQ(losses[1].channel, 0U);
+}
+
+// Frames in a gap read alike whether or not older ones were forgotten.
+TEST(SampleHistory, KeepsTheValueBeforeAGap) {
+  SampleHistory history(2);
+  history.add(block(0, 10));
+  history.add(block(50, 10));
+  history.discard_before(30);
+  EXPECT_THAT(read(history, 0, 48, 4), ElementsAre(9, 9, 50, 51));
+}
+
 TEST(SampleHistory, ForgetsAndIgnoresWhatItKnows) {
   SampleHistory history(2);
   for (std::uint64_t first = 0; first < 100; first += 10) history.add(block(first, 10));

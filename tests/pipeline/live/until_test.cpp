@@ -50,6 +50,18 @@ TEST(Until, SaysWhatItDoesNotUnderstand) {
   EXPECT_THAT(problem_of("hoop1<1kHz"), HasSubstr("not Hz or %"));
 }
 
+// Both modes of a split pair have one name.
+TEST(Until, HoldsForBothModesOfASplitPair) {
+  const SessionQuality quality{.blows = 4,
+                               .modes = {{.type = ModeType::hoop, .order = 1, .freq_Hz = 1900, .freq_std_Hz = 0.01},
+                                         {.type = ModeType::hoop, .order = 1, .freq_Hz = 1912, .freq_std_Hz = 0.06}}};
+  const auto met = [&](const char* goals) { return all_met(parse_goals(goals), quality); };
+  EXPECT_FALSE(met("hoop 1 < 0.05 Hz"));
+  EXPECT_TRUE(met("hoop 1 < 0.07 Hz"));
+  EXPECT_TRUE(met("mode 1 < 0.05 Hz"));
+  EXPECT_EQ(mode_of(parse_goals("hoop 1 < 0.05 Hz").front(), quality), 1U);
+}
+
 TEST(Until, IsMetWhenEveryModeIsKnownWellEnough) {
   SessionQuality quality{.blows = 4,
                          .modes = {{.type = ModeType::bending, .order = 1, .freq_Hz = 200, .freq_std_Hz = 0.01},

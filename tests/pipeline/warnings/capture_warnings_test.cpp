@@ -20,6 +20,17 @@ TEST(CaptureWarnings, CountTheLostSamples) {
       << warnings[0].message;
 }
 
+TEST(CaptureWarnings, CountWhatIsKnown) {
+  acquire::Record record;
+  const auto message = [&] { return pipeline::capture_warnings(record).at(0).message; };
+  record.faults = {{.kind = FaultKind::overrun, .row = -1, .time_s = 20}};
+  EXPECT_TRUE(message().starts_with("the capture lost an unknown number of samples in 1 place, first at 20.0 s"));
+  record.faults.push_back({.kind = FaultKind::dropped, .row = -1, .time_s = 30, .value = 40});
+  EXPECT_TRUE(message().starts_with("the capture lost at least 40 samples per channel in 2 places, first at 20.0 s"));
+  record.faults = {{.kind = FaultKind::not_a_number, .row = 0, .time_s = 2, .value = 7}};
+  EXPECT_TRUE(message().starts_with("7 captured samples are no numbers, in 1 place, first at 2.0 s"));
+}
+
 TEST(CaptureWarnings, TellOfTheClockAndOfTheEnd) {
   acquire::Record record;
   record.faults = {{.kind = FaultKind::clock_drift, .value = 5e-5}};  // a usual quartz

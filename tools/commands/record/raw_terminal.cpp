@@ -16,30 +16,38 @@ volatile std::sig_atomic_t raw_terminal = -1;
 volatile std::sig_atomic_t arrived_signal = 0;
 
 constexpr std::array kFinishing{SIGINT, SIGTERM, SIGHUP};
-constexpr std::array kFatal{SIGQUIT, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTSTP};
+constexpr std::array kFatal{SIGQUIT, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL};
 std::array<struct sigaction, kFinishing.size()> before_finishing;
 std::array<struct sigaction, kFatal.size()> before_fatal;
-struct sigaction before_pipe, before_continue;
+struct sigaction before_pipe, before_stop, before_continue;
+volatile std::sig_atomic_t continued = 0;
+
+// The functions up to install() are called by handlers: tcgetpgrp, tcsetattr and sigaction are safe there. Setting the
+// mode from the background would stop the process with SIGTTOU.
+bool may_set_mode() { return raw_terminal >= 0 && ::tcgetpgrp(raw_terminal) == ::getpgrp(); }
 
 void apply_raw_mode() {
+  if (!may_set_mode()) return;
   termios raw = saved_mode;
   raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
   raw.c_cc[VMIN] = 1;
   raw.c_cc[VTIME] = 0;
-  ::tcsetattr(raw_terminal, TCSADRAIN, &raw);
+  ::tcsetattr(raw_terminal, TCSANOW, &raw);
 }
 
-// tcsetattr is safe in handlers.
 void restore_mode() {
-  if (raw_terminal >= 0) ::tcsetattr(raw_terminal, TCSANOW, &saved_mode);
+  if (may_set_mode()) ::tcsetattr(raw_terminal, TCSANOW, &saved_mode);
 }
 
 extern "C" void finish_session(int signal) {
+  const bool second = arrived_signal != 0;
   arrived_signal = signal;
-  if (signal == SIGINT) {  // the second one ends the process
-    restore_mode();
-    ::sigaction(SIGINT, before_finishing.data(), nullptr);
+  if (!second) return;
+  restore_mode();
+  for (std::size_t i = 0; i < kFinishing.size(); ++i) {
+    if (kFinishing[i] == signal) ::sigaction(signal, &before_finishing[i], nullptr);
   }
+  std::raise(signal);
 }
 
 // Restores the terminal, then lets the signal do what it did before.
@@ -51,12 +59,34 @@ extern "C" void restore_and_raise(int signal) {
   std::raise(signal);
 }
 
-extern "C" void continue_raw(int /*signal*/) {
-  if (raw_terminal < 0) return;
-  apply_raw_mode();
+extern "C" void stop_process(int signal);
+
+void set_handler(int signal, void (*handler)(int)) {
   struct sigaction action {};
-  action.sa_handler = restore_and_raise;
-  ::sigaction(SIGTSTP, &action, nullptr);
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  ::sigaction(signal, &action, nullptr);
+}
+
+// Stops here until SIGCONT; a process that nobody could continue does not stop.
+extern "C" void stop_process(int signal) {
+  restore_mode();
+  ::sigaction(signal, &before_stop, nullptr);
+  sigset_t this_one, before;
+  ::sigemptyset(&this_one);
+  ::sigaddset(&this_one, signal);
+  std::raise(signal);
+  ::pthread_sigmask(SIG_UNBLOCK, &this_one, &before);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  set_handler(signal, stop_process);
+  apply_raw_mode();
+  continued = 1;
+}
+
+// After a stop in the background, or by SIGSTOP.
+extern "C" void continue_raw(int /*signal*/) {
+  apply_raw_mode();
+  continued = 1;
 }
 
 void install(int signal, void (*handler)(int), struct sigaction& before) {
@@ -68,22 +98,32 @@ void install(int signal, void (*handler)(int), struct sigaction& before) {
 
 }  // namespace
 
+bool in_foreground(int terminal) { return ::tcgetpgrp(terminal) == ::getpgrp(); }
+
 void enter_raw_mode(int terminal) {
   if (::tcgetattr(terminal, &saved_mode) != 0) return;
   raw_terminal = terminal;
   static const int kRegistered = std::atexit(restore_mode);
   static_cast<void>(kRegistered);
   for (std::size_t i = 0; i < kFatal.size(); ++i) install(kFatal[i], restore_and_raise, before_fatal[i]);
+  install(SIGTSTP, stop_process, before_stop);
   install(SIGCONT, continue_raw, before_continue);
   apply_raw_mode();
 }
 
-void leave_raw_mode() {
+void leave_raw_mode(bool drain) {
   if (raw_terminal < 0) return;
-  restore_mode();
+  if (may_set_mode()) ::tcsetattr(raw_terminal, drain ? TCSADRAIN : TCSANOW, &saved_mode);
   raw_terminal = -1;
   for (std::size_t i = 0; i < kFatal.size(); ++i) ::sigaction(kFatal[i], &before_fatal[i], nullptr);
+  ::sigaction(SIGTSTP, &before_stop, nullptr);
   ::sigaction(SIGCONT, &before_continue, nullptr);
+}
+
+bool has_continued() {
+  const bool was = continued != 0;
+  continued = 0;
+  return was;
 }
 
 SessionSignals::SessionSignals() {

@@ -2,12 +2,20 @@
 
 namespace percuss::tools {
 
-/// Lets a terminal deliver keys one by one, without echo. Its mode is restored by leave_raw_mode(), at the end of the
-/// process, and by every signal that ends or stops it and can be caught.
-void enter_raw_mode(int terminal);
-void leave_raw_mode();
+/// Whether this process may read the terminal and set its mode: a job in the background would be stopped.
+bool in_foreground(int terminal);
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP ask the session to finish; the second SIGINT ends the process as before.
+/// Lets a terminal deliver keys one by one, without echo. Its mode is restored by leave_raw_mode(), at the end of the
+/// process, and by every signal that ends or stops it and can be caught. When the process goes on in the foreground,
+/// the mode is set again.
+void enter_raw_mode(int terminal);
+/// `drain`: after all that was written has been shown, which waits for ever if the terminal is stopped.
+void leave_raw_mode(bool drain);
+/// Whether the process was stopped and goes on, since the last call.
+bool has_continued();
+
+/// While it lives, SIGINT, SIGTERM and SIGHUP ask the session to finish; a second one ends the process as before, after
+/// the terminal's mode is restored.
 /// Writing to a closed pipe is an error, not a signal.
 class SessionSignals {
  public:

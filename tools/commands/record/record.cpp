@@ -1,21 +1,45 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "commands/commands.hpp"
 #include "commands/record/record_flags.hpp"
 
 namespace percuss::tools {
+namespace {
+
+// "hits", "output", … of the options on the command line.
+std::vector<std::string> given_options(const Command& command) {
+  std::vector<std::string> names;
+  for (const char* heading : {"", kReadingHeading}) {
+    for (const std::string& word : command.given(heading)) {
+      const std::size_t first = word.find_first_not_of('-');
+      names.push_back(word.substr(first, word.find('=') - first));
+    }
+  }
+  return names;
+}
+
+}  // namespace
 
 void add_record(CommandLine& line) {
   auto flags = line.values<RecordFlags>();
-  Command command = line.command("record", "Record a hammer test with guidance: each blow is graded at once",
-                                 [flags] { return run_record(*flags); });
+  auto declared = std::make_shared<std::optional<Command>>();
+  Command command =
+      line.command("record", "Record a hammer test with guidance: each blow is graded at once", [flags, declared] {
+        flags->given = given_options(**declared);
+        return run_record(*flags);
+      });
   command.about(
       "Records blows of a hammer from a device, one row per blow, and says after each whether it counts, and otherwise "
       "what to do. Goes from point to point of a geometry. Rejected blows stay in the file, marked. Every sample since "
       "the first blow goes to a journal beside the file as it arrives; after a kill or a loss of power, --resume goes "
       "on. Keys on a terminal: space pauses, u undoes the last accepted blow, r repeats the point, n goes to the next "
-      "point, g to a point by its number, q finishes. Without a terminal, it runs until every point has its blows. "
-      "Exit "
-      "code 0: every point has its blows, the goal of --until is met, or q was pressed; 4: no blow counts; 6: the "
-      "device or a signal ended the session early, and the file holds what was recorded.");
+      "point, g to a point by its number, q finishes and writes what is there. Without a terminal, it runs until every "
+      "point has its blows. Exit code 0: every point has its blows, the goal of --until is met, or q was pressed; 4: "
+      "no blow counts; 6: the device or a signal ended the session early; the file holds what was recorded, and "
+      "--resume goes on.");
   command.example("percuss record -o test.h5 --device sim:aluminium-bat --fast",
                   "Try it with a simulated bat, faster than real time");
   command.example(
@@ -71,12 +95,13 @@ void add_record(CommandLine& line) {
   command.value("--report", flags->report, "Write the report of the test at the end (.html or .pdf)").type("FILE");
   command
       .value("--resume", flags->resume,
-             "Go on with the interrupted session that was recording this file, with its options")
+             "Go on with the interrupted session that was recording this file, with its options; others are refused")
       .type("FILE");
   command.flag("--fast", flags->fast, "Do not wait for real time: for sim: and file: only");
   command.flag("--json", flags->json, "Print the analysis as one JSON document; guidance goes to standard error");
   command.flag("--force", flags->force, "Overwrite existing files");
   command.flag("--quiet", flags->quiet, "Print no lines and ring no bell");
+  *declared = command;
 }
 
 }  // namespace percuss::tools

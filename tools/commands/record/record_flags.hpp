@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -23,10 +24,16 @@ struct RecordFlags {
   std::string report;
   ReadFlags read;  // --setup
   bool fast = false, json = false, force = false, quiet = false;
+  std::vector<std::string> given;  // the options on the command line: "hits"
+
+  bool is_given(const std::string& option) const {
+    return std::find(given.begin(), given.end(), option) != given.end();
+  }
 };
 
-/// The options that a resumed session takes from its journal, as one line of JSON, and back.
-/// errors  InputError at `where`: not such a text.
+/// The options that a resumed session takes from its journal, as one line of JSON, and back. The report and the pace
+/// may be given anew.
+/// errors  InputError at `where`: not such a text; OptionError: a given option contradicts the session
 std::string settings_json(const RecordFlags& flags);
 bool is_settings(const std::string& event);
 void restore_settings(const std::string& event, const std::string& where, RecordFlags& flags);

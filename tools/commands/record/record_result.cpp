@@ -4,15 +4,16 @@
 #include <utility>
 #include <vector>
 
+#include "cli/exit_code.hpp"
 #include "cli/host.hpp"
+#include "cli/output.hpp"
 #include "commands/commands.hpp"
-#include "pipeline/run_analyses.hpp"
 #include "report/json/analysis_json.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::tools {
 
-void write_session_report(const RecordFlags& flags) {
+int write_session_report(const RecordFlags& flags) {
   const bool survey = !flags.geometry.empty();
   std::vector<std::string> words{"percuss", survey ? "survey" : "analyze", flags.output, "-o", flags.report, "--force"};
   if (!flags.band.empty()) words.insert(words.end(), {"--band", flags.band});
@@ -25,19 +26,26 @@ void write_session_report(const RecordFlags& flags) {
   std::vector<const char*> arguments;
   arguments.reserve(words.size());
   for (const std::string& word : words) arguments.push_back(word.c_str());
-  line.run(static_cast<int>(arguments.size()), arguments.data());
+  const int code = line.run(static_cast<int>(arguments.size()), arguments.data());
+  if (code == kOk) return code;
+  for (const Message& note : host.outcome.notes) print_note({}, note);
+  print_note({}, {"the report was not written, or is not complete", {"report"}});
+  return code;
 }
 
-std::string session_document(acquire::Record record, const std::string& path,
-                             const pipeline::AnalysisOptions& options) {
+SessionResult::SessionResult(acquire::Record record, const std::string& path, const pipeline::AnalysisOptions& options,
+                             std::size_t accepted) {
   record.files = {{.path = path, .bytes = std::filesystem::file_size(path)}};
   std::vector<acquire::Record> records;
   records.push_back(std::move(record));
-  const auto runs = pipeline::analyses_of_runs(std::move(records), options);
-  const pipeline::Analysis& analysis = *runs.front().analysis;
-  analysis.hits();
-  if (analysis.possible()) analysis.compute_modes_and_frfs();
-  return report::analysis_json({{.run = runs.front().run, .analysis = &analysis}});
+  runs_ = pipeline::analyses_of_runs(std::move(records), options);
+  if (accepted > 0) quality_ = pipeline::quality_of(analysis(), accepted);
+}
+
+std::string SessionResult::document() const {
+  analysis().hits();
+  if (analysis().possible()) analysis().compute_modes_and_frfs();
+  return report::analysis_json({{.run = runs_.front().run, .analysis = &analysis()}});
 }
 
 }  // namespace percuss::tools

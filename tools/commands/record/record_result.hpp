@@ -1,15 +1,34 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "acquire/record/record.hpp"
 #include "commands/record/record_flags.hpp"
-#include "pipeline/analysis_options.hpp"
+#include "pipeline/live/session_quality.hpp"
+#include "pipeline/run_analyses.hpp"
 
 namespace percuss::tools {
 
-/// Writes the report by the same command that makes it from the file later: analyze, or survey with a geometry.
-void write_session_report(const RecordFlags& flags);
+/// The analysis of a finished session, computed once: from the session's own samples, with the options of
+/// `percuss analyze`.
+class SessionResult {
+ public:
+  /// `record` is the session's, `path` the file that was written, `accepted` the number of blows that count.
+  SessionResult(acquire::Record record, const std::string& path, const pipeline::AnalysisOptions& options,
+                std::size_t accepted);
 
-/// The document that `percuss analyze FILE --json` prints, from the session's own samples. `record` is the session's,
-/// `path` the file that was written.
-std::string session_document(acquire::Record record, const std::string& path, const pipeline::AnalysisOptions& options);
+  const pipeline::Analysis& analysis() const { return *runs_.front().analysis; }
+  const pipeline::SessionQuality& quality() const { return quality_; }
+  /// The document that `percuss analyze FILE --json` prints.
+  std::string document() const;
+
+ private:
+  std::vector<pipeline::RunAnalysis> runs_;
+  pipeline::SessionQuality quality_;
+};
+
+/// Writes the report by the same command that makes it from the file later: analyze, or survey with a geometry. Returns
+/// the command's exit code. errors  as that command's
+int write_session_report(const RecordFlags& flags);
 
 }  // namespace percuss::tools

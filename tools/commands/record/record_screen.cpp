@@ -90,32 +90,43 @@ void RecordScreen::on_blow(const pipeline::BlowReport& blow) {
 }
 
 void RecordScreen::on_regraded(std::size_t row, acquire::RowMark mark) {
-  if (!silent_)
-    note(fmt::format("  row {} of the record does not count any longer: {}", row + 1, acquire::reason_of(mark)));
+  if (silent_) return;
+  ask_ = true;
+  note(fmt::format("  row {} of the record does not count any longer: {}", row + 1, acquire::reason_of(mark)));
 }
 
 void RecordScreen::on_command(const pipeline::SessionEvent& command) {
-  if (!silent_) note("  " + command_text(command.kind, guide_->session()));
+  if (silent_) return;
+  note("  " + command_text(command.kind, guide_->session()));
+  ask_ = ask_ || command.kind == Kind::undo || command.kind == Kind::redo;
 }
 
 void RecordScreen::on_length(std::size_t samples) {
   if (!silent_) note(fmt::format("  each blow takes {:.2f} s", static_cast<double>(samples) / fs_Hz_));
 }
 
+void RecordScreen::on_left_out(std::uint64_t frame) {
+  if (!silent_) note(pipeline::left_out_text(static_cast<double>(frame) / fs_Hz_));
+}
+
+void RecordScreen::on_fault(const acquire::CaptureFinding& fault) {
+  if (!silent_ && fault.fault != acquire::CaptureFault::resumed) note(pipeline::fault_text(fault, guide_->channels()));
+}
+
 void RecordScreen::on_goals_met() {
   if (!silent_) note("  the goal is met");
 }
 
-void RecordScreen::end(const pipeline::Guide& guide, const acquire::Record& record,
-                       const pipeline::AnalysisOptions& options) {
+void RecordScreen::end(const pipeline::Guide& guide, const SessionResult& result) {
   terminal_.prompt("");
   note(fmt::format("{}: {}", flags_.output, pipeline::summary_text(guide.session())));
   if (guide.session().accepted() == 0) return;
-  note(pipeline::quality_text(pipeline::session_quality(guide.accepted_record(), options)));
-  const pipeline::Analysis analysis(record, options);
+  note(pipeline::quality_text(result.quality()));
+  if (!goals_.empty()) note(pipeline::goals_text(result.quality(), goals_));
   try {
-    for (const pipeline::AnalysedHit& hit : analysis.hits()) {
-      if (hit.accepted || record.rows[hit.hit.row].mark != acquire::RowMark::none || hit.hit.findings.empty()) continue;
+    for (const pipeline::AnalysedHit& hit : result.analysis().hits()) {
+      const bool counted = guide.session().blows()[hit.hit.row].accepted();
+      if (hit.accepted || !counted || hit.hit.findings.empty()) continue;
       note(fmt::format("  the analysis of all blows leaves out row {}: {}", hit.hit.row + 1,
                        hit.hit.findings.front().message));
     }

@@ -5,6 +5,7 @@
 
 #include "acquire/live/sample_stream.hpp"
 #include "commands/record/record_flags.hpp"
+#include "commands/record/record_result.hpp"
 #include "commands/record/record_terminal.hpp"
 #include "pipeline/live/guidance_text.hpp"
 #include "pipeline/live/guide.hpp"
@@ -23,12 +24,14 @@ class RecordScreen : public pipeline::GuideObserver {
   /// Shows the prompt and, on a terminal, what the test is worth.
   void update(const pipeline::Guide& guide);
   /// The summary. Names accepted blows that the analysis of all blows rejects.
-  void end(const pipeline::Guide& guide, const acquire::Record& record, const pipeline::AnalysisOptions& options);
+  void end(const pipeline::Guide& guide, const SessionResult& result);
 
   void on_blow(const pipeline::BlowReport& blow) override;
   void on_regraded(std::size_t row, acquire::RowMark mark) override;
   void on_command(const pipeline::SessionEvent& command) override;
   void on_length(std::size_t samples) override;
+  void on_left_out(std::uint64_t frame) override;
+  void on_fault(const acquire::CaptureFinding& fault) override;
   void on_goals_met() override;
 
  private:
@@ -42,7 +45,7 @@ class RecordScreen : public pipeline::GuideObserver {
   const pipeline::Guide* guide_ = nullptr;
   double fs_Hz_ = 0;
   bool silent_ = false;  // while the journal is replayed
-  bool ask_ = false;     // an accepted blow has come
+  bool ask_ = false;     // other blows count than before
   std::optional<pipeline::QualityWorker> worker_;
 };
 

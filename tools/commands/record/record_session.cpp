@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -10,7 +11,6 @@
 #include <utility>
 
 #include "acquire/live/capture_stream.hpp"
-#include "acquire/live/journal_reader.hpp"
 #include "acquire/live/open_device.hpp"
 #include "acquire/write_record.hpp"
 #include "cli/analysis_flags.hpp"
@@ -22,6 +22,7 @@
 #include "commands/record/record_flags.hpp"
 #include "commands/record/record_plan.hpp"
 #include "commands/record/record_result.hpp"
+#include "commands/record/record_resume.hpp"
 #include "commands/record/record_screen.hpp"
 #include "commands/record/record_terminal.hpp"
 #include "core/error.hpp"
@@ -35,91 +36,44 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using acquire::CaptureFault, acquire::FaultKind, acquire::StreamEnd;
+using acquire::CaptureFault, acquire::StreamEnd;
 using Kind = pipeline::SessionEvent::Kind;
 
-constexpr std::size_t kReplay_frames = 8192;
 constexpr double kKeptBefore_s = 1;  // of silence before the first blow, in the journal
 
-// Only a device that makes the same samples again goes on where the session was interrupted.
-bool repeats_itself(const std::string& device) { return device.starts_with("sim:") || device.starts_with("file:"); }
-
-struct Interrupted {
-  std::unique_ptr<acquire::JournalReader> journal;
-  std::vector<pipeline::SessionEvent> events;
+struct Recording {
+  std::unique_ptr<acquire::CaptureStream> stream;
+  pipeline::LiveChannels channels;
 };
 
-Interrupted open_interrupted(RecordFlags& flags) {
-  const std::string path = journal_of(flags.resume);
-  if (!fs::exists(path)) {
-    throw InputError("no journal of an interrupted session", path,
-                     fs::exists(flags.resume) ? "the session was finished: analyse the file" : "record it anew");
-  }
-  Interrupted out{.journal = std::make_unique<acquire::JournalReader>(path), .events = {}};
-  bool settings = false;
-  for (const acquire::JournalEvent& event : out.journal->events()) {
-    if (is_settings(event.json)) {
-      if (!std::exchange(settings, true)) restore_settings(event.json, path, flags);
-    } else {
-      out.events.push_back(pipeline::parse_session_event(event.json, path));
-    }
-  }
-  if (!settings) throw InputError("the journal has no options of a session", path, "record it anew");
-  flags.output = flags.resume;
-  flags.force = true;
-  return out;
-}
-
-std::unique_ptr<acquire::CaptureStream> open_stream(const RecordFlags& flags, const Interrupted& interrupted) {
+// The set-up is checked against the device before there is a journal.
+Recording open_recording(const RecordFlags& flags, const Interrupted& interrupted) {
   const bool resumed = interrupted.journal != nullptr;
-  acquire::DeviceOptions device{.fs_Hz = flags.fs_Hz, .fast = flags.fast};
+  acquire::DeviceOptions wanted{.fs_Hz = flags.fs_Hz, .fast = flags.fast};
   acquire::CaptureOptions options{
       .journal = journal_of(flags.output), .overwrite = flags.force, .resume = resumed, .channels = {}};
   for (const std::size_t channel : flags.channels) {
     if (channel == 0) throw OptionError::wrong_value("channels", "0", "count channels from 1");
     options.channels.push_back(channel - 1);
+    wanted.channels = std::max(wanted.channels.value_or(0), channel);
   }
   if (resumed && repeats_itself(flags.device)) {
-    device.start_frame = interrupted.journal->end_frame();
+    wanted.start_frame = interrupted.journal->end_frame();
     options.seamless = true;
   }
-  return std::make_unique<acquire::CaptureStream>(
-      acquire::open_device(flags.device, device, synth::open_simulated_device), options);
+  auto device = acquire::open_device(flags.device, wanted, synth::open_simulated_device);
+  Recording out{.stream = nullptr,
+                .channels = pipeline::live_channels(acquire::stream_format(device->format(), options.channels),
+                                                    resolved_read_options(flags.read))};
+  out.stream = std::make_unique<acquire::CaptureStream>(std::move(device), options);
+  return out;
 }
 
-void replay(const acquire::JournalReader& journal, pipeline::Guide& guide) {
-  std::uint64_t end = 0;
-  for (const acquire::FrameRange& range : journal.ranges()) {
-    for (std::uint64_t at = 0; at < range.frames; at += kReplay_frames) {
-      const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(kReplay_frames, range.frames - at));
-      guide.take({.first_frame = range.first + at,
-                  .frames = count,
-                  .values = journal.read(range.first + at, count),
-                  .overrun = at == 0 && end > 0 && range.first == end});
-    }
-    end = range.first + range.frames;
-  }
-}
-
-std::optional<FaultKind> stored_kind(CaptureFault fault) {
-  switch (fault) {
-    case CaptureFault::clock_drift:
-      return FaultKind::clock_drift;
-    case CaptureFault::unplugged:
-      return FaultKind::unplugged;
-    case CaptureFault::rate_changed:
-      return FaultKind::rate_changed;
-    case CaptureFault::failed:
-      return FaultKind::failed;
-    default:
-      return {};  // the guide sees the others in the samples, or they are about the journal
-  }
-}
-
+// The guide tells of losses where the samples show them. Troubles of the disk do not wait for samples.
 void take_findings(acquire::CaptureStream& stream, pipeline::Guide& guide, RecordScreen& screen) {
   for (const acquire::CaptureFinding& finding : stream.take_findings()) {
-    if (const auto kind = stored_kind(finding.fault)) guide.add_fault(*kind, finding.frame, finding.value);
-    if (finding.fault != CaptureFault::resumed && finding.fault != CaptureFault::overload)
+    guide.add_finding(finding);
+    if (finding.fault == CaptureFault::journal_failed || finding.fault == CaptureFault::not_in_journal)
       screen.note(acquire::finding_text(finding));
   }
 }
@@ -137,9 +91,15 @@ void press(const PressedKey& key, pipeline::Guide& guide, RecordScreen& screen) 
       return guide.command(Kind::next);
     case RecordKey::finish:
       return guide.command(Kind::finish);
-    case RecordKey::go_to:
-      if (key.number >= 1 && key.number <= points.size()) return guide.command(Kind::go_to, points[key.number - 1]);
-      screen.note(fmt::format("there is no point {}; points count from 1 to {}", key.number, points.size()));
+    case RecordKey::go_to: {
+      const auto number = static_cast<int>(key.number);
+      if (guide.session().has_point(number)) return guide.command(Kind::go_to, number);
+      const auto [lowest, highest] = std::minmax_element(points.begin(), points.end());
+      screen.note(points.size() == 1
+                      ? fmt::format("there is no point {}; the test has one point", number)
+                      : fmt::format("there is no point {}; the geometry numbers its points from {} to {}", number,
+                                    *lowest, *highest));
+    }
   }
 }
 
@@ -159,10 +119,10 @@ StreamEnd record_blows(acquire::CaptureStream& stream, pipeline::Guide& guide, R
     screen.update(guide);
     if (!block && stream.end() != StreamEnd::none) break;
   }
-  const StreamEnd end = stream.end();
+  const StreamEnd end = guide.session().finished() ? StreamEnd::none : stream.end();
   stream.stop();
-  if (!guide.session().finished()) guide.finish();
   take_findings(stream, guide, screen);
+  guide.finish();
   return end;
 }
 
@@ -178,17 +138,55 @@ int list_devices() {
   return line.run(static_cast<int>(kWords.size()), kWords.data());
 }
 
-void check_paths(const RecordFlags& flags) {
+void check_files(const RecordFlags& flags) {
   if (flags.output.empty()) throw OptionError({"output"}, "is missing", "name the file to record, such as -o test.h5");
-  const std::string kind = extension_of(flags.output);
-  if (kind != ".h5" && kind != ".hdf5")
-    throw OptionError::wrong_value("output", flags.output, "name a file that ends in .h5 or .hdf5");
-  for (const std::string& path : {flags.output, flags.report}) {
-    if (!path.empty() && !flags.force && fs::exists(path))
-      throw InputError("file exists", path, "give another name, or overwrite it", {"force"});
+  check_outputs({.paths = {flags.output}, .force = flags.force}, {".h5", ".hdf5"});
+  if (!flags.report.empty()) check_outputs({.paths = {flags.report}, .force = flags.force}, {".html"});
+}
+
+bool is_fault(StreamEnd end) {
+  return end == StreamEnd::unplugged || end == StreamEnd::rate_changed || end == StreamEnd::failed;
+}
+
+// Records, and writes the file. The exit code; `document` is for --json.
+int record_file(const RecordFlags& flags, const Interrupted& interrupted, pipeline::GuideOptions options,
+                std::string& document) {
+  const auto analysis = options.analysis;
+  Recording recording = open_recording(flags, interrupted);
+  std::unique_ptr<acquire::CaptureStream>& stream = recording.stream;
+  const bool resumed = interrupted.journal != nullptr;
+  if (!resumed) stream->append_event(settings_json(flags));  // at once: a kill may follow
+  const acquire::StreamFormat format = stream->format();
+  const SessionSignals signals;
+  RecordTerminal terminal(STDIN_FILENO, flags.json ? STDERR_FILENO : STDOUT_FILENO, flags.quiet);
+  RecordScreen screen(terminal, flags, options);
+  pipeline::Guide guide(format, std::move(recording.channels), std::move(options), *stream, screen);
+  screen.begin(format, guide);
+  if (resumed) {
+    replay(interrupted, repeats_itself(flags.device), guide);
+    screen.resumed(guide);
   }
-  if (!flags.report.empty() && !is_page(flags.report))
-    throw OptionError::wrong_value("report", flags.report, "name a file that ends in .html or .pdf");
+  const StreamEnd end = record_blows(*stream, guide, terminal, screen);
+  const pipeline::Session& session = guide.session();
+  const int code = exit_code_of(session, end != StreamEnd::none || SessionSignals::arrived() != 0);
+  if (end == StreamEnd::finished && !session.finished())
+    screen.note("the device ended before every point had its blows");
+  stream.reset();
+  if (session.blows().empty()) {
+    screen.note("no blow was recorded, so no file is written");
+    if (!is_fault(end)) fs::remove(journal_of(flags.output));
+    return kImpossible;
+  }
+  acquire::write_record(flags.output, guide.record(), flags.force);
+  if (code == kPartial || (code == kImpossible && is_fault(end))) {
+    screen.note(fmt::format("the file holds the blows so far; go on with: percuss record --resume {}", flags.output));
+  } else {
+    fs::remove(journal_of(flags.output));  // the file is whole, and on the disk
+  }
+  const SessionResult result(guide.record(), flags.output, analysis, session.accepted());
+  screen.end(guide, result);
+  if (flags.json) document = result.document();
+  return code;
 }
 
 }  // namespace
@@ -197,52 +195,18 @@ int run_record(RecordFlags flags) {
   if (flags.device == "list") return list_devices();
   Interrupted interrupted;
   if (!flags.resume.empty()) interrupted = open_interrupted(flags);
-  check_paths(flags);
+  check_files(flags);
   if (flags.device.empty()) throw OptionError({"device"}, "is missing", "name what records; percuss devices lists it");
-  pipeline::GuideOptions options = guide_options(flags);
-  const auto analysis = options.analysis;
-  auto stream = open_stream(flags, interrupted);
-  if (interrupted.journal == nullptr) stream->append_event(settings_json(flags));  // at once: a kill may follow
-  const acquire::StreamFormat format = stream->format();
-  pipeline::LiveChannels channels = pipeline::live_channels(format, resolved_read_options(flags.read));
-  int code = kOk;
   std::string document;
-  {
-    const SessionSignals signals;
-    RecordTerminal terminal(STDIN_FILENO, flags.json ? STDERR_FILENO : STDOUT_FILENO, flags.quiet);
-    RecordScreen screen(terminal, flags, options);
-    pipeline::Guide guide(format, std::move(channels), std::move(options), *stream, screen);
-    screen.begin(format, guide);
-    if (interrupted.journal != nullptr) {
-      guide.resume_from(interrupted.events);
-      replay(*interrupted.journal, guide);
-      screen.resumed(guide);
-    }
-    const StreamEnd end = record_blows(*stream, guide, terminal, screen);
-    const bool device_failed =
-        end == StreamEnd::unplugged || end == StreamEnd::rate_changed || end == StreamEnd::failed;
-    code = exit_code_of(guide.session(), device_failed || end == StreamEnd::finished || SessionSignals::arrived() != 0);
-    if (end == StreamEnd::finished && !guide.session().complete() && !guide.session().finished())
-      screen.note("the device ended before every point had its blows");
-    stream.reset();
-    if (guide.session().blows().empty()) {
-      screen.note("no blow was recorded, so no file is written");
-      if (!device_failed) fs::remove(journal_of(flags.output));
-      return kImpossible;
-    }
-    const acquire::Record record = guide.record();
-    acquire::write_record(flags.output, record, flags.force);
-    if (device_failed) {
-      screen.note(fmt::format("the file holds the blows so far; go on with: percuss record --resume {}", flags.output));
-    } else {
-      fs::remove(journal_of(flags.output));  // the file is whole, and on the disk
-    }
-    screen.end(guide, record, analysis);
-    if (flags.json) document = session_document(record, flags.output, analysis);
-  }
-  if (!flags.report.empty() && code != kImpossible) write_session_report(flags);
+  const int code = record_file(flags, interrupted, guide_options(flags), document);
   if (flags.json) std::cout << document << std::flush;
-  return code;
+  if (flags.report.empty()) return code;
+  if (code == kImpossible) {
+    print_note({}, {"no report is written, because no blow counts", {"report"}});
+    return code;
+  }
+  const int reported = write_session_report(flags);
+  return code == kOk ? reported : code;
 }
 
 }  // namespace percuss::tools

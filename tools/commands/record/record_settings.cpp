@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "cli/option_error.hpp"
 #include "commands/record/record_flags.hpp"
 #include "core/error.hpp"
 
@@ -40,12 +41,28 @@ struct Write {
 
 struct Read {
   const nlohmann::json& in;
+  const RecordFlags& typed;
+
   template <class Value>
   void operator()(const char* key, Value& value) const {
-    value = in.at(key).get<Value>();
+    if (!keep_typed(key, in.at(key), value)) value = in.at(key).get<Value>();
   }
   void operator()(const char* key, std::optional<double>& value) const {
-    if (in.contains(key)) value = in.at(key).get<double>();
+    const nlohmann::json stored = in.contains(key) ? in.at(key) : nlohmann::json();
+    if (keep_typed(key, stored, value ? nlohmann::json(*value) : nlohmann::json())) return;
+    if (!stored.is_null()) value = stored.get<double>();
+  }
+
+ private:
+  // Whether the option on the command line holds: it says the same, or may differ.
+  bool keep_typed(const std::string& key, const nlohmann::json& stored, const nlohmann::json& value) const {
+    if (!typed.is_given(key)) return false;
+    if (stored == value || key == "report" || key == "fast") return true;
+    const bool absent = stored.is_null() || stored == "" || stored == nlohmann::json::array();
+    throw OptionError({key},
+                      absent ? "contradicts the session, which began without it"
+                             : "contradicts the session, which began with " + one_line(stored.dump(), 60),
+                      "leave it out: a resumed session keeps its options");
   }
 };
 
@@ -62,7 +79,8 @@ bool is_settings(const std::string& event) { return event.starts_with(R"({"event
 void restore_settings(const std::string& event, const std::string& where, RecordFlags& flags) {
   try {
     const auto in = nlohmann::json::parse(event);
-    each_setting(flags, Read{in});
+    const RecordFlags typed = flags;
+    each_setting(flags, Read{in, typed});
   } catch (const nlohmann::json::exception&) {
     throw InputError("the options of the session cannot be read", where, "record it again, with the options");
   }

@@ -43,7 +43,10 @@ std::string fitting(const std::string& text, std::size_t columns) {
 }  // namespace
 
 RecordTerminal::RecordTerminal(int input, int output, bool quiet)
-    : input_(input), output_(output), quiet_(quiet), interactive_(::isatty(input) == 1 && ::isatty(output) == 1) {
+    : input_(input),
+      output_(output),
+      quiet_(quiet),
+      interactive_(::isatty(input) == 1 && ::isatty(output) == 1 && in_foreground(input)) {
   if (::pipe2(wake_.data(), O_CLOEXEC | O_NONBLOCK) != 0)
     throw_system_error("cannot watch the terminal", errno, "the session", "close other programs");
   if (interactive_) enter_raw_mode(input_);
@@ -55,7 +58,7 @@ RecordTerminal::~RecordTerminal() {
   closing_ = true;
   wake();
   thread_.join();
-  if (interactive_) leave_raw_mode();
+  if (interactive_) leave_raw_mode(pending_.empty() && !broken_);
   ::close(wake_[0]);
   ::close(wake_[1]);
 }
@@ -175,9 +178,16 @@ void RecordTerminal::read_keys() {
   for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i) press(bytes[i]);
 }
 
+// Reading in the background would stop the process.
+bool RecordTerminal::may_read() const { return interactive_ && input_ >= 0 && in_foreground(input_); }
+
 void RecordTerminal::run() {
   Clock::time_point taken = Clock::now();
   for (;;) {
+    if (interactive_ && has_continued()) {
+      const std::lock_guard lock(mutex_);
+      redraw_ = true;
+    }
     if (pending_.empty() || broken_) pending_ = next_bytes();
     const bool closing = closing_;
     if (closing && (pending_.empty() || broken_)) return;
@@ -185,7 +195,7 @@ void RecordTerminal::run() {
     if (!closing) taken = Clock::now();
     const bool has_output = !pending_.empty() && !broken_;
     std::array<pollfd, 3> files{{{.fd = wake_[0], .events = POLLIN, .revents = 0},
-                                 {.fd = interactive_ ? input_ : -1, .events = POLLIN, .revents = 0},
+                                 {.fd = may_read() ? input_ : -1, .events = POLLIN, .revents = 0},
                                  {.fd = has_output ? output_ : -1, .events = POLLOUT, .revents = 0}}};
     ::poll(files.data(), files.size(), kPoll_ms);
     std::array<char, 256> ignored{};

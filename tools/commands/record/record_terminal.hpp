@@ -21,7 +21,8 @@ struct PressedKey {
 /// closed, never holds up the caller. On a terminal, a prompt stays below the lines, and keys are read one by one.
 class RecordTerminal {
  public:
-  /// Writes to `output` (a descriptor). Reads keys if `input` and `output` are terminals.
+  /// Writes to `output` (a descriptor). Reads keys if `input` and `output` are terminals, and the process is not in the
+  /// background.
   RecordTerminal(int input, int output, bool quiet);
   /// Writes what waits, unless nobody takes it for two seconds (a terminal), and restores the terminal.
   ~RecordTerminal();
@@ -40,8 +41,8 @@ class RecordTerminal {
   void read_keys();
   void press(char key);
   void wake() const;
+  bool may_read() const;
   std::string next_bytes();
-  void redraw();
 
   int input_, output_;
   bool quiet_, interactive_;

@@ -13,7 +13,7 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-constexpr std::size_t kMaxPoints = 1'000'000, kMaxLines = 10'000'000, kMaxFindings = 1'000'000;
+constexpr std::size_t kMaxPoints = 1'000'000, kMaxLines = 10'000'000, kMaxFaults = 1'000'000;
 constexpr std::size_t kMaxCorners = 1000;  // of a face
 
 }  // namespace
@@ -53,20 +53,20 @@ std::vector<RowMark> read_marks(const InputHdf5& file, std::size_t rows) {
 std::vector<RecordFault> read_faults(const InputHdf5& file, std::size_t rows) {
   if (!file.has("faults")) return {};
   const InputDataSet set(file, "faults");
-  if (set.shape().size() != 2 || set.shape()[1] != 4 || set.shape()[0] > kMaxFindings) {
-    throw InputError("shape " + shape_text(set.shape()), file.where("faults"), "store [findings, 4]");
+  if (set.shape().size() != 2 || set.shape()[1] != 4 || set.shape()[0] > kMaxFaults) {
+    throw InputError("shape " + shape_text(set.shape()), file.where("faults"), "store [faults, 4]");
   }
   const std::vector<double> values = set.read_all();
-  std::vector<RecordFault> findings;
+  std::vector<RecordFault> faults;
   for (std::size_t i = 0; i + 4 <= values.size(); i += 4) {
-    const auto finding = record_fault(std::span(values).subspan(i).first<4>(), rows);
-    if (!finding) {
-      throw InputError("entry " + std::to_string(i / 4) + " is not a finding", file.where("faults"),
+    const auto fault = record_fault(std::span(values).subspan(i).first<4>(), rows);
+    if (!fault) {
+      throw InputError("entry " + std::to_string(i / 4) + " is not a fault", file.where("faults"),
                        "store fault, row, time and value");
     }
-    findings.push_back(*finding);
+    faults.push_back(*fault);
   }
-  return findings;
+  return faults;
 }
 
 std::vector<std::vector<double>> read_geometry(const InputHdf5& file) {

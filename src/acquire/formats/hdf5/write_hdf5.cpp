@@ -93,10 +93,10 @@ void write_capture(hdf5::OutputHdf5& out, const Record& record) {
   if (record.faults.empty()) return;
   out.create_set("faults", std::array{record.faults.size(), std::size_t{4}});
   for (std::size_t i = 0; i < record.faults.size(); ++i) {
-    const RecordFault& finding = record.faults[i];
+    const RecordFault& fault = record.faults[i];
     out.write("faults", std::array{i}, 0,
-              std::array{static_cast<double>(static_cast<int>(finding.kind)), static_cast<double>(finding.row),
-                         finding.time_s, finding.value});
+              std::array{static_cast<double>(static_cast<int>(fault.kind)), static_cast<double>(fault.row),
+                         fault.time_s, fault.value});
   }
 }
 

@@ -1,0 +1,52 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "acquire/live/capture_finding.hpp"
+#include "acquire/record/row_mark.hpp"
+#include "pipeline/live/sample_history.hpp"
+
+namespace percuss::pipeline {
+
+/// The faults of a session: those that its samples show, and those that only the capture knows.
+class SessionFaults {
+ public:
+  explicit SessionFaults(double fs_Hz);
+
+  /// Adds a part of a loss. What is new; nothing for samples that continue a fault: samples of a channel that are no
+  /// numbers, less than a second after the last ones.
+  std::optional<acquire::CaptureFinding> add(const SampleLoss& loss);
+  /// Adds what the capture states. Losses are known from the samples; `dropped` and `resumed` say why they happened.
+  void add(const acquire::CaptureFinding& finding);
+  /// Adds what the journal of an interrupted session states. Its samples begin at `first_frame`: losses before it are
+  /// not in them.
+  void add_past(const acquire::CaptureFinding& finding, std::uint64_t first_frame);
+  /// Takes over the faults that are no losses, in the order of frames. Those of the device's end do not concern a
+  /// session that was finished before.
+  std::vector<acquire::CaptureFinding> finish(bool finished_before);
+
+  struct Row {
+    std::uint64_t frame = 0;
+    std::size_t samples = 0;
+  };
+  /// As a record holds them, in the order of time.
+  std::vector<acquire::RecordFault> for_record(const std::vector<Row>& rows) const;
+
+ private:
+  struct Run {
+    std::size_t fault = 0;  // index
+    std::uint64_t end = 0;  // after the last sample without a number
+  };
+  void keep(acquire::CaptureFinding finding);
+
+  double fs_Hz_;
+  std::vector<acquire::CaptureFinding> faults_;   // `frame` is the first one of a loss
+  std::vector<acquire::CaptureFinding> reasons_;  // of losses that the samples have not shown yet
+  std::vector<acquire::CaptureFinding> coming_;   // that wait for finish()
+  std::map<std::size_t, Run> runs_;               // by channel
+};
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,27 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "acquire/live/journal_reader.hpp"
+#include "commands/record/record_flags.hpp"
+#include "pipeline/live/guide.hpp"
+
+namespace percuss::tools {
+
+/// A session that was interrupted. Without a journal: none.
+struct Interrupted {
+  std::unique_ptr<acquire::JournalReader> journal;
+  std::vector<pipeline::SessionEvent> events;
+};
+
+/// Opens the session that was recording the file of --resume, and takes over its options.
+/// errors  InputError: no journal, or a damaged one; OptionError: an option contradicts the session
+Interrupted open_interrupted(RecordFlags& flags);
+
+/// Only a device that makes the same samples again goes on where the session was interrupted.
+bool repeats_itself(const std::string& device);
+
+/// Gives the guide the samples, verdicts, keys and faults of the session.
+void replay(const Interrupted& interrupted, bool seamless, pipeline::Guide& guide);
+
+}  // namespace percuss::tools
