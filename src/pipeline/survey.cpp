@@ -78,13 +78,7 @@ void Survey::renumber_points() {
     return std::any_of(measured.begin(), measured.end(), [&](int point) { return !known.contains(point + offset); });
   };
   if (!lacks(0) || lacks(1) || known.contains(0)) return;
-  for (acquire::GeometryPoint& p : geometry_->points) --p.point;
-  for (auto& line : geometry_->lines) {
-    for (int& end : line) --end;
-  }
-  for (auto& face : geometry_->faces) {
-    for (int& corner : face) --corner;
-  }
+  acquire::shift_points(*geometry_, -1);
   geometry_warnings_.push_back(
       {"points_from_one",
        fmt::format("the geometry numbers its points from {}, the record from {}: one is subtracted from the geometry's",
