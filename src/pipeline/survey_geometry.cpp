@@ -5,20 +5,6 @@
 #include <algorithm>
 
 namespace percuss::pipeline {
-namespace {
-
-void subtract_one(acquire::Geometry& geometry) {
-  for (acquire::GeometryPoint& p : geometry.points) --p.point;
-  for (auto& line : geometry.lines) {
-    for (int& point : line) --point;
-  }
-  for (auto& face : geometry.faces) {
-    for (int& point : face) --point;
-  }
-}
-
-}  // namespace
-
 std::vector<Warning> fit_geometry(acquire::Geometry& geometry, const std::set<int>& measured) {
   std::vector<Warning> warnings;
   if (geometry.unit_assumed) {
@@ -31,7 +17,7 @@ std::vector<Warning> fit_geometry(acquire::Geometry& geometry, const std::set<in
     return std::any_of(measured.begin(), measured.end(), [&](int point) { return !known.contains(point + offset); });
   };
   if (!lacks(0) || lacks(1) || known.contains(0)) return warnings;
-  subtract_one(geometry);
+  acquire::shift_points(geometry, -1);
   warnings.push_back(
       {"points_from_one",
        fmt::format("the geometry numbers its points from {}, the record from {}: one is subtracted from the geometry's",

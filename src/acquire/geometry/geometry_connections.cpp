@@ -97,4 +97,14 @@ void add_connections(Geometry& geometry, const std::vector<Connection>& connecti
   }
 }
 
+void shift_points(Geometry& geometry, int by) {
+  for (GeometryPoint& point : geometry.points) point.point += by;
+  for (auto& line : geometry.lines) {
+    for (int& end : line) end += by;
+  }
+  for (auto& face : geometry.faces) {
+    for (int& corner : face) corner += by;
+  }
+}
+
 }  // namespace percuss::acquire

@@ -1,11 +1,13 @@
 #include "commands/record/raw_terminal.hpp"
 
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 
 namespace percuss::tools {
 namespace {
@@ -21,9 +23,10 @@ std::array<struct sigaction, kFinishing.size()> before_finishing;
 std::array<struct sigaction, kFatal.size()> before_fatal;
 struct sigaction before_pipe, before_stop, before_continue;
 volatile std::sig_atomic_t continued = 0;
+volatile double arrived_s = 0;
 
-// The functions up to install() are called by handlers: tcgetpgrp, tcsetattr and sigaction are safe there. Setting the
-// mode from the background would stop the process with SIGTTOU.
+// The functions up to install() are called by handlers: tcgetpgrp, tcsetattr, sigaction and clock_gettime are safe
+// there. Setting the mode from the background would stop the process with SIGTTOU.
 bool may_set_mode() { return raw_terminal >= 0 && ::tcgetpgrp(raw_terminal) == ::getpgrp(); }
 
 void apply_raw_mode() {
@@ -39,10 +42,21 @@ void restore_mode() {
   if (may_set_mode()) ::tcsetattr(raw_terminal, TCSANOW, &saved_mode);
 }
 
+double now_s() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// A process group and its leader may get one signal twice.
 extern "C" void finish_session(int signal) {
-  const bool second = arrived_signal != 0;
-  arrived_signal = signal;
-  if (!second) return;
+  if (arrived_signal == 0) {
+    arrived_s = now_s();
+    arrived_signal = signal;
+    return;
+  }
+  constexpr double kAnother_s = 0.5;
+  if (now_s() - arrived_s < kAnother_s) return;
   restore_mode();
   for (std::size_t i = 0; i < kFinishing.size(); ++i) {
     if (kFinishing[i] == signal) ::sigaction(signal, &before_finishing[i], nullptr);
@@ -111,9 +125,14 @@ void enter_raw_mode(int terminal) {
   apply_raw_mode();
 }
 
-void leave_raw_mode(bool drain) {
+void leave_raw_mode() {
   if (raw_terminal < 0) return;
-  if (may_set_mode()) ::tcsetattr(raw_terminal, drain ? TCSADRAIN : TCSANOW, &saved_mode);
+  constexpr double kPatience_s = 2;
+  constexpr useconds_t kLook_us = 5000;
+  const double until_s = now_s() + kPatience_s;
+  int waiting = 0;
+  while (::ioctl(raw_terminal, TIOCOUTQ, &waiting) == 0 && waiting > 0 && now_s() < until_s) ::usleep(kLook_us);
+  restore_mode();  // TCSADRAIN might wait for ever
   raw_terminal = -1;
   for (std::size_t i = 0; i < kFatal.size(); ++i) ::sigaction(kFatal[i], &before_fatal[i], nullptr);
   ::sigaction(SIGTSTP, &before_stop, nullptr);

@@ -9,13 +9,14 @@ bool in_foreground(int terminal);
 /// process, and by every signal that ends or stops it and can be caught. When the process goes on in the foreground,
 /// the mode is set again.
 void enter_raw_mode(int terminal);
-/// `drain`: after all that was written has been shown, which waits for ever if the terminal is stopped.
-void leave_raw_mode(bool drain);
+/// Restores the mode after all that was written has been shown; waits two seconds for this at most, because a terminal
+/// that is stopped shows nothing.
+void leave_raw_mode();
 /// Whether the process was stopped and goes on, since the last call.
 bool has_continued();
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP ask the session to finish; a second one ends the process as before, after
-/// the terminal's mode is restored.
+/// While it lives, SIGINT, SIGTERM and SIGHUP ask the session to finish; one that follows later than half a second
+/// ends the process as before, after the terminal's mode is restored.
 /// Writing to a closed pipe is an error, not a signal.
 class SessionSignals {
  public:

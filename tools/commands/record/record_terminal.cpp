@@ -58,7 +58,7 @@ RecordTerminal::~RecordTerminal() {
   closing_ = true;
   wake();
   thread_.join();
-  if (interactive_) leave_raw_mode(pending_.empty() && !broken_);
+  if (interactive_) leave_raw_mode();
   ::close(wake_[0]);
   ::close(wake_[1]);
 }

@@ -1,0 +1,119 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "support/record_bench.hpp"
+
+// percuss record when a session ends early, goes on or meets faults.
+namespace percuss::record_end_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Bench = test::RecordBench;
+using testing::HasSubstr;
+
+// A fault is told after the blows before it, at any load of the machine.
+TEST(RecordEnd, TellsFaultsInTheOrderOfSamples) {
+  const Bench bench;
+  const auto first = bench.record("sim:aluminium-bat,gap=2.5:0.05,unplug=6");
+  const std::size_t gap = first.out.find("a gap of"), end = first.out.find("the device was unplugged");
+  ASSERT_NE(gap, std::string::npos);
+  ASSERT_NE(end, std::string::npos);
+  EXPECT_LT(first.out.find("Blow 1 of 5: accepted"), gap);
+  EXPECT_GT(first.out.find("Blow 2 of 5: accepted"), gap);
+  EXPECT_LT(first.out.find("Blow 3 of 5: accepted"), end);
+  for (int i = 0; i < 5; ++i)
+    EXPECT_EQ(bench.record("sim:aluminium-bat,gap=2.5:0.05,unplug=6", {"--force"}).out, first.out);
+}
+
+TEST(RecordEnd, NamesAFailedReportAndPrintsTheDocument) {
+  const Bench bench;
+  test::write_bytes(bench.folder.file("g.csv"), "point,x_m,y_m,z_m\n1,0,0,0\n");
+  const auto recorded = bench.record("sim:aluminium-bat", {"--json", "--report", "no-such-folder/r.html"});
+  EXPECT_NE(recorded.code, 0);
+  EXPECT_THAT(recorded.err, HasSubstr("no-such-folder"));
+  EXPECT_EQ(recorded.out, bench.run({"analyze", "t.h5", "--json"}).out);
+  const auto none = bench.record("sim:aluminium-bat,first=2,end=8,silent=2", {"--force", "--report", "r.html"});
+  EXPECT_EQ(none.code, 4);
+  EXPECT_THAT(none.err, HasSubstr("no report is written"));
+}
+
+TEST(RecordEnd, RefusesOptionsThatContradictTheSession) {
+  const Bench bench;
+  ASSERT_EQ(bench.record("sim:aluminium-bat,unplug=5").code, 6);
+  const auto hits = bench.run({"record", "--resume", "t.h5", "--hits", "9"});
+  EXPECT_EQ(hits.code, 2);
+  EXPECT_THAT(hits.err, HasSubstr("--hits contradicts the session, which began with 5"));
+  const auto band = bench.run({"record", "--resume", "t.h5", "--band", "60:3200"});
+  EXPECT_EQ(band.code, 2);
+  EXPECT_THAT(band.err, HasSubstr("--band contradicts the session, which began without it"));
+  EXPECT_EQ(bench.run({"record", "--resume", "t.h5", "-o", "u.h5"}).code, 2);
+  EXPECT_EQ(bench.run({"record", "--resume", "t.h5", "--hits", "5", "--report", "r.html"}).code, 6);
+  EXPECT_TRUE(bench.has("r.html"));
+}
+
+TEST(RecordEnd, NamesADeadChannel) {
+  const Bench bench;
+  const auto recorded = bench.record("sim:aluminium-bat,nan=0:100");
+  EXPECT_EQ(recorded.code, 4);
+  EXPECT_THAT(recorded.out, HasSubstr("delivers values that are no numbers"));
+}
+
+TEST(RecordEnd, EndsEarlyWithItsOwnCode) {
+  const Bench bench;
+  const auto unplugged = bench.record("sim:aluminium-bat,unplug=5");
+  EXPECT_EQ(unplugged.code, 6) << unplugged.err;
+  EXPECT_THAT(unplugged.out, HasSubstr("percuss record --resume t.h5"));
+  EXPECT_TRUE(bench.has("t.h5"));
+  EXPECT_TRUE(bench.has("t.h5.journal"));
+  EXPECT_EQ(bench.run({"record", "--resume", "t.h5"}).code, 6);  // still unplugged
+  const auto ended = bench.record("sim:aluminium-bat,end=5", {"--force"});
+  EXPECT_EQ(ended.code, 6);
+  EXPECT_THAT(ended.out, HasSubstr("percuss record --resume t.h5"));
+  EXPECT_TRUE(bench.has("t.h5.journal"));
+  const auto silent = bench.record("sim:aluminium-bat,first=50,end=2", {"--force"});
+  EXPECT_EQ(silent.code, 4);
+}
+
+TEST(RecordEnd, FinishesCleanlyOnASignal) {
+  const Bench bench;
+  EXPECT_EQ(bench.shell("timeout -s INT 3 percuss record -o t.h5 --device sim:aluminium-bat,speed=2 >out"), 124);
+  EXPECT_TRUE(bench.has("t.h5"));
+  EXPECT_THAT(bench.bytes("out"), HasSubstr("percuss record --resume t.h5"));
+  EXPECT_EQ(bench.run({"record", "--resume", "t.h5", "--fast"}).code, 0);
+  EXPECT_EQ(bench.marks().size(), 5U);
+  EXPECT_FALSE(bench.has("t.h5.journal"));
+}
+
+// At any moment of a session: the finished file has the bytes of an uninterrupted one.
+TEST(RecordEnd, ResumesAfterAKillToTheSameBytes) {
+  const Bench bench;
+  const std::string device = "sim:aluminium-bat,double=2,speed=8";
+  ASSERT_EQ(bench.record(device).code, 0);
+  const std::string expected = bench.bytes("t.h5");
+  int kills = 0;
+  for (const char* seconds : {"0.2", "0.45", "0.7", "0.95", "1.2", "1.6"}) {
+    fs::remove(bench.folder.file("t.h5"));
+    bench.shell(std::string("timeout -s KILL ") + seconds + " percuss record -o t.h5 --device " + device +
+                " >out 2>&1");
+    if (!bench.has("t.h5.journal")) {  // it was faster, or had not begun
+      EXPECT_TRUE(!bench.has("t.h5") || bench.bytes("t.h5") == expected);
+      continue;
+    }
+    const auto resumed = bench.run({"record", "--resume", "t.h5"});
+    if (resumed.err.find("no options of a session") != std::string::npos) {  // killed within its first milliseconds
+      fs::remove(bench.folder.file("t.h5.journal"));
+      continue;
+    }
+    ++kills;
+    EXPECT_EQ(resumed.code, 0) << seconds << resumed.err << resumed.out;
+    EXPECT_TRUE(bench.bytes("t.h5") == expected) << seconds;
+    EXPECT_FALSE(bench.has("t.h5.journal"));
+  }
+  EXPECT_GT(kills, 0);
+}
+
+}  // namespace
+}  // namespace percuss::record_end_test
