@@ -5,6 +5,7 @@
 #include <algorithm>
 
 namespace percuss::pipeline {
+
 std::vector<Warning> fit_geometry(acquire::Geometry& geometry, const std::set<int>& measured) {
   std::vector<Warning> warnings;
   if (geometry.unit_assumed) {
