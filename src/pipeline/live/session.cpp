@@ -49,16 +49,19 @@ bool Session::complete() const {
   return true;
 }
 
-// Goes to the next point that lacks blows, from the current one on, then from the first.
-void Session::advance() {
-  if (!done_at(current_)) return;
+// Goes to the next point that lacks blows, behind the current one, then from the first. False: no other point does.
+bool Session::go_on() {
   for (std::size_t step = 1; step < plan_.points.size(); ++step) {
     const std::size_t index = (current_ + step) % plan_.points.size();
     if (done_at(index)) continue;
     current_ = index;
-    return;
+    return true;
   }
-  finished_ = true;
+  return false;
+}
+
+void Session::advance() {
+  if (done_at(current_) && !go_on()) finished_ = true;
 }
 
 void Session::undo() {
@@ -93,7 +96,7 @@ void Session::apply(const SessionEvent& event) {
     case Kind::redo:
       return redo();
     case Kind::next:
-      current_ = (current_ + 1) % plan_.points.size();
+      go_on();
       return;
     case Kind::go_to:
       if (has_point(event.point)) {

@@ -65,6 +65,7 @@ class Session {
 
  private:
   bool done_at(std::size_t index) const;
+  bool go_on();
   void advance();
   void undo();
   void redo();

@@ -49,6 +49,17 @@ TEST(Session, ReturnsToPointsThatWereSkipped) {
   EXPECT_TRUE(session.finished());
 }
 
+TEST(Session, SkipsToAPointThatLacksBlows) {
+  Session session({.points = {0, 1, 2}, .hits = 1});
+  strike(session, 1);
+  session.apply({.kind = Kind::go_to, .point = 2});
+  session.apply({.kind = Kind::next});
+  EXPECT_EQ(session.point(), 1);
+  strike(session, 1);
+  session.apply({.kind = Kind::next});  // no other point lacks blows
+  EXPECT_EQ(session.point(), 2);
+}
+
 TEST(Session, UndoesTheLastAcceptedBlowAndRepeatsPoints) {
   Session session({.points = {0, 1}, .hits = 2});
   strike(session, 2);

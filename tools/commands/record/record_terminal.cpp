@@ -15,6 +15,7 @@
 #include "commands/record/raw_terminal.hpp"
 #include "core/error.hpp"
 #include "core/visible_text.hpp"
+#include "report/text/text_table.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -38,6 +39,13 @@ std::string fitting(const std::string& text, std::size_t columns) {
   for (std::size_t used = 0; at < text.size() && used < columns; ++used)
     at += std::max<std::size_t>(1, utf8_length(std::string_view(text).substr(at)));
   return text.substr(0, at);
+}
+
+// A long line as several: the terminal itself would break it within a number.
+std::string folded(const std::string& line, std::size_t columns) {
+  if (report::text_width(line) <= columns) return line;
+  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  return line.substr(0, indent) + report::wrapped(line, columns, std::max<std::size_t>(indent, 2));
 }
 
 }  // namespace
@@ -115,7 +123,7 @@ std::string RecordTerminal::next_bytes() {
     dropped_ = 0;
   }
   if (!lines_.empty()) {
-    out += (interactive_ ? kErase : "") + lines_.front() + "\n";
+    out += (interactive_ ? kErase + folded(lines_.front(), columns_of(output_)) : lines_.front()) + "\n";
     lines_.pop_front();
     redraw_ = interactive_;
   } else if (std::exchange(redraw_, false)) {
