@@ -155,7 +155,7 @@ std::string fault_text(const acquire::CaptureFinding& fault, const LiveChannels&
 std::string left_out_text(double time_s) {
   return fmt::format(
       "a blow at {:.1f} s is not recorded: the next one, or lost samples, came before the length of "
-      "the blows was known; wait between blows, or state --length",
+      "the blows was known; wait longer between blows, or state the length",
       time_s);
 }
 
