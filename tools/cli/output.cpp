@@ -156,10 +156,10 @@ bool can_plot_in_terminal() {
 }
 
 std::size_t terminal_width() {
-  constexpr std::size_t kMaxWidth = 140;  // longer lines are hard to read
+  constexpr std::size_t kMaxTerminalWidth = 140;  // longer lines are hard to read
   winsize size{};
   if (isatty(STDOUT_FILENO) == 1 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40)
-    return std::min<std::size_t>(size.ws_col, kMaxWidth);
+    return std::min<std::size_t>(size.ws_col, kMaxTerminalWidth);
   return 100;
 }
 
