@@ -27,9 +27,9 @@ struct TriggerScan {
 };
 
 struct TriggerOptions {
-  std::optional<double> trigger_N;  // threshold on |force − baseline|; default: from the noise
+  std::optional<double> trigger_N;             // threshold on |force − baseline|; default: from the noise
   double separation_s = kTriggerSeparation_s;  // pulses within this time belong to one event
-  std::size_t first = 0;            // samples to search, [first, last)
+  std::size_t first = 0;                       // samples to search, [first, last)
   std::size_t last = static_cast<std::size_t>(-1);
 };
 
