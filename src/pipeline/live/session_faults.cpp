@@ -114,6 +114,7 @@ void SessionFaults::add(const CaptureFinding& finding) {
 void SessionFaults::add_past(const CaptureFinding& finding, std::uint64_t first_frame) {
   if (is_reason(finding.fault) && finding.frame >= first_frame) return add(finding);
   if (!stored_kind(finding.fault) || (is_loss(finding.fault) && finding.frame >= first_frame)) return;
+  if (finding.fault == CaptureFault::resumed) return;  // before the first sample: nothing is missing
   CaptureFinding past = finding;
   const bool frames_lost = is_loss(finding.fault) && finding.fault != CaptureFault::not_a_number;
   if (frames_lost) past.frame -= std::min(past.frame, past.count);  // a finding states the frame after a loss

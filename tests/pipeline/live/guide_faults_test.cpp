@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/live/guide.hpp"
+#include "pipeline/live/session_faults.hpp"
 #include "support/guide_bench.hpp"
 #include "support/live_source.hpp"
 
@@ -145,6 +146,17 @@ TEST(GuideFaults, GoesOnAfterALongGap) {
   }
   bench.guide->finish();
   EXPECT_EQ(bench.guide->session().accepted(), 5U);
+}
+
+// Two kills before the first blow: the file equals that of a session that was never interrupted.
+TEST(SessionFaults, LeavesOutAResumeBeforeTheFirstSample) {
+  using acquire::CaptureFault;
+  pipeline::SessionFaults faults(1000);
+  faults.add_past({.fault = CaptureFault::resumed, .frame = 0}, 500);
+  EXPECT_TRUE(faults.for_record({}).empty());
+  faults.add_past({.fault = CaptureFault::gap, .frame = 400, .count = 100}, 500);
+  ASSERT_EQ(faults.for_record({}).size(), 1U);
+  EXPECT_EQ(faults.for_record({})[0].kind, acquire::FaultKind::gap);
 }
 
 }  // namespace
