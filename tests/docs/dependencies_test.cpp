@@ -26,6 +26,7 @@ constexpr std::array kLibraries{
     Library{"libsndfile", "libsndfile1-dev", "SNDFILE"},
     Library{"libseccomp", "libseccomp-dev", "SECCOMP"},
     Library{"libportaudio", "portaudio19-dev", "PORTAUDIO"},
+    Library{"libasound", "portaudio19-dev", "PORTAUDIO"},  // as libgslcblas: PortAudio's pkg-config file names it
     Library{"libcrypto", "libssl-dev", "CRYPTO"},
     Library{"libz", "zlib1g-dev", "ZLIB"},
     Library{"libmatio", "libmatio-dev", "MATIO"},
