@@ -116,10 +116,7 @@ void Guide::feed_trigger(std::uint64_t from) {
 }
 
 void Guide::collect_events() {
-  while (const auto event = trigger_->next()) {
-    const std::uint64_t first = event->peak > pretrigger_ ? event->peak - pretrigger_ : 0;
-    windows_.push_back({.event = *event, .first = std::max(first, history_.first_frame())});
-  }
+  while (const auto event = trigger_->next()) windows_.push_back({.event = *event, .first = window_start(*event)});
 }
 
 bool Guide::all_known_before(std::uint64_t frame) const { return trigger_->searched_to() >= frame; }

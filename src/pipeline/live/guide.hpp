@@ -112,6 +112,7 @@ class Guide {
   void take_whole(acquire::SampleBlock block);
   void feed_trigger(std::uint64_t from);
   void collect_events();
+  std::uint64_t window_start(const BlowEvent& event) const;
   void advance(bool last);
   bool is_complete(const Window& window, bool last) const;
   bool all_known_before(std::uint64_t frame) const;

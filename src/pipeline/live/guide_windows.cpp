@@ -16,6 +16,15 @@ constexpr std::size_t kMinTypical = 2;  // blows
 
 }  // namespace
 
+// The row of a replayed record may begin later than a pretrigger before its pulse.
+std::uint64_t Guide::window_start(const BlowEvent& event) const {
+  std::uint64_t start = std::max(event.peak - std::min<std::uint64_t>(event.peak, pretrigger_), history_.first_frame());
+  for (const SampleLoss& loss : history_.losses(start, event.peak)) {
+    if (!loss.channel && format_.is_pause(loss.frames, loss.overrun)) start = std::max(start, loss.frame + loss.frames);
+  }
+  return start;
+}
+
 // The samples from the blow to the next blow, or to lost samples.
 std::uint64_t Guide::undisturbed_end(const Window& window) const {
   std::uint64_t end = history_.end_frame();

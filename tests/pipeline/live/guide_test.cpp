@@ -165,6 +165,27 @@ TEST(Guide, StopsWhenTheGoalIsMet) {
   EXPECT_LT(bench.guide->session().accepted(), 5U);
 }
 
+// Each row has 20 samples before its pulse, fewer than the pretrigger.
+TEST(Guide, TakesRowsThatBeginShortlyBeforeTheirPulses) {
+  constexpr std::size_t kRow = 5600, kPause = 4096, kBefore = 20;
+  test::LiveSource source(struck_tube("0.4, 1.9, 3.4, 4.9, 6.4", 8));
+  source.format.pause_frames = kPause;
+  test::MemoryLog log;
+  test::GuideWitness witness;
+  pipeline::Guide guide(source.format, pipeline::live_channels(source.format, {}),
+                        {.plan = {.hits = 5}, .folder = testing::TempDir()}, log, witness);
+  for (std::size_t row = 0; row < 5; ++row) {
+    const auto pulse = static_cast<std::size_t>((0.4 + 1.5 * static_cast<double>(row)) * 4096);
+    acquire::SampleBlock block = source.block(pulse - kBefore, kRow);
+    block.first_frame = row * (kRow + kPause);
+    guide.take(std::move(block));
+  }
+  guide.finish();
+  EXPECT_EQ(guide.session().accepted(), 5U);
+  EXPECT_TRUE(witness.faults.empty());
+  EXPECT_TRUE(guide.record().faults.empty());
+}
+
 // A session that is killed at any frame, and resumed from the samples and events that it left, ends as if nothing had
 // happened.
 TEST(Guide, ResumesToTheSameRecord) {
