@@ -31,6 +31,12 @@ std::string named_modes(const std::vector<Mode>& modes, const std::function<doub
   return list;
 }
 
+// "38 ± 4": both with the decimals of the first digit of the ±, without an exponent.
+std::string percent_with_std(double value, double std) {
+  const int decimals = std > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(std))), 0, 6) : 0;
+  return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, std, decimals);
+}
+
 std::string amplitude_text(const Mode& mode) {
   const identify::AmplitudeTrend& trend = *mode.amplitude;
   std::string text;
@@ -41,9 +47,10 @@ std::string amplitude_text(const Mode& mode) {
                         trend.freq_at_zero_Hz);
   if (trend.damping_follows) {
     const bool falls = trend.damping_slope_per_N < 0;
-    text += fmt::format("{}damping {} by {:.2g} ± {:.1g} % of itself per 100 N ({})", text.empty() ? "" : ", ",
-                        falls ? "falls" : "rises", 1e4 * std::abs(trend.damping_slope_per_N) / mode.pole.damping_ratio,
-                        1e4 * trend.damping_slope_std / mode.pole.damping_ratio,
+    const double slope_percent = 1e4 * std::abs(trend.damping_slope_per_N) / mode.pole.damping_ratio;
+    const double std_percent = 1e4 * trend.damping_slope_std / mode.pole.damping_ratio;
+    text += fmt::format("{}damping {} by {} % of itself per 100 N ({})", text.empty() ? "" : ", ",
+                        falls ? "falls" : "rises", percent_with_std(slope_percent, std_percent),
                         falls ? "as dry friction does" : "as air or a loose joint does");
   }
   return text;
