@@ -10,7 +10,7 @@ namespace percuss::acquire {
 
 /// What a device delivers: the meaning of its samples.
 struct StreamFormat {
-  std::string device;  // for people: "sim:aluminum-bat", "USB Audio CODEC"
+  std::string device;  // for people: "sim:aluminium-bat", "USB Audio CODEC"
   double fs_Hz = 0;
   std::size_t channels = 0;
   std::vector<std::string> names;   // [channels]; may be empty

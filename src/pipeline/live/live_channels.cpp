@@ -43,7 +43,10 @@ acquire::SignalRoles roles_of(const acquire::SignalTable& table, const acquire::
   } catch (const InputError&) {
     if (stated) throw;
   }
-  acquire::SignalRoles roles;  // a device without names: the hammer is plugged into the first channel
+  // A device without names: the hammer is plugged into the first channel, unless that measures a response.
+  acquire::SignalRoles roles;
+  const auto unit = parse_unit(table.signals.front().unit);
+  roles.has_force = !unit || !is_response(unit->quantity);
   for (std::size_t c = 1; c < table.signals.size(); ++c) roles.accel.push_back(c);
   return roles;
 }

@@ -10,6 +10,7 @@
 
 #include "acquire/hits/hits.hpp"
 #include "support/guide_bench.hpp"
+#include "support/input_error.hpp"
 #include "support/live_source.hpp"
 
 namespace percuss::guide_test {
@@ -184,6 +185,14 @@ TEST(Guide, TakesRowsThatBeginShortlyBeforeTheirPulses) {
   EXPECT_EQ(guide.session().accepted(), 5U);
   EXPECT_TRUE(witness.faults.empty());
   EXPECT_TRUE(guide.record().faults.empty());
+}
+
+// A replayed record without a force: its first channel is not the hammer.
+TEST(LiveChannels, RefusesChannelsThatAllMeasureResponses) {
+  const acquire::StreamFormat format{
+      .device = "file:a.csv", .fs_Hz = 1000, .channels = 2, .names = {"CH2", "CH3"}, .units = {"m/s^2", "m/s^2"}};
+  EXPECT_THAT(test::input_error_of([&] { pipeline::live_channels(format, {}); }),
+              testing::StartsWith("no channel is a force (file:a.csv)"));
 }
 
 // A session that is killed at any frame, and resumed from the samples and events that it left, ends as if nothing had
