@@ -141,13 +141,13 @@ void require_plausible_unit(const CsvColumn& time, const CsvHeader& header, doub
 }
 
 // The rate from header and time column. Prefers the exact rate of the header if the rounded stamps allow it.
-double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const std::string& time,
+double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const std::string& stamps,
                       const std::string& file, std::vector<Message>& notes) {
   constexpr double kSame = 1e-3;  // allowed between a header's nominal rate and a measured clock
   if (header.fs_Hz && *header.fs_Hz >= stamped.lowest_Hz && *header.fs_Hz <= stamped.highest_Hz) return *header.fs_Hz;
   if (header.fs_Hz && !(std::abs(*header.fs_Hz / stamped.fs_Hz - 1) <= kSame)) {
-    throw InputError(fmt::format("two sampling rates: {:.6g} Hz by \"{}\" and {:.6g} Hz by the column {}",
-                                 *header.fs_Hz, header.fs_line, stamped.fs_Hz, time),
+    throw InputError(fmt::format("two sampling rates: {:.6g} Hz by \"{}\" and {:.6g} Hz by {}", *header.fs_Hz,
+                                 header.fs_line, stamped.fs_Hz, stamps),
                      file + ": header", "state the right one", {"fs"});
   }
   if (header.fs_Hz) {
@@ -175,9 +175,9 @@ double clock_rate_Hz(const CsvTable& table, std::size_t index, const std::vector
   } catch (const InputError&) {
     if (!header.fs_Hz) throw;
   }
-  if (!stamped && header.fs_Hz) return *header.fs_Hz;
+  if (!stamped && header.fs_Hz) return header_rate_Hz(header, file);
   if (!stamped) refuse_stamps(table, index, rows, problem);
-  return agreed_rate_Hz(header, *stamped, header.columns.at(index).name, file, notes);
+  return agreed_rate_Hz(header, *stamped, "the times of day in column " + std::to_string(index + 1), file, notes);
 }
 
 }  // namespace
@@ -243,7 +243,8 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
   if (!guessed) require_plausible_unit(time, header, stamped->fs_Hz, file);
   if (guessed)
     notes.emplace_back(fmt::format("the first column ({}) rises evenly and is taken as time in s", time.name));
-  return checked_rate_Hz(agreed_rate_Hz(header, *stamped, time.name, file, notes), file + ": time column");
+  return checked_rate_Hz(agreed_rate_Hz(header, *stamped, "the column " + time.name, file, notes),
+                         file + ": time column");
 }
 
 }  // namespace percuss::acquire

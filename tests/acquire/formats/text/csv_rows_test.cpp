@@ -154,8 +154,18 @@ TEST(CsvRate, ComesFromTheHeaderWhereTimesOfDayAreCoarse) {
 TEST(CsvRate, OfTimesOfDayMustAgreeWithTheHeader) {
   EXPECT_EQ(csv_record(clock_lines("", 2, true)).fs_Hz, 500);
   EXPECT_EQ(csv_record(clock_lines("Sampling Rate(Hz),500\n", 2, true)).fs_Hz, 500);
-  EXPECT_THAT(input_error_of([] { csv_record(clock_lines("Sampling Rate(Hz),1000\n", 2, true)); }),
-              AllOf(HasSubstr("1000 Hz by \"Sampling Rate(Hz),1000\""), HasSubstr("500 Hz by the column Timestamp")));
+  EXPECT_THAT(
+      input_error_of([] { csv_record(clock_lines("Sampling Rate(Hz),1000\n", 2, true)); }),
+      AllOf(HasSubstr("1000 Hz by \"Sampling Rate(Hz),1000\""), HasSubstr("500 Hz by the times of day in column 1")));
+}
+
+TEST(CsvRate, OfTimesOfDayNeedsNoNameOfTheirColumn) {
+  std::string text = "Sampling Rate(Hz),1000\n";
+  for (int i = 0; i < 5000; ++i) text += fmt::format("2026-11-20,07:08:{:02}.{:03},1,2\n", i * 2 / 1000, i * 2 % 1000);
+  ReadOptions options;
+  options.force_channel = "3";
+  options.accel_channels = {"4"};
+  EXPECT_THAT(input_error_of([&] { csv_record(text, options); }), HasSubstr("500 Hz by the times of day in column 2"));
 }
 
 }  // namespace percuss::acquire::csv_rows_test
