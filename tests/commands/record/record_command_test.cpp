@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "acquire/formats/hdf5/read_hdf5.hpp"
-#include "support/record_bench.hpp"
+#include "support/live/record_bench.hpp"
 #include "support/scratch_folder.hpp"
 
 // percuss record with simulated devices.

@@ -7,8 +7,8 @@
 
 #include "pipeline/live/guide.hpp"
 #include "pipeline/live/session_faults.hpp"
-#include "support/guide_bench.hpp"
-#include "support/live_source.hpp"
+#include "support/live/guide_bench.hpp"
+#include "support/live/live_source.hpp"
 
 // Faults of the capture, and blows that cannot be recorded.
 namespace percuss::guide_faults_test {

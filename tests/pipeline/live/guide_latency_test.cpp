@@ -8,7 +8,7 @@
 
 #include "core/math/statistics.hpp"
 #include "pipeline/live/guide.hpp"
-#include "support/live_source.hpp"
+#include "support/live/live_source.hpp"
 #include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "acquire/hits/hits.hpp"
-#include "support/live_source.hpp"
+#include "support/live/live_source.hpp"
 #include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
 

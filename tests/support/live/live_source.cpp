@@ -1,4 +1,4 @@
-#include "support/live_source.hpp"
+#include "support/live/live_source.hpp"
 
 #include <fmt/format.h>
 

@@ -12,22 +12,20 @@
 #include "pipeline/live/guide.hpp"
 #include "pipeline/run_analyses.hpp"
 #include "report/json/analysis_json.hpp"
-#include "support/live_source.hpp"
+#include "support/live/live_source.hpp"
 
 namespace percuss::test {
 
 /// Keeps what a guide tells.
 struct GuideWitness : pipeline::GuideObserver {
   std::vector<pipeline::BlowReport> blows;
-  std::vector<std::size_t> regraded;
   std::vector<acquire::CaptureFinding> faults;
-  std::vector<std::string> order;  // what was told: "blow at 1638", "gap at 8000"
+  std::vector<std::string> order;  // what was told: "blow 1", "gap"
   std::size_t left_out = 0, goals = 0;
   void on_blow(const pipeline::BlowReport& blow) override {
     blows.push_back(blow);
     order.push_back("blow " + std::to_string(blow.row + 1));
   }
-  void on_regraded(std::size_t row, acquire::RowMark /*mark*/) override { regraded.push_back(row); }
   void on_fault(const acquire::CaptureFinding& fault) override {
     faults.push_back(fault);
     order.emplace_back(acquire::fault_name(fault.fault));
@@ -44,7 +42,7 @@ struct GuideBench {
   std::unique_ptr<pipeline::Guide> guide;
 
   explicit GuideBench(const acquire::Record& record, pipeline::GuideOptions options = {},
-                      acquire::ReadOptions read = {})
+                      const acquire::ReadOptions& read = {})
       : source(record) {
     options.folder = testing::TempDir();
     guide = std::make_unique<pipeline::Guide>(source.format, pipeline::live_channels(source.format, read),
