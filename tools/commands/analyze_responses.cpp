@@ -28,6 +28,8 @@ void refuse_force_options(const AnalyzeFlags& flags) {
     }
   };
   refuse(!flags.frf_path.empty(), "frf");
+  const std::string modes_kind = extension_of(flags.modes_path);
+  refuse(modes_kind == ".uff" || modes_kind == ".unv", "modes_file");
   refuse(flags.analysis.estimator != "h1", "estimator");
   refuse(flags.analysis.exponential_end > 0, "exponential");
   refuse(flags.analysis.delay != "off", "delay");
