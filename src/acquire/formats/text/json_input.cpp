@@ -13,7 +13,7 @@ struct KindOfDocument {
   std::string_view schema, what, remedy;
 };
 
-constexpr const char* kCompareReads = "percuss compare reads it";
+// By the beginning of the schema's name; longer names before their beginnings.
 constexpr std::array kKinds = {
     KindOfDocument{"percuss/analysis/", "the modes of an analysis",
                    "percuss compare and percuss study read it; give the record that it names in \"inputs\""},
@@ -27,10 +27,8 @@ constexpr std::array kKinds = {
     KindOfDocument{"percuss/study/", "the result of a study", "no command reads it; give the record of a test"},
     KindOfDocument{"percuss/model-rigid/", "the result of a model", "no command reads it; give the record of a test"},
     KindOfDocument{"percuss/model-trampoline/", "the result of a model", "percuss study reads it"},
-    KindOfDocument{"percuss/model-beam/", "the result of a model", kCompareReads},
-    KindOfDocument{"percuss/model-bat/", "the result of a model", kCompareReads},
-    KindOfDocument{"percuss/model-impact/", "the result of a model", kCompareReads},
-    KindOfDocument{"percuss/model-shell/", "the result of a model", kCompareReads},
+    KindOfDocument{"percuss/model-", "the result of a model", "percuss compare reads it"},
+    KindOfDocument{"percuss/devices/", "the list of devices", "no command reads it; give the record of a test"},
     KindOfDocument{"percuss/synth-truth/", "the truth of a synthetic test",
                    "no command reads it; give the record that lies beside it"},
     KindOfDocument{"percuss/synth/", "the spec of a synthetic test", "percuss synth makes the record from it"},
