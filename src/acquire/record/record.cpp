@@ -16,18 +16,22 @@ std::set<int> Record::points() const {
   return out;
 }
 
+int geometry_point(double number, std::size_t points, const char* what, const std::string& where) {
+  if (number >= 0 && number < static_cast<double>(points) && number == std::floor(number))
+    return static_cast<int>(number);
+  throw InputError(std::string("a ") + what + " to a missing point", where,
+                   "number points from 0, in the order of the geometry's rows");
+}
+
 std::vector<TraceLine> trace_lines_of(const std::vector<double>& numbers, std::size_t points,
                                       const std::string& where) {
   if (numbers.size() % 2 != 0)
     throw InputError("an odd count of point numbers", where, "give two points for every line");
   std::vector<TraceLine> out;
   out.reserve(numbers.size() / 2);
-  for (const double number : numbers) {
-    if (!(number >= 0 && number < static_cast<double>(points)) || number != std::floor(number))
-      throw InputError("a line to a missing point", where, "number points from 0, in the order of the geometry's rows");
-  }
   for (std::size_t i = 0; i < numbers.size(); i += 2)
-    out.push_back({static_cast<int>(numbers[i]), static_cast<int>(numbers[i + 1])});
+    out.push_back(
+        {geometry_point(numbers[i], points, "line", where), geometry_point(numbers[i + 1], points, "line", where)});
   return out;
 }
 

@@ -122,6 +122,10 @@ Record join_records(std::vector<Record> records, FileGrouping grouping);
 /// A record of the rows for which keep(row) is true.
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep);
 
+/// The number of a point of the geometry, 0 … `points` − 1, to which a `what` ("line", "face") leads.
+/// errors  InputError at `where`: it is not a point's.
+int geometry_point(double number, std::size_t points, const char* what, const std::string& where);
+
 /// Lines from pairs of point numbers, 0 … `points` − 1.
 /// errors  InputError at `where`: an odd count, or a number that is not a point's.
 std::vector<TraceLine> trace_lines_of(const std::vector<double>& numbers, std::size_t points, const std::string& where);

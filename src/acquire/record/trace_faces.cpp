@@ -10,12 +10,6 @@ namespace {
 
 constexpr double kNoCorner = -1;
 
-int corner_of(double number, std::size_t points, const std::string& where) {
-  if (number >= 0 && number < static_cast<double>(points) && number == std::floor(number))
-    return static_cast<int>(number);
-  throw InputError("a face with a missing point", where, "number points from 0, in the order of the geometry's rows");
-}
-
 }  // namespace
 
 FaceTable face_table(const std::vector<TraceFace>& faces) {
@@ -38,7 +32,7 @@ std::vector<TraceFace> trace_faces_of(const FaceTable& table, std::size_t points
       const bool empty = std::isnan(number) || number == kNoCorner;
       if (ended && !empty) throw InputError("a corner behind a missing one", where, "store -1 behind the last corner");
       ended = empty;
-      if (!empty) face.push_back(corner_of(number, points, where));
+      if (!empty) face.push_back(geometry_point(number, points, "face", where));
     }
     if (face.size() < 3) throw InputError("a face of fewer than three corners", where, "store three points or more");
     faces.push_back(std::move(face));
