@@ -94,6 +94,12 @@ void CaptureStream::pump() {
       if (!store_->pump()) std::this_thread::sleep_for(pause_);
     }
     store_->finish();
+    finished_ = true;
+    // The reader may ask for samples of the journal after the device has ended.
+    while (!stopping_) {
+      if (!store_->pump()) std::this_thread::sleep_for(pause_);
+    }
+    store_->close_journal();
   } catch (const std::exception&) {  // no memory is left
     store_->sink().end(StreamEnd::failed);
   }
@@ -117,6 +123,7 @@ StreamEnd CaptureStream::end() const {
 void CaptureStream::stop() {
   device_->stop();
   store_->sink().end(StreamEnd::finished);
+  stopping_ = true;
   if (writer_.joinable()) writer_.join();
 }
 

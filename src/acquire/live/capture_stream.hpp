@@ -28,9 +28,9 @@ StreamFormat stream_format(const DeviceFormat& device, const std::vector<std::si
 
 /// A running device with its journal. The device's thread fills a ring without waiting for anybody, a thread writes the
 /// journal, and the reader gets each block once: from memory, or from the journal when it has stalled. The journal is
-/// made at once and takes events and findings; samples follow from the trigger or from keep_from() on, or when the
-/// reader stalls. A kill of the process loses the block being collected (StoreOptions::block_s), and the blocks that
-/// a busy machine has kept the writer from writing. A loss of power loses what was written in the last second.
+/// made at once and takes events and findings; samples follow from keep_from() on, or when the reader stalls. A
+/// kill of the process loses the samples that are not yet written: less than one block (StoreOptions::block_s), or more
+/// on a busy machine. A loss of power loses what was written in the last second.
 class CaptureStream final : public SampleStream, public SessionLog {
  public:
   /// Starts the capture.
@@ -47,7 +47,7 @@ class CaptureStream final : public SampleStream, public SessionLog {
   void append_event(const std::string& json) override;
   /// Begins the samples of the journal at a frame, or at the oldest one in memory: before the first trigger.
   void keep_from(std::uint64_t frame) { store_->keep_from(frame); }
-  /// Findings since the last call. The journal holds them too.
+  /// Findings since the last call; those of a journal that lacks samples follow stop(). The journal holds them too.
   std::vector<CaptureFinding> take_findings() { return store_->take_findings(); }
   CaptureState state() const { return store_->state(); }
 
@@ -58,7 +58,7 @@ class CaptureStream final : public SampleStream, public SessionLog {
   StreamFormat format_;
   std::chrono::microseconds pause_;
   std::unique_ptr<SampleStore> store_;
-  std::atomic<bool> finished_{false};
+  std::atomic<bool> finished_{false}, stopping_{false};
   std::thread writer_;
 };
 

@@ -37,11 +37,9 @@ SampleStore::SampleStore(const FrameLayout& layout, const StreamFormat& format, 
                          std::unique_ptr<SessionJournal> journal, const StoreOptions& options)
     : format_(format),
       pace_(pace),
-      options_(options),
       block_frames_(block_frames(format, options.block_s)),
-      history_frames_(
-          std::min(frames_in(options.history_s, format.fs_Hz), ring_frames(layout, format, options.ring_s) / 2)),
       ring_(layout, ring_frames(layout, format, options.ring_s), journal ? journal->writer().next_frame() : 0),
+      history_frames_(std::min(frames_in(options.history_s, format.fs_Hz), ring_.capacity() / 2)),
       journal_(std::move(journal)),
       expected_frame_(journal_ ? journal_->writer().next_frame() : 0),
       inspection_(format),
@@ -68,11 +66,14 @@ void SampleStore::finish() {
   if (end == StreamEnd::unplugged) note({.fault = CaptureFault::unplugged, .frame = expected_frame_});
   if (end == StreamEnd::rate_changed) note({.fault = CaptureFault::rate_changed, .frame = expected_frame_});
   if (end == StreamEnd::failed) note({.fault = CaptureFault::failed, .frame = expected_frame_});
+}
+
+void SampleStore::close_journal() {
   if (!journal_) return;
   write_rest();
-  watch_journal();
   journal_->flush();
   journal_->sync();
+  watch_journal();
 }
 
 // A full disk gets one more trial. The frames that are then still missing are stated.
@@ -103,11 +104,12 @@ bool SampleStore::inspect() {
     }
     if (range.frames == 0) return any;
     any = true;
+    // Time does not pass as the count of frames says.
+    const bool jumps = range.overrun || format_.is_pause(range.first_frame - expected_frame_, range.overrun);
     inspect_range(range);
     inspected_ += range.frames;
     expected_frame_ = range.first_frame + range.frames;
-    // The count of frames is wrong after a loss of unknown length.
-    if (range.overrun) drift_ = ClockDrift(format_.fs_Hz);
+    if (jumps) drift_ = ClockDrift(format_.fs_Hz);
     if (pace_ == DevicePace::clock) drift_.add(expected_frame_, now_s());
   }
 }

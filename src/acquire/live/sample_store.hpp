@@ -31,7 +31,7 @@ struct CaptureState {
 };
 
 /// Frames on their way from a device to the reader: in a ring in memory, and in the journal. Three threads use it: the
-/// device's (sink), the writer's (pump, finish) and the reader's (the others).
+/// device's (sink), the writer's (pump, finish, close_journal) and the reader's (the others).
 class SampleStore {
  public:
   /// Without a journal, a reader that stalls longer than the ring lasts loses frames.
@@ -43,8 +43,10 @@ class SampleStore {
 
   /// Moves frames on. Whether there was something to do.
   bool pump();
-  /// After the end of the frames: writes everything that is left.
+  /// States the findings of the end. The device writes no more frames; pump() may go on.
   void finish();
+  /// Writes what the journal still lacks. Nothing may follow.
+  void close_journal();
 
   /// The next block, at most `block_s` long; nothing if there is none now.
   std::optional<SampleBlock> take();
@@ -75,9 +77,9 @@ class SampleStore {
 
   const StreamFormat format_;
   const DevicePace pace_;
-  const StoreOptions options_;
-  const std::size_t block_frames_, history_frames_;
+  const std::size_t block_frames_;
   FrameRing ring_;
+  const std::size_t history_frames_;
   std::unique_ptr<SessionJournal> journal_;
 
   std::mutex mutex_;                      // of the consumer's side of the ring, and the members up to the next comment

@@ -173,6 +173,20 @@ TEST(CaptureStream, JournalsNothingUntilItIsAsked) {
   EXPECT_EQ(seen.frames, 6U * 25600U);
 }
 
+// A short session in a pipe ends before its first block is read.
+TEST(CaptureStream, JournalsWhatIsAskedAfterTheDeviceHasEnded) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("t.h5.journal");
+  CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,fast,hits=1,end=1.5"), {.journal = path});
+  Seen seen;
+  read_all(stream, seen);
+  stream.keep_from(1000);
+  stream.stop();
+  const JournalReader journal(path);
+  EXPECT_THAT(journal.ranges(), ElementsAre(FrameRange{1000, 38400 - 1000}));
+  EXPECT_EQ(wrong_numbers(journal), 0U);
+}
+
 // Ten seconds of 8 channels at 51.2 kHz, played faster. The ring holds 4 s of them: the rest comes back from the
 // journal. The stress tests do the same in real time.
 TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
