@@ -27,6 +27,7 @@ DeviceSpec parse_device_spec(std::string_view text) {
     spec = {.kind = kind, .name = std::string(text.substr(prefix.size()))};
     break;
   }
+  if (spec.kind == DeviceKind::pipe && spec.name.empty()) spec.name = "wav";  // the stream describes itself
   if (spec.name.empty())
     throw InputError("the device has no name", one_line(text), "percuss devices lists what can record", {"device"});
   if (spec.kind != DeviceKind::plugin) return spec;

@@ -37,7 +37,8 @@ TEST(DeviceSpec, SeparatesKindAndName) {
   EXPECT_EQ(plugin.name, "./d.so");
   EXPECT_EQ(plugin.arguments, "a=1:b");
   EXPECT_EQ(parse_device_spec("plugin:./d.so").arguments, "");
-  for (const char* wrong : {"", "sim:", "plugin:", "stdin:"}) input_error_of([&] { parse_device_spec(wrong); });
+  EXPECT_EQ(parse_device_spec("stdin:").name, "wav");
+  for (const char* wrong : {"", "sim:", "plugin:"}) input_error_of([&] { parse_device_spec(wrong); });
 }
 
 TEST(ReplayDevice, PlaysTheRowsOfARecord) {
