@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "acquire/channels/csv_columns.hpp"
 #include "acquire/channels/named_channels.hpp"
 #include "acquire/channels/signal_table.hpp"
 #include "core/error.hpp"
@@ -31,6 +32,40 @@ acquire::SignalTable table_of(const StreamFormat& format) {
   return table;
 }
 
+bool names_channel(const acquire::ChannelSetup& entry, const acquire::SignalTable& table, std::size_t channel) {
+  return entry.name == std::to_string(channel + 1) || entry.name == table.signals[channel].name;
+}
+
+bool is_force(const acquire::ChannelSetup& entry) {
+  if (!entry.role.empty()) return entry.role == "force";
+  const auto unit = parse_unit(entry.unit.value_or(""));
+  return (unit && unit->quantity == Quantity::force) ||
+         (entry.sensitivity_V_per_SI && entry.sensitivity_to == Quantity::force);
+}
+
+// The set-up with all roles, for channels whose names and units say nothing: an entry without a role is a response. The
+// hammer is the entry that is a force, else the first channel. Where no entry is a response, all other channels are.
+std::vector<acquire::ChannelSetup> with_roles(std::vector<acquire::ChannelSetup> setup,
+                                              const acquire::SignalTable& table) {
+  const auto entry_of = [&](std::size_t channel) {
+    return std::find_if(setup.begin(), setup.end(),
+                        [&](const auto& entry) { return names_channel(entry, table, channel); });
+  };
+  if (std::none_of(setup.begin(), setup.end(), is_force)) {
+    if (entry_of(0) == setup.end()) setup.push_back({.name = "1"});
+    if (entry_of(0)->role.empty()) entry_of(0)->role = "force";
+  }
+  bool responses = false;
+  for (acquire::ChannelSetup& entry : setup) {
+    if (entry.role.empty()) entry.role = is_force(entry) ? "force" : "acceleration";
+    responses = responses || entry.role == "acceleration";
+  }
+  for (std::size_t c = 0; c < table.signals.size() && !responses; ++c) {
+    if (entry_of(c) == setup.end()) setup.push_back({.name = std::to_string(c + 1), .role = "acceleration"});
+  }
+  return setup;
+}
+
 acquire::SignalRoles roles_of(const acquire::SignalTable& table, const acquire::ReadOptions& options,
                               const std::string& device) {
   if (table.signals.size() < 2) {
@@ -40,8 +75,19 @@ acquire::SignalRoles roles_of(const acquire::SignalTable& table, const acquire::
   const bool stated = !options.force_channel.empty() || !options.accel_channels.empty() || !options.setup.empty();
   try {
     return acquire::find_roles(table, options);
+  } catch (const acquire::AmbiguousColumns&) {
   } catch (const InputError&) {
     if (stated) throw;
+  }
+  if (!options.setup.empty()) {
+    acquire::ReadOptions completed = options;
+    completed.setup = with_roles(options.setup, table);
+    try {
+      return acquire::find_roles(table, completed);
+    } catch (const acquire::AmbiguousColumns&) {  // its guess would need samples
+      throw InputError("the set-up leaves open which channels are the hammer and the responses", device,
+                       "give each of its entries the name or number of a channel and a role", {"setup"});
+    }
   }
   // A device without names: the hammer is plugged into the first channel, unless that measures a response.
   acquire::SignalRoles roles;
