@@ -5,11 +5,15 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
 
 namespace percuss::tools {
+
+bool in_foreground(int terminal) { return ::tcgetpgrp(terminal) == ::getpgrp(); }
+
 namespace {
 
 // Set before the handlers that read them.
@@ -25,9 +29,9 @@ struct sigaction before_pipe, before_stop, before_continue;
 volatile std::sig_atomic_t continued = 0;
 volatile double arrived_s = 0;
 
-// The functions up to install() are called by handlers: tcgetpgrp, tcsetattr, sigaction and clock_gettime are safe
-// there. Setting the mode from the background would stop the process with SIGTTOU.
-bool may_set_mode() { return raw_terminal >= 0 && ::tcgetpgrp(raw_terminal) == ::getpgrp(); }
+// Handlers call the functions of this namespace: tcgetpgrp, tcsetattr, sigaction and clock_gettime are safe there.
+// Setting the mode from the background would stop the process with SIGTTOU.
+bool may_set_mode() { return raw_terminal >= 0 && in_foreground(raw_terminal); }
 
 void apply_raw_mode() {
   if (!may_set_mode()) return;
@@ -48,7 +52,7 @@ double now_s() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// A process group and its leader may get one signal twice.
+// `timeout` and shells send a signal to the process and to its group: a copy within half a second is the same signal.
 extern "C" void finish_session(int signal) {
   if (arrived_signal == 0) {
     arrived_s = now_s();
@@ -73,17 +77,16 @@ extern "C" void restore_and_raise(int signal) {
   std::raise(signal);
 }
 
-extern "C" void stop_process(int signal);
-
-void set_handler(int signal, void (*handler)(int)) {
+void install(int signal, void (*handler)(int), struct sigaction* before) {
   struct sigaction action {};
   action.sa_handler = handler;
   action.sa_flags = SA_RESTART;
-  ::sigaction(signal, &action, nullptr);
+  ::sigaction(signal, &action, before);
 }
 
-// Stops here until SIGCONT; a process that nobody could continue does not stop.
+// Stops here until SIGCONT. The kernel does not stop a process of an orphaned group.
 extern "C" void stop_process(int signal) {
+  const int kept_errno = errno;
   restore_mode();
   ::sigaction(signal, &before_stop, nullptr);
   sigset_t this_one, before;
@@ -92,36 +95,30 @@ extern "C" void stop_process(int signal) {
   std::raise(signal);
   ::pthread_sigmask(SIG_UNBLOCK, &this_one, &before);
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  set_handler(signal, stop_process);
+  install(signal, stop_process, nullptr);
   apply_raw_mode();
   continued = 1;
+  errno = kept_errno;
 }
 
 // After a stop in the background, or by SIGSTOP.
 extern "C" void continue_raw(int /*signal*/) {
+  const int kept_errno = errno;
   apply_raw_mode();
   continued = 1;
-}
-
-void install(int signal, void (*handler)(int), struct sigaction& before) {
-  struct sigaction action {};
-  action.sa_handler = handler;
-  action.sa_flags = SA_RESTART;
-  ::sigaction(signal, &action, &before);
+  errno = kept_errno;
 }
 
 }  // namespace
-
-bool in_foreground(int terminal) { return ::tcgetpgrp(terminal) == ::getpgrp(); }
 
 void enter_raw_mode(int terminal) {
   if (::tcgetattr(terminal, &saved_mode) != 0) return;
   raw_terminal = terminal;
   static const int kRegistered = std::atexit(restore_mode);
   static_cast<void>(kRegistered);
-  for (std::size_t i = 0; i < kFatal.size(); ++i) install(kFatal[i], restore_and_raise, before_fatal[i]);
-  install(SIGTSTP, stop_process, before_stop);
-  install(SIGCONT, continue_raw, before_continue);
+  for (std::size_t i = 0; i < kFatal.size(); ++i) install(kFatal[i], restore_and_raise, &before_fatal[i]);
+  install(SIGTSTP, stop_process, &before_stop);
+  install(SIGCONT, continue_raw, &before_continue);
   apply_raw_mode();
 }
 
@@ -147,8 +144,8 @@ bool has_continued() {
 
 SessionSignals::SessionSignals() {
   arrived_signal = 0;
-  for (std::size_t i = 0; i < kFinishing.size(); ++i) install(kFinishing[i], finish_session, before_finishing[i]);
-  install(SIGPIPE, SIG_IGN, before_pipe);
+  for (std::size_t i = 0; i < kFinishing.size(); ++i) install(kFinishing[i], finish_session, &before_finishing[i]);
+  install(SIGPIPE, SIG_IGN, &before_pipe);
 }
 
 SessionSignals::~SessionSignals() {
