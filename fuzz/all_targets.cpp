@@ -20,6 +20,8 @@ std::span<const Target> targets() {
       Target{"tables", run_tables},
       Target{"document", run_document},
       Target{"batch", run_batch},
+      Target{"wav_header", run_wav_header},
+      Target{"journal", run_journal},
   };
   return kTargets;
 }

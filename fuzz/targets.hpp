@@ -40,6 +40,9 @@ void run_tables(std::string_view bytes);
 void run_document(std::string_view bytes);
 // Files that the workers of a batch exchange.
 void run_batch(std::string_view bytes);
+// A stream of samples from a pipe, and the journal of an interrupted recording.
+void run_wav_header(std::string_view bytes);
+void run_journal(std::string_view bytes);
 
 /// The bytes as a file in memory of exactly their length, so that a sanitizer finds a read beyond the end.
 FileBytes as_file(std::string_view bytes);
