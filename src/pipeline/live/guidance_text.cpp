@@ -154,8 +154,8 @@ std::string fault_text(const acquire::CaptureFinding& fault, const LiveChannels&
 
 std::string left_out_text(double time_s) {
   return fmt::format(
-      "a blow at {:.1f} s is not recorded: the next one, or lost samples, came before the length of "
-      "the blows was known; wait longer between blows, or state the length",
+      "the blow at {:.1f} s is not recorded: another blow, lost samples or the end of the recording came before its "
+      "decay could be measured; wait longer between blows, or state the length",
       time_s);
 }
 

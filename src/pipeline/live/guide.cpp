@@ -48,6 +48,7 @@ Guide::Guide(const acquire::StreamFormat& format, LiveChannels channels, GuideOp
       faults_(format.fs_Hz) {
   channels_.description.geometry = options_.geometry;
   channels_.description.trace_lines = options_.trace_lines;
+  channels_.description.trace_faces = options_.trace_faces;
   if (options_.length_s) length_ = acquire::selected_length(channels_.description, {.length_s = options_.length_s});
 }
 
@@ -143,7 +144,7 @@ void Guide::advance(bool last) {
         note_losses(previous_end_);
         complete_ = true;
       }
-    } else {
+    } else if (!session_.paused()) {
       observer_.on_left_out(window.event.first);
     }
     windows_.pop_front();

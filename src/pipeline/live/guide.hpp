@@ -30,6 +30,8 @@ struct GuideOptions {
   std::string folder = ".";                       // with room for the samples of the blows
   std::vector<std::vector<double>> geometry{};    // as acquire::Record
   std::vector<acquire::TraceLine> trace_lines{};  // likewise
+  std::vector<acquire::TraceFace> trace_faces{};  // likewise
+  std::string date{};                             // of the test; empty: unknown
 };
 
 /// A blow that has been judged.
@@ -57,8 +59,8 @@ class GuideObserver {
   /// A blow, first above the threshold at this frame, is too short to choose the length of all blows by it: the next
   /// one, or lost samples, came too early. It is not recorded.
   virtual void on_left_out(std::uint64_t /*frame*/) {}
-  /// A fault of the capture, between the verdicts where it happened. `frame` is the first lost one; a count of samples
-  /// without numbers is not final.
+  /// A fault of the capture, after the verdicts on the blows before it. `frame` is the first lost one; a count of
+  /// samples that are no numbers may still grow.
   virtual void on_fault(const acquire::CaptureFinding& /*fault*/) {}
   virtual void on_goals_met() {}
 };
@@ -119,6 +121,7 @@ class Guide {
   /// False: more samples are needed. True with no length: the window is of no use.
   bool choose_length(Window& window, bool last);
   std::uint64_t undisturbed_end(const Window& window) const;
+  bool is_pause(const SampleLoss& loss) const;
   /// Lost frames, and samples of the force that are no numbers.
   std::vector<SampleLoss> force_losses(std::uint64_t first, std::uint64_t last) const;
   void note_losses(std::uint64_t frame);

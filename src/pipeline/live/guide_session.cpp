@@ -94,7 +94,7 @@ void Guide::note_losses(std::uint64_t frame) {
       const std::uint64_t first = std::max(loss.frame, noted_), last = std::min(loss.frame + loss.frames, frame);
       loss = {.frame = first, .frames = last - first, .channel = loss.channel};
       if (!is_used(*loss.channel)) continue;
-    } else if (loss.frame < noted_ || format_.is_pause(loss.frames, loss.overrun)) {
+    } else if (loss.frame < noted_ || is_pause(loss)) {
       continue;
     }
     if (const auto fault = faults_.add(loss)) observer_.on_fault(*fault);
@@ -122,6 +122,7 @@ acquire::Record Guide::record() const {
   for (const Session::Blow& blow : session_.blows())
     places.push_back({.frame = blow.frame, .samples = store_->samples()});
   record.faults = faults_.for_record(places);
+  if (!options_.date.empty()) record.files = {{.path = format_.device, .date = options_.date}};
   return record;
 }
 

@@ -16,11 +16,16 @@ constexpr std::size_t kMinTypical = 2;  // blows
 
 }  // namespace
 
+// From row to row of a replayed record.
+bool Guide::is_pause(const SampleLoss& loss) const {
+  return !loss.channel && format_.is_pause(loss.frames, loss.overrun);
+}
+
 // The row of a replayed record may begin later than a pretrigger before its pulse.
 std::uint64_t Guide::window_start(const BlowEvent& event) const {
   std::uint64_t start = std::max(event.peak - std::min<std::uint64_t>(event.peak, pretrigger_), history_.first_frame());
   for (const SampleLoss& loss : history_.losses(start, event.peak)) {
-    if (!loss.channel && format_.is_pause(loss.frames, loss.overrun)) start = std::max(start, loss.frame + loss.frames);
+    if (is_pause(loss)) start = std::max(start, loss.frame + loss.frames);
   }
   return start;
 }
@@ -76,9 +81,11 @@ double Guide::typical(double Session::Blow::*value) const {
 BlowCircumstances Guide::circumstances(const Window& window) const {
   const std::uint64_t end = window.first + *length_;
   const auto losses = history_.losses(window.first, end);
-  const bool frames_lost =
-      std::any_of(losses.begin(), losses.end(), [](const SampleLoss& loss) { return !loss.channel; });
-  BlowCircumstances at{.lost_samples = frames_lost || history_.end_frame() < end,
+  const auto any = [&](const auto& is) { return std::any_of(losses.begin(), losses.end(), is); };
+  const bool row_ended = any([&](const SampleLoss& loss) { return is_pause(loss); });
+  const bool frames_lost = any([&](const SampleLoss& loss) { return !loss.channel && !is_pause(loss); });
+  BlowCircumstances at{.lost_samples = frames_lost || (!row_ended && history_.end_frame() < end),
+                       .row_ended = row_ended,
                        .struck_again = windows_.size() > 1 && windows_[1].event.first < end,
                        .during_previous = window.event.first < previous_end_,
                        .typical_peak_N = typical(&Session::Blow::peak_N),
@@ -86,8 +93,7 @@ BlowCircumstances Guide::circumstances(const Window& window) const {
                        .pretrigger = static_cast<std::size_t>(window.event.peak - window.first)};
   for (std::size_t s = 0; s <= channels_.accel.size() && !at.no_numbers; ++s) {
     const std::size_t channel = s == 0 ? channels_.force : channels_.accel[s - 1];
-    if (std::any_of(losses.begin(), losses.end(), [&](const SampleLoss& loss) { return loss.channel == channel; }))
-      at.no_numbers = s;
+    if (any([&](const SampleLoss& loss) { return loss.channel == channel; })) at.no_numbers = s;
   }
   if (!(full_scales_.at(channels_.force) > 0)) return at;
   std::vector<double> x(*length_);

@@ -49,7 +49,7 @@ bool Session::complete() const {
   return true;
 }
 
-// Goes to the next point that lacks blows, behind the current one, then from the first. False: no other point does.
+// Goes to the next point that lacks blows, after the current one and then from the first. False: no other point does.
 bool Session::go_on() {
   for (std::size_t step = 1; step < plan_.points.size(); ++step) {
     const std::size_t index = (current_ + step) % plan_.points.size();

@@ -100,7 +100,7 @@ std::optional<CaptureFinding> SessionFaults::add(const SampleLoss& loss) {
 
 void SessionFaults::add(const CaptureFinding& finding) {
   if (!is_loss(finding.fault)) {
-    if (stored_kind(finding.fault)) coming_.push_back(finding);
+    if (stored_kind(finding.fault)) pending_.push_back(finding);
     return;
   }
   if (!is_reason(finding.fault)) return;
@@ -122,7 +122,7 @@ void SessionFaults::add_past(const CaptureFinding& finding, std::uint64_t first_
 }
 
 std::vector<CaptureFinding> SessionFaults::finish(bool finished_before) {
-  std::vector<CaptureFinding> out = std::exchange(coming_, {});
+  std::vector<CaptureFinding> out = std::exchange(pending_, {});
   if (finished_before)
     std::erase_if(out, [](const CaptureFinding& finding) { return finding.fault != CaptureFault::clock_drift; });
   // Frames that were dropped after the last one that arrived.
@@ -140,7 +140,8 @@ std::vector<acquire::RecordFault> SessionFaults::for_record(const std::vector<Ro
   std::vector<acquire::RecordFault> out;
   for (const CaptureFinding& fault : sorted) {
     const auto in_row = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
-      return row.frame <= fault.frame && fault.frame < row.frame + row.samples;
+      const std::uint64_t frames = is_loss(fault.fault) ? std::max<std::uint64_t>(fault.count, 1) : 1;
+      return row.frame < fault.frame + frames && fault.frame < row.frame + row.samples;
     });
     out.push_back({.kind = stored_kind(fault.fault).value_or(FaultKind::failed),
                    .row = in_row == rows.end() ? -1 : static_cast<int>(in_row - rows.begin()),

@@ -16,16 +16,16 @@ class SessionFaults {
  public:
   explicit SessionFaults(double fs_Hz);
 
-  /// Adds a part of a loss. What is new; nothing for samples that continue a fault: samples of a channel that are no
-  /// numbers, less than a second after the last ones.
+  /// Adds a loss, or a part of one. Returns the new fault. Samples that are no numbers, less than a second after the
+  /// channel's last ones, extend its fault; then nothing is returned.
   std::optional<acquire::CaptureFinding> add(const SampleLoss& loss);
   /// Adds what the capture states. Losses are known from the samples; `dropped` and `resumed` say why they happened.
   void add(const acquire::CaptureFinding& finding);
   /// Adds what the journal of an interrupted session states. Its samples begin at `first_frame`: losses before it are
   /// not in them.
   void add_past(const acquire::CaptureFinding& finding, std::uint64_t first_frame);
-  /// Takes over the faults that are no losses, in the order of frames. Those of the device's end do not concern a
-  /// session that was finished before.
+  /// Adds the remaining faults of the capture, in the order of frames, and returns them. If the session was finished
+  /// before the device ended, only the drift of the clock is kept.
   std::vector<acquire::CaptureFinding> finish(bool finished_before);
 
   struct Row {
@@ -45,7 +45,7 @@ class SessionFaults {
   double fs_Hz_;
   std::vector<acquire::CaptureFinding> faults_;   // `frame` is the first one of a loss
   std::vector<acquire::CaptureFinding> reasons_;  // of losses that the samples have not shown yet
-  std::vector<acquire::CaptureFinding> coming_;   // that wait for finish()
+  std::vector<acquire::CaptureFinding> pending_;  // until finish()
   std::map<std::size_t, Run> runs_;               // by channel
 };
 

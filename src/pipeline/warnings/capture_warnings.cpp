@@ -49,8 +49,9 @@ void add_losses(const acquire::Record& record, std::vector<Warning>& out) {
   }
   if (text.empty()) return;
   if (in_blows > 0) text += fmt::format("; {} of them in a blow, which was rejected", in_blows);
-  out.push_back(with_remedy({"capture_lost_samples", text},
-                            "close other programs, use another USB socket, or record fewer channels"));
+  std::string remedy = losses > 0 ? "close other programs, use another USB socket, or record fewer channels" : "";
+  if (no_numbers > 0) remedy += (remedy.empty() ? "" : "; ") + std::string("check the cable and input of each channel");
+  out.push_back(with_remedy({"capture_lost_samples", text}, remedy));
 }
 
 }  // namespace

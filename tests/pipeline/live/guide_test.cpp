@@ -9,9 +9,9 @@
 #include <memory>
 
 #include "acquire/hits/hits.hpp"
-#include "support/guide_bench.hpp"
 #include "support/input_error.hpp"
-#include "support/live_source.hpp"
+#include "support/live/guide_bench.hpp"
+#include "support/live/live_source.hpp"
 
 namespace percuss::guide_test {
 namespace {
@@ -20,7 +20,7 @@ using acquire::RowMark;
 using pipeline::BlowReport, pipeline::Guide, pipeline::GuideOptions, pipeline::SessionEvent;
 using Bench = test::GuideBench;
 using test::analysis_document, test::force_rows, test::struck_tube;
-using testing::ElementsAre;
+using testing::ElementsAre, testing::HasSubstr;
 using Kind = SessionEvent::Kind;
 
 constexpr const char* kFiveTimes = "0.4, 1.9, 3.4, 4.9, 6.4";
@@ -37,7 +37,7 @@ TEST(Guide, RecordsTheAskedBlows) {
   EXPECT_GE(record.rows[0].samples, 1600U);
   EXPECT_LT(record.rows[0].samples, 4096U);
   const std::string json = analysis_document(record);
-  for (const char* expected : {"\"family\": \"hoop\"", "\"family\": \"bending\""})
+  for (const char* expected : {R"("family": "hoop")", R"("family": "bending")"})
     EXPECT_NE(json.find(expected), std::string::npos) << json;
   EXPECT_EQ(json.find("truncated_decay"), std::string::npos);
 }
@@ -193,6 +193,27 @@ TEST(LiveChannels, RefusesChannelsThatAllMeasureResponses) {
       .device = "file:a.csv", .fs_Hz = 1000, .channels = 2, .names = {"CH2", "CH3"}, .units = {"m/s^2", "m/s^2"}};
   EXPECT_THAT(test::input_error_of([&] { pipeline::live_channels(format, {}); }),
               testing::StartsWith("no channel is a force (file:a.csv)"));
+}
+
+// A sound card does not name its channels.
+TEST(LiveChannels, TakesEntriesOfASetupWithoutARoleAsResponses) {
+  const acquire::StreamFormat format{.device = "card", .fs_Hz = 48000, .channels = 4, .names = {}, .units = {}};
+  const auto found = [&](std::vector<acquire::ChannelSetup> setup) {
+    acquire::ReadOptions options;
+    options.setup = std::move(setup);
+    const pipeline::LiveChannels channels = pipeline::live_channels(format, options);
+    std::vector<std::size_t> out{channels.force};
+    out.insert(out.end(), channels.accel.begin(), channels.accel.end());
+    return out;
+  };
+  EXPECT_THAT(found({}), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(found({{.name = "2", .role = "force"}}), ElementsAre(1, 0, 2, 3));
+  EXPECT_THAT(found({{.name = "1", .role = "force"}, {.name = "2", .angle_rad = 0}, {.name = "4", .angle_rad = 1}}),
+              ElementsAre(0, 1, 3));
+  EXPECT_THAT(found({{.name = "channel 3"}}), ElementsAre(0, 2));
+  EXPECT_THAT(found({{.name = "3", .unit = "N"}, {.name = "1", .unit = "g"}}), ElementsAre(2, 0));
+  EXPECT_THAT(test::input_error_of([&] { found({{.name = "1", .role = "ignore"}}); }),
+              HasSubstr("leaves open which channels"));
 }
 
 // A session that is killed at any frame, and resumed from the samples and events that it left, ends as if nothing had

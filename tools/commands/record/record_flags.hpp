@@ -22,7 +22,8 @@ struct RecordFlags {
   std::string band;
   std::string until;
   std::string report;
-  ReadFlags read;  // --setup
+  ReadFlags read;    // --setup
+  std::string date;  // when the session began, for the file; empty for a device that repeats itself
   bool fast = false, json = false, force = false, quiet = false;
   std::vector<std::string> given;  // the options on the command line: "hits"
 

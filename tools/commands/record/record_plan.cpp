@@ -46,7 +46,9 @@ pipeline::GuideOptions guide_options(const RecordFlags& flags) {
     for (const acquire::GeometryPoint& point : geometry.points) options.plan.points.push_back(point.point);
     options.geometry = geometry_rows(geometry, flags.geometry);
     for (const auto& line : geometry.lines) options.trace_lines.push_back({line[0], line[1]});
+    options.trace_faces = geometry.faces;
   }
+  options.date = flags.date;
   if (!flags.band.empty()) options.analysis.band_Hz = parse_band(flags.band, "band");
   if (!flags.until.empty()) options.until = pipeline::parse_goals(flags.until);
   options.trigger_N = flags.trigger_N;
