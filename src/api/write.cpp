@@ -15,7 +15,6 @@
 #include "report/deflection_report.hpp"
 #include "report/frf_files.hpp"
 #include "report/html/analysis_page.hpp"
-#include "report/html/creation_time.hpp"
 #include "report/html/survey_page.hpp"
 #include "report/json/analysis_json.hpp"
 #include "report/json/survey_json.hpp"
@@ -23,6 +22,7 @@
 #include "report/survey_files.hpp"
 #include "report/svg/analysis_charts.hpp"
 #include "report/svg/survey_charts.hpp"
+#include "report/text/creation_time.hpp"
 
 namespace percuss {
 namespace api {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "acquire/channels/channel_setup.hpp"
-#include "report/html/creation_time.hpp"
+#include "report/text/creation_time.hpp"
 
 namespace percuss::tools {
 namespace {

@@ -7,7 +7,6 @@
 #include "identify/shapes/mode_shapes.hpp"
 
 namespace percuss::report {
-
 namespace {
 
 std::string header_of(bool several_tests) {

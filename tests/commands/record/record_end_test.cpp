@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "support/record_bench.hpp"
+#include "acquire/formats/hdf5/read_hdf5.hpp"
+#include "acquire/record/stated_date.hpp"
+#include "support/live/record_bench.hpp"
 
 // percuss record when a session ends early, goes on or meets faults.
 namespace percuss::record_end_test {
@@ -30,7 +32,6 @@ TEST(RecordEnd, TellsFaultsInTheOrderOfSamples) {
 
 TEST(RecordEnd, NamesAFailedReportAndPrintsTheDocument) {
   const Bench bench;
-  test::write_bytes(bench.folder.file("g.csv"), "point,x_m,y_m,z_m\n1,0,0,0\n");
   const auto recorded = bench.record("sim:aluminium-bat", {"--json", "--report", "no-such-folder/r.html"});
   EXPECT_NE(recorded.code, 0);
   EXPECT_THAT(recorded.err, HasSubstr("no-such-folder"));
@@ -85,6 +86,20 @@ TEST(RecordEnd, FinishesCleanlyOnASignal) {
   EXPECT_EQ(bench.run({"record", "--resume", "t.h5", "--fast"}).code, 0);
   EXPECT_EQ(bench.marks().size(), 5U);
   EXPECT_FALSE(bench.has("t.h5.journal"));
+}
+
+// A simulated or replayed session is no test of a day: its file has the same bytes whenever it is made.
+TEST(RecordEnd, DatesASessionByItsBeginning) {
+  const Bench bench;
+  ASSERT_EQ(bench.run({"synth", "aluminium-bat", "-o", "x.wav"}).code, 0);
+  const std::string record =
+      "percuss record -o t.h5 --force --hits 1 --device stdin: --channels 1,2 --setup s.json <x.wav";
+  test::write_bytes(bench.folder.file("s.json"), R"([{"name":"1","role":"force","unit":"N"},{"name":"2","unit":"g"}])");
+  bench.shell("SOURCE_DATE_EPOCH=1764201600 " + record + " >out 2>&1");
+  ASSERT_TRUE(bench.has("t.h5")) << bench.bytes("out");
+  EXPECT_EQ(acquire::date_of(acquire::open_hdf5(bench.folder.file("t.h5"), {}).files.at(0)), "2025-11-27 00:00 UTC");
+  ASSERT_EQ(bench.record("sim:aluminium-bat", {"--force"}).code, 0);
+  EXPECT_EQ(acquire::date_of(acquire::open_hdf5(bench.folder.file("t.h5"), {}).files.at(0)), "");
 }
 
 // At any moment of a session: the finished file has the bytes of an uninterrupted one.

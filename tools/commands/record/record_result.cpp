@@ -8,6 +8,7 @@
 #include "cli/host.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
+#include "core/error.hpp"
 #include "report/json/analysis_json.hpp"
 #include "report/text/version.hpp"
 
@@ -26,7 +27,12 @@ int write_session_report(const RecordFlags& flags) {
   std::vector<const char*> arguments;
   arguments.reserve(words.size());
   for (const std::string& word : words) arguments.push_back(word.c_str());
-  const int code = line.run(static_cast<int>(arguments.size()), arguments.data());
+  int code = kBadInput;
+  try {
+    code = line.run(static_cast<int>(arguments.size()), arguments.data());
+  } catch (const InputError& error) {
+    print_note({}, {error.what(), error.options()});
+  }
   if (code == kOk) return code;
   for (const Message& note : host.outcome.notes) print_note({}, note);
   print_note({}, {"the report was not written, or is not complete", {"report"}});

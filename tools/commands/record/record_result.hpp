@@ -28,7 +28,7 @@ class SessionResult {
 };
 
 /// Writes the report by the same command that makes it from the file later: analyze, or survey with a geometry. Returns
-/// the command's exit code. errors  as that command's
+/// the command's exit code. Prints why it fails.
 int write_session_report(const RecordFlags& flags);
 
 }  // namespace percuss::tools

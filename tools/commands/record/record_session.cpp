@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <utility>
 
+#include "acquire/hits/time_selection.hpp"
 #include "acquire/live/capture_stream.hpp"
 #include "acquire/live/open_device.hpp"
 #include "acquire/write_record.hpp"
-#include "cli/analysis_flags.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
@@ -26,8 +25,8 @@
 #include "commands/record/record_screen.hpp"
 #include "commands/record/record_terminal.hpp"
 #include "core/error.hpp"
-#include "pipeline/live/guidance_text.hpp"
 #include "pipeline/live/guide.hpp"
+#include "report/text/creation_time.hpp"
 #include "report/text/version.hpp"
 #include "synth/simulated_device.hpp"
 
@@ -46,7 +45,7 @@ struct Recording {
   pipeline::LiveChannels channels;
 };
 
-// The set-up is checked against the device before there is a journal.
+// Set-up and length are checked against the device before there is a journal.
 Recording open_recording(const RecordFlags& flags, const Interrupted& interrupted) {
   const bool resumed = interrupted.journal != nullptr;
   acquire::DeviceOptions wanted{.fs_Hz = flags.fs_Hz, .fast = flags.fast};
@@ -65,6 +64,7 @@ Recording open_recording(const RecordFlags& flags, const Interrupted& interrupte
   Recording out{.stream = nullptr,
                 .channels = pipeline::live_channels(acquire::stream_format(device->format(), options.channels),
                                                     resolved_read_options(flags.read))};
+  acquire::selected_length(out.channels.description, {.length_s = flags.length_s});  // refuses a length of no use
   out.stream = std::make_unique<acquire::CaptureStream>(std::move(device), options);
   return out;
 }
@@ -126,11 +126,6 @@ StreamEnd record_blows(acquire::CaptureStream& stream, pipeline::Guide& guide, R
   return end;
 }
 
-int exit_code_of(const pipeline::Session& session, bool ended_early) {
-  if (session.accepted() == 0) return kImpossible;
-  return ended_early && !session.complete() ? kPartial : kOk;
-}
-
 int list_devices() {
   CommandLine line("percuss", "", report::version());
   add_devices(line);
@@ -144,16 +139,12 @@ void check_files(const RecordFlags& flags) {
   if (!flags.report.empty()) check_outputs({.paths = {flags.report}, .force = flags.force}, {".html"});
 }
 
-bool is_fault(StreamEnd end) {
-  return end == StreamEnd::unplugged || end == StreamEnd::rate_changed || end == StreamEnd::failed;
-}
-
 // Records, and writes the file. The exit code; `document` is for --json.
 int record_file(const RecordFlags& flags, const Interrupted& interrupted, pipeline::GuideOptions options,
                 std::string& document) {
   const auto analysis = options.analysis;
   Recording recording = open_recording(flags, interrupted);
-  std::unique_ptr<acquire::CaptureStream>& stream = recording.stream;
+  auto& stream = recording.stream;
   const bool resumed = interrupted.journal != nullptr;
   if (!resumed) stream->append_event(settings_json(flags));  // at once: a kill may follow
   const acquire::StreamFormat format = stream->format();
@@ -168,22 +159,26 @@ int record_file(const RecordFlags& flags, const Interrupted& interrupted, pipeli
   }
   const StreamEnd end = record_blows(*stream, guide, terminal, screen);
   const pipeline::Session& session = guide.session();
-  const int code = exit_code_of(session, end != StreamEnd::none || SessionSignals::arrived() != 0);
+  const bool early = (end != StreamEnd::none || SessionSignals::arrived() != 0) && !session.finished();
   if (end == StreamEnd::finished && !session.finished())
     screen.note("the device ended before every point had its blows");
   stream.reset();
   if (session.blows().empty()) {
     screen.note("no blow was recorded, so no file is written");
-    if (!is_fault(end)) fs::remove(journal_of(flags.output));
+    fs::remove(journal_of(flags.output));  // it holds no samples
     return kImpossible;
   }
-  acquire::write_record(flags.output, guide.record(), flags.force);
-  if (code == kPartial || (code == kImpossible && is_fault(end))) {
+  const acquire::Record record = guide.record();
+  acquire::write_record(flags.output, record, flags.force);
+  if (early) {
     screen.note(fmt::format("the file holds the blows so far; go on with: percuss record --resume {}", flags.output));
   } else {
     fs::remove(journal_of(flags.output));  // the file is whole, and on the disk
   }
-  const SessionResult result(guide.record(), flags.output, analysis, session.accepted());
+  int code = early ? kPartial : kOk;
+  if (session.accepted() == 0) code = kImpossible;
+  if (flags.quiet && !flags.json) return code;  // nothing would show the analysis
+  const SessionResult result(record, flags.output, analysis, session.accepted());
   screen.end(guide, result);
   if (flags.json) document = result.document();
   return code;
@@ -197,6 +192,7 @@ int run_record(RecordFlags flags) {
   if (!flags.resume.empty()) interrupted = open_interrupted(flags);
   check_files(flags);
   if (flags.device.empty()) throw OptionError({"device"}, "is missing", "name what records; percuss devices lists it");
+  if (flags.resume.empty() && !repeats_itself(flags.device)) flags.date = report::creation_time() + " UTC";
   std::string document;
   const int code = record_file(flags, interrupted, guide_options(flags), document);
   if (flags.json) std::cout << document << std::flush;

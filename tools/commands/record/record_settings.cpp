@@ -26,6 +26,7 @@ void each_setting(Flags& flags, Visit&& visit) {
   visit("report", flags.report);
   visit("setup", flags.read.setup_path);
   visit("fast", flags.fast);
+  visit("date", flags.date);
 }
 
 struct Write {

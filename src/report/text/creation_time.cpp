@@ -1,4 +1,4 @@
-#include "report/html/creation_time.hpp"
+#include "report/text/creation_time.hpp"
 
 #include <fmt/chrono.h>
 
