@@ -46,7 +46,7 @@ typedef struct percuss_device_format {
 } percuss_device_format;
 
 typedef struct percuss_device_block {
-  uint32_t size;        /* sizeof(percuss_device_block) of percuss; the other members are 0 before read */
+  uint32_t size;        /* percuss sets sizeof(percuss_device_block) before read, and the other members to 0 */
   uint32_t flags;       /* PERCUSS_BLOCK_… */
   uint64_t first_frame; /* frames since start, lost ones included: a jump is a loss */
   uint32_t frames;      /* delivered; 0: none came in time */

@@ -13,7 +13,7 @@ struct CsvColumns;
 struct ReadOptions;
 
 inline constexpr std::size_t kMaxGuessedSignals = 64;  // more than a command line should list
-/// Between the hammer_measure() of two hammers. A response differs from its hammer by a factor of 20 and more.
+/// The largest ratio between the hammer_measure() of two hammers. That of a response is 20 times its hammer's or more.
 inline constexpr double kMaxMeasureRatio = 10;
 
 /// The likely force and accelerations of a file that does not name them, as the options accept them. Empty: no guess.

@@ -34,9 +34,9 @@ struct Geometry {
 /// columns `lines` and `faces`, or by rows "line,0,1,2" and "face,0,1,5,4" (see geometry_connections.hpp). Columns may
 /// have any order. Units are m, mm, cm, in and deg, rad; they stand in the name ("x_mm", "angle (rad)") or in a line of
 /// units. Lengths without a unit are taken as m unless they exceed 10. Delimiters, quotes and comments are as in
-/// records. Coordinates of points around an axis are turned into position and angle (tube_from_coordinates). errors
-/// InputError with file, line and remedy: no such columns, a cell that is not a number, a point twice, no unit,
-///         a connection with a point that is not listed, a text that is too long.
+/// records. Coordinates of points around an axis are turned into position and angle (tube_from_coordinates).
+/// errors  InputError with file, line and remedy: no such columns, a cell that is not a number, a point twice, lengths
+///         above 10 or an angle without a unit, a connection with a point that is not listed, a text that is too long.
 Geometry read_geometry(const std::string& path);
 
 /// As read_geometry, for a text in memory; `where` names it.

@@ -59,7 +59,7 @@ GeometryColumns geometry_columns(const std::vector<std::string_view>& names, con
   if (!has(kPoint)) throw InputError("no column of points", where, kGeometryRemedy, {"survey.example"});
   const bool cartesian = has(kX) || has(kY) || has(kZ), tube = has(kPosition) || has(kAngle);
   if (cartesian == tube || (tube && !has(kPosition))) {
-    throw InputError("the columns state no place, or two kinds of it", where,
+    throw InputError("the columns hold no coordinates, or two kinds of them", where,
                      "give x, y, z (missing ones are 0), or position with or without angle: point,x_m,y_m,z_m or "
                      "point,position_m,angle_deg");
   }

@@ -68,7 +68,7 @@ class Device {
 /// What the user asks of a device.
 struct DeviceOptions {
   std::optional<double> fs_Hz;          // absent: the device's own rate
-  std::optional<std::size_t> channels;  // at least so many, of a device that offers only a part of them unasked
+  std::optional<std::size_t> channels;  // open at least so many; a device that always delivers all ignores it
   bool fast = false;                    // a simulated or replayed device need not keep to real time
   std::uint64_t start_frame = 0;        // simulated and replayed devices begin here: where a session was interrupted
 };

@@ -22,7 +22,7 @@ constexpr std::size_t kMessage_bytes = 300, kMaxPluginChannels = 4096;
 constexpr double kPluginPiece_s = 0.02, kMaxPluginRate_Hz = 1e8;
 constexpr std::uint64_t kMaxPluginFrame = std::uint64_t{1} << 60U;
 
-// The sizes in version 1: a plug-in that was built with them stays good when the structures grow.
+// The first version's sizes: plug-ins that were built with them still load after the structures grow.
 constexpr std::size_t kTable_bytes = offsetof(percuss_device_plugin, close) + sizeof(percuss_device_plugin::close);
 constexpr std::size_t kFormat_bytes = offsetof(percuss_device_format, units) + sizeof(percuss_device_format::units);
 

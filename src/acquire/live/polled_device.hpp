@@ -23,7 +23,7 @@ class PolledDevice : public Device {
   bool stopping() const { return stopping_.load(std::memory_order_relaxed); }
   /// Writes frames in parts, each as soon as the sink has room. Frames are left out only when the device shall stop.
   void write_with_room(FrameSink& sink, std::span<const std::byte> frames, std::size_t frame_bytes) const;
-  /// Waits shortly for room in the sink.
+  /// Sleeps briefly, so that the sink can make room.
   static void wait_shortly();
 
  private:

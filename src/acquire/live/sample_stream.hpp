@@ -25,8 +25,7 @@ struct StreamFormat {
 
 /// Consecutive frames of all channels, in the order of their capture. A frame has one sample per channel.
 struct SampleBlock {
-  std::uint64_t first_frame =
-      0;  // by the device's count since its start: a jump from block to block is a loss or a pause
+  std::uint64_t first_frame = 0;  // by the device's count since its start; a jump is a loss or a pause
   std::size_t frames = 0;
   std::vector<double> values;  // [frames × channels], interleaved
   bool overrun = false;        // the device states that it lost samples before this block

@@ -4,7 +4,7 @@
 namespace percuss {
 inline namespace core {
 
-/// Writes all bytes to a descriptor; goes on after signals. False with errno where it cannot.
+/// Writes all bytes to a descriptor; repeats interrupted calls. Returns false, with errno set, on failure.
 bool write_all(int descriptor, std::string_view bytes);
 
 }  // namespace core

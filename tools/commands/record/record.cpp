@@ -36,10 +36,10 @@ void add_record(CommandLine& line) {
       "what to do. Goes from point to point of a geometry. Rejected blows stay in the file, marked. Every sample since "
       "the first blow goes to a journal beside the file as it arrives; after a kill or a loss of power, --resume goes "
       "on. Keys on a terminal: space pauses, u undoes the last accepted blow, r repeats the point, n goes to the next "
-      "point, g to a point by its number, q finishes and writes what is there. Without a terminal, it runs until every "
-      "point has its blows. Exit code 0: every point has its blows, the goal of --until is met, or q was pressed; 4: "
-      "no blow counts; 6: the device or a signal ended the session early; the file holds what was recorded, and "
-      "--resume goes on.");
+      "point that lacks blows, g to a point by its number, q finishes and writes what is there. Without a terminal, it "
+      "runs until every point has its blows. Exit code 0: every point has its blows, the goal of --until is met, or q "
+      "was pressed; 4: no blow counts; 6: the device or a signal ended the session early; the file holds what was "
+      "recorded, and --resume goes on.");
   command.example("percuss record -o test.h5 --device sim:aluminium-bat --fast",
                   "Try it with a simulated bat, faster than real time");
   command.example(
@@ -53,7 +53,7 @@ void add_record(CommandLine& line) {
       .value(
           "--device", flags->device,
           "Record from this device: a name that percuss devices lists, sim:SPEC (simulated), file:RECORD (replayed), "
-          "stdin:…; list: print them")
+          "stdin: (WAV from a pipe, or stdin:raw:s24:51200:2); list: print them")
       .type("NAME");
   command.value("--hits", flags->hits, "Record this many accepted blows at each point")
       .type("N")
@@ -95,7 +95,8 @@ void add_record(CommandLine& line) {
   command.value("--report", flags->report, "Write the report of the test at the end (.html or .pdf)").type("FILE");
   command
       .value("--resume", flags->resume,
-             "Go on with the interrupted session that was recording this file, with its options; others are refused")
+             "Go on with the interrupted session that was recording this file, with its options; contradicting ones "
+             "are refused")
       .type("FILE");
   command.flag("--fast", flags->fast, "Do not wait for real time: for sim: and file: only");
   command.flag("--json", flags->json, "Print the analysis as one JSON document; guidance goes to standard error");

@@ -14,6 +14,7 @@
 #include "core/io/csv_header.hpp"
 
 namespace percuss::acquire {
+
 bool is_own_description(const std::string& name) {
   constexpr std::array<std::string_view, 10> kNames{"point",     "run",        "geometry",   "trace_lines",
                                                     "angle_deg", "position_m", "continuous", "fs",
