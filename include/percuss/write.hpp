@@ -25,6 +25,14 @@
 
 namespace percuss {
 
+/// What a page states about the test, as plain text. Empty members are left out.
+struct PageTitle {
+  std::string title{};  // default: the name of the record
+  std::string customer{}, operator_name{}, specimen{};
+  std::string note{};  // lines, and paragraphs between empty lines
+  std::string logo{};  // path of a picture: PNG, JPEG or SVG, at most 200 kB
+};
+
 struct WriteOptions {
   bool overwrite = false;         // replace a file that exists (option "force")
   std::optional<FrfKind> kind{};  // of FRFs; default: the kind of the set
@@ -32,10 +40,11 @@ struct WriteOptions {
   std::vector<std::string> picture{};
   std::string produced_by = "percuss (C++)";  // stated in .html
   std::string produced_at{};  // stated in .html, UTC, "2026-11-22 21:45"; default: SOURCE_DATE_EPOCH or now
+  PageTitle title{};          // of .html
 };
 
 /// errors (of all)  InputError: the file exists, or cannot be written; the extension is not known, or its format cannot
-/// hold the data.
+/// hold the data; the logo cannot be used.
 
 /// .h5 .hdf5 .csv .mat .uff .unv .wav .rf64 .w64
 void write(const std::string& path, const Record& record, const WriteOptions& options = {});

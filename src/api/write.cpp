@@ -12,9 +12,11 @@
 #include "api/handles.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/input_file.hpp"
 #include "report/deflection_report.hpp"
 #include "report/frf_files.hpp"
 #include "report/html/analysis_page.hpp"
+#include "report/html/logo.hpp"
 #include "report/html/survey_page.hpp"
 #include "report/json/analysis_json.hpp"
 #include "report/json/survey_json.hpp"
@@ -51,9 +53,23 @@ std::string checked_extension(const std::string& path, const std::vector<std::st
 
 bool is_uff(const std::string& extension) { return extension == ".uff" || extension == ".unv"; }
 
+report::TitleBlock title_block(const PageTitle& title) {
+  std::string logo;
+  if (!title.logo.empty())
+    logo = report::logo_data_uri(read_input(title.logo, report::kMaxLogo_bytes).view(), title.logo);
+  return {.title = title.title,
+          .customer = title.customer,
+          .operator_name = title.operator_name,
+          .specimen = title.specimen,
+          .note = title.note,
+          .logo = logo,
+          .facts = {}};
+}
+
 report::Provenance provenance(const WriteOptions& options) {
   return {.command = options.produced_by,
-          .made_at = options.produced_at.empty() ? report::creation_time() : options.produced_at};
+          .made_at = options.produced_at.empty() ? report::creation_time() : options.produced_at,
+          .title_block = title_block(options.title)};
 }
 
 std::vector<std::string> pictures(const WriteOptions& options, const std::vector<std::string>& known,

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <complex>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -229,6 +230,19 @@ TEST_F(PublicResults, PagesStateTheTimeOfSourceDateEpoch) {
   write(folder_.file("a.html"), analysis);
   ASSERT_EQ(::unsetenv("SOURCE_DATE_EPOCH"), 0);
   EXPECT_THAT(test::bytes_of(folder_.file("a.html")), testing::HasSubstr("1970-01-02 00:00 UTC"));
+}
+
+TEST_F(PublicResults, PagesStateTheTitle) {
+  const Analysis analysis(synthesise_preset("wood-bat").record, {.band_Hz = kBand});
+  test::write_bytes(folder_.file("logo.svg"), R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"/>)");
+  WriteOptions options{
+      .title = {.title = "Bat 7", .customer = "A & B", .note = "Cold.", .logo = folder_.file("logo.svg")}};
+  write(folder_.file("a.html"), analysis, options);
+  for (const char* expected : {"Bat 7</h1>", "A &amp; B", "Cold.", "data:image/svg+xml;base64,"})
+    EXPECT_THAT(test::bytes_of(folder_.file("a.html")), testing::HasSubstr(expected));
+  options.title.logo = folder_.file("a.html");
+  EXPECT_THROW(write(folder_.file("b.html"), analysis, options), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("b.html")));
 }
 
 }  // namespace percuss::api_results_test
