@@ -47,6 +47,7 @@ Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, co
   if (at.row_ended)
     return {RowMark::lost_samples, "the row of the record ends before the length of the blows",
             "state a shorter length"};
+  if (at.recording_ended) return {RowMark::lost_samples, "the recording ended within the blow", "repeat it"};
   if (at.no_numbers) {
     const std::size_t signal = *at.no_numbers;
     const std::string name = signal == 0 ? "the force" : name_of_channel(context.channels, signal - 1);

@@ -16,6 +16,7 @@ namespace percuss::pipeline {
 struct BlowCircumstances {
   bool lost_samples = false;
   bool row_ended = false;                   // of a replayed record
+  bool recording_ended = false;             // within the samples of the blow
   std::optional<std::size_t> no_numbers{};  // the first signal with samples that are no numbers: 0 for the force
   bool struck_again = false;                // the next blow begins within its samples
   bool during_previous = false;             // it begins within the samples of the blow before

@@ -84,8 +84,9 @@ BlowCircumstances Guide::circumstances(const Window& window) const {
   const auto any = [&](const auto& is) { return std::any_of(losses.begin(), losses.end(), is); };
   const bool row_ended = any([&](const SampleLoss& loss) { return is_pause(loss); });
   const bool frames_lost = any([&](const SampleLoss& loss) { return !loss.channel && !is_pause(loss); });
-  BlowCircumstances at{.lost_samples = frames_lost || (!row_ended && history_.end_frame() < end),
+  BlowCircumstances at{.lost_samples = frames_lost,
                        .row_ended = row_ended,
+                       .recording_ended = history_.end_frame() < end,
                        .struck_again = windows_.size() > 1 && windows_[1].event.first < end,
                        .during_previous = window.event.first < previous_end_,
                        .typical_peak_N = typical(&Session::Blow::peak_N),

@@ -136,6 +136,14 @@ TEST(GuideFaults, MarksBlowsThatLostSamples) {
   EXPECT_NE(json.find("rejected while it was recorded: samples were lost"), std::string::npos);
 }
 
+TEST(GuideFaults, TellsTheEndOfTheRecordingFromALoss) {
+  Bench bench(struck_tube(kFiveTimes, 8));
+  bench.play(0, 8000);  // the second blow rings on
+  bench.guide->finish();
+  EXPECT_THAT(bench.marks(), ElementsAre(RowMark::none, RowMark::lost_samples));
+  EXPECT_EQ(bench.witness.blows[1].grade.reason, "the recording ended within the blow");
+}
+
 TEST(GuideFaults, GoesOnAfterALongGap) {
   Bench bench(struck_tube(kFiveTimes, 8));
   bench.play(0, 7000);
