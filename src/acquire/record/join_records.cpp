@@ -59,6 +59,31 @@ struct Joined {
   std::vector<Source> rows;
 };
 
+// Each note once: with the files that it concerns, or without where it concerns all of them.
+void add_notes(const std::vector<Record>& records, std::vector<Message>& out) {
+  struct Noted {
+    Message note;
+    std::vector<const Record*> in;
+  };
+  std::vector<Noted> notes;
+  for (const Record& record : records) {
+    for (const Message& note : record.notes) {
+      const auto known = std::find_if(notes.begin(), notes.end(), [&](const Noted& one) { return one.note == note; });
+      if (known == notes.end()) {
+        notes.push_back({note, {&record}});
+      } else if (known->in.back() != &record) {
+        known->in.push_back(&record);
+      }
+    }
+  }
+  for (const Noted& one : notes) {
+    std::string where;
+    if (one.in.size() < records.size()) where = one.in.front()->source();
+    if (!where.empty() && one.in.size() > 1) where += fmt::format(" and {} more", one.in.size() - 1);
+    out.emplace_back(where.empty() ? one.note.text : where + ": " + one.note.text, one.note.options);
+  }
+}
+
 }  // namespace
 
 Record join_records(std::vector<Record> records, FileGrouping grouping) {
@@ -93,10 +118,10 @@ Record join_records(std::vector<Record> records, FileGrouping grouping) {
     points += number_of_points(record);
     out.files.insert(out.files.end(), record.files.begin(), record.files.end());
     if (record.files.empty()) out.files.push_back({.path = record.source()});
-    for (const Message& note : record.notes) out.notes.emplace_back(record.source() + ": " + note.text, note.options);
     out.continuous = out.continuous && (record.rows.size() == 1 || record.continuous);
     if (record.format != out.format) out.format = "several";
   }
+  add_notes(records, out.notes);
   joined->records = std::move(records);
   out.read_force_N = [joined](std::size_t row, std::size_t first, std::span<double> samples) {
     const auto [record, its_row] = joined->rows.at(row);

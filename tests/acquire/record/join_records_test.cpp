@@ -99,4 +99,14 @@ TEST(JoinRecords, NotesChannelsWithOtherNames) {
               ElementsAre(HasSubstr("top of b"), "b: mind this"));
 }
 
+TEST(JoinRecords, StatesEachNoteOnce) {
+  std::vector<Record> records;
+  for (const char* path : {"a", "b", "c"}) records.push_back(record_at(path, {{1}}));
+  for (Record& record : records) record.notes = {"of all"};
+  records[1].notes.emplace_back("of two");
+  records[2].notes.emplace_back("of two");
+  EXPECT_THAT(test::texts(join_records(std::move(records), FileGrouping::hits).notes),
+              ElementsAre("of all", "b and 1 more: of two"));
+}
+
 }  // namespace percuss::acquire::join_records_test
