@@ -51,9 +51,23 @@ std::string_view after_word(std::string_view line, std::string_view word) {
   return trimmed(line.substr(end), " \t\r\n,;:=\"");
 }
 
+// "2026/04/09 15:54:47" of "2026/04/09\",\"15:54:47": delimiters of the text are no part of the date.
+std::string without_delimiters(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const bool delimiter = std::string_view("\",;\t ").find(c) != std::string_view::npos;
+    if (!delimiter) {
+      out += c;
+    } else if (!out.empty() && out.back() != ' ') {
+      out += ' ';
+    }
+  }
+  return out;
+}
+
 std::string text_date(const std::vector<std::string_view>& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string date = plausible_date(after_word(lines[i], "date"));
+    const std::string date = plausible_date(without_delimiters(after_word(lines[i], "date")));
     if (date.empty()) continue;
     // LabVIEW writes the time of day in the next line.
     const std::string_view time = i + 1 < lines.size() ? after_word(lines[i + 1], "time") : std::string_view{};

@@ -7,7 +7,7 @@
 
 namespace percuss::acquire {
 
-/// The date of a recording as its file states it, verbatim; empty where none is stated. Sources: the third line of a
+/// The date of a recording as its file states it; empty where none is stated. Sources: the third line of a
 /// universal data set 58, lines such as "Date,2026-11-20" at the head of a text, the header of a MAT file (levels 5 and
 /// 7.3), and the chunks bext and ICRD of a WAV file. `head` is the beginning of the file. Its bytes are not trusted.
 std::string stated_date(std::string_view head);

@@ -22,6 +22,8 @@ TEST(StatedDate, IsInTheHeadOfAText) {
   EXPECT_EQ(stated_date("# Date: 2026-11-20\n# operator: x\ntime,force\n0,1\n"), "2026-11-20");
   EXPECT_EQ(stated_date("\"Test date\",\"20.11.2026\"\n"), "20.11.2026");
   EXPECT_EQ(stated_date("LabVIEW Measurement\nDate\t2026/11/20\nTime\t14:03:22,123\n"), "2026/11/20 14:03:22");
+  EXPECT_EQ(stated_date("\"Test Date\",\"2026/04/09\",\"15:54:47\"\n"), "2026/04/09 15:54:47");
+  EXPECT_EQ(stated_date("Test Date,4/9/2026,15:46:59\n"), "4/9/2026 15:46:59");
   EXPECT_EQ(stated_date("time_s,force_N\n0,1\n"), "");
   EXPECT_EQ(stated_date("update: 2026\n"), "") << "another word";
 }
