@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acquire/channels/named_channels.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
@@ -121,11 +122,17 @@ void warn_of_partners(const SurveyResults& survey, std::vector<Warning>& out) {
   }
 }
 
+std::string sensor_name(const SurveyResults& survey, std::size_t channel) {
+  const std::string& name = survey.accel.at(channel).name;
+  return name.empty() ? acquire::channel_name(channel) : one_line(name, 40);
+}
+
 void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {
   std::string wrong;
   for (const identify::DrivingPointCheck& check : survey.driving_checks) {
     if (check.wrong_sign)
-      add_name(wrong, fmt::format("mode {} at point {}, channel {}", check.mode + 1, check.at.point, check.at.channel));
+      add_name(wrong, fmt::format("mode {} at point {}, {}", check.mode + 1, check.at.point,
+                                  sensor_name(survey, check.at.channel)));
   }
   if (!wrong.empty()) {
     out.push_back(with_remedy(
@@ -153,8 +160,8 @@ void warn_of_frac(const SurveyResults& survey, std::vector<Warning>& out) {
   std::size_t count = 0;
   for (const identify::SynthesisedFrf& frf : survey.synthesis) {
     if (!poorly_explained(frf) || ++count > kMaxNamed) continue;
-    add_name(poor, fmt::format("point {} channel {} ({:.4f}{})", survey.frf_points[frf.point], frf.channel, frf.frac,
-                               noise_alone(frf) ? ", the rest is noise" : ""));
+    add_name(poor, fmt::format("point {} {} ({:.4f}{})", survey.frf_points[frf.point], sensor_name(survey, frf.channel),
+                               frf.frac, noise_alone(frf) ? ", the rest is noise" : ""));
   }
   if (count == 0) return;
   if (count > kMaxNamed) poor += fmt::format(" and {} more", count - kMaxNamed);

@@ -88,8 +88,9 @@ std::string scale_text(const pipeline::Survey& survey) {
   });
   if (unit == 0) return "shapes: scaled to 1 at their largest component, because no driving point was measured\n";
   std::string points;
+  const auto& names = survey.analysis().record().accel;
   for (const identify::DrivingPoint& at : survey.driving_points())
-    points += fmt::format("{}point {} (channel {})", points.empty() ? "" : ", ", at.point, at.channel);
+    points += fmt::format("{}point {} ({})", points.empty() ? "" : ", ", at.point, names.at(at.channel).name);
   return fmt::format(
       "shapes: unit modal mass, from the driving {}{}\n", points,
       static_cast<std::size_t>(unit) < shapes.size() ? "; the others are scaled to 1 at their largest component" : "");
