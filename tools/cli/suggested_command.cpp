@@ -10,7 +10,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMaxCommandBytes = 300;  // a longer one hides its options
+constexpr std::size_t kMaxCommand_bytes = 300;  // a longer one hides its options
 
 std::string quoted(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%^";
@@ -47,7 +47,7 @@ std::string suggested_command(const std::vector<std::string>& typed, const acqui
   }
   const std::string options = suggested_options(guess);
   command += " " + options;
-  return "; the samples suggest: " + (command.size() > kMaxCommandBytes ? options : command);
+  return "; the samples suggest: " + (command.size() > kMaxCommand_bytes ? options : command);
 }
 
 }  // namespace percuss::tools

@@ -6,20 +6,16 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <filesystem>
-#include <system_error>
 
 #include "core/error.hpp"
 #include "core/io/temporary_files.hpp"
+#include "core/io/temporary_folder.hpp"
 #include "core/io/write_all.hpp"
 
 namespace percuss {
 inline namespace core {
 
-SpooledFile::SpooledFile(std::string_view bytes) {
-  std::error_code problem;
-  const std::filesystem::path folder = std::filesystem::temp_directory_path(problem);
-  path_ = (problem ? std::filesystem::path("/tmp") : folder) / "percuss-input-XXXXXX";
+SpooledFile::SpooledFile(std::string_view bytes) : path_(temporary_template("percuss-input")) {
   descriptor_ = ::mkostemp(path_.data(), O_CLOEXEC);
   if (descriptor_ < 0) {
     throw_system_error("cannot keep standard input in a temporary file", errno, path_,

@@ -10,10 +10,13 @@
 namespace percuss {
 inline namespace core {
 
-TemporaryFolder::TemporaryFolder(const std::string& prefix) {
+std::string temporary_template(const std::string& prefix) {
   std::error_code problem;
   const std::filesystem::path folder = std::filesystem::temp_directory_path(problem);
-  path_ = ((problem ? std::filesystem::path("/tmp") : folder) / (prefix + "-XXXXXX")).string();
+  return ((problem ? std::filesystem::path("/tmp") : folder) / (prefix + "-XXXXXX")).string();
+}
+
+TemporaryFolder::TemporaryFolder(const std::string& prefix) : path_(temporary_template(prefix)) {
   if (::mkdtemp(path_.data()) == nullptr)
     throw_system_error("cannot make a folder", errno, path_, "free some room, or set TMPDIR to another folder");
 }

@@ -4,6 +4,9 @@
 namespace percuss {
 inline namespace core {
 
+/// A path in the folder for temporary files (TMPDIR, else /tmp) whose end mkstemp and mkdtemp replace.
+std::string temporary_template(const std::string& prefix);
+
 /// A new folder in the folder for temporary files (TMPDIR, else /tmp), for this user only. The destructor removes it
 /// with its contents.
 /// errors  InputError: the folder cannot be made
