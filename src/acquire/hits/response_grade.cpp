@@ -37,12 +37,6 @@ constexpr std::size_t kMinConstantEnd = 64;  // samples without change; noise of
 // over the record.
 constexpr double kMinDecay = kSteady * kSteady * kSteady * kSteady;
 
-double rms_about_mean(std::span<const double> x) {
-  if (x.empty()) return 0;
-  const Eigen::Map<const Eigen::ArrayXd> values(x.data(), static_cast<Eigen::Index>(x.size()));
-  return std::sqrt((values - values.mean()).square().mean());
-}
-
 // The pre-trigger up to the ringing of the anti-alias filter.
 std::size_t quiet_samples(const Hit& hit, std::size_t samples) {
   return std::min(hit.gate_first > hit.first ? hit.gate_first - hit.first : 0, samples);
@@ -72,14 +66,31 @@ void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> acc
   grade.truncated = grade.end_level_dB > kDecayed_dB && above_noise;
 }
 
+// White noise with these second differences has this rms. Motion well below half the sampling rate adds little to it.
+double rms_of_white_noise(std::span<const double> x) {
+  double sum = 0;
+  for (std::size_t i = 2; i < x.size(); ++i) {
+    const double difference = x[i] - 2 * x[i - 1] + x[i - 2];
+    sum += difference * difference;
+  }
+  return x.size() > 2 ? std::sqrt(sum / (6 * static_cast<double>(x.size() - 2))) : 0;
+}
+
 // The pre-trigger rings when it is well above the end (noise does not decay) and not negligible beside the response.
-bool rings_before(const Hit& hit, std::span<const double> accel) {
+// The end of a decay that was cut off does not show the noise; there, a pre-trigger that is smoother than white noise
+// may ring.
+void grade_before(ResponseGrade& grade, const Hit& hit, std::span<const double> accel) {
   const auto quiet = quiet_part(hit, accel);
   const std::size_t window = std::max<std::size_t>(8, accel.size() / 20);
-  if (quiet.size() < kMinQuiet || accel.size() < std::max(quiet.size() + window, 4 * window)) return false;
+  if (quiet.size() < kMinQuiet || accel.size() < std::max(quiet.size() + window, 4 * window)) return;
   const double before = rms_about_mean(quiet);
   const double start = rms_about_mean(accel.subspan(quiet.size(), window));
-  return before > kRingingBefore * rms_about_mean(accel.last(window)) && before > kNegligible * start;
+  if (!(before > kNegligible * start)) return;
+  const double end = rms_about_mean(accel.last(window));
+  grade.rings_before = before > kRingingBefore * end;
+  const double before_end = rms_about_mean(accel.subspan(accel.size() - 2 * window, window));
+  const bool cut_off = end > kNegligible * start && end < kStillFalling * before_end;
+  grade.may_ring_before = grade.rings_before || (cut_off && before > kRingingBefore * rms_of_white_noise(quiet));
 }
 
 // The longer of these two times limits the delay of the first motion: a recorder that reads its channels in blocks
@@ -177,7 +188,7 @@ ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2,
   const Spread before = spread_of(subsampled(quiet, kQuietSamples));
   const double resting = quiet.empty() ? level_at_end(accel_mps2) : before.median;
   grade.clipped_samples = count_clipped_samples(accel_mps2, blocks, accel_mps2, resting);
-  grade.rings_before = rings_before(hit, accel_mps2);
+  grade_before(grade, hit, accel_mps2);
   grade_end(grade, hit, accel_mps2);
   grade_onset(grade, hit, accel_mps2, extremes, before, fs_Hz);
   grade.coarse_step = coarse_step(accel_mps2, extremes.max_distance_from(resting));

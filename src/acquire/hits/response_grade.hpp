@@ -18,6 +18,7 @@ struct ResponseGrade {
   Extremes extremes;                // of the samples, m/s²
   double resolution = 0;            // smallest change from sample to sample, m/s²
   bool rings_before = false;        // the response rings before the hit
+  bool may_ring_before = false;     // it moves before the hit: it rings, or there is hum
   bool dead = false;                // all samples are equal
   double coarse_step = 0;           // resolution over the largest response; 0: fine, or hidden by noise
   std::optional<double> delay_s;    // from force onset to response onset, not negative, to one sample

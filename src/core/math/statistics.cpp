@@ -78,5 +78,11 @@ double rms(std::span<const double> values) {
   return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
+double rms_about_mean(std::span<const double> values) {
+  if (values.empty()) return 0;
+  const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+  return std::sqrt((all - all.mean()).square().mean());
+}
+
 }  // namespace core
 }  // namespace percuss

@@ -37,6 +37,8 @@ Extremes extremes_of(std::span<const Extremes> blocks);
 
 /// √(Σx²/n); 0 for none.
 double rms(std::span<const double> values);
+/// The same of the deviations from the mean.
+double rms_about_mean(std::span<const double> values);
 
 }  // namespace core
 }  // namespace percuss

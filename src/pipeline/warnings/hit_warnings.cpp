@@ -78,12 +78,12 @@ std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits) {
   std::vector<std::size_t> ringing;
   for (const std::size_t h : accepted_hits(hits)) {
     const auto& responses = hits[h].responses;
-    if (std::any_of(responses.begin(), responses.end(), [](const auto& grade) { return grade.rings_before; }))
+    if (std::any_of(responses.begin(), responses.end(), [](const auto& grade) { return grade.may_ring_before; }))
       ringing.push_back(h);
   }
   if (ringing.empty()) return {};
-  return {with_remedy({"not_at_rest", "the structure was still ringing before " + hit_list(ringing) +
-                                          ": the damping may be off by more than its ±"},
+  return {with_remedy({"not_at_rest", "the structure was not at rest before " + hit_list(ringing) +
+                                          ": damping, residues and modal masses may be off by more than their ±"},
                       "wait longer between hits")};
 }
 

@@ -116,6 +116,19 @@ TEST(GradeResponse, FindsRingingBeforeTheHit) {
   EXPECT_FALSE(grade(rounded).rings_before);
 }
 
+// Blows that follow one another too soon: before each, the structure rings as at the end.
+TEST(GradeResponse, FindsMotionBeforeTheHitOfACutDecay) {
+  auto again = ringing(4000), noisy = again;  // ends at -26 dB
+  for (std::size_t n = 0; n < kSamples; ++n) {
+    const auto t = static_cast<double>(n);
+    again[n] += 2 * std::exp(-t / 4000) * std::cos(0.05 * t);
+  }
+  EXPECT_FALSE(grade(again).rings_before);
+  EXPECT_TRUE(grade(again).may_ring_before);
+  test::add_noise(noisy, 1.5, 3);
+  EXPECT_FALSE(grade(noisy).may_ring_before);
+}
+
 TEST(GradeResponse, MeasuresDelayAndDirectionOfTheFirstMotion) {
   const double onset = hit().onset_s * kFs_Hz;
   for (const double sign : {1.0, -1.0}) {
