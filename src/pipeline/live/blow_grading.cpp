@@ -22,6 +22,9 @@ constexpr double kWeak = 0.2;          // of the typical peak, as acquire::grade
 constexpr double kLowBandwidth = 0.5;  // of the typical bandwidth
 constexpr double kSilent = 8;          // standard deviations of the noise before the blow; Gaussian noise has 5
 constexpr std::size_t kMinQuiet = 12;  // samples that give a noise level
+constexpr double kMoving = 4;          // times the noise before a blow: the structure still moves
+constexpr double kRinging = 0.0025;    // of the response: −52 dB, as acquire's response grade
+constexpr double kMoved = 1e-4;        // of the response
 
 struct Reason {
   RowMark mark = RowMark::none;
@@ -47,7 +50,8 @@ Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, co
   if (at.row_ended)
     return {RowMark::lost_samples, "the row of the record ends before the length of the blows",
             "state a shorter length"};
-  if (at.recording_ended) return {RowMark::lost_samples, "the recording ended within the blow", "repeat it"};
+  if (at.recording_ended && !at.struck_again)
+    return {RowMark::lost_samples, "the recording ended within the blow", "repeat it"};
   if (at.no_numbers) {
     const std::size_t signal = *at.no_numbers;
     const std::string name = signal == 0 ? "the force" : name_of_channel(context.channels, signal - 1);
@@ -88,8 +92,11 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
             "strike shorter: let the hammer bounce off"};
   }
   if (at.struck_again) return {RowMark::still_ringing, "struck again before the decay ended", "wait between blows"};
-  if (hit.gated_N.empty() || acquire::rejects(hit.findings))
-    return {RowMark::no_pulse, "no clean pulse", "strike freely and once"};
+  if (hit.gated_N.empty() || acquire::rejects(hit.findings)) {
+    std::string remedy = "strike freely and once";
+    if (at.first_blows) remedy += fmt::format(". Is the hammer on channel {}?", context.channels.force + 1);
+    return {RowMark::no_pulse, "no clean pulse", remedy};
+  }
   const double peak_N = std::abs(hit.peak_N);
   if (at.typical_peak_N > 0 && peak_N < kWeak * at.typical_peak_N) {
     return {RowMark::weak, fmt::format("too weak, {:.0f} % of the usual force", 100 * peak_N / at.typical_peak_N),
@@ -116,6 +123,20 @@ RowMark mark_of(const AnalysedHit& hit) {
   const bool clipped =
       find(hit.hit, FindingCode::overload) != nullptr || find(hit.hit, FindingCode::force_clipped) != nullptr;
   return clipped ? RowMark::force_overload : RowMark::no_pulse;
+}
+
+// The largest motion before the blow that is above its noise, as a part of the response's beginning.
+double motion_before(const BlowSamples& samples, const BlowCircumstances& at) {
+  double largest = 0;
+  for (std::size_t c = 0; c < at.rest.size(); ++c) {
+    const auto& [before_mps2, noise_mps2] = at.rest[c];
+    if (!(before_mps2 > kMoving * noise_mps2)) continue;
+    const std::span<const double> accel(samples[c + 1]);
+    const std::size_t first = std::min(at.pretrigger, accel.size());
+    const double start_mps2 = rms_about_mean(accel.subspan(first, std::min(accel.size() / 20, accel.size() - first)));
+    if (start_mps2 > 0) largest = std::max(largest, before_mps2 / start_mps2);
+  }
+  return largest;
 }
 
 Reason judge_responses(const AnalysedHit& hit, const BlowCircumstances& at, const BlowContext& context) {
@@ -208,6 +229,10 @@ BlowGrade grade_blow(const BlowSamples& samples, const BlowCircumstances& circum
                                    [&](const AnalysedHit& h) { return h.hit.row == context.rows.size(); });
     if (blow != hits.rend()) {
       reason = judge_responses(*blow, circumstances, context);
+      const double motion = motion_before(samples, circumstances);
+      if (reason.mark == RowMark::none && motion > kRinging)
+        reason = {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
+      grade.moved_before = motion > kMoved;
       grade.unlike_others = find(blow->hit, FindingCode::low_coherence) != nullptr;
       grade.rings_at_end = std::any_of(blow->responses.begin(), blow->responses.end(),
                                        [](const acquire::ResponseGrade& response) { return response.truncated; });

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,10 @@ namespace percuss::pipeline {
 
 /// What is known of a blow before its analysis.
 struct BlowCircumstances {
+  /// The strongest sinusoid of a response before the blow (rms), and the smallest one before any blow: its noise.
+  struct Rest {
+    double before_mps2 = 0, noise_mps2 = std::numeric_limits<double>::infinity();
+  };
   bool lost_samples = false;
   bool row_ended = false;                   // of a replayed record
   bool recording_ended = false;             // within the samples of the blow
@@ -24,6 +29,8 @@ struct BlowCircumstances {
   double typical_peak_N = 0;  // median of the accepted blows; 0: too few
   double typical_bandwidth_Hz = 0;
   std::size_t pretrigger = 0;  // samples
+  std::vector<Rest> rest{};    // [responses]
+  bool first_blows = false;    // there were blows, and none was accepted yet
 };
 
 /// The verdict on a blow. Accepted: no mark.
@@ -35,6 +42,7 @@ struct BlowGrade {
   std::optional<double> force_range{}, accel_range{};  // part of full scale
   std::size_t accel_channel = 0;                       // that has accel_range
   bool rings_at_end = false;                           // the window is too short
+  bool moved_before = false;                           // a little: the structure had not come to rest
   bool unlike_others = false;                          // the other blows explain little of it: low_coherence
   /// Accepted rows of the same point that do not count any longer, now that there is this blow to compare with: an
   /// outlier, or a force that was clipped at the same level.

@@ -94,6 +94,7 @@ std::string blow_text(const BlowReport& blow, const LiveChannels& channels, cons
       fmt::format("{}: accepted, {} up to {}", place, force_text(grade.peak_N), frequency_text(grade.bandwidth_Hz));
   const std::string advice = range_advice(grade, channels, blow.row < 2);
   if (!advice.empty()) text += "; " + advice;
+  if (grade.moved_before) text += "; it had not come to rest: wait a little longer between blows";
   if (grade.unlike_others) text += "; little like the other blows: was it the same place?";
   if (grade.rings_at_end) text += "; still ringing at the end: a longer window keeps the whole decay";
   return text;
@@ -159,10 +160,15 @@ std::string left_out_text(double time_s) {
       time_s);
 }
 
+std::string silent_hammer_text(const LiveChannels& channels) {
+  return fmt::format(
+      "{} moves, but the hammer on channel {} is silent: if you have struck, check its cable and its input",
+      name_of_channel(channels, 0), channels.force + 1);
+}
+
 std::string summary_text(const Session& session) {
   const SessionPlan& plan = session.plan();
-  const auto complete = std::count_if(plan.points.begin(), plan.points.end(),
-                                      [&](int point) { return session.accepted_at(point) >= plan.hits; });
+  const std::size_t complete = session.complete_points();
   const std::size_t accepted = session.accepted(), rejected = session.blows().size() - accepted;
   std::string text =
       fmt::format("{} blow{} count{}, {} rejected", accepted, plural(accepted), accepted == 1 ? "s" : "", rejected);

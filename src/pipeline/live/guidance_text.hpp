@@ -33,6 +33,8 @@ std::string goals_text(const SessionQuality& quality, const std::vector<Precisio
 std::string fault_text(const acquire::CaptureFinding& fault, const LiveChannels& channels);
 /// A blow that is not recorded (GuideObserver::on_left_out).
 std::string left_out_text(double time_s);
+/// Why no blow is seen (GuideObserver::on_silent_hammer).
+std::string silent_hammer_text(const LiveChannels& channels);
 /// The end: "22 of 24 points are complete; 113 blows count, 9 were rejected".
 std::string summary_text(const Session& session);
 

@@ -13,6 +13,7 @@ using Kind = SessionEvent::Kind;
 constexpr std::size_t kCompared = 20;  // blows of the point: time and memory of a verdict stay bounded
 constexpr double kLongGap_s = 1;       // after a longer one the trigger begins anew
 constexpr std::size_t kFeed = 4096;    // samples
+constexpr double kRest_s = 0.2;        // before a blow, where the structure should be at rest
 
 std::size_t pretrigger_of(const LiveChannels& channels, const GuideOptions& options) {
   return acquire::pretrigger_samples(channels.description, {.pretrigger_s = options.pretrigger_s});
@@ -44,6 +45,7 @@ Guide::Guide(const acquire::StreamFormat& format, LiveChannels channels, GuideOp
       pretrigger_(pretrigger_of(channels_, options_)),
       session_(options_.plan),
       history_(format.channels),
+      rest_frames_(std::max(pretrigger_, static_cast<std::size_t>(kRest_s * fs_Hz_))),
       store_(std::make_shared<RowStore>(options_.folder, channels_.accel.size())),
       faults_(format.fs_Hz) {
   channels_.description.geometry = options_.geometry;
@@ -76,11 +78,13 @@ void Guide::take_whole(acquire::SampleBlock block) {
     start_frame_ = fed_ = previous_end_ = noted_ = block.first_frame;
     trigger_ =
         std::make_unique<OnlineTrigger>(OnlineTriggerOptions{.fs_Hz = fs_Hz_, .trigger_N = options_.trigger_N}, fed_);
+    watch_.emplace(fs_Hz_);
   }
-  const std::uint64_t before = history_.end_frame();
+  const std::uint64_t before = history_.end_frame(), first = std::max(before, block.first_frame);
   history_.add(std::move(block));
   feed_trigger(before);
   collect_events();
+  watch_hammer(first);
   advance(false);
   apply_commands(false);
   const std::uint64_t searched = trigger_->searched_to();
@@ -120,6 +124,17 @@ void Guide::collect_events() {
   while (const auto event = trigger_->next()) windows_.push_back({.event = *event, .first = window_start(*event)});
 }
 
+void Guide::watch_hammer(std::uint64_t from) {
+  if (!watch_ || from >= history_.end_frame()) return;
+  if (!windows_.empty()) return watch_.reset();
+  std::vector<double> x(history_.end_frame() - from);
+  history_.read(channels_.accel.front(), from, x);
+  watch_->add(from, x);
+  if (!watch_->is_silent(trigger_->searched_to())) return;
+  watch_.reset();
+  observer_.on_silent_hammer();
+}
+
 bool Guide::all_known_before(std::uint64_t frame) const { return trigger_->searched_to() >= frame; }
 
 bool Guide::is_complete(const Window& window, bool last) const {
@@ -154,6 +169,8 @@ void Guide::advance(bool last) {
 void Guide::judge(const Window& window) {
   if (session_.paused()) return;
   const BlowSamples samples = read_blow(history_, channels_, window.first, *length_);
+  const bool cut = length_by_end_ || history_.end_frame() < window.first + *length_;  // by the end of the recording
+  note_rest(window);
   const BlowGrade graded = grade(samples, window);
   const BlowReport report{.row = session_.blows().size(),
                           .end_frame = window.first + *length_,
@@ -170,6 +187,10 @@ void Guide::judge(const Window& window) {
                            .peak_N = graded.peak_N,
                            .bandwidth_Hz = graded.bandwidth_Hz};
   if (repeat_past(event)) return observer_.on_blow(report);
+  if (cut) {  // not in the journal: a resumed session judges it again, with the samples that follow
+    session_.apply(event);
+    return observer_.on_blow(report);
+  }
   for (const auto& [row, mark] : graded.regraded) {
     log_and_apply({.kind = Kind::regraded, .frame = window.first, .mark = mark, .row = row});
     observer_.on_regraded(row, mark);
@@ -205,8 +226,9 @@ void Guide::finish() {
 
 void Guide::forget() {
   const std::uint64_t searched = trigger_->searched_to();
-  std::uint64_t needed = searched > pretrigger_ ? searched - pretrigger_ : 0;
-  if (!windows_.empty()) needed = std::min(needed, windows_.front().first);
+  const auto rest_before = [&](std::uint64_t frame) { return frame - std::min<std::uint64_t>(frame, rest_frames_); };
+  std::uint64_t needed = rest_before(searched);
+  if (!windows_.empty()) needed = std::min(needed, rest_before(windows_.front().event.first));
   history_.discard_before(needed);
 }
 

@@ -11,6 +11,7 @@
 #include "acquire/live/sample_stream.hpp"
 #include "acquire/record/record.hpp"
 #include "pipeline/live/blow_grading.hpp"
+#include "pipeline/live/hammer_watch.hpp"
 #include "pipeline/live/live_channels.hpp"
 #include "pipeline/live/online_trigger.hpp"
 #include "pipeline/live/row_store.hpp"
@@ -54,11 +55,14 @@ class GuideObserver {
   virtual void on_blow(const BlowReport& blow) = 0;
   /// An accepted blow does not count any longer.
   virtual void on_regraded(std::size_t /*row*/, acquire::RowMark /*mark*/) {}
-  virtual void on_command(const SessionEvent& /*command*/) {}
+  /// A command was applied; `undone` accepted blows do not count any longer.
+  virtual void on_command(const SessionEvent& /*command*/, std::size_t /*undone*/) {}
   virtual void on_length(std::size_t /*samples*/) {}
   /// A blow, first above the threshold at this frame, is too short to choose the length of all blows by it: the next
   /// one, or lost samples, came too early. It is not recorded.
   virtual void on_left_out(std::uint64_t /*frame*/) {}
+  /// A response moves as after a blow, but the force does not; once, before the first blow.
+  virtual void on_silent_hammer() {}
   /// A fault of the capture, after the verdicts on the blows before it. `frame` is the first lost one; a count of
   /// samples that are no numbers may still grow.
   virtual void on_fault(const acquire::CaptureFinding& /*fault*/) {}
@@ -92,6 +96,8 @@ class Guide {
   std::uint64_t kept_frames() const { return history_.end_frame() - history_.first_frame(); }
   /// A blow's samples are being collected.
   bool collecting() const { return !windows_.empty(); }
+  /// A command waits for the blows that began before it.
+  bool has_waiting_command() const { return !commands_.empty(); }
   /// The first frame of the first blow, less this time, but not before the start.
   std::uint64_t frame_before_first_blow(double time_s) const;
   std::optional<std::size_t> length() const { return length_; }
@@ -114,6 +120,7 @@ class Guide {
   void take_whole(acquire::SampleBlock block);
   void feed_trigger(std::uint64_t from);
   void collect_events();
+  void watch_hammer(std::uint64_t from);
   std::uint64_t window_start(const BlowEvent& event) const;
   void advance(bool last);
   bool is_complete(const Window& window, bool last) const;
@@ -129,6 +136,8 @@ class Guide {
   void judge(const Window& window);
   BlowGrade grade(const BlowSamples& samples, const Window& window) const;
   BlowCircumstances circumstances(const Window& window) const;
+  /// Measures the motion before a blow, and keeps the smallest of each response: its noise.
+  void note_rest(const Window& window);
   void apply_commands(bool last);
   void log_and_apply(const SessionEvent& event);
   bool repeat_past(const SessionEvent& blow);
@@ -148,10 +157,14 @@ class Guide {
   Session session_;
   SampleHistory history_;
   std::unique_ptr<OnlineTrigger> trigger_;
-  std::uint64_t fed_ = 0;  // frames before it were given to the trigger
+  std::optional<HammerWatch> watch_;  // until the first blow
+  std::uint64_t fed_ = 0;             // frames before it were given to the trigger
+  const std::size_t rest_frames_;
+  std::vector<BlowCircumstances::Rest> rest_;  // [responses], before the newest blow
   std::shared_ptr<RowStore> store_;
   std::deque<Window> windows_;
   std::optional<std::size_t> length_;
+  bool length_by_end_ = false;      // the end of the recording cut the first blow short
   std::uint64_t previous_end_ = 0;  // of the last blow's samples
   std::uint64_t start_frame_ = 0;
   bool started_ = false;

@@ -57,8 +57,9 @@ void Guide::apply_commands(bool last) {
     const bool blow_before = !windows_.empty() && windows_.front().event.first < event.frame;
     if (!last && event.kind != Kind::finish && (blow_before || !all_known_before(event.frame))) return;
     commands_.pop_front();
+    const std::size_t before = session_.accepted();
     session_.apply(event);
-    observer_.on_command(event);
+    observer_.on_command(event, before - session_.accepted());
   }
 }
 

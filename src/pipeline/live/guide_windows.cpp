@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 
 #include "core/math/fft.hpp"
 #include "core/math/statistics.hpp"
@@ -11,8 +13,23 @@ namespace {
 constexpr double kFirstHorizon_s = 0.5;
 constexpr std::size_t kHorizons = 6;    // 0.5 s … 16 s
 constexpr double kShortestCut_s = 0.5;  // of a window that the next blow or a gap ends
+constexpr double kShortestRow_s = 0.1;  // of one that ends with the row of a replayed record: all rows may be short
 constexpr double kSpareAtCut = 0.98;    // the next blows come a little later in their windows
 constexpr std::size_t kMinTypical = 2;  // blows
+
+// The rms of the strongest sinusoid, from a spectrum with a Hann window: a mode that rings stands out from the noise
+// long after its rms is below that of the noise.
+double strongest_tone(std::vector<double> x) {
+  x.resize(fast_length_at_most(x.size()));
+  const auto n = static_cast<double>(x.size());
+  const double mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = (x[i] - mean) * (0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / n));
+  const std::vector<Complex> lines = real_dft(x);
+  double largest = 0;
+  for (std::size_t k = 2; k < lines.size(); ++k) largest = std::max(largest, std::abs(lines[k]));  // no slow drift
+  return largest * 4 / n / std::numbers::sqrt2;
+}
 
 }  // namespace
 
@@ -50,8 +67,8 @@ bool Guide::choose_length(Window& window, bool last) {
   // The next window begins before its blow.
   const auto known_before = [&](std::uint64_t frame) { return next_known || all_known_before(frame + pretrigger_); };
   for (; window.horizon < kHorizons; ++window.horizon) {
-    const auto samples =
-        static_cast<std::size_t>(std::ldexp(kFirstHorizon_s, static_cast<int>(window.horizon)) * fs_Hz_);
+    auto samples = static_cast<std::size_t>(std::ldexp(kFirstHorizon_s, static_cast<int>(window.horizon)) * fs_Hz_);
+    if (pretrigger_ > samples / 8) samples += pretrigger_;  // a long one comes before the decay
     if (window.first + samples > end) break;
     if (!known_before(window.first + samples)) return false;  // the next blow may lie within
     const auto decayed =
@@ -63,8 +80,11 @@ bool Guide::choose_length(Window& window, bool last) {
   }
   if (!cut || !known_before(end)) return false;
   const std::size_t whole = end - window.first;
-  if (static_cast<double>(whole) >= kShortestCut_s * fs_Hz_) {
+  const auto after = history_.losses(end, end + 1);
+  const bool row_ends = std::any_of(after.begin(), after.end(), [&](const SampleLoss& loss) { return is_pause(loss); });
+  if (static_cast<double>(whole) >= (row_ends ? kShortestRow_s : kShortestCut_s) * fs_Hz_) {
     length_ = fast_length_at_most(static_cast<std::size_t>(kSpareAtCut * static_cast<double>(whole)));
+    length_by_end_ = last && end == history_.end_frame();
     observer_.on_length(*length_);
   }
   return true;
@@ -76,6 +96,27 @@ double Guide::typical(double Session::Blow::*value) const {
     if (blow.accepted()) values.push_back(std::abs(blow.*value));
   }
   return values.size() < kMinTypical ? 0 : median(std::move(values));
+}
+
+void Guide::note_rest(const Window& window) {
+  const std::size_t guard = pretrigger_ / 8;  // a filter may let the response begin a little early
+  std::uint64_t first = window.event.first - std::min<std::uint64_t>(window.event.first, rest_frames_);
+  const std::uint64_t last = window.event.first - std::min<std::uint64_t>(window.event.first, guard);
+  first = std::max({first, start_frame_, history_.first_frame()});
+  for (const SampleLoss& loss : history_.losses(first, last)) first = std::max(first, loss.frame + loss.frames);
+  rest_.resize(channels_.accel.size());
+  constexpr std::size_t kMinRest = 12;  // samples that give a level
+  if (last < first + kMinRest) {
+    for (BlowCircumstances::Rest& rest : rest_) rest.before_mps2 = 0;
+    return;
+  }
+  std::vector<double> x(last - first);
+  for (std::size_t c = 0; c < rest_.size(); ++c) {
+    history_.read(channels_.accel[c], first, x);
+    const double level_mps2 = strongest_tone(x) * std::abs(channels_.accel_to_mps2[c]);
+    rest_[c].before_mps2 = level_mps2;
+    rest_[c].noise_mps2 = std::min(rest_[c].noise_mps2, level_mps2);
+  }
 }
 
 BlowCircumstances Guide::circumstances(const Window& window) const {
@@ -91,7 +132,9 @@ BlowCircumstances Guide::circumstances(const Window& window) const {
                        .during_previous = window.event.first < previous_end_,
                        .typical_peak_N = typical(&Session::Blow::peak_N),
                        .typical_bandwidth_Hz = typical(&Session::Blow::bandwidth_Hz),
-                       .pretrigger = static_cast<std::size_t>(window.event.peak - window.first)};
+                       .pretrigger = static_cast<std::size_t>(window.event.peak - window.first),
+                       .rest = rest_,
+                       .first_blows = session_.accepted() == 0 && !session_.blows().empty()};
   for (std::size_t s = 0; s <= channels_.accel.size() && !at.no_numbers; ++s) {
     const std::size_t channel = s == 0 ? channels_.force : channels_.accel[s - 1];
     if (any([&](const SampleLoss& loss) { return loss.channel == channel; })) at.no_numbers = s;

@@ -42,11 +42,10 @@ bool Session::done_at(std::size_t index) const {
   return count >= plan_.hits || (enough_[index] && count > 0);
 }
 
-bool Session::complete() const {
-  for (std::size_t i = 0; i < plan_.points.size(); ++i) {
-    if (!done_at(i)) return false;
-  }
-  return true;
+std::size_t Session::complete_points() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < plan_.points.size(); ++i) count += done_at(i) ? 1U : 0U;
+  return count;
 }
 
 // Goes to the next point that lacks blows, after the current one and then from the first. False: no other point does.
@@ -68,14 +67,20 @@ void Session::undo() {
   const auto last = std::find_if(blows_.rbegin(), blows_.rend(), [](const Blow& blow) { return blow.accepted(); });
   if (last == blows_.rend()) return;
   last->mark = RowMark::undone;
-  const auto at = std::find(plan_.points.begin(), plan_.points.end(), last->point);
-  current_ = static_cast<std::size_t>(at - plan_.points.begin());
+  go_to(last->point);
   enough_[current_] = false;
 }
 
-void Session::redo() {
-  for (const std::size_t row : accepted_rows(point())) blows_[row].mark = RowMark::redone;
+void Session::redo(int point) {
+  if (!has_point(point)) return;
+  for (const std::size_t row : accepted_rows(point)) blows_[row].mark = RowMark::redone;
+  go_to(point);
   enough_[current_] = false;
+}
+
+void Session::go_to(int point) {
+  const auto at = std::find(plan_.points.begin(), plan_.points.end(), point);
+  if (at != plan_.points.end()) current_ = static_cast<std::size_t>(at - plan_.points.begin());
 }
 
 void Session::apply(const SessionEvent& event) {
@@ -94,16 +99,12 @@ void Session::apply(const SessionEvent& event) {
     case Kind::undo:
       return undo();
     case Kind::redo:
-      return redo();
+      return redo(event.point);
     case Kind::next:
       go_on();
       return;
     case Kind::go_to:
-      if (has_point(event.point)) {
-        current_ = static_cast<std::size_t>(std::find(plan_.points.begin(), plan_.points.end(), event.point) -
-                                            plan_.points.begin());
-      }
-      return;
+      return go_to(event.point);
     case Kind::pause:
       paused_ = !paused_;
       return;

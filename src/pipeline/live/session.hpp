@@ -22,7 +22,7 @@ struct SessionEvent {
   std::uint64_t frame = 0;                         // blow: the first of its samples; else the newest frame
   acquire::RowMark mark = acquire::RowMark::none;  // blow, regraded
   std::size_t row = 0;                             // regraded
-  int point = 0;                                   // go_to; blow: where it was
+  int point = 0;                                   // go_to, redo; blow: where it was
   std::string message{};                           // blow: the verdict for people
   double peak_N = 0, bandwidth_Hz = 0;             // blow
   bool operator==(const SessionEvent&) const = default;
@@ -55,7 +55,8 @@ class Session {
   bool paused() const { return paused_; }
   /// The operator finished, or every point has its blows.
   bool finished() const { return finished_; }
-  bool complete() const;
+  bool complete() const { return complete_points() == plan_.points.size(); }
+  std::size_t complete_points() const;
   std::size_t accepted_at(int point) const;
   std::size_t accepted() const;
   /// Rows of the accepted blows at a point.
@@ -68,7 +69,8 @@ class Session {
   bool go_on();
   void advance();
   void undo();
-  void redo();
+  void redo(int point);
+  void go_to(int point);
 
   SessionPlan plan_;
   std::vector<Blow> blows_;

@@ -33,7 +33,7 @@ constexpr auto kKinds = std::to_array<KindName>({
 
 std::string json_of(const SessionEvent& event) {
   nlohmann::ordered_json out{{"event", kKinds.at(static_cast<std::size_t>(event.kind)).name}, {"frame", event.frame}};
-  if (event.kind == Kind::blow || event.kind == Kind::go_to) out["point"] = event.point;
+  if (event.kind == Kind::blow || event.kind == Kind::go_to || event.kind == Kind::redo) out["point"] = event.point;
   if (event.kind == Kind::regraded) out["row"] = event.row;
   if (event.kind == Kind::blow || event.kind == Kind::regraded) out["mark"] = acquire::name_of(event.mark);
   if (event.kind == Kind::blow) {

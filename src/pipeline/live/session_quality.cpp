@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/math/statistics.hpp"
 #include "pipeline/run_analyses.hpp"
+#include "pipeline/warnings/ranking.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -52,6 +53,9 @@ SessionQuality quality_of(const Analysis& analysis, std::size_t blows) {
     for (std::size_t m = 0; m < analysis.modes().size(); ++m)
       out.modes.push_back(live_mode(analysis.modes()[m], types[m]));
     out.coherence = lowest_coherence(analysis);
+    for (const Warning& warning : ranked(analysis.warnings())) {
+      if (warning.severity == acquire::Severity::reject) out.problems.push_back(warning.message);
+    }
   } catch (const InputError&) {  // too few blows for these options: the next blow may do
     out.modes.clear();
   }

@@ -27,6 +27,8 @@ struct SessionQuality {
   std::size_t blows = 0;
   std::vector<LiveMode> modes{};      // ascending
   std::optional<double> coherence{};  // median over the band, of the channel where it is lowest
+  /// What makes the results wrong, with the remedy: a reversed hammer, exchanged channels.
+  std::vector<std::string> problems{};
 };
 
 /// What an analysis of `blows` accepted blows shows. No modes where it is impossible.

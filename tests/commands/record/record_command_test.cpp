@@ -115,6 +115,11 @@ TEST(RecordCommand, RefusesWhatItCannotRecord) {
   EXPECT_EQ(bench.record("sim:aluminium-bat", {"--channels", "0,1"}).code, 2);
   test::write_bytes(bench.folder.file("wrong.json"), R"([{"name": "no such channel", "role": "force"}])");
   EXPECT_NE(bench.record("sim:aluminium-bat", {"--setup", "wrong.json"}).code, 0);
+  EXPECT_THAT(bench.record("sim:aluminium-bat", {"--band", "60:12800"}).err,
+              HasSubstr("half the sampling rate is 12800 Hz"));
+  EXPECT_THAT(bench.record("sim:aluminium-bat", {"--length", "0.3", "--pretrigger", "0.3"}).err,
+              HasSubstr("of which 0.3 s come before its peak"));
+  EXPECT_EQ(bench.record("sim:aluminium-bat", {"--pretrigger", "0"}).code, 3);
   EXPECT_FALSE(bench.has("t.h5"));
   EXPECT_FALSE(bench.has("t.h5.journal"));
 }

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "acquire/hits/hits.hpp"
+#include "pipeline/live/session_quality.hpp"
 #include "support/input_error.hpp"
 #include "support/live/guide_bench.hpp"
 #include "support/live/live_source.hpp"
@@ -216,6 +217,61 @@ TEST(LiveChannels, TakesEntriesOfASetupWithoutARoleAsResponses) {
               HasSubstr("leaves open which channels"));
 }
 
+// Another blow, 0.3 s later than one that has decayed by 52 dB after 0.4 s only.
+TEST(Guide, RejectsABlowOnAStructureThatStillRings) {
+  Bench bench(struck_tube("0.4, 1.9, 2.2, 3.7", 5), {.length_s = 0.25});
+  bench.play_all();
+  EXPECT_THAT(bench.marks(), ElementsAre(RowMark::none, RowMark::none, RowMark::still_ringing, RowMark::none));
+}
+
+// "r" undoes the blows of the point where it was pressed, with the one that was being recorded.
+TEST(Guide, RepeatsThePointOfTheBlowBeingRecorded) {
+  Bench bench(struck_tube(kFiveTimes, 8), {.plan = {.points = {3, 7}, .hits = 1}});
+  bench.play(0, 1800);  // in the first blow
+  bench.guide->command(Kind::redo, bench.guide->session().point());
+  EXPECT_TRUE(bench.guide->has_waiting_command());
+  bench.play(1800, 4096);
+  EXPECT_EQ(bench.marks().front(), RowMark::redone);
+  EXPECT_EQ(bench.guide->session().point(), 3);
+  EXPECT_THAT(bench.witness.undone, ElementsAre(1));
+  bench.guide->command(Kind::undo);
+  bench.guide->finish();
+  EXPECT_EQ(bench.witness.undone.back(), 0U) << "nothing is left to undo";
+}
+
+TEST(Guide, TellsASilentHammer) {
+  Bench bench(struck_tube(kFiveTimes, 8));
+  for (std::size_t i = 0; i < bench.source.values.size(); i += 3)
+    bench.source.values[i] = 0.001 * std::sin(0.9 * static_cast<double>(i));
+  bench.play_all();
+  EXPECT_EQ(bench.witness.silent_hammers, 1U);
+  Bench sound(struck_tube(kFiveTimes, 8));
+  sound.play_all();
+  EXPECT_EQ(sound.witness.silent_hammers, 0U);
+}
+
+TEST(Guide, MeasuresThePulseAfterALongPretrigger) {
+  Bench bench(struck_tube("1.4, 2.9, 4.4", 6), {.pretrigger_s = 1});
+  bench.play_all();
+  ASSERT_EQ(bench.guide->session().accepted(), 3U);
+  EXPECT_GT(bench.guide->record().rows[0].samples, 4096U + 1600U);
+}
+
+// A hammer that is connected the wrong way round is told at the bench, not by the report.
+TEST(SessionQuality, NamesWhatMakesResultsWrong) {
+  acquire::Record tube = struck_tube("0.4", 1);
+  const auto problems = [&](double sign) {
+    acquire::Record record = tube;
+    record.read_force_N = [read = tube.read_force_N, sign](std::size_t row, std::size_t first, std::span<double> out) {
+      read(row, first, out);
+      for (double& value : out) value *= sign;
+    };
+    return pipeline::session_quality(std::move(record), {}).problems;
+  };
+  EXPECT_THAT(problems(1), testing::IsEmpty());
+  EXPECT_THAT(problems(-1), ElementsAre(HasSubstr("wrong sign")));
+}
+
 // A session that is killed at any frame, and resumed from the samples and events that it left, ends as if nothing had
 // happened.
 TEST(Guide, ResumesToTheSameRecord) {
@@ -237,21 +293,25 @@ TEST(Guide, ResumesToTheSameRecord) {
   EXPECT_TRUE(whole.guide->session().finished());
   const auto expected = force_rows(whole.guide->record());
   for (const std::size_t killed : {500U, 1700U, 3000U, 8999U, 9001U, 9100U, 15000U, 21000U, 27001U}) {
-    Bench first(tube, options);
-    play(first, 0, killed);
-    Bench second(tube, options);
-    std::vector<SessionEvent> events;
-    for (const std::string& event : first.log.events) events.push_back(pipeline::parse_session_event(event, "test"));
-    second.guide->resume_from(events);
-    second.play(0, killed, 4096);  // the journal's blocks are longer
-    play(second, killed, second.source.frames());
-    second.guide->finish();
-    EXPECT_EQ(second.marks(), whole.marks()) << killed;
-    EXPECT_EQ(force_rows(second.guide->record()), expected) << killed;
-    // The log goes on where it was: together they are the log of the whole.
-    std::vector<std::string> log = first.log.events;
-    log.insert(log.end(), second.log.events.begin(), second.log.events.end());
-    EXPECT_EQ(log, whole.log.events) << killed;
+    for (const bool by_signal : {false, true}) {
+      SCOPED_TRACE(testing::Message() << killed << (by_signal ? " by a signal" : " by a kill"));
+      Bench first(tube, options);
+      play(first, 0, killed);
+      if (by_signal) first.guide->finish();
+      Bench second(tube, options);
+      std::vector<SessionEvent> events;
+      for (const std::string& event : first.log.events) events.push_back(pipeline::parse_session_event(event, "test"));
+      second.guide->resume_from(events);
+      second.play(0, killed, 4096);  // the journal's blocks are longer
+      play(second, killed, second.source.frames());
+      second.guide->finish();
+      EXPECT_EQ(second.marks(), whole.marks());
+      EXPECT_EQ(force_rows(second.guide->record()), expected);
+      // The log goes on where it was: together they are the log of the whole.
+      std::vector<std::string> log = first.log.events;
+      log.insert(log.end(), second.log.events.begin(), second.log.events.end());
+      EXPECT_EQ(log, whole.log.events);
+    }
   }
 }
 

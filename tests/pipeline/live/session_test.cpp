@@ -70,7 +70,7 @@ TEST(Session, UndoesTheLastAcceptedBlowAndRepeatsPoints) {
   strike(session, 1);
   EXPECT_EQ(session.point(), 1);
   strike(session, 1);
-  session.apply({.kind = Kind::redo});
+  session.apply({.kind = Kind::redo, .point = 1});
   EXPECT_EQ(session.accepted_at(1), 0U);
   EXPECT_EQ(session.blows()[3].mark, RowMark::redone);
   EXPECT_EQ(session.accepted_at(0), 2U);

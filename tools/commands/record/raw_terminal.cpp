@@ -18,6 +18,7 @@ namespace {
 
 // Set before the handlers that read them.
 termios saved_mode;
+volatile std::sig_atomic_t mode_is_saved = 0;
 volatile std::sig_atomic_t raw_terminal = -1;
 volatile std::sig_atomic_t arrived_signal = 0;
 
@@ -31,7 +32,7 @@ volatile double arrived_s = 0;
 
 // Handlers call the functions of this namespace: tcgetpgrp, tcsetattr, sigaction and clock_gettime are safe there.
 // Setting the mode from the background would stop the process with SIGTTOU.
-bool may_set_mode() { return raw_terminal >= 0 && in_foreground(raw_terminal); }
+bool may_set_mode() { return raw_terminal >= 0 && mode_is_saved != 0 && in_foreground(raw_terminal); }
 
 void apply_raw_mode() {
   if (!may_set_mode()) return;
@@ -112,13 +113,20 @@ extern "C" void continue_raw(int /*signal*/) {
 }  // namespace
 
 void enter_raw_mode(int terminal) {
-  if (::tcgetattr(terminal, &saved_mode) != 0) return;
   raw_terminal = terminal;
+  mode_is_saved = 0;
   static const int kRegistered = std::atexit(restore_mode);
   static_cast<void>(kRegistered);
   for (std::size_t i = 0; i < kFatal.size(); ++i) install(kFatal[i], restore_and_raise, &before_fatal[i]);
   install(SIGTSTP, stop_process, &before_stop);
   install(SIGCONT, continue_raw, &before_continue);
+  renew_raw_mode();
+}
+
+// In the background, the mode is that of the shell's own line editor.
+void renew_raw_mode() {
+  if (raw_terminal < 0 || !in_foreground(raw_terminal)) return;
+  if (mode_is_saved == 0 && ::tcgetattr(raw_terminal, &saved_mode) == 0) mode_is_saved = 1;
   apply_raw_mode();
 }
 

@@ -9,6 +9,8 @@ bool in_foreground(int terminal);
 /// process, and by every signal that ends or stops it and can be caught. When the process goes on in the foreground,
 /// the mode is set again.
 void enter_raw_mode(int terminal);
+/// Sets the mode again in a process that has come to the foreground.
+void renew_raw_mode();
 /// Restores the mode after all that was written has been shown; waits two seconds for this at most, because a terminal
 /// that is stopped shows nothing.
 void leave_raw_mode();

@@ -1,10 +1,13 @@
 #include "commands/record/record_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <limits>
 
 #include "acquire/geometry/geometry.hpp"
+#include "acquire/hits/time_selection.hpp"
 #include "cli/analysis_flags.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -57,6 +60,27 @@ pipeline::GuideOptions guide_options(const RecordFlags& flags) {
   const auto folder = std::filesystem::path(flags.output).parent_path();
   options.folder = folder.empty() ? "." : folder.string();
   return options;
+}
+
+void check_window(const acquire::Record& description, const RecordFlags& flags) {
+  const double fs_Hz = description.fs_Hz;
+  if (!flags.band.empty()) {
+    const auto band_Hz = parse_band(flags.band, "band");
+    if (band_Hz.second >= fs_Hz / 2) {
+      throw InputError(
+          fmt::format("the band ends at {:.6g} Hz, half the sampling rate is {:.6g} Hz", band_Hz.second, fs_Hz / 2),
+          flags.device, "choose a lower end, or a higher rate", {"band", "fs"});
+    }
+  }
+  const std::size_t pretrigger = acquire::pretrigger_samples(description, {.pretrigger_s = flags.pretrigger_s});
+  if (pretrigger == 0)
+    throw InputError("no samples before the blow", flags.device, "keep some ms before its peak", {"pretrigger"});
+  const std::size_t length = acquire::selected_length(description, {.length_s = flags.length_s}).value_or(0);
+  if (length > 0 && length < 2 * pretrigger) {
+    throw InputError(fmt::format("a blow takes {:.4g} s, of which {:.4g} s come before its peak",
+                                 static_cast<double>(length) / fs_Hz, static_cast<double>(pretrigger) / fs_Hz),
+                     flags.device, "state a longer length or a shorter pretrigger", {"length", "pretrigger"});
+  }
 }
 
 }  // namespace percuss::tools

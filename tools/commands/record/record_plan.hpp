@@ -8,4 +8,8 @@ namespace percuss::tools {
 /// errors  InputError, UsageError: unusable files or values.
 pipeline::GuideOptions guide_options(const RecordFlags& flags);
 
+/// Refuses a length without room for a pulse, and a band that the sampling rate cannot hold.
+/// errors  InputError
+void check_window(const acquire::Record& description, const RecordFlags& flags);
+
 }  // namespace percuss::tools

@@ -14,15 +14,17 @@ namespace {
 using Kind = pipeline::SessionEvent::Kind;
 
 constexpr const char* kKeys = "  [space pause, u undo, r redo, n next, g go to, q finish]";
+constexpr const char* kShortKeys = "  [space u r n g q]";
 
-std::string command_text(Kind kind, const pipeline::Session& session) {
+std::string command_text(Kind kind, std::size_t undone, const pipeline::Session& session) {
   const std::string place =
       pipeline::place_text(session.plan(), session.point(), session.accepted_at(session.point()) + 1);
   switch (kind) {
     case Kind::undo:
-      return "the last accepted blow is undone; next: " + place;
+      return (undone > 0 ? "the last accepted blow is undone; next: " : "no blow counts yet; next: ") + place;
     case Kind::redo:
-      return "the blows of this point are undone; next: " + place;
+      return (undone > 0 ? "the blows of this point are undone; next: " : "no blow counts at this point; next: ") +
+             place;
     case Kind::next:
     case Kind::go_to:
       return "next: " + place;
@@ -67,7 +69,15 @@ void RecordScreen::note(const std::string& text) {
   if (!flags_.quiet) terminal_.line(text);
 }
 
+// Each once.
+void RecordScreen::show_problems(const pipeline::SessionQuality& quality) {
+  for (const std::string& problem : quality.problems) {
+    if (told_.insert(problem).second) note("! " + problem);
+  }
+}
+
 void RecordScreen::show_quality(const pipeline::SessionQuality& quality) {
+  show_problems(quality);
   note("  " + pipeline::quality_text(quality));
   const std::string outlook = pipeline::outlook_text(quality, goals_);
   if (!outlook.empty()) note("  " + outlook);
@@ -79,7 +89,7 @@ void RecordScreen::update(const pipeline::Guide& guide) {
   if (const auto quality = worker_->take()) show_quality(*quality);
   const std::string state =
       guide.collecting() ? "listening to the decay" : pipeline::prompt_text(guide.session(), roving_);
-  terminal_.prompt(state + kKeys);
+  terminal_.prompt(state, kKeys, kShortKeys);
 }
 
 void RecordScreen::on_blow(const pipeline::BlowReport& blow) {
@@ -95,9 +105,9 @@ void RecordScreen::on_regraded(std::size_t row, acquire::RowMark mark) {
   note(fmt::format("  row {} of the record does not count any longer: {}", row + 1, acquire::reason_of(mark)));
 }
 
-void RecordScreen::on_command(const pipeline::SessionEvent& command) {
+void RecordScreen::on_command(const pipeline::SessionEvent& command, std::size_t undone) {
   if (silent_) return;
-  note("  " + command_text(command.kind, guide_->session()));
+  note("  " + command_text(command.kind, undone, guide_->session()));
   ask_ = ask_ || command.kind == Kind::undo || command.kind == Kind::redo;
 }
 
@@ -107,6 +117,10 @@ void RecordScreen::on_length(std::size_t samples) {
 
 void RecordScreen::on_left_out(std::uint64_t frame) {
   if (!silent_) note(pipeline::left_out_text(static_cast<double>(frame) / fs_Hz_));
+}
+
+void RecordScreen::on_silent_hammer() {
+  if (!silent_) note(pipeline::silent_hammer_text(guide_->channels()));
 }
 
 void RecordScreen::on_fault(const acquire::CaptureFinding& fault) {
@@ -121,6 +135,7 @@ void RecordScreen::end(const pipeline::Guide& guide, const SessionResult& result
   terminal_.prompt("");
   note(fmt::format("{}: {}", flags_.output, pipeline::summary_text(guide.session())));
   if (guide.session().accepted() == 0) return;
+  show_problems(result.quality());
   note(pipeline::quality_text(result.quality()));
   if (!goals_.empty()) note(pipeline::goals_text(result.quality(), goals_));
   try {

@@ -1,6 +1,7 @@
 #pragma once
 #include <chrono>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "acquire/live/sample_stream.hpp"
@@ -28,14 +29,16 @@ class RecordScreen : public pipeline::GuideObserver {
 
   void on_blow(const pipeline::BlowReport& blow) override;
   void on_regraded(std::size_t row, acquire::RowMark mark) override;
-  void on_command(const pipeline::SessionEvent& command) override;
+  void on_command(const pipeline::SessionEvent& command, std::size_t undone) override;
   void on_length(std::size_t samples) override;
   void on_left_out(std::uint64_t frame) override;
+  void on_silent_hammer() override;
   void on_fault(const acquire::CaptureFinding& fault) override;
   void on_goals_met() override;
 
  private:
   void show_quality(const pipeline::SessionQuality& quality);
+  void show_problems(const pipeline::SessionQuality& quality);
 
   RecordTerminal& terminal_;
   const RecordFlags& flags_;
@@ -44,8 +47,9 @@ class RecordScreen : public pipeline::GuideObserver {
   pipeline::RovingPart roving_;
   const pipeline::Guide* guide_ = nullptr;
   double fs_Hz_ = 0;
-  bool silent_ = false;  // while the journal is replayed
-  bool ask_ = false;     // other blows count than before
+  bool silent_ = false;         // while the journal is replayed
+  bool ask_ = false;            // other blows count than before
+  std::set<std::string> told_;  // problems of the test
   std::optional<pipeline::QualityWorker> worker_;
 };
 

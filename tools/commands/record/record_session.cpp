@@ -9,7 +9,6 @@
 #include <memory>
 #include <utility>
 
-#include "acquire/hits/time_selection.hpp"
 #include "acquire/live/capture_stream.hpp"
 #include "acquire/live/open_device.hpp"
 #include "acquire/write_record.hpp"
@@ -45,7 +44,7 @@ struct Recording {
   pipeline::LiveChannels channels;
 };
 
-// Set-up and length are checked against the device before there is a journal.
+// Set-up, length and band are checked against the device before there is a journal.
 Recording open_recording(const RecordFlags& flags, const Interrupted& interrupted) {
   const bool resumed = interrupted.journal != nullptr;
   acquire::DeviceOptions wanted{.fs_Hz = flags.fs_Hz, .fast = flags.fast};
@@ -64,7 +63,7 @@ Recording open_recording(const RecordFlags& flags, const Interrupted& interrupte
   Recording out{.stream = nullptr,
                 .channels = pipeline::live_channels(acquire::stream_format(device->format(), options.channels),
                                                     resolved_read_options(flags.read))};
-  acquire::selected_length(out.channels.description, {.length_s = flags.length_s});  // refuses a length of no use
+  check_window(out.channels.description, flags);
   out.stream = std::make_unique<acquire::CaptureStream>(std::move(device), options);
   return out;
 }
@@ -78,29 +77,37 @@ void take_findings(acquire::CaptureStream& stream, pipeline::Guide& guide, Recor
   }
 }
 
+std::string missing_point_text(std::size_t number, const std::vector<int>& points) {
+  if (points.size() == 1) return fmt::format("there is no point {}; the test has one point", number);
+  const auto [lowest, highest] = std::minmax_element(points.begin(), points.end());
+  return fmt::format("there is no point {}; the geometry numbers its points from {} to {}", number, *lowest, *highest);
+}
+
 void press(const PressedKey& key, pipeline::Guide& guide, RecordScreen& screen) {
-  const auto& points = guide.session().plan().points;
+  const pipeline::Session& session = guide.session();
+  const auto number = static_cast<int>(key.number);
   switch (key.key) {
     case RecordKey::pause:
-      return guide.command(Kind::pause);
+      guide.command(Kind::pause);
+      break;
     case RecordKey::undo:
-      return guide.command(Kind::undo);
+      guide.command(Kind::undo);
+      break;
     case RecordKey::redo:
-      return guide.command(Kind::redo);
+      guide.command(Kind::redo, session.point());
+      break;
     case RecordKey::next:
-      return guide.command(Kind::next);
+      guide.command(Kind::next);
+      break;
     case RecordKey::finish:
       return guide.command(Kind::finish);
-    case RecordKey::go_to: {
-      const auto number = static_cast<int>(key.number);
-      if (guide.session().has_point(number)) return guide.command(Kind::go_to, number);
-      const auto [lowest, highest] = std::minmax_element(points.begin(), points.end());
-      screen.note(points.size() == 1
-                      ? fmt::format("there is no point {}; the test has one point", number)
-                      : fmt::format("there is no point {}; the geometry numbers its points from {} to {}", number,
-                                    *lowest, *highest));
-    }
+    case RecordKey::go_to:
+      if (!session.has_point(number)) return screen.note(missing_point_text(key.number, session.plan().points));
+      guide.command(Kind::go_to, number);
+      break;
   }
+  if (guide.collecting() && guide.has_waiting_command())
+    screen.note("  the key applies after the blow that is being recorded");
 }
 
 // Until the session is finished, the device ends or a signal arrives. Returns why.

@@ -51,10 +51,7 @@ std::string folded(const std::string& line, std::size_t columns) {
 }  // namespace
 
 RecordTerminal::RecordTerminal(int input, int output, bool quiet)
-    : input_(input),
-      output_(output),
-      quiet_(quiet),
-      interactive_(::isatty(input) == 1 && ::isatty(output) == 1 && in_foreground(input)) {
+    : input_(input), output_(output), quiet_(quiet), interactive_(::isatty(input) == 1 && ::isatty(output) == 1) {
   if (::pipe2(wake_.data(), O_CLOEXEC | O_NONBLOCK) != 0)
     throw_system_error("cannot watch the terminal", errno, "the session", "close other programs");
   if (interactive_) enter_raw_mode(input_);
@@ -85,12 +82,14 @@ void RecordTerminal::line(const std::string& text) {
   wake();
 }
 
-void RecordTerminal::prompt(const std::string& text) {
+void RecordTerminal::prompt(const std::string& text, const std::string& more, const std::string& shorter) {
   if (!interactive_) return;
   {
     const std::lock_guard lock(mutex_);
     if (prompt_ == text) return;
     prompt_ = text;
+    more_ = more;
+    shorter_ = shorter;
     redraw_ = true;
   }
   wake();
@@ -126,12 +125,14 @@ std::string RecordTerminal::next_bytes() {
     out += (interactive_ ? kErase + folded(lines_.front(), columns_of(output_)) : lines_.front()) + "\n";
     lines_.pop_front();
     redraw_ = interactive_;
-  } else if (std::exchange(redraw_, false)) {
+  } else if (was_in_front_ && std::exchange(redraw_, false)) {
     out += kErase;
     if (number_) {
       out += "go to point: " + *number_;
     } else if (!prompt_.empty()) {
-      out += fitting(prompt_, columns_of(output_) - 1);
+      const std::size_t columns = columns_of(output_) - 1;
+      const bool fits = report::text_width(prompt_ + more_) <= columns;
+      out += fitting(prompt_ + (fits ? more_ : shorter_), columns);
     }
   }
   return out;
@@ -186,16 +187,19 @@ void RecordTerminal::read_keys() {
   for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i) press(bytes[i]);
 }
 
-// Reading in the background would stop the process.
-bool RecordTerminal::may_read() const { return interactive_ && input_ >= 0 && in_foreground(input_); }
+// Reading in the background would stop the process, and the prompt would lie about the keys.
+bool RecordTerminal::in_front() const { return interactive_ && input_ >= 0 && in_foreground(input_); }
 
 void RecordTerminal::run() {
   Clock::time_point taken = Clock::now();
   for (;;) {
-    if (interactive_ && has_continued()) {
+    const bool front = in_front();
+    if (interactive_ && (has_continued() || (front && !was_in_front_))) {
+      if (front) renew_raw_mode();
       const std::lock_guard lock(mutex_);
       redraw_ = true;
     }
+    was_in_front_ = front;
     if (pending_.empty() || broken_) pending_ = next_bytes();
     const bool closing = closing_;
     if (closing && (pending_.empty() || broken_)) return;
@@ -203,7 +207,7 @@ void RecordTerminal::run() {
     if (!closing) taken = Clock::now();
     const bool has_output = !pending_.empty() && !broken_;
     std::array<pollfd, 3> files{{{.fd = wake_[0], .events = POLLIN, .revents = 0},
-                                 {.fd = may_read() ? input_ : -1, .events = POLLIN, .revents = 0},
+                                 {.fd = front ? input_ : -1, .events = POLLIN, .revents = 0},
                                  {.fd = has_output ? output_ : -1, .events = POLLOUT, .revents = 0}}};
     ::poll(files.data(), files.size(), kPoll_ms);
     std::array<char, 256> ignored{};

@@ -21,8 +21,8 @@ struct PressedKey {
 /// closed, never holds up the caller. On a terminal, a prompt stays below the lines, and keys are read one by one.
 class RecordTerminal {
  public:
-  /// Writes to `output` (a descriptor). Reads keys if `input` and `output` are terminals, and the process is not in the
-  /// background.
+  /// Writes to `output` (a descriptor). Reads keys if `input` and `output` are terminals, while the process is in the
+  /// foreground.
   RecordTerminal(int input, int output, bool quiet);
   /// Writes what waits, unless nobody takes it for two seconds (a terminal), and restores the terminal.
   ~RecordTerminal();
@@ -31,7 +31,8 @@ class RecordTerminal {
 
   bool interactive() const { return interactive_; }
   void line(const std::string& text);
-  void prompt(const std::string& text);
+  /// `more` follows the text where it fits, else `shorter`.
+  void prompt(const std::string& text, const std::string& more = "", const std::string& shorter = "");
   void bell();
   std::optional<PressedKey> take_key();
 
@@ -41,7 +42,7 @@ class RecordTerminal {
   void read_keys();
   void press(char key);
   void wake() const;
-  bool may_read() const;
+  bool in_front() const;
   std::string next_bytes();
 
   int input_, output_;
@@ -50,12 +51,12 @@ class RecordTerminal {
   std::mutex mutex_;
   std::deque<std::string> lines_;
   std::size_t dropped_ = 0;
-  std::string prompt_;
+  std::string prompt_, more_, shorter_;
   bool redraw_ = false, ring_ = false;
   std::deque<PressedKey> keys_;
   std::optional<std::string> number_;  // being typed after g
   std::string pending_;                // bytes for the output
-  bool broken_ = false;
+  bool broken_ = false, was_in_front_ = false;
   std::atomic<bool> closing_{false};
   std::thread thread_;
 };
