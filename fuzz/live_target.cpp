@@ -66,7 +66,8 @@ void run_wav_header(std::string_view bytes) {
   accepted([&] {
     acquire::read_wav_header([&](std::span<std::byte> out) {
       if (out.size() > bytes.size()) return false;
-      std::memcpy(out.data(), bytes.data(), out.size());
+      std::transform(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(out.size()), out.begin(),
+                     [](char c) { return static_cast<std::byte>(c); });
       bytes.remove_prefix(out.size());
       return true;
     });
