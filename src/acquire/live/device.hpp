@@ -73,4 +73,8 @@ struct DeviceOptions {
   std::uint64_t start_frame = 0;        // simulated and replayed devices begin here: where a session was interrupted
 };
 
+/// For samples whose rate nobody can choose.
+/// errors  InputError at `where`: the options state another rate than fs_Hz
+void require_rate(double fs_Hz, const DeviceOptions& options, const std::string& where);
+
 }  // namespace percuss::acquire

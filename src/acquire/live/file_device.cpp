@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <thread>
 #include <utility>
@@ -33,6 +34,21 @@ DeviceFormat replay_format(const Record& record, bool fast) {
   }
   format.stream.channels = format.stream.names.size();
   return format;
+}
+
+// The stated rate is for a file without a rate of its own.
+Record open_replayed(const std::string& path, const DeviceOptions& options) {
+  const auto open = [&](std::optional<double> fs_Hz) {
+    return open_record(path, {.fs_Hz = fs_Hz, .force_optional = true, .sandboxed = true});
+  };
+  if (!options.fs_Hz) return open({});
+  try {
+    return open({});
+  } catch (const InputError& error) {
+    const auto& concerned = error.options();
+    if (std::find(concerned.begin(), concerned.end(), "fs") == concerned.end()) throw;
+  }
+  return open(options.fs_Hz);
 }
 
 class ReplayDevice final : public PolledDevice {
@@ -128,7 +144,9 @@ std::unique_ptr<Device> replay_device(Record record, const DeviceOptions& option
 }
 
 std::unique_ptr<Device> open_file_device(const std::string& path, const DeviceOptions& options) {
-  return replay_device(open_record(path, {.fs_Hz = options.fs_Hz, .force_optional = true, .sandboxed = true}), options);
+  Record record = open_replayed(path, options);
+  require_rate(record.fs_Hz, options, path);
+  return replay_device(std::move(record), options);
 }
 
 }  // namespace percuss::acquire

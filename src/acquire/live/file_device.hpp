@@ -11,8 +11,8 @@ namespace percuss::acquire {
 /// errors  InputError: the record has no samples
 std::unique_ptr<Device> replay_device(Record record, const DeviceOptions& options = {});
 
-/// As above, for a file of any format.
-/// errors  InputError: as open_record
+/// As above, for a file of any format. A rate in the options is for a file that states none.
+/// errors  InputError: as open_record, require_rate
 std::unique_ptr<Device> open_file_device(const std::string& path, const DeviceOptions& options = {});
 
 }  // namespace percuss::acquire

@@ -61,6 +61,19 @@ TEST(ReplayDevice, PlaysTheRowsOfARecord) {
   EXPECT_THAT(input_error_of([] { open_device("file:missing.h5", {}, {}); }), HasSubstr("missing.h5"));
 }
 
+TEST(ReplayDevice, KeepsTheRateOfItsFile) {
+  const ScratchFolder folder;
+  const std::string timed = folder.file("timed.csv"), plain = folder.file("plain.csv");
+  write_bytes(timed, "time (s),force (N),accel (m/s2)\n0,1,2\n0.001,3,4\n0.002,5,6\n0.003,7,8\n");
+  write_bytes(plain, "force (N),accel (m/s2)\n1,2\n3,4\n5,6\n7,8\n");
+  const std::string refused = input_error_of([&] { open_file_device(timed, {.fs_Hz = 2000}); });
+  EXPECT_THAT(refused, HasSubstr("the samples come at 1000 Hz, and cannot come at 2000 Hz"));
+  EXPECT_THAT(refused, HasSubstr("leave the rate out"));
+  EXPECT_EQ(open_file_device(timed, {.fs_Hz = 1000})->format().stream.fs_Hz, 1000);
+  EXPECT_EQ(open_file_device(plain, {.fs_Hz = 2000})->format().stream.fs_Hz, 2000);
+  EXPECT_THAT(input_error_of([&] { open_file_device(plain); }), HasSubstr("no sampling rate"));
+}
+
 TEST(ReplayDevice, KeepsRealTime) {
   const Record record = record_in_memory(1000, {std::vector<double>(300, 1.0)}, {{std::vector<double>(300)}});
   const auto begun = std::chrono::steady_clock::now();
