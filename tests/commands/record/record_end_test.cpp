@@ -78,6 +78,41 @@ TEST(RecordEnd, EndsEarlyWithItsOwnCode) {
   EXPECT_EQ(silent.code, 4);
 }
 
+// The journal is damaged in its middle, and the file of the first part still holds all blows.
+TEST(RecordEnd, KeepsTheBlowsThatADamagedJournalHasLost) {
+  const Bench bench;
+  ASSERT_EQ(bench.record("sim:aluminium-bat,unplug=8.5").code, 6);
+  ASSERT_EQ(bench.marks().size(), 4U);
+  const std::string whole = bench.bytes("t.h5");
+  std::string journal = bench.bytes("t.h5.journal");
+  journal.replace(journal.size() / 2, 7, "garbage");
+  test::write_bytes(bench.folder.file("t.h5.journal"), journal);
+  const auto refused = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("the file holds 4 blows, its journal "));
+  EXPECT_THAT(refused.err, HasSubstr("move it elsewhere, and resume again"));
+  EXPECT_EQ(bench.run({"record", "--resume", "t.h5", "--force"}).code, 3);
+  EXPECT_TRUE(bench.bytes("t.h5") == whole);
+  EXPECT_TRUE(bench.bytes("t.h5.journal") == journal);
+  fs::rename(bench.folder.file("t.h5"), bench.folder.file("kept.h5"));
+  const auto resumed = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(resumed.code, 6) << resumed.err;
+  EXPECT_THAT(resumed.out, HasSubstr("bytes of the journal are not whole and are left out"));
+  EXPECT_TRUE(bench.has("t.h5"));
+}
+
+TEST(RecordEnd, KeepsAForeignFileWhenItResumes) {
+  const Bench bench;
+  ASSERT_EQ(bench.record("sim:aluminium-bat,unplug=5").code, 6);
+  test::write_bytes(bench.folder.file("t.h5"), "notes of the day\n");
+  const auto refused = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("the file is no record of the session"));
+  EXPECT_EQ(bench.bytes("t.h5"), "notes of the day\n");
+  EXPECT_EQ(bench.run({"record", "--resume", "t.h5", "--force"}).code, 6);
+  EXPECT_EQ(bench.marks().size(), 2U);
+}
+
 TEST(RecordEnd, FinishesCleanlyOnASignal) {
   const Bench bench;
   EXPECT_EQ(bench.shell("timeout -s INT 3 percuss record -o t.h5 --device sim:aluminium-bat,speed=2 >out"), 124);

@@ -155,6 +155,7 @@ int record_file(const RecordFlags& flags, const Interrupted& interrupted, pipeli
   screen.begin(format, guide);
   if (resumed) {
     replay(interrupted, repeats_itself(flags.device), guide);
+    if (const std::string torn = torn_text(interrupted); !torn.empty()) screen.note(torn);
     screen.resumed(guide);
   }
   const StreamEnd end = record_blows(*stream, guide, terminal, screen);
