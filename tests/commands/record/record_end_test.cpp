@@ -55,6 +55,28 @@ TEST(RecordEnd, RefusesOptionsThatContradictTheSession) {
   EXPECT_TRUE(bench.has("r.html"));
 }
 
+// Blows of the first part would be read by the new places and roles.
+TEST(RecordEnd, RefusesFilesThatChangedSinceTheSessionBegan) {
+  const Bench bench;
+  const std::string grid = bench.folder.file("g.csv"), setup = bench.folder.file("s.json");
+  const std::string points = "point,x_m,y_m,z_m\n0,0,0,0\n1,0.1,0,0\n";
+  const std::string roles = R"([{"name":"1","role":"force"},{"name":"2"},{"name":"3"}])";
+  test::write_bytes(grid, points);
+  test::write_bytes(setup, roles);
+  ASSERT_EQ(bench.record("sim:aluminium-bat,unplug=5", {"--geometry", "g.csv", "--setup", "s.json"}).code, 6);
+  test::write_bytes(grid, points + "2,0.2,0,0\n");
+  const auto moved = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(moved.code, 3);
+  EXPECT_THAT(moved.err, HasSubstr("the file has changed since the session began (g.csv); restore it"));
+  test::write_bytes(grid, points);
+  test::write_bytes(setup, R"([{"name":"1","role":"force"},{"name":"2","sign":-1},{"name":"3"}])");
+  const auto turned = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(turned.code, 3);
+  EXPECT_THAT(turned.err, HasSubstr("the file has changed since the session began (s.json); restore it"));
+  test::write_bytes(setup, roles);
+  EXPECT_EQ(bench.run({"record", "--resume", "t.h5"}).code, 6);
+}
+
 TEST(RecordEnd, NamesADeadChannel) {
   const Bench bench;
   const auto recorded = bench.record("sim:aluminium-bat,nan=0:100");
