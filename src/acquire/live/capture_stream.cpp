@@ -67,6 +67,16 @@ StreamFormat stream_format(const DeviceFormat& device, const std::vector<std::si
   return format_of(device.stream, channels_kept(device, channels));
 }
 
+std::vector<ChannelSetup> stream_setup(const DeviceFormat& device, const std::vector<std::size_t>& channels) {
+  std::vector<ChannelSetup> out;
+  if (device.setup.empty()) return out;
+  for (const std::size_t channel : channels_kept(device, channels)) {
+    out.push_back(device.setup[channel]);
+    out.back().name = std::to_string(out.size());
+  }
+  return out;
+}
+
 CaptureStream::CaptureStream(std::unique_ptr<Device> device, const CaptureOptions& options)
     : device_(std::move(device)), pause_(device_->format().pace == DevicePace::reader ? kFastPause : kPause) {
   const DeviceFormat& given = device_->format();

@@ -26,6 +26,11 @@ struct CaptureOptions {
 /// errors  InputError: a channel that the device does not have
 StreamFormat stream_format(const DeviceFormat& device, const std::vector<std::size_t>& channels);
 
+/// The set-up that the device has applied, for these channels; their names are their numbers in the stream, from 1.
+/// Empty: none.
+/// errors  InputError: as stream_format
+std::vector<ChannelSetup> stream_setup(const DeviceFormat& device, const std::vector<std::size_t>& channels);
+
 /// A running device with its journal. The device's thread fills a ring without waiting for anybody, a thread writes the
 /// journal, and the reader gets each block once: from memory, or from the journal when it has stalled. The journal is
 /// made at once and takes events and findings; samples follow from keep_from() on, or when the reader stalls. A

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "acquire/live/sample_stream.hpp"
+#include "acquire/record/record.hpp"
 
 namespace percuss::acquire {
 
@@ -27,6 +28,8 @@ struct DeviceFormat {
   double scale = 1;              // value in the units of `stream` = number × scale
   std::vector<double> scales{};  // [channels], where they differ; replaces `scale`
   DevicePace pace = DevicePace::clock;
+  std::vector<ChannelSetup> setup{};  // [channels] roles and places, where the device has applied the user's set-up
+  std::vector<Message> notes{};       // assumptions, such as units
 };
 
 /// Receives the frames of a running device. No member allocates, locks or waits: a real-time thread may call them.
@@ -71,6 +74,11 @@ struct DeviceOptions {
   std::optional<std::size_t> channels;  // open at least so many; a device that always delivers all ignores it
   bool fast = false;                    // a simulated or replayed device need not keep to real time
   std::uint64_t start_frame = 0;        // simulated and replayed devices begin here: where a session was interrupted
+  std::vector<ChannelSetup> setup{};    // for a replayed file that does not tell its force, or states other units
 };
+
+/// For samples whose rate nobody can choose.
+/// errors  InputError at `where`: the options state another rate than fs_Hz
+void require_rate(double fs_Hz, const DeviceOptions& options, const std::string& where);
 
 }  // namespace percuss::acquire

@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "acquire/channels/csv_columns.hpp"
 #include "acquire/live/polled_device.hpp"
 #include "acquire/open_measurement.hpp"
 #include "core/error.hpp"
@@ -17,9 +18,84 @@ namespace {
 constexpr std::size_t kReplayPiece_frames = 4096;
 constexpr double kReplayPoll_s = 0.005;
 
+// The stated rate is for a file without a rate of its own.
+Record open_at_own_rate(const std::string& path, ReadOptions read, const DeviceOptions& options) {
+  read.force_optional = read.sandboxed = true;
+  if (!options.fs_Hz) return open_record(path, read);
+  try {
+    return open_record(path, read);
+  } catch (const InputError& error) {
+    const auto& concerned = error.options();
+    if (std::find(concerned.begin(), concerned.end(), "fs") == concerned.end()) throw;
+  }
+  read.fs_Hz = options.fs_Hz;
+  return open_record(path, read);
+}
+
+bool is_number(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// Whether the set-up must serve to read the file, which was read without it. A number means a channel of the device.
+bool needs_setup(const Record& plain, const std::vector<ChannelSetup>& setup) {
+  if (setup.empty()) return false;
+  const auto needed = [&](const ChannelSetup& entry) {
+    if (is_number(entry.name) || entry.role == "ignore") return false;
+    return entry.unit || entry.sensitivity_V_per_SI ||
+           (entry.name != plain.force.name &&
+            std::none_of(plain.accel.begin(), plain.accel.end(),
+                         [&](const SignalInfo& signal) { return signal.name == entry.name; }));
+  };
+  return !plain.has_force || std::any_of(setup.begin(), setup.end(), needed);
+}
+
+// The set-up as far as it does not concern the numbers, which are in SI units now.
+std::vector<ChannelSetup> applied_setup(const Record& record) {
+  std::vector<ChannelSetup> out;
+  const auto add = [&](const SignalInfo& signal, const char* role) {
+    out.push_back({.name = signal.name, .role = role, .angle_rad = signal.angle_rad, .position_m = signal.position_m});
+  };
+  if (record.has_force) add(record.force, "force");
+  for (const SignalInfo& signal : record.accel) add(signal, "acceleration");
+  return out;
+}
+
+struct ReplayedFile {
+  Record record;
+  bool set_up = false;  // the set-up served to read it
+};
+
+ReplayedFile open_with_setup(const std::string& path, const DeviceOptions& options) {
+  try {
+    Record plain = open_at_own_rate(path, {}, options);
+    if (!needs_setup(plain, options.setup)) return {std::move(plain), false};
+  } catch (const InputError&) {
+    if (options.setup.empty()) throw;
+  }
+  return {open_at_own_rate(path, {.setup = options.setup}, options), true};
+}
+
+// A device has a set-up in place of the reader's options.
+ReplayedFile open_replayed(const std::string& path, const DeviceOptions& options) {
+  try {
+    return open_with_setup(path, options);
+  } catch (const AmbiguousColumns& error) {
+    throw InputError(error.problem(), error.where(), "name the hammer's channel and the responses in the set-up",
+                     {"setup"});
+  } catch (const MachineFault&) {
+    throw;
+  } catch (const InputError& error) {
+    const auto& concerned = error.options();
+    if (concerned.empty() || std::find(concerned.begin(), concerned.end(), "fs") != concerned.end()) throw;
+    throw InputError(error.problem(), error.where(), error.remedy(), {"setup"});
+  }
+}
+
 // A second passes from row to row.
-DeviceFormat replay_format(const Record& record, bool fast) {
+DeviceFormat replay_format(const Record& record, bool fast, bool set_up) {
   DeviceFormat format{.type = SampleType::float64, .pace = fast ? DevicePace::reader : DevicePace::clock};
+  if (set_up) format.setup = applied_setup(record);
+  format.notes = record.notes;
   format.stream.device = "file:" + record.source();
   format.stream.fs_Hz = record.fs_Hz;
   format.stream.pause_frames = static_cast<std::uint64_t>(std::ceil(record.fs_Hz));
@@ -35,10 +111,15 @@ DeviceFormat replay_format(const Record& record, bool fast) {
   return format;
 }
 
+void require_samples(const Record& record) {
+  if (record.rows.empty() || !(record.fs_Hz > 0) || (record.accel.empty() && !record.has_force))
+    throw InputError("the record has no samples to replay", record.source(), "name another record", {"device"});
+}
+
 class ReplayDevice final : public PolledDevice {
  public:
-  ReplayDevice(Record record, const DeviceOptions& options)
-      : record_(std::move(record)), fast_(options.fast), format_(replay_format(record_, fast_)) {
+  ReplayDevice(Record record, const DeviceOptions& options, bool set_up = false)
+      : record_(std::move(record)), fast_(options.fast), format_(replay_format(record_, fast_, set_up)) {
     seek(options.start_frame);
   }
   ~ReplayDevice() override { stop(); }
@@ -122,13 +203,15 @@ class ReplayDevice final : public PolledDevice {
 }  // namespace
 
 std::unique_ptr<Device> replay_device(Record record, const DeviceOptions& options) {
-  if (record.rows.empty() || !(record.fs_Hz > 0) || (record.accel.empty() && !record.has_force))
-    throw InputError("the record has no samples to replay", record.source(), "name another record", {"device"});
+  require_samples(record);
   return std::make_unique<ReplayDevice>(std::move(record), options);
 }
 
 std::unique_ptr<Device> open_file_device(const std::string& path, const DeviceOptions& options) {
-  return replay_device(open_record(path, {.fs_Hz = options.fs_Hz, .force_optional = true, .sandboxed = true}), options);
+  ReplayedFile file = open_replayed(path, options);
+  require_rate(file.record.fs_Hz, options, path);
+  require_samples(file.record);
+  return std::make_unique<ReplayDevice>(std::move(file.record), options, file.set_up);
 }
 
 }  // namespace percuss::acquire

@@ -17,6 +17,15 @@ void read_numbers(const std::byte* from, const std::vector<double>& scales, std:
   }
 }
 
+// Whether all channels are kept, in the order of the device.
+bool keeps_frames(const FrameLayout& layout) {
+  if (layout.channels.size() != layout.device_channels) return false;
+  for (std::size_t c = 0; c < layout.channels.size(); ++c) {
+    if (layout.channels[c] != c) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 FrameRing::FrameRing(FrameLayout layout, std::size_t capacity_frames, std::uint64_t first_frame)
@@ -24,6 +33,7 @@ FrameRing::FrameRing(FrameLayout layout, std::size_t capacity_frames, std::uint6
       capacity_(std::max<std::size_t>(capacity_frames, 1)),
       sample_bytes_(bytes_per_sample(layout_.type)),
       frame_bytes_(sample_bytes_ * layout_.channels.size()),
+      whole_frames_(keeps_frames(layout_)),
       bytes_(capacity_ * frame_bytes_),
       offsets_{{0, first_frame, false}} {}
 
@@ -45,13 +55,12 @@ bool FrameRing::pass_on_loss() noexcept {
 }
 
 void FrameRing::copy_in(const std::byte* frames, std::uint64_t index, std::size_t count) noexcept {
-  const bool all = layout_.channels.size() == layout_.device_channels;
   for (std::size_t done = 0; done < count;) {
     const auto place = static_cast<std::size_t>((index + done) % capacity_);
     const std::size_t part = std::min(count - done, capacity_ - place);
     std::byte* to = bytes_.data() + place * frame_bytes_;
     const std::byte* from = frames + done * layout_.device_channels * sample_bytes_;
-    if (all) {
+    if (whole_frames_) {
       std::memcpy(to, from, part * frame_bytes_);
     } else {
       for (std::size_t i = 0; i < part; ++i, from += layout_.device_channels * sample_bytes_) {

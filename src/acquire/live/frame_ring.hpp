@@ -79,6 +79,7 @@ class FrameRing final : public FrameSink {
 
   const FrameLayout layout_;
   const std::size_t capacity_, sample_bytes_, frame_bytes_;
+  const bool whole_frames_;
   std::vector<std::byte> bytes_;
   std::atomic<std::uint64_t> head_{0}, tail_{0}, dropped_{0};
   std::atomic<StreamEnd> end_{StreamEnd::none};

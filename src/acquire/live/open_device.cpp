@@ -18,7 +18,7 @@ std::unique_ptr<Device> open_device(const std::string& text, const DeviceOptions
     case DeviceKind::file:
       return open_file_device(spec.name, options);
     case DeviceKind::pipe:
-      return open_pipe_device(spec.name);
+      return open_pipe_device(spec.name, 0, options);
     case DeviceKind::plugin:
       return open_plugin_device(spec.name, spec.arguments, options);
     case DeviceKind::portaudio:

@@ -122,10 +122,11 @@ class PipeDevice final : public PolledDevice {
 
 }  // namespace
 
-std::unique_ptr<Device> open_pipe_device(const std::string& description, int descriptor) {
-  if (description != "wav") return std::make_unique<PipeDevice>(raw_header(description), descriptor);
+std::unique_ptr<Device> open_pipe_device(const std::string& description, int descriptor, const DeviceOptions& options) {
   const auto fill = [&](std::span<std::byte> out) { return fill_from(descriptor, out); };
-  return std::make_unique<PipeDevice>(read_wav_header(fill), descriptor);
+  const WavHeader header = description == "wav" ? read_wav_header(fill) : raw_header(description);
+  require_rate(header.fs_Hz, options, "standard input");
+  return std::make_unique<PipeDevice>(header, descriptor);
 }
 
 }  // namespace percuss::acquire

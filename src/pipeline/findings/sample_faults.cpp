@@ -12,7 +12,6 @@ using Eigen::Index;
 
 constexpr std::size_t kSurroundings = 900;  // samples on either side that the prediction is fitted to
 constexpr std::size_t kReach = 44;          // samples around `at` within which a fault is searched
-constexpr std::size_t kMaxFault = 40;       // samples
 constexpr double kOutlier = 6;              // standard deviations of the prediction errors
 constexpr std::size_t kMaxVaried = 8;       // wrong samples that are not equal: a longer run may be a burst of noise
 constexpr double kClearFault = 8;           // rms of the errors at a fault over the errors around

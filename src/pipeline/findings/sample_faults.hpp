@@ -7,6 +7,8 @@
 
 namespace percuss::pipeline {
 
+inline constexpr std::size_t kMaxFault = 40;  // samples; a longer fault is not replaced
+
 /// Samples of a free decay that do not follow from their neighbours.
 struct SampleFault {
   enum class Kind {

@@ -185,6 +185,7 @@ void examine_response(HitResponse& response, const acquire::Hit& hit, std::span<
   response.noise = {.after = difference_profile(accel_mps2, first),
                     .before = difference_rms(accel_mps2.first(std::min(silent, accel_mps2.size())))};
   response.rest = rest_levels(accel_mps2, quiet, first);
+  response.dropout = find_long_dropout(accel_mps2, first);
 }
 
 std::vector<std::vector<double>> repaired(std::span<const std::span<const double>> channels,

@@ -7,7 +7,7 @@
 
 namespace percuss::pipeline {
 
-/// Measures the noise and the baseline of a response before and after its hit.
+/// Measures the noise and the baseline of a response before and after its hit, and finds a long dropout.
 void examine_response(HitResponse& response, const acquire::Hit& hit, std::span<const double> accel_mps2);
 
 /// Searches the responses for faults of the recording: wrong or missing samples, a moving baseline, and tones. Reads

@@ -10,6 +10,7 @@
 #include "core/uninitialized_array.hpp"
 #include "frf/spectra.hpp"
 #include "pipeline/findings/baseline.hpp"
+#include "pipeline/findings/long_dropout.hpp"
 #include "pipeline/findings/recorded_window.hpp"
 #include "pipeline/findings/sample_faults.hpp"
 #include "pipeline/findings/tones.hpp"
@@ -29,6 +30,7 @@ struct HitResponse {
   acquire::ResponseGrade grade;
   NoiseHistory noise;
   RestLevels rest;
+  std::optional<LongDropout> dropout;      // not replaced
   std::optional<BaselineChange> baseline;  // removed before the transform
   std::vector<double> tone_candidates;     // turns per sample; of the first accepted hit alone
   std::span<const Complex> spectrum;       // [lines]

@@ -39,7 +39,8 @@ void RowStore::append(const std::vector<std::vector<double>>& signals) {
     while (left > 0) {
       const auto written = ::pwrite(file_, from, left, at);
       if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) throw_system_error("cannot keep a row", errno, folder_, "make room on the disk, then resume");
+      if (written <= 0)
+        throw_system_error("cannot keep a row", errno, folder_, "free some room, and resume the session");
       from += written;
       at += written;
       left -= static_cast<std::size_t>(written);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "core/math/statistics.hpp"
@@ -111,6 +112,32 @@ std::vector<Warning> fault_warnings(const std::vector<HitFaults>& faults, const 
   return out;
 }
 
+std::vector<Warning> long_dropout_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                           const HitResponses& responses) {
+  std::string where;
+  std::size_t concerned = 0;
+  for (const std::size_t h : accepted_hits(hits)) {
+    std::optional<LongDropout> longest;
+    for (const HitResponse& response : responses.of[h]) {
+      if (response.dropout && (!longest || response.dropout->count > longest->count)) longest = response.dropout;
+    }
+    if (!longest || ++concerned > kMaxListed) continue;
+    const acquire::Hit& hit = hits[h].hit;
+    const double after_s =
+        (static_cast<double>(hit.first + longest->first) - static_cast<double>(hit.peak)) / record.fs_Hz;
+    where += fmt::format("{}hit {} ({} samples, {:.4g} ms after the blow{})", concerned == 1 ? "" : ", ", h + 1,
+                         longest->count, after_s * 1e3, longest->to_end ? ", to the end" : "");
+  }
+  if (concerned == 0) return {};
+  if (concerned > kMaxListed) where += fmt::format(" and {} more hits", concerned - kMaxListed);
+  return {with_remedy({"dropout",
+                       "the accelerometers drop out in " + where +
+                           ": too long to predict the samples. Frequencies, damping and residues are off by more "
+                           "than their ±",
+                       {"reject_hit"}},
+                      "check cables and connectors, and reject these hits")};
+}
+
 std::vector<Warning> tone_warnings(const std::vector<Tone>& tones) {
   std::vector<Tone> mains, steady, wandering;
   for (const Tone& tone : tones)
@@ -210,10 +237,10 @@ std::vector<Warning> window_warnings(const acquire::Record& record, const std::v
 std::vector<Warning> record_findings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                      const HitResponses& responses) {
   std::vector<Warning> out = fault_warnings(responses.faults, record, hits);
-  for (const auto& more :
-       {baseline_warnings(record, hits, responses), tone_warnings(responses.tones),
-        window_warnings(record, hits, responses), analogue_clipping_warnings(record, hits, responses),
-        aliasing_warnings(record, hits, responses), duplicate_warnings(record, hits)})
+  for (const auto& more : {long_dropout_warnings(record, hits, responses), baseline_warnings(record, hits, responses),
+                           tone_warnings(responses.tones), window_warnings(record, hits, responses),
+                           analogue_clipping_warnings(record, hits, responses),
+                           aliasing_warnings(record, hits, responses), duplicate_warnings(record, hits)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

@@ -14,6 +14,8 @@ std::vector<Warning> record_findings(const acquire::Record& record, const std::v
 
 std::vector<Warning> fault_warnings(const std::vector<HitFaults>& faults, const acquire::Record& record,
                                     const std::vector<AnalysedHit>& hits);
+std::vector<Warning> long_dropout_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                           const HitResponses& responses);
 std::vector<Warning> baseline_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                        const HitResponses& responses);
 std::vector<Warning> tone_warnings(const std::vector<Tone>& tones);

@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "acquire/live/capture_stream.hpp"
@@ -59,6 +62,76 @@ TEST(ReplayDevice, PlaysTheRowsOfARecord) {
   EXPECT_EQ(replay_device(record)->format().stream.channels, 1U);
   EXPECT_THAT(input_error_of([] { replay_device(Record{}); }), HasSubstr("no samples"));
   EXPECT_THAT(input_error_of([] { open_device("file:missing.h5", {}, {}); }), HasSubstr("missing.h5"));
+}
+
+TEST(ReplayDevice, KeepsTheRateOfItsFile) {
+  const ScratchFolder folder;
+  const std::string timed = folder.file("timed.csv"), plain = folder.file("plain.csv");
+  write_bytes(timed, "time (s),force (N),accel (m/s2)\n0,1,2\n0.001,3,4\n0.002,5,6\n0.003,7,8\n");
+  write_bytes(plain, "force (N),accel (m/s2)\n1,2\n3,4\n5,6\n7,8\n");
+  const std::string refused = input_error_of([&] { open_file_device(timed, {.fs_Hz = 2000}); });
+  EXPECT_THAT(refused, HasSubstr("the samples come at 1000 Hz, and cannot come at 2000 Hz"));
+  EXPECT_THAT(refused, HasSubstr("leave the rate out"));
+  EXPECT_EQ(open_file_device(timed, {.fs_Hz = 1000})->format().stream.fs_Hz, 1000);
+  EXPECT_EQ(open_file_device(plain, {.fs_Hz = 2000})->format().stream.fs_Hz, 2000);
+  EXPECT_THAT(input_error_of([&] { open_file_device(plain); }), HasSubstr("no sampling rate"));
+}
+
+std::vector<double> first_frame(std::unique_ptr<Device> device) {
+  CaptureStream stream(std::move(device), {});
+  while (stream.end() == StreamEnd::none) {
+    if (const auto block = stream.next(100ms))
+      return {block->values.begin(), block->values.begin() + static_cast<std::ptrdiff_t>(stream.format().channels)};
+  }
+  return {};
+}
+
+TEST(ReplayDevice, ReadsAFileByTheSetUpThatNamesItsForce) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("volts.csv");
+  write_bytes(path, "time (s),CH1 (V),CH2 (cm/s2),CH3 (cm/s2)\n0,1,200,9\n0.001,3,400,9\n0.002,5,600,9\n");
+  EXPECT_EQ(open_file_device(path)->format().stream.channels, 2U);  // the responses
+  const DeviceOptions options{.fast = true,
+                              .setup = {{.name = "CH1", .role = "force", .sensitivity_V_per_SI = 0.5},
+                                        {.name = "CH2", .sign = -1, .angle_rad = 1.5},
+                                        {.name = "CH3", .role = "ignore"}}};
+  auto device = open_file_device(path, options);
+  EXPECT_THAT(device->format().stream.units, ElementsAre("N", "m/s^2"));
+  const auto setup = stream_setup(device->format(), {1, 0});
+  ASSERT_EQ(setup.size(), 2U);
+  EXPECT_EQ(setup[0].name, "1");
+  EXPECT_EQ(setup[0].role, "acceleration");
+  EXPECT_EQ(setup[0].angle_rad, 1.5);
+  EXPECT_EQ(setup[0].sign, 1);  // applied
+  EXPECT_EQ(setup[1].role, "force");
+  EXPECT_FALSE(setup[1].sensitivity_V_per_SI);
+  EXPECT_THAT(first_frame(std::move(device)), ElementsAre(2, -2));
+}
+
+TEST(ReplayDevice, AppliesUnitsOfTheSetUpOnce) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("bare.csv");
+  write_bytes(path, "time (s),force,accel\n0,1,2\n0.001,3,4\n0.002,5,6\n");
+  auto device = open_file_device(path, {.fast = true, .setup = {{.name = "accel", .unit = "cm/s2"}}});
+  EXPECT_EQ(device->format().setup.size(), 2U);
+  EXPECT_THAT(first_frame(std::move(device)), ElementsAre(1, 0.02));
+  auto plain = open_file_device(path, {.fast = true, .setup = {{.name = "2", .sign = -1}}});  // a channel of the device
+  EXPECT_TRUE(plain->format().setup.empty());
+  EXPECT_EQ(plain->format().notes.size(), 2U);  // units are assumed
+  EXPECT_THAT(first_frame(std::move(plain)), ElementsAre(1, 2));
+}
+
+TEST(ReplayDevice, SuggestsTheSetUpWhereNothingNamesTheSignals) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("bare.csv");
+  write_bytes(path, "time (s),CH1,CH2\n0,1,2\n0.001,3,4\n0.002,5,6\n");
+  try {
+    open_file_device(path);
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.remedy(), "name the hammer's channel and the responses in the set-up");
+    EXPECT_THAT(error.options(), ElementsAre("setup"));
+  }
 }
 
 TEST(ReplayDevice, KeepsRealTime) {

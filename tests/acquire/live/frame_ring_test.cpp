@@ -57,6 +57,13 @@ TEST(FrameRing, KeepsAndScalesTheChosenChannels) {
   EXPECT_THAT(values(ring, 0, 4), ElementsAre(3, 10, 6, 40));
 }
 
+TEST(FrameRing, PutsAllChannelsIntoTheChosenOrder) {
+  FrameRing ring({.type = SampleType::int32, .device_channels = 3, .channels = {1, 0, 2}, .scales = {1, 10, 100}}, 4);
+  const std::vector<std::int32_t> frames{1, 2, 3, 4, 5, 6};
+  ring.write(frames.data(), 2);
+  EXPECT_THAT(values(ring, 0, 6), ElementsAre(2, 10, 300, 5, 40, 600));
+}
+
 // What finds no room is counted, and the frames after it have later numbers.
 TEST(FrameRing, CountsWhatItDrops) {
   FrameRing ring(layout(1), 3);

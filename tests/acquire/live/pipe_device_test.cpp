@@ -132,6 +132,15 @@ TEST(PipeDevice, StatesRateChannelsAndScale) {
   EXPECT_EQ(open_pipe_device("raw:f64:1000:1", 0)->format().stream.full_scale, 0);
 }
 
+TEST(PipeDevice, KeepsTheRateOfItsStream) {
+  EXPECT_THAT(input_error_of([] { open_pipe_device("raw:s16:1000:1", 0, {.fs_Hz = 48000}); }),
+              HasSubstr("the samples come at 1000 Hz, and cannot come at 48000 Hz"));
+  EXPECT_EQ(open_pipe_device("raw:s16:1000:1", 0, {.fs_Hz = 1000})->format().stream.fs_Hz, 1000);
+  const FilledPipe pipe(wav(format_chunk(1, 1, 44100, 16), 0, {}));
+  EXPECT_THAT(input_error_of([&] { open_pipe_device("wav", pipe.reading(), {.fs_Hz = 48000}); }),
+              HasSubstr("the samples come at 44100 Hz"));
+}
+
 TEST(PipeDevice, RefusesOtherStreams) {
   const auto refusal = [](const std::string& bytes) {
     const FilledPipe pipe(bytes, 4096);

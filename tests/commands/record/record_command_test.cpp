@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "acquire/formats/hdf5/read_hdf5.hpp"
+#include "acquire/open_measurement.hpp"
 #include "support/live/record_bench.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -96,6 +98,37 @@ TEST(RecordCommand, AnalysesAReplayedRecordAlike) {
   ASSERT_EQ(replayed.size(), original.size());
   // The windows differ by some samples: the fits agree to about the ± of 1e-6.
   for (std::size_t m = 0; m < original.size(); ++m) EXPECT_NEAR(replayed[m], original[m], 2e-6 * original[m]);
+}
+
+// The file does not say which of its columns is the force, nor the sensitivity of that.
+TEST(RecordCommand, ReplaysAFileWithTheSetUp) {
+  const Bench bench;
+  ASSERT_EQ(bench.run({"synth", "aluminium-bat", "-o", "r.csv"}).code, 0);
+  std::string text = bench.bytes("r.csv");
+  text.replace(0, text.find('\n'), "hit,time (s),CH1 (V),CH2 (cm/s2),CH3 (cm/s2)");
+  test::write_bytes(bench.folder.file("r.csv"), text);
+  const auto refused = bench.record("file:r.csv");
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("name the hammer's channel in the set-up (--setup)"));
+  test::write_bytes(bench.folder.file("s.json"),
+                    R"([{"name": "CH1", "role": "force", "sensitivity": 500, "sensitivity_unit": "mV/N"},
+                        {"name": "CH2", "angle_deg": 90}, {"name": "CH3", "sign": -1}])");
+  const auto recorded = bench.record("file:r.csv", {"--setup", "s.json", "--channels", "1,3,2"});
+  ASSERT_EQ(recorded.code, 0) << recorded.err;
+  EXPECT_EQ(bench.marks().size(), 5U);
+  const auto original = acquire::open_record(bench.folder.file("r.csv"), {.force_channel = "CH1", .force_scale = {2}});
+  const auto written = acquire::open_hdf5(bench.folder.file("t.h5"), {});
+  EXPECT_FALSE(written.accel[0].angle_rad);
+  ASSERT_TRUE(written.accel[1].angle_rad);
+  const auto peak = [](const acquire::Record& record, int channel) {
+    std::vector<double> x(record.rows[0].samples);
+    if (channel < 0) record.read_force_N(0, 0, x);
+    if (channel >= 0) record.read_accel_mps2(0, static_cast<std::size_t>(channel), 0, x);
+    return *std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  };
+  EXPECT_DOUBLE_EQ(peak(written, -1), peak(original, -1));
+  EXPECT_DOUBLE_EQ(peak(written, 0), -peak(original, 1));
+  EXPECT_DOUBLE_EQ(peak(written, 1), peak(original, 0));
 }
 
 TEST(RecordCommand, GoesOnWithoutAReaderOfItsLines) {

@@ -55,6 +55,28 @@ TEST(RecordEnd, RefusesOptionsThatContradictTheSession) {
   EXPECT_TRUE(bench.has("r.html"));
 }
 
+// Blows of the first part would be read by the new places and roles.
+TEST(RecordEnd, RefusesFilesThatChangedSinceTheSessionBegan) {
+  const Bench bench;
+  const std::string grid = bench.folder.file("g.csv"), setup = bench.folder.file("s.json");
+  const std::string points = "point,x_m,y_m,z_m\n0,0,0,0\n1,0.1,0,0\n";
+  const std::string roles = R"([{"name":"1","role":"force"},{"name":"2"},{"name":"3"}])";
+  test::write_bytes(grid, points);
+  test::write_bytes(setup, roles);
+  ASSERT_EQ(bench.record("sim:aluminium-bat,unplug=5", {"--geometry", "g.csv", "--setup", "s.json"}).code, 6);
+  test::write_bytes(grid, points + "2,0.2,0,0\n");
+  const auto moved = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(moved.code, 3);
+  EXPECT_THAT(moved.err, HasSubstr("the file has changed since the session began (g.csv); restore it"));
+  test::write_bytes(grid, points);
+  test::write_bytes(setup, R"([{"name":"1","role":"force"},{"name":"2","sign":-1},{"name":"3"}])");
+  const auto turned = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(turned.code, 3);
+  EXPECT_THAT(turned.err, HasSubstr("the file has changed since the session began (s.json); restore it"));
+  test::write_bytes(setup, roles);
+  EXPECT_EQ(bench.run({"record", "--resume", "t.h5"}).code, 6);
+}
+
 TEST(RecordEnd, NamesADeadChannel) {
   const Bench bench;
   const auto recorded = bench.record("sim:aluminium-bat,nan=0:100");
@@ -76,6 +98,41 @@ TEST(RecordEnd, EndsEarlyWithItsOwnCode) {
   EXPECT_TRUE(bench.has("t.h5.journal"));
   const auto silent = bench.record("sim:aluminium-bat,first=50,end=2", {"--force"});
   EXPECT_EQ(silent.code, 4);
+}
+
+// The journal is damaged in its middle, and the file of the first part still holds all blows.
+TEST(RecordEnd, KeepsTheBlowsThatADamagedJournalHasLost) {
+  const Bench bench;
+  ASSERT_EQ(bench.record("sim:aluminium-bat,unplug=8.5").code, 6);
+  ASSERT_EQ(bench.marks().size(), 4U);
+  const std::string whole = bench.bytes("t.h5");
+  std::string journal = bench.bytes("t.h5.journal");
+  journal.replace(journal.size() / 2, 7, "garbage");
+  test::write_bytes(bench.folder.file("t.h5.journal"), journal);
+  const auto refused = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("the file holds 4 blows, its journal "));
+  EXPECT_THAT(refused.err, HasSubstr("move it elsewhere, and resume again"));
+  EXPECT_EQ(bench.run({"record", "--resume", "t.h5", "--force"}).code, 3);
+  EXPECT_TRUE(bench.bytes("t.h5") == whole);
+  EXPECT_TRUE(bench.bytes("t.h5.journal") == journal);
+  fs::rename(bench.folder.file("t.h5"), bench.folder.file("kept.h5"));
+  const auto resumed = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(resumed.code, 6) << resumed.err;
+  EXPECT_THAT(resumed.out, HasSubstr("bytes of the journal are not whole and are left out"));
+  EXPECT_TRUE(bench.has("t.h5"));
+}
+
+TEST(RecordEnd, KeepsAForeignFileWhenItResumes) {
+  const Bench bench;
+  ASSERT_EQ(bench.record("sim:aluminium-bat,unplug=5").code, 6);
+  test::write_bytes(bench.folder.file("t.h5"), "notes of the day\n");
+  const auto refused = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("the file is no record of the session"));
+  EXPECT_EQ(bench.bytes("t.h5"), "notes of the day\n");
+  EXPECT_EQ(bench.run({"record", "--resume", "t.h5", "--force"}).code, 6);
+  EXPECT_EQ(bench.marks().size(), 2U);
 }
 
 TEST(RecordEnd, FinishesCleanlyOnASignal) {

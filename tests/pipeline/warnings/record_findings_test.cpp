@@ -106,6 +106,23 @@ TEST_P(Dropout, IsNamedAndReplaced) {
 
 INSTANTIATE_TEST_SUITE_P(RecordFindings, Dropout, testing::Values(1, 4, 32));
 
+// Too many samples to be predicted: the hit is named.
+TEST(RecordFindings, NameALongDropoutOfOneChannel) {
+  const Analysis analysis(changed(synth::synthesise(tube()).record,
+                                  [](std::size_t row, std::size_t channel, std::vector<double>& x) {
+                                    if (row == 1 && channel == 1) std::fill_n(x.begin() + kDecay, 400, 0.0);
+                                  }),
+                          band());
+  EXPECT_THAT(codes_of(analysis), Contains("dropout"));
+  const auto warnings = analysis.warnings();
+  const auto found =
+      std::find_if(warnings.begin(), warnings.end(), [](const Warning& warning) { return warning.code == "dropout"; });
+  ASSERT_NE(found, warnings.end());
+  EXPECT_THAT(found->message, HasSubstr("drop out in hit 2 (400 samples, "));
+  EXPECT_THAT(found->message, HasSubstr("reject these hits"));
+  EXPECT_THAT(found->options, Contains("reject_hit"));
+}
+
 TEST(RecordFindings, RemoveHumThatDiffersInPhaseFromHitToHit) {
   const Analysis analysis(
       changed(synth::synthesise(tube()).record,

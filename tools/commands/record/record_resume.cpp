@@ -1,11 +1,15 @@
 #include "commands/record/record_resume.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <string>
 #include <utility>
 
+#include "acquire/formats/hdf5/read_hdf5.hpp"
+#include "acquire/open_measurement.hpp"
 #include "cli/option_error.hpp"
 #include "core/error.hpp"
 
@@ -30,6 +34,34 @@ void replay_samples(const acquire::JournalReader& journal, pipeline::Guide& guid
   }
 }
 
+std::vector<acquire::RowInfo> rows_of(const std::string& path) {
+  if (acquire::is_hdf5(path)) {
+    try {
+      return acquire::open_record(path, {.sandboxed = true}).rows;
+    } catch (const InputError&) {
+    }
+  }
+  throw InputError("the file is no record of the session", path, "move it elsewhere, and resume again", {"force"});
+}
+
+std::size_t blow_count(const std::vector<pipeline::SessionEvent>& events) {
+  return static_cast<std::size_t>(std::count_if(events.begin(), events.end(), [](const auto& event) {
+    return event.kind == pipeline::SessionEvent::Kind::blow;
+  }));
+}
+
+// The end of a session overwrites the file, also with fewer blows where the journal was damaged. The file may have one
+// row more, which the end of the device cut short.
+void refuse_loss(const std::string& path, const Interrupted& interrupted, bool overwrite) {
+  if (!fs::exists(path) || (overwrite && !acquire::is_hdf5(path))) return;
+  const std::vector<acquire::RowInfo> rows = rows_of(path);
+  const std::size_t blows = blow_count(interrupted.events);
+  const bool cut_short = !rows.empty() && rows.back().mark == acquire::RowMark::lost_samples;
+  if (rows.size() <= blows + (cut_short ? 1 : 0)) return;
+  throw InputError(fmt::format("the file holds {} blows, its journal {}", rows.size(), blows), path,
+                   "keep the file: move it elsewhere, and resume again");
+}
+
 }  // namespace
 
 Interrupted open_interrupted(RecordFlags& flags) {
@@ -50,9 +82,15 @@ Interrupted open_interrupted(RecordFlags& flags) {
     }
   }
   if (!settings) throw InputError("the journal has no options of a session", path, "record it anew");
+  refuse_loss(flags.resume, out, flags.is_given("force"));
   flags.output = flags.resume;
   flags.force = true;
   return out;
+}
+
+std::string torn_text(const Interrupted& interrupted) {
+  const std::uint64_t bytes = interrupted.journal->torn_bytes();
+  return bytes == 0 ? "" : fmt::format("the last {} bytes of the journal are not whole and are left out", bytes);
 }
 
 bool repeats_itself(const std::string& device) { return device.starts_with("sim:") || device.starts_with("file:"); }

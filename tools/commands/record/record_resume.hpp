@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "acquire/live/journal_reader.hpp"
@@ -15,8 +16,12 @@ struct Interrupted {
 };
 
 /// Opens the session that was recording the file of --resume, and takes over its options.
-/// errors  InputError: no journal, or a damaged one; OptionError: an option contradicts the session
+/// errors  InputError: no journal, or a damaged one; the file exists and is no record of the session, or holds more
+/// blows than the journal; OptionError: an option contradicts the session
 Interrupted open_interrupted(RecordFlags& flags);
+
+/// A sentence about the bytes after the last whole block of the journal; empty where there are none.
+std::string torn_text(const Interrupted& interrupted);
 
 /// Only a device that makes the same samples again goes on where the session was interrupted.
 bool repeats_itself(const std::string& device);

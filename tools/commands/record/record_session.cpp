@@ -47,7 +47,8 @@ struct Recording {
 // Set-up, length and band are checked against the device before there is a journal.
 Recording open_recording(const RecordFlags& flags, const Interrupted& interrupted) {
   const bool resumed = interrupted.journal != nullptr;
-  acquire::DeviceOptions wanted{.fs_Hz = flags.fs_Hz, .fast = flags.fast};
+  acquire::ReadOptions read = resolved_read_options(flags.read);
+  acquire::DeviceOptions wanted{.fs_Hz = flags.fs_Hz, .fast = flags.fast, .setup = read.setup};
   acquire::CaptureOptions options{
       .journal = journal_of(flags.output), .overwrite = flags.force, .resume = resumed, .channels = {}};
   for (const std::size_t channel : flags.channels) {
@@ -60,9 +61,11 @@ Recording open_recording(const RecordFlags& flags, const Interrupted& interrupte
     options.seamless = true;
   }
   auto device = acquire::open_device(flags.device, wanted, synth::open_simulated_device);
+  if (!device->format().setup.empty()) read.setup = acquire::stream_setup(device->format(), options.channels);
   Recording out{.stream = nullptr,
-                .channels = pipeline::live_channels(acquire::stream_format(device->format(), options.channels),
-                                                    resolved_read_options(flags.read))};
+                .channels = pipeline::live_channels(acquire::stream_format(device->format(), options.channels), read)};
+  const std::vector<Message>& notes = device->format().notes;
+  out.channels.notes.insert(out.channels.notes.begin(), notes.begin(), notes.end());
   check_window(out.channels.description, flags);
   out.stream = std::make_unique<acquire::CaptureStream>(std::move(device), options);
   return out;
@@ -162,6 +165,7 @@ int record_file(const RecordFlags& flags, const Interrupted& interrupted, pipeli
   screen.begin(format, guide);
   if (resumed) {
     replay(interrupted, repeats_itself(flags.device), guide);
+    if (const std::string torn = torn_text(interrupted); !torn.empty()) screen.note(torn);
     screen.resumed(guide);
   }
   const StreamEnd end = record_blows(*stream, guide, terminal, screen);

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "batch/sha256_file.hpp"
 #include "cli/option_error.hpp"
 #include "commands/record/record_flags.hpp"
 #include "core/error.hpp"
@@ -27,6 +28,13 @@ void each_setting(Flags& flags, Visit&& visit) {
   visit("setup", flags.read.setup_path);
   visit("fast", flags.fast);
   visit("date", flags.date);
+}
+
+// Files that a resumed session reads again, and the keys of their checksums.
+template <class Visit>
+void each_file(const RecordFlags& flags, Visit&& visit) {
+  if (!flags.geometry.empty()) visit("geometry", "geometry_sha256", flags.geometry);
+  if (!flags.read.setup_path.empty()) visit("setup", "setup_sha256", flags.read.setup_path);
 }
 
 struct Write {
@@ -72,6 +80,9 @@ struct Read {
 std::string settings_json(const RecordFlags& flags) {
   Json out{{"event", "settings"}, {"frame", 0}};
   each_setting(flags, Write{out});
+  each_file(flags, [&](const char* /*option*/, const char* key, const std::string& path) {
+    out[key] = batch::sha256_of_record(path);
+  });
   return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -82,6 +93,10 @@ void restore_settings(const std::string& event, const std::string& where, Record
     const auto in = nlohmann::json::parse(event);
     const RecordFlags typed = flags;
     each_setting(flags, Read{in, typed});
+    each_file(flags, [&](const char* option, const char* key, const std::string& path) {
+      if (!in.contains(key) || in.at(key) == batch::sha256_of_record(path)) return;  // older journals have no checksums
+      throw InputError("the file has changed since the session began", path, "restore it, and resume again", {option});
+    });
   } catch (const nlohmann::json::exception&) {
     throw InputError("the options of the session cannot be read", where, "record it again, with the options");
   }
