@@ -80,11 +80,12 @@ double rms_of_white_noise(std::span<const double> x) {
 // The end of a decay that was cut off does not show the noise; there, a pre-trigger that is smoother than white noise
 // may ring.
 void grade_before(ResponseGrade& grade, const Hit& hit, std::span<const double> accel) {
-  const auto quiet = quiet_part(hit, accel);
+  const auto pretrigger = quiet_part(hit, accel);
+  const auto quiet = pretrigger.first(pretrigger.size() / 2);  // a filter of linear phase rings before the hit
   const std::size_t window = std::max<std::size_t>(8, accel.size() / 20);
-  if (quiet.size() < kMinQuiet || accel.size() < std::max(quiet.size() + window, 4 * window)) return;
+  if (quiet.size() < kMinQuiet || accel.size() < std::max(pretrigger.size() + window, 4 * window)) return;
   const double before = rms_about_mean(quiet);
-  const double start = rms_about_mean(accel.subspan(quiet.size(), window));
+  const double start = rms_about_mean(accel.subspan(pretrigger.size(), window));
   if (!(before > kNegligible * start)) return;
   const double end = rms_about_mean(accel.last(window));
   grade.rings_before = before > kRingingBefore * end;

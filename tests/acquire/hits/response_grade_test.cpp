@@ -116,6 +116,14 @@ TEST(GradeResponse, FindsRingingBeforeTheHit) {
   EXPECT_FALSE(grade(rounded).rings_before);
 }
 
+TEST(GradeResponse, TakesTheFilterBeforeTheHitForNoMotion) {
+  auto filtered = ringing(1500);
+  for (std::size_t n = 1; n <= 60; ++n)
+    filtered[hit().gate_first - n] += (n % 2 == 0 ? 1 : -1) * 4 / static_cast<double>(n);
+  EXPECT_FALSE(grade(filtered).rings_before);
+  EXPECT_FALSE(grade(filtered).may_ring_before);
+}
+
 // Blows that follow one another too soon: before each, the structure rings as at the end.
 TEST(GradeResponse, FindsMotionBeforeTheHitOfACutDecay) {
   auto again = ringing(4000), noisy = again;  // ends at -26 dB
