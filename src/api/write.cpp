@@ -12,7 +12,6 @@
 #include "api/handles.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
-#include "core/io/input_file.hpp"
 #include "report/deflection_report.hpp"
 #include "report/frf_files.hpp"
 #include "report/html/analysis_page.hpp"
@@ -54,15 +53,12 @@ std::string checked_extension(const std::string& path, const std::vector<std::st
 bool is_uff(const std::string& extension) { return extension == ".uff" || extension == ".unv"; }
 
 report::TitleBlock title_block(const PageTitle& title) {
-  std::string logo;
-  if (!title.logo.empty())
-    logo = report::logo_data_uri(read_input(title.logo, report::kMaxLogo_bytes).view(), title.logo);
   return {.title = title.title,
           .customer = title.customer,
           .operator_name = title.operator_name,
           .specimen = title.specimen,
           .note = title.note,
-          .logo = logo,
+          .logo = title.logo.empty() ? "" : report::logo_of_file(title.logo),
           .facts = {}};
 }
 

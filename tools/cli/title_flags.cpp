@@ -26,10 +26,7 @@ std::string note_of(const std::string& typed) {
                     fmt::format("give {} at most", kMaxNote_bytes));
 }
 
-std::string logo_of(const std::string& path) {
-  if (path.empty()) return "";
-  return report::logo_data_uri(read_input(path, report::kMaxLogo_bytes).view(), path);
-}
+std::string logo_of(const std::string& path) { return path.empty() ? "" : report::logo_of_file(path); }
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
+#include "core/io/input_file.hpp"
 #include "report/text/digest.hpp"
 
 namespace percuss::report {
@@ -129,6 +130,11 @@ std::string logo_data_uri(std::string_view bytes, const std::string& where) {
   if (bytes.size() > kMaxLogo_bytes) refuse(fmt::format("{} bytes, more than {}", bytes.size(), kMaxLogo_bytes), where);
   const std::string type = media_type(bytes, where);
   return "data:" + type + ";base64," + base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+std::string logo_of_file(const std::string& path) {
+  constexpr std::uint64_t kMaxRead_bytes = std::uint64_t{64} << 20U;  // logo_data_uri says what is too large
+  return logo_data_uri(read_input(path, kMaxRead_bytes).view(), path);
 }
 
 }  // namespace percuss::report

@@ -12,4 +12,8 @@ inline constexpr std::size_t kMaxLogo_bytes = 200'000;
 /// scripts, event handlers, entities, or references outside itself.
 std::string logo_data_uri(std::string_view bytes, const std::string& where);
 
+/// The same for a file.
+/// errors  InputError: also, it cannot be read
+std::string logo_of_file(const std::string& path);
+
 }  // namespace percuss::report

@@ -5,6 +5,8 @@
 
 #include "core/error.hpp"
 #include "report/text/digest.hpp"
+#include "support/input_error.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace percuss::report::logo_test {
 
@@ -58,6 +60,13 @@ TEST(Logo, RefusesActiveSvg) {
         "<image href='data:text/html,x'/>", "<style>@import url(x.css)</style>", "<g fill=\"url(http://x)\"/>",
         "<!ENTITY x 'y'>", "<iframe src=\"x\"/>"})
     EXPECT_THROW(logo_data_uri(svg(inside), "a"), InputError) << inside;
+}
+
+TEST(Logo, SaysHowLargeAFileMayBe) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("big.svg"), svg(std::string(kMaxLogo_bytes, ' ')));
+  EXPECT_THAT(test::input_error_of([&] { logo_of_file(folder.file("big.svg")); }),
+              testing::HasSubstr("more than 200000"));
 }
 
 }  // namespace percuss::report::logo_test
