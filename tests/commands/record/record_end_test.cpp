@@ -91,6 +91,9 @@ TEST(RecordEnd, EndsEarlyWithItsOwnCode) {
   EXPECT_THAT(unplugged.out, HasSubstr("percuss record --resume t.h5"));
   EXPECT_TRUE(bench.has("t.h5"));
   EXPECT_TRUE(bench.has("t.h5.journal"));
+  const auto journal = bench.run({"info", "t.h5.journal"});
+  EXPECT_EQ(journal.code, 3);
+  EXPECT_THAT(journal.err, HasSubstr("resume the recording (see percuss record --resume)"));
   EXPECT_EQ(bench.run({"record", "--resume", "t.h5"}).code, 6);  // still unplugged
   const auto ended = bench.record("sim:aluminium-bat,end=5", {"--force"});
   EXPECT_EQ(ended.code, 6);
