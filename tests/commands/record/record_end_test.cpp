@@ -32,9 +32,14 @@ TEST(RecordEnd, TellsFaultsInTheOrderOfSamples) {
 
 TEST(RecordEnd, NamesAFailedReportAndPrintsTheDocument) {
   const Bench bench;
-  const auto recorded = bench.record("sim:aluminium-bat", {"--json", "--report", "no-such-folder/r.html"});
+  const auto missing = bench.record("sim:aluminium-bat", {"--json", "--report", "no-such-folder/r.html"});
+  EXPECT_EQ(missing.code, 3);
+  EXPECT_THAT(missing.err, HasSubstr("no-such-folder"));
+  EXPECT_FALSE(bench.has("t.h5"));  // at once
+  const std::string long_name = std::string(300, 'r') + ".html";
+  const auto recorded = bench.record("sim:aluminium-bat", {"--json", "--report", long_name});
   EXPECT_NE(recorded.code, 0);
-  EXPECT_THAT(recorded.err, HasSubstr("no-such-folder"));
+  EXPECT_THAT(recorded.err, HasSubstr("the report was not written"));
   EXPECT_EQ(recorded.out, bench.run({"analyze", "t.h5", "--json"}).out);
   const auto none = bench.record("sim:aluminium-bat,first=2,end=8,silent=2", {"--force", "--report", "r.html"});
   EXPECT_EQ(none.code, 4);
