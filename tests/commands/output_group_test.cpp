@@ -30,24 +30,42 @@ class OutputGroups : public testing::Test {
 
   test::ScratchFolder inputs_, folder_;
   std::string record_ = inputs_.file("bat.h5"), bats_ = inputs_.file("bats.csv");
-  std::string missing_ = folder_.file("missing/z.json");  // in a folder that does not exist
+  std::string long_name_ = std::string(300, 'z');
+  std::string failing_ = folder_.file(long_name_ + ".json");  // its name is too long for a file system
 };
 
 // The last output of each command fails.
 TEST_F(OutputGroups, AreAbsentWhenOneFails) {
   const std::vector<std::vector<std::string>> commands{
-      {"analyze", record_, "-o", folder_.file("a.html"), "-o", folder_.file("a.h5"), "-o", missing_},
-      {"analyze", record_, "--frf", folder_.file("a.mat"), "--modes-file", folder_.file("m.csv"), "-o", missing_},
-      {"frf", record_, "-o", folder_.file("f.csv"), "-o", folder_.file("f.mat"), "-o", missing_},
-      {"survey", record_, "-o", folder_.file("s.uff"), "-o", folder_.file("s.h5"), "-o", missing_},
-      {"deflect", record_, "-o", folder_.file("d.csv"), "-o", folder_.file("d.h5"), "-o", missing_},
-      {"info", record_, "-o", folder_.file("i.json"), "-o", missing_},
-      {"model", "beam", "-o", folder_.file("b.csv"), "-o", folder_.file("b.svg"), "-o", missing_},
-      {"study", bats_, "--table", folder_.file("t.csv"), "--blind", folder_.file("k.csv"), "-o", missing_},
-      {"synth", "wood-bat", "-o", folder_.file("y.h5"), "-o", folder_.file("missing/y.csv")}};
+      {"analyze", record_, "-o", folder_.file("a.html"), "-o", folder_.file("a.h5"), "-o", failing_},
+      {"analyze", record_, "--frf", folder_.file("a.mat"), "--modes-file", folder_.file("m.csv"), "-o", failing_},
+      {"frf", record_, "-o", folder_.file("f.csv"), "-o", folder_.file("f.mat"), "-o", failing_},
+      {"survey", record_, "-o", folder_.file("s.uff"), "-o", folder_.file("s.h5"), "-o", failing_},
+      {"deflect", record_, "-o", folder_.file("d.csv"), "-o", folder_.file("d.h5"), "-o", failing_},
+      {"info", record_, "-o", folder_.file("i.json"), "-o", failing_},
+      {"model", "beam", "-o", folder_.file("b.csv"), "-o", folder_.file("b.svg"), "-o", failing_},
+      {"study", bats_, "--table", folder_.file("t.csv"), "--blind", folder_.file("k.csv"), "-o", failing_},
+      {"synth", "wood-bat", "-o", folder_.file("y.h5"), "-o", folder_.file(long_name_ + ".csv")}};
   for (const auto& command : commands) {
     const auto outcome = run_percuss(command);
     EXPECT_EQ(outcome.code, 3) << testing::PrintToString(command) << outcome.err;
+    EXPECT_THAT(files(), IsEmpty()) << testing::PrintToString(command);
+  }
+}
+
+TEST_F(OutputGroups, NeedAFolder) {
+  const std::string missing = folder_.file("missing/z.json");
+  for (const auto& command : std::vector<std::vector<std::string>>{
+           {"analyze", "no-such-record.h5", "-o", missing},
+           {"survey", "no-such-record.h5", "-o", missing},
+           {"synth", "wood-bat", "-o", folder_.file("missing/y.csv")},
+           {"record", "--device", "sim:wood-bat", "-o", folder_.file("t.h5"), "--report",
+            folder_.file("missing/r.html")},
+           {"record", "--device", "sim:wood-bat", "-o", folder_.file("missing/t.h5")}}) {
+    const auto outcome = run_percuss(command);
+    EXPECT_EQ(outcome.code, 3) << testing::PrintToString(command);
+    EXPECT_THAT(outcome.err, testing::HasSubstr("cannot write: No such file or directory ("));
+    EXPECT_THAT(outcome.err, testing::HasSubstr("create the folder first"));
     EXPECT_THAT(files(), IsEmpty()) << testing::PrintToString(command);
   }
 }

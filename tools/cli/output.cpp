@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <set>
+#include <system_error>
 
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
@@ -131,6 +133,16 @@ bool writes_charts(const OutputFlags& flags) {
                      [](const std::string& path) { return is_page(path) || extension_of(path) == ".svg"; });
 }
 
+void require_folder(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code failed;
+  if (folder.empty() || std::filesystem::is_directory(folder, failed)) return;
+  if (failed && failed != std::errc::no_such_file_or_directory && failed != std::errc::not_a_directory)
+    return;  // writing tells why
+  const bool absent = !std::filesystem::exists(folder, failed);
+  throw_system_error("cannot write", absent ? ENOENT : ENOTDIR, path, "create the folder first");
+}
+
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kinds) {
   std::vector<std::string> known = kinds;
   if (const auto page = std::find(known.begin(), known.end(), kPageExtension); page != known.end())
@@ -143,6 +155,7 @@ void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kin
     }
     if (!seen.insert(path).second)
       throw OptionError({}, "'" + path + "' is to be written twice", "name each file once");
+    require_folder(path);
     std::error_code ignored;
     if (!flags.force && std::filesystem::exists(path, ignored))
       throw InputError("file exists", path, "give another name, or overwrite it", {"force"});

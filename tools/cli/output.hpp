@@ -56,9 +56,13 @@ bool is_json(const std::string& path);
 /// Whether an output file holds charts: .svg or a page.
 bool writes_charts(const OutputFlags& flags);
 
+/// errors  InputError, as when the file is written: its folder does not exist
+void require_folder(const std::string& path);
+
 /// Checks the output paths before anything is computed. Throws UsageError for an extension that is not in `known` or a
 /// path given twice, or statements for a page where none is written; InputError for an existing file unless --force is
-/// given, for files of the title block that cannot be used, and for .pdf without a browser.
+/// given, for a folder that does not exist, for files of the title block that cannot be used, and for .pdf without a
+/// browser.
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known);
 
 /// Whether standard output is a terminal wide enough for a plot of characters.

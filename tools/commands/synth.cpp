@@ -58,6 +58,7 @@ void check_outputs(const SynthFlags& flags) {
     paths.insert(truth_path(output));
   }
   for (const std::string& path : paths) {
+    require_folder(path);
     std::error_code ignored;
     if (!flags.force && fs::exists(path, ignored))
       throw InputError("file exists", path, "give another name, or overwrite it", {"force"});

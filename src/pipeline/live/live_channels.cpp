@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "acquire/channels/csv_columns.hpp"
@@ -17,6 +18,9 @@ namespace percuss::pipeline {
 namespace {
 
 using acquire::StreamFormat;
+
+constexpr std::string_view kUnitOf = "the unit of ", kUnitNotStated = " is not stated; taken as ";
+constexpr std::size_t kListedNames = 2;
 
 acquire::SignalTable table_of(const StreamFormat& format) {
   acquire::SignalTable table{.format = "stream", .fs_Hz = format.fs_Hz};
@@ -104,6 +108,46 @@ acquire::SignalInfo as_stored(const acquire::SignalInfo& signal, const std::stri
   return out;
 }
 
+// The name in a note of signal_table.cpp on the unit of one signal; empty for other notes.
+std::string name_in_unit_note(const std::string& text) {
+  const std::size_t end = text.rfind(kUnitNotStated);
+  if (!text.starts_with(kUnitOf) || end == std::string::npos || end < kUnitOf.size()) return "";
+  return text.substr(kUnitOf.size(), end - kUnitOf.size());
+}
+
+// "a and b", "a, b and 3 more".
+std::string listed(const std::vector<std::string>& names) {
+  const std::string last =
+      names.size() > kListedNames + 1 ? fmt::format("{} more", names.size() - kListedNames) : names.back();
+  const std::size_t first = std::min(names.size() - 1, kListedNames);
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(first), ", "),
+                     last);
+}
+
+// One note for the signals whose units are taken alike, in place of the first.
+std::vector<Message> with_joined_unit_notes(const std::vector<Message>& notes) {
+  std::vector<Message> out;
+  std::vector<std::string> joined;  // ends of notes: " is not stated; taken as N"
+  for (const Message& note : notes) {
+    const std::string name = name_in_unit_note(note.text);
+    const std::string end = name.empty() ? "" : note.text.substr(kUnitOf.size() + name.size());
+    if (name.empty() || std::find(joined.begin(), joined.end(), end) != joined.end()) {
+      if (name.empty()) out.push_back(note);
+      continue;
+    }
+    joined.push_back(end);
+    std::vector<std::string> names;
+    for (const Message& other : notes) {
+      const std::string of_other = name_in_unit_note(other.text);
+      if (!of_other.empty() && other.text.substr(kUnitOf.size() + of_other.size()) == end) names.push_back(of_other);
+    }
+    out.push_back(note);
+    if (names.size() > 1)
+      out.back().text = fmt::format("the units of {} are{}", listed(names), end.substr(std::string_view(" is").size()));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string name_of_channel(const LiveChannels& channels, std::size_t accel) {
@@ -112,7 +156,8 @@ std::string name_of_channel(const LiveChannels& channels, std::size_t accel) {
   return name == number ? number : fmt::format("{} ({})", number, one_line(name, 40));
 }
 
-LiveChannels live_channels(const StreamFormat& format, const acquire::ReadOptions& options) {
+LiveChannels live_channels(const StreamFormat& format, const acquire::ReadOptions& options,
+                           std::vector<Message> device_notes) {
   acquire::SignalTable table = table_of(format);
   const acquire::SignalRoles roles = roles_of(table, options, format.device);
   LiveChannels out{.force = roles.force, .accel = roles.accel};
@@ -122,7 +167,9 @@ LiveChannels live_channels(const StreamFormat& format, const acquire::ReadOption
   for (const std::size_t c : roles.accel) out.accel_names.push_back(table.signals[c].name);
   const acquire::Record described = acquire::record_of_table(std::move(table), roles, options);
   out.force_to_N = described.force.to_SI;
-  out.notes = described.notes;
+  out.notes = std::move(device_notes);
+  out.notes.insert(out.notes.end(), described.notes.begin(), described.notes.end());
+  out.notes = with_joined_unit_notes(out.notes);
   out.description.format = "HDF5";
   out.description.fs_Hz = format.fs_Hz;
   out.description.force = {.name = "force", .unit = "N", .measures = Quantity::force};

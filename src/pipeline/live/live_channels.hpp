@@ -26,8 +26,9 @@ struct LiveChannels {
 std::string name_of_channel(const LiveChannels& channels, std::size_t accel);
 
 /// Finds the roles by the rules of record files: the set-up, units, words in the names. Without any of these, the first
-/// channel is the force.
+/// channel is the force. The notes begin with those of the device; notes on units that are taken alike become one.
 /// errors  InputError: fewer than two channels, unknown or contradictory units.
-LiveChannels live_channels(const acquire::StreamFormat& format, const acquire::ReadOptions& options);
+LiveChannels live_channels(const acquire::StreamFormat& format, const acquire::ReadOptions& options,
+                           std::vector<Message> device_notes = {});
 
 }  // namespace percuss::pipeline

@@ -32,9 +32,14 @@ TEST(RecordEnd, TellsFaultsInTheOrderOfSamples) {
 
 TEST(RecordEnd, NamesAFailedReportAndPrintsTheDocument) {
   const Bench bench;
-  const auto recorded = bench.record("sim:aluminium-bat", {"--json", "--report", "no-such-folder/r.html"});
+  const auto missing = bench.record("sim:aluminium-bat", {"--json", "--report", "no-such-folder/r.html"});
+  EXPECT_EQ(missing.code, 3);
+  EXPECT_THAT(missing.err, HasSubstr("no-such-folder"));
+  EXPECT_FALSE(bench.has("t.h5"));  // at once
+  const std::string long_name = std::string(300, 'r') + ".html";
+  const auto recorded = bench.record("sim:aluminium-bat", {"--json", "--report", long_name});
   EXPECT_NE(recorded.code, 0);
-  EXPECT_THAT(recorded.err, HasSubstr("no-such-folder"));
+  EXPECT_THAT(recorded.err, HasSubstr("the report was not written"));
   EXPECT_EQ(recorded.out, bench.run({"analyze", "t.h5", "--json"}).out);
   const auto none = bench.record("sim:aluminium-bat,first=2,end=8,silent=2", {"--force", "--report", "r.html"});
   EXPECT_EQ(none.code, 4);
@@ -91,6 +96,9 @@ TEST(RecordEnd, EndsEarlyWithItsOwnCode) {
   EXPECT_THAT(unplugged.out, HasSubstr("percuss record --resume t.h5"));
   EXPECT_TRUE(bench.has("t.h5"));
   EXPECT_TRUE(bench.has("t.h5.journal"));
+  const auto journal = bench.run({"info", "t.h5.journal"});
+  EXPECT_EQ(journal.code, 3);
+  EXPECT_THAT(journal.err, HasSubstr("resume the recording (see percuss record --resume)"));
   EXPECT_EQ(bench.run({"record", "--resume", "t.h5"}).code, 6);  // still unplugged
   const auto ended = bench.record("sim:aluminium-bat,end=5", {"--force"});
   EXPECT_EQ(ended.code, 6);

@@ -79,9 +79,6 @@ int plan(PlanFlags& flags) {
   batch::BatchHeader head{
       .version = report::version(), .options = {}, .setup = {}, .frf = flags.frf, .shards = flags.shards};
   store_batch_options(*flags.command, flags.options, head);
-  std::error_code absent;
-  if (!std::filesystem::is_directory(folder_of(path), absent))
-    throw InputError("no such folder", folder_of(path), "create the folder first");
   const auto records = batch::records_of_files(files.paths, folder_of(path), flags.hash);
   batch::write_manifest(path, head, records, flags.output.force);
   progress.stop();

@@ -63,9 +63,8 @@ Recording open_recording(const RecordFlags& flags, const Interrupted& interrupte
   auto device = acquire::open_device(flags.device, wanted, synth::open_simulated_device);
   if (!device->format().setup.empty()) read.setup = acquire::stream_setup(device->format(), options.channels);
   Recording out{.stream = nullptr,
-                .channels = pipeline::live_channels(acquire::stream_format(device->format(), options.channels), read)};
-  const std::vector<Message>& notes = device->format().notes;
-  out.channels.notes.insert(out.channels.notes.begin(), notes.begin(), notes.end());
+                .channels = pipeline::live_channels(acquire::stream_format(device->format(), options.channels), read,
+                                                    device->format().notes)};
   check_window(out.channels.description, flags);
   out.stream = std::make_unique<acquire::CaptureStream>(std::move(device), options);
   return out;

@@ -24,6 +24,8 @@ constexpr std::array kNotReadable = {
     Magic{"%PDF", "a PDF document"},
 };
 
+constexpr std::string_view kJournalStart = "PERCUSSJ";  // docs/reference/journal.md
+
 constexpr std::size_t kLineLimit_bytes = std::size_t{1} << 20U;
 
 // Checks the lines from `first` on, until at most 1 MiB remains. Returns where it stopped, at the start of a line.
@@ -50,6 +52,8 @@ void require_text(std::string_view head, const std::string& name) {
     if (head.starts_with(magic.start))
       throw InputError(std::string(magic.kind) + " cannot be read", name, "save it as CSV or HDF5");
   }
+  if (head.starts_with(kJournalStart))
+    throw InputError("this is the journal of a recording", name, "resume the recording", {"record.resume"});
   if (head.empty()) throw InputError("the file is empty", name, "record or export it again");
   const auto starts = [&](std::string_view bytes) { return head.substr(0, bytes.size()) == bytes; };
   if (starts("\xFF\xFE") || starts("\xFE\xFF")) throw InputError("this is UTF-16 text", name, "save it as UTF-8");

@@ -126,6 +126,8 @@ TEST(ReadCsv, RefusesTextsWithoutColumnsOfNumbers) {
 TEST(ReadCsv, RefusesBytesThatAreNotText) {
   EXPECT_THAT(input_error_of([] { csv_record(std::string("\xFF\xFE\x31\0", 4)); }), HasSubstr("UTF-16"));
   EXPECT_THAT(input_error_of([] { csv_record(std::string(100, '\0')); }), HasSubstr("neither text"));
+  EXPECT_THAT(input_error_of([] { csv_record("PERCUSSJ" + std::string(100, '\0')); }),
+              HasSubstr("this is the journal of a recording"));
 }
 
 TEST(ReadCsv, SurvivesMutationsOfAGoodFile) {
