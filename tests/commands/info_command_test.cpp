@@ -128,6 +128,7 @@ TEST_F(InfoCommand, RejectsASetUpWithMisspeltNames) {
   const auto outcome = run({"--setup", file("typo.json"), file("b.csv")});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("no column \"CH9\" among t_s, CH1, CH2"));
+  EXPECT_THAT(outcome.err, HasSubstr("give the number from 1 in its place"));
 }
 
 }  // namespace percuss::info_command_test

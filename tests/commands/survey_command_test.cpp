@@ -253,7 +253,10 @@ TEST_F(SurveyCommand, RejectsUnusableInput) {
   refusal({file("bare.h5"), "--geometry", file("none.csv")}, "none.csv");
   refusal({file("bare.h5"), "--driving-point", "99:0"}, "--driving-point");
   refusal({file("runs.h5")}, "several runs");
-  EXPECT_EQ(survey({file("bare.h5"), "--driving-point", "3:x"}).code, 2);
+  const auto unknown = survey({file("bare.h5"), "--driving-point", "3:x"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, testing::HasSubstr("both counted from 0, such as 17:0"));
+  EXPECT_THAT(survey({"--help"}).out, testing::HasSubstr("1:0"));
   EXPECT_EQ(survey({file("bare.h5"), "--files", "tests"}).code, 2);
 }
 

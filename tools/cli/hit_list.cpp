@@ -1,9 +1,6 @@
 #include "cli/hit_list.hpp"
 
 #include <charconv>
-#include <optional>
-#include <string_view>
-#include <utility>
 
 #include "cli/option_error.hpp"
 #include "core/io/csv_header.hpp"
@@ -12,17 +9,18 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMaxHits = 1'000'000;
-
 std::optional<std::size_t> whole_number(std::string_view text) {
   std::size_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || value > kMaxHits) return std::nullopt;
+  if (error != std::errc{} || end != text.data() + text.size() || value > kMaxListedNumber) return std::nullopt;
   return value;
 }
 
-// The first and the last hit of a piece other than "all".
-std::optional<std::pair<std::size_t, std::size_t>> range_of(std::string_view text) {
+bool is_all(const std::string& piece) { return lower_case(piece) == "all"; }
+
+}  // namespace
+
+std::optional<std::pair<std::size_t, std::size_t>> number_range(std::string_view text) {
   const std::size_t dash = text.find('-');
   const auto first = whole_number(text.substr(0, dash));
   const auto last = dash == std::string_view::npos ? first : whole_number(text.substr(dash + 1));
@@ -30,11 +28,7 @@ std::optional<std::pair<std::size_t, std::size_t>> range_of(std::string_view tex
   return std::pair(*first, *last);
 }
 
-bool is_all(const std::string& piece) { return lower_case(piece) == "all"; }
-
-}  // namespace
-
-bool names_hits(const std::string& piece) { return is_all(piece) || range_of(piece); }
+bool names_hits(const std::string& piece) { return is_all(piece) || number_range(piece); }
 
 std::vector<std::size_t> parse_hits(const OptionId& option, const std::vector<std::string>& pieces) {
   std::vector<std::size_t> hits;
@@ -43,10 +37,10 @@ std::vector<std::size_t> parse_hits(const OptionId& option, const std::vector<st
       hits.push_back(pipeline::kEveryHit);
       continue;
     }
-    const auto range = range_of(piece);
+    const auto range = number_range(piece);
     if (range && range->first == 0)
       throw OptionError::wrong_value(option, piece, "hits count from 1, as in the table of hits");
-    if (!range || hits.size() + (range->second - range->first) > kMaxHits)
+    if (!range || hits.size() + (range->second - range->first) > kMaxListedNumber)
       throw OptionError::wrong_value(option, piece, std::string("give ") + kHitsRequirement);
     for (std::size_t number = range->first; number <= range->second; ++number) hits.push_back(number - 1);
   }

@@ -1,11 +1,19 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
 
 namespace percuss::tools {
+
+inline constexpr std::size_t kMaxListedNumber = 1'000'000;
+
+/// The first and the last number of a piece of a list, "8" or "1-5"; nothing for other texts and larger numbers.
+std::optional<std::pair<std::size_t, std::size_t>> number_range(std::string_view text);
 
 /// Completes "give …".
 inline constexpr const char* kHitsRequirement = "whole numbers from 1 up, ranges such as 1-5, or all";

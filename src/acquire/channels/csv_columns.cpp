@@ -76,7 +76,8 @@ class Finder {
                                      [&](const CsvColumn& column) { return is_called(column, entry.name); });
       if (!known) {
         throw InputError("no column \"" + one_line(entry.name, 40) + "\" among " + list_of(header_.columns),
-                         where_ + ": channel set-up", "correct the name in the set-up, or remove the entry");
+                         where_ + ": channel set-up",
+                         "correct the name in the set-up, give the number from 1 in its place, or remove the entry");
       }
     }
   }

@@ -100,6 +100,17 @@ TEST(RecordCommand, AnalysesAReplayedRecordAlike) {
   for (std::size_t m = 0; m < original.size(); ++m) EXPECT_NEAR(replayed[m], original[m], 2e-6 * original[m]);
 }
 
+TEST(RecordCommand, TakesRangesOfChannels) {
+  const Bench bench;
+  ASSERT_EQ(bench.record("sim:aluminium-bat", {"--hits", "1"}).code, 0);
+  const std::string expected = bench.bytes("t.h5");
+  ASSERT_EQ(bench.record("sim:aluminium-bat", {"--hits", "1", "--channels", "1-3", "--force"}).code, 0);
+  EXPECT_TRUE(bench.bytes("t.h5") == expected);
+  const auto swapped = bench.record("sim:aluminium-bat", {"--hits", "1", "--channels", "1,3,2", "--force"});
+  ASSERT_EQ(swapped.code, 0) << swapped.err;
+  EXPECT_FALSE(bench.bytes("t.h5") == expected);
+}
+
 // The file does not say which of its columns is the force, nor the sensitivity of that.
 TEST(RecordCommand, ReplaysAFileWithTheSetUp) {
   const Bench bench;
@@ -146,6 +157,10 @@ TEST(RecordCommand, RefusesWhatItCannotRecord) {
   EXPECT_EQ(bench.record("sim:no-such-bat").code, 3);
   EXPECT_EQ(bench.record("sim:aluminium-bat", {"--channels", "1"}).code, 3);
   EXPECT_EQ(bench.record("sim:aluminium-bat", {"--channels", "0,1"}).code, 2);
+  EXPECT_THAT(bench.record("sim:aluminium-bat", {"--channels", "1,1"}).err, HasSubstr("channel 1 is named twice"));
+  EXPECT_THAT(bench.record("sim:aluminium-bat", {"--channels", "1-2,2"}).err, HasSubstr("channel 2 is named twice"));
+  EXPECT_THAT(bench.record("sim:aluminium-bat", {"--channels", "x"}).err,
+              HasSubstr("give whole numbers from 1 up, or ranges such as 1-3"));
   test::write_bytes(bench.folder.file("wrong.json"), R"([{"name": "no such channel", "role": "force"}])");
   EXPECT_NE(bench.record("sim:aluminium-bat", {"--setup", "wrong.json"}).code, 0);
   EXPECT_THAT(bench.record("sim:aluminium-bat", {"--band", "60:12800"}).err,

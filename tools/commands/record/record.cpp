@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "commands/record/channel_list.hpp"
 #include "commands/record/record_flags.hpp"
 
 namespace percuss::tools {
@@ -59,8 +60,11 @@ void add_record(CommandLine& line) {
       .type("N")
       .above_zero()
       .show_default();
-  command.list("--channels", flags->channels, "Record only these channels, counted from 1, in this order")
-      .type("N,...");
+  command
+      .list("--channels", flags->channel_list,
+            "Record only these channels, counted from 1, in this order: numbers or ranges, such as 1,3-5")
+      .type("N,...")
+      .add_check(kChannelsRequirement, names_channels);
   command.value("--fs", flags->fs_Hz, "Choose the sampling rate (default: the device's own)").type("HZ").above_zero();
   add_setup_option(command, flags->read);
   command.value("--trigger", flags->trigger_N, "Take a force above this level for a blow (default: from the noise)")

@@ -15,7 +15,8 @@ struct RecordFlags {
   std::string resume;
   std::string device;
   std::size_t hits = 5;
-  std::vector<std::size_t> channels;  // of the device, from 1
+  std::vector<std::string> channel_list;  // as typed: "1", "3-5"
+  std::vector<std::size_t> channels;      // of the device, from 1
   std::optional<double> fs_Hz, trigger_N, pretrigger_s, length_s;
   std::string geometry;
   std::string roving = "hammer";

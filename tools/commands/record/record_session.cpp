@@ -16,6 +16,7 @@
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
+#include "commands/record/channel_list.hpp"
 #include "commands/record/raw_terminal.hpp"
 #include "commands/record/record_flags.hpp"
 #include "commands/record/record_plan.hpp"
@@ -52,7 +53,6 @@ Recording open_recording(const RecordFlags& flags, const Interrupted& interrupte
   acquire::CaptureOptions options{
       .journal = journal_of(flags.output), .overwrite = flags.force, .resume = resumed, .channels = {}};
   for (const std::size_t channel : flags.channels) {
-    if (channel == 0) throw OptionError::wrong_value("channels", "0", "count channels from 1");
     options.channels.push_back(channel - 1);
     wanted.channels = std::max(wanted.channels.value_or(0), channel);
   }
@@ -198,6 +198,7 @@ int record_file(const RecordFlags& flags, const Interrupted& interrupted, pipeli
 
 int run_record(RecordFlags flags) {
   if (flags.device == "list") return list_devices();
+  flags.channels = parse_channels(flags.channel_list);
   Interrupted interrupted;
   if (!flags.resume.empty()) interrupted = open_interrupted(flags);
   check_files(flags);

@@ -1,0 +1,18 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace percuss::tools {
+
+/// Completes "give …".
+inline constexpr const char* kChannelsRequirement = "whole numbers from 1 up, or ranges such as 1-3";
+
+/// Whether the text is a piece of a list of channels: "8" or "1-5".
+bool names_channels(const std::string& piece);
+
+/// The channels "1-5" and "8", the pieces of a list, from 1.
+/// errors  OptionError: other texts, channel 0, a channel twice, more than 4096 channels
+std::vector<std::size_t> parse_channels(const std::vector<std::string>& pieces);
+
+}  // namespace percuss::tools
