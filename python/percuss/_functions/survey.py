@@ -149,8 +149,9 @@ def survey(
     roving : {'hammer', 'sensor'}, optional
         Choose what moved from point to point. Default: hammer.
     driving_point : (point, channel) or a list of them, optional
-        Name driving points: a point struck beside the sensor of a channel (default: points at the
-        position of a sensor).
+        Name driving points: a point struck beside the sensor of a channel, by the point's number
+        and the channel's, which counts from 0 as in JSON; 1:0 is point 1 and the first channel
+        (default: points at the position of a sensor).
     picture : {'shapes', 'indicator', 'magnitude', 'phase', 'coherence', 'force', 'response', 'spectrum', 'decay', 'stabilisation', 'movement'} or a list of them, optional
         Draw these pictures in a .svg file.
     hits : bool, optional
