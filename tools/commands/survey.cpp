@@ -206,12 +206,11 @@ void add_survey(CommandLine& line) {
       .one_of({"hammer", "sensor"})
       .show_default();
   command
-      .list(
-          "--driving-point", flags->driving,
-          "Name driving points: a point struck beside the sensor of a channel, by the point's number and the "
-          "channel's, "
-          "which counts from 0 as in JSON; 1:0 is point 1 and the first channel (default: points at the position of a "
-          "sensor)")
+      .list("--driving-point", flags->driving,
+            "Name driving points: a point struck beside the sensor of a channel, by the point's number and the "
+            "channel's, which counts from 0 as in JSON; 1:0 is point 1 and the first channel (default: points at the "
+            "position of a "
+            "sensor)")
       .type("POINT:CHANNEL,...");
   command.list("--picture", flags->pictures, "Draw these pictures in a .svg file")
       .one_of(report::survey_chart_names())
