@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "acquire/record/frf_record.hpp"
+#include "acquire/record/joined_notes.hpp"
 #include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
@@ -19,7 +19,7 @@ std::string input_name_of(const FrfRecord& record) { return input_name(record.so
 
 FrfRecord join_frfs(std::vector<FrfRecord> records) {
   FrfRecord out = std::move(records.front());
-  const std::vector<Message> common = out.notes;  // a note on every file is given once
+  std::vector<NotesOfFile> notes{{input_name_of(out), out.notes}};
   for (std::size_t r = 1; r < records.size(); ++r) {
     FrfRecord& next = records[r];
     const bool spaced = std::abs(next.lines.df_Hz() / out.lines.df_Hz() - 1) <= kSameSpacing;
@@ -40,13 +40,11 @@ FrfRecord join_frfs(std::vector<FrfRecord> records) {
       frf.point += after;
       out.frfs.push_back(std::move(frf));
     }
-    for (const Message& note : next.notes) {
-      if (std::find(common.begin(), common.end(), note) == common.end())
-        out.notes.emplace_back(input_name_of(next) + ": " + note.text, note.options);
-    }
+    notes.push_back({input_name_of(next), next.notes});
     out.files.insert(out.files.end(), next.files.begin(), next.files.end());
     if (next.format != out.format) out.format = "several";
   }
+  out.notes = joined_notes(notes);
   return out;
 }
 

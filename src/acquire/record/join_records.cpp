@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "acquire/record/joined_notes.hpp"
 #include "acquire/record/point_number.hpp"
 #include "acquire/record/record.hpp"
 #include "core/error.hpp"
@@ -59,31 +60,6 @@ struct Joined {
   std::vector<Source> rows;
 };
 
-// Each note once: with the files that it concerns, or without where it concerns all of them.
-void add_notes(const std::vector<Record>& records, std::vector<Message>& out) {
-  struct Noted {
-    Message note;
-    std::vector<const Record*> in;
-  };
-  std::vector<Noted> notes;
-  for (const Record& record : records) {
-    for (const Message& note : record.notes) {
-      const auto known = std::find_if(notes.begin(), notes.end(), [&](const Noted& one) { return one.note == note; });
-      if (known == notes.end()) {
-        notes.push_back({note, {&record}});
-      } else if (known->in.back() != &record) {
-        known->in.push_back(&record);
-      }
-    }
-  }
-  for (const Noted& one : notes) {
-    std::string where;
-    if (one.in.size() < records.size()) where = one.in.front()->source();
-    if (!where.empty() && one.in.size() > 1) where += fmt::format(" and {} more", one.in.size() - 1);
-    out.emplace_back(where.empty() ? one.note.text : where + ": " + one.note.text, one.note.options);
-  }
-}
-
 }  // namespace
 
 Record join_records(std::vector<Record> records, FileGrouping grouping) {
@@ -97,10 +73,12 @@ Record join_records(std::vector<Record> records, FileGrouping grouping) {
   out.continuous = true;
   auto joined = std::make_shared<Joined>();
   std::int64_t points = 0;
+  std::vector<NotesOfFile> notes;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Record& record = records[r];
     require_alike(records.front(), record);
     note_other_names(records.front(), record, out.notes);
+    notes.push_back({record.source(), record.notes});
     for (RecordFault fault : record.faults) {
       if (fault.row >= 0) fault.row += static_cast<int>(out.rows.size());
       out.faults.push_back(fault);
@@ -121,7 +99,8 @@ Record join_records(std::vector<Record> records, FileGrouping grouping) {
     out.continuous = out.continuous && (record.rows.size() == 1 || record.continuous);
     if (record.format != out.format) out.format = "several";
   }
-  add_notes(records, out.notes);
+  const std::vector<Message> of_files = joined_notes(notes);
+  out.notes.insert(out.notes.end(), of_files.begin(), of_files.end());
   joined->records = std::move(records);
   out.read_force_N = [joined](std::size_t row, std::size_t first, std::span<double> samples) {
     const auto [record, its_row] = joined->rows.at(row);

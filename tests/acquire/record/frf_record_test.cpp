@@ -33,6 +33,12 @@ TEST(JoinFrfs, MakesEveryFileAPoint) {
   EXPECT_THAT(all.files, SizeIs(3));
 }
 
+TEST(JoinFrfs, NamesTheFileThatANoteConcerns) {
+  std::vector<FrfRecord> files(3, small_frfs());
+  files[0].notes.emplace_back("only here");
+  EXPECT_THAT(join_frfs(files).notes, testing::ElementsAre(Message("assumed"), Message("x.csv: only here")));
+}
+
 TEST(JoinFrfs, RefusesPointNumbersThatBecomeTooLarge) {
   FrfRecord far = small_frfs(), other = small_frfs();
   for (PointFrf& frf : far.frfs) frf.point = 1'000'000'000;
