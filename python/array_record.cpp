@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -139,13 +140,15 @@ std::uint64_t sample_checksum(const ArrayTest& test) {
       test.rows.empty() ? 0 : test.rows.front().accel.size() + static_cast<std::size_t>(test.has_force);
   const std::size_t series = test.rows.size() * signals, sampled = std::min(series, kMaxSignals);
   std::uint64_t sum = kOffset;
+  std::array<double, kNumbers> values{};
   for (std::size_t i = 0; i < sampled; ++i) {
     const std::size_t at = i * series / sampled;
-    const StridedSamples& signal = strided_samples_of(test, at / signals, at % signals);
-    const std::size_t numbers = std::min(signal.samples, kNumbers / sampled);
-    for (std::size_t n = 0; n < numbers; ++n) {
-      double value = 0;
-      read_strided(signal, n * signal.samples / numbers, std::span(&value, 1));
+    StridedSamples signal = strided_samples_of(test, at / signals, at % signals);
+    const std::size_t most = kNumbers / sampled, step = std::max<std::size_t>(1, (signal.samples + most - 1) / most);
+    signal.step_bytes *= static_cast<std::ptrdiff_t>(step);
+    const std::span<double> read = std::span(values).first((signal.samples + step - 1) / step);
+    read_strided(signal, 0, read);
+    for (const double value : read) {
       sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * kPrime;
       sum ^= sum >> 32U;
     }
