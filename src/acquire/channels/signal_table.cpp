@@ -10,6 +10,7 @@
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/channels/role_guess.hpp"
 #include "acquire/channels/signal_overrides.hpp"
+#include "acquire/channels/unit_notes.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "acquire/record/sampling_rate.hpp"
 #include "core/error.hpp"
@@ -64,15 +65,16 @@ SignalInfo described_signal(const SignalTable& table, std::size_t index) {
   return {.name = signal.name, .unit = unit, .angle_rad = signal.angle_rad, .position_m = signal.position_m};
 }
 
-// Without a stated unit, the signal is in the file's own system of units, else in SI.
-void complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalOverrides& choice, const char* si_unit,
-                   std::vector<Message>& notes) {
-  const bool stated = !signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI;
-  if (stated) return;
+// Without a stated unit, the signal is in the file's own system of units, else in SI. Returns whether SI is assumed.
+bool complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalOverrides& choice) {
+  if (!signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI) return false;
   choice.scale = stored.to_SI;
-  if (stored.to_SI) return;
-  notes.emplace_back(fmt::format("the unit of {} is not stated; taken as {}", one_line(signal.name, 40), si_unit),
-                     std::vector<OptionId>{si_unit == std::string("N") ? "force_unit" : "unit"});
+  return !stored.to_SI;
+}
+
+void mark_assumed(SignalInfo& signal, const char* si_unit) {
+  signal.unit = si_unit;
+  signal.unit_assumed = true;
 }
 
 void describe_table(ScaledTable& open, const ReadOptions& options, Record& record) {
@@ -83,8 +85,9 @@ void describe_table(ScaledTable& open, const ReadOptions& options, Record& recor
     const CsvColumn force = column_of(table, open.roles.force);
     record.force = described_signal(table, open.roles.force);
     SignalOverrides choice = force_overrides(options, setup_of(force, options));
-    complete_unit(record.force, table.signals[open.roles.force], choice, "N", record.notes);
+    const bool assumed = complete_unit(record.force, table.signals[open.roles.force], choice);
     apply_force_overrides(record.force, choice, place(record.force), record.notes);
+    if (assumed) mark_assumed(record.force, "N");
     open.force_to_N = record.force.to_SI;
   }
   const std::size_t count = open.roles.accel.size();
@@ -92,11 +95,13 @@ void describe_table(ScaledTable& open, const ReadOptions& options, Record& recor
     const std::size_t index = open.roles.accel[c];
     SignalInfo signal = described_signal(table, index);
     SignalOverrides choice = accel_overrides(options, setup_of(column_of(table, index), options), c, count);
-    complete_unit(signal, table.signals[index], choice, "m/s^2", record.notes);
+    const bool assumed = complete_unit(signal, table.signals[index], choice);
     apply_overrides(signal, choice, response_quantity(signal, choice, record.has_force), place(signal));
+    if (assumed) mark_assumed(signal, "m/s^2");
     open.accel_to_mps2.push_back(signal.to_SI);
     record.accel.push_back(std::move(signal));
   }
+  note_assumed_units(record);
 }
 
 // From the samples of the first row.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include "acquire/channels/csv_columns.hpp"
@@ -18,9 +17,6 @@ namespace percuss::pipeline {
 namespace {
 
 using acquire::StreamFormat;
-
-constexpr std::string_view kUnitOf = "the unit of ", kUnitNotStated = " is not stated; taken as ";
-constexpr std::size_t kListedNames = 2;
 
 acquire::SignalTable table_of(const StreamFormat& format) {
   acquire::SignalTable table{.format = "stream", .fs_Hz = format.fs_Hz};
@@ -108,46 +104,6 @@ acquire::SignalInfo as_stored(const acquire::SignalInfo& signal, const std::stri
   return out;
 }
 
-// The name in a note of signal_table.cpp on the unit of one signal; empty for other notes.
-std::string name_in_unit_note(const std::string& text) {
-  const std::size_t end = text.rfind(kUnitNotStated);
-  if (!text.starts_with(kUnitOf) || end == std::string::npos || end < kUnitOf.size()) return "";
-  return text.substr(kUnitOf.size(), end - kUnitOf.size());
-}
-
-// "a and b", "a, b and 3 more".
-std::string listed(const std::vector<std::string>& names) {
-  const std::string last =
-      names.size() > kListedNames + 1 ? fmt::format("{} more", names.size() - kListedNames) : names.back();
-  const std::size_t first = std::min(names.size() - 1, kListedNames);
-  return fmt::format("{} and {}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(first), ", "),
-                     last);
-}
-
-// One note for the signals whose units are taken alike, in place of the first.
-std::vector<Message> with_joined_unit_notes(const std::vector<Message>& notes) {
-  std::vector<Message> out;
-  std::vector<std::string> joined;  // ends of notes: " is not stated; taken as N"
-  for (const Message& note : notes) {
-    const std::string name = name_in_unit_note(note.text);
-    const std::string end = name.empty() ? "" : note.text.substr(kUnitOf.size() + name.size());
-    if (name.empty() || std::find(joined.begin(), joined.end(), end) != joined.end()) {
-      if (name.empty()) out.push_back(note);
-      continue;
-    }
-    joined.push_back(end);
-    std::vector<std::string> names;
-    for (const Message& other : notes) {
-      const std::string of_other = name_in_unit_note(other.text);
-      if (!of_other.empty() && other.text.substr(kUnitOf.size() + of_other.size()) == end) names.push_back(of_other);
-    }
-    out.push_back(note);
-    if (names.size() > 1)
-      out.back().text = fmt::format("the units of {} are{}", listed(names), end.substr(std::string_view(" is").size()));
-  }
-  return out;
-}
-
 }  // namespace
 
 std::string name_of_channel(const LiveChannels& channels, std::size_t accel) {
@@ -169,7 +125,6 @@ LiveChannels live_channels(const StreamFormat& format, const acquire::ReadOption
   out.force_to_N = described.force.to_SI;
   out.notes = std::move(device_notes);
   out.notes.insert(out.notes.end(), described.notes.begin(), described.notes.end());
-  out.notes = with_joined_unit_notes(out.notes);
   out.description.format = "HDF5";
   out.description.fs_Hz = format.fs_Hz;
   out.description.force = {.name = "force", .unit = "N", .measures = Quantity::force};

@@ -11,6 +11,7 @@
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/channels/role_guess.hpp"
 #include "acquire/channels/signal_overrides.hpp"
+#include "acquire/channels/unit_notes.hpp"
 #include "acquire/formats/text/csv_rows.hpp"
 #include "acquire/formats/text/csv_table.hpp"
 #include "acquire/record/sample_limits.hpp"
@@ -39,14 +40,12 @@ SignalInfo describe_force(const CsvColumn& column, const ReadOptions& options, c
   if (assumed) {
     signal.unit = "N";
     signal.unit_assumed = true;
-    notes.emplace_back(fmt::format("the unit of {} is not stated; taken as N", column.name),
-                       std::vector<OptionId>{"force_unit"});
   }
   return signal;
 }
 
 SignalInfo describe_accel(const CsvColumns& columns, const ReadOptions& options, std::size_t index,
-                          const std::string& file, std::vector<Message>& notes) {
+                          const std::string& file) {
   const CsvColumn& column = columns.accel[index];
   const std::size_t count = columns.accel.size();
   SignalInfo signal{.name = column.name, .unit = column.unit};
@@ -57,8 +56,6 @@ SignalInfo describe_accel(const CsvColumns& columns, const ReadOptions& options,
   if (assumed) {
     signal.unit = "m/s^2";
     signal.unit_assumed = true;
-    notes.emplace_back(fmt::format("the unit of {} is not stated; taken as m/s^2", column.name),
-                       std::vector<OptionId>{"unit"});
   }
   return signal;
 }
@@ -72,10 +69,11 @@ void describe_signals(const CsvColumns& columns, const ReadOptions& options, Ope
     open.force_to_N = record.force.to_SI;
   }
   for (std::size_t c = 0; c < columns.accel.size(); ++c) {
-    record.accel.push_back(describe_accel(columns, options, c, file, record.notes));
+    record.accel.push_back(describe_accel(columns, options, c, file));
     open.accel_columns.push_back(columns.accel[c].index);
     open.accel_to_mps2.push_back(record.accel.back().to_SI);
   }
+  note_assumed_units(record);
 }
 
 void describe_rows(const OpenCsv& open, Record& record) {
