@@ -20,9 +20,15 @@ void QualityWorker::ask(acquire::Record record) {
   {
     const std::lock_guard lock(mutex_);
     asked_ = std::move(record);
-    done_.reset();  // of other blows
   }
   wake_.notify_one();
+}
+
+void QualityWorker::discard() {
+  const std::lock_guard lock(mutex_);
+  asked_.reset();
+  done_.reset();
+  discarded_ = true;
 }
 
 std::optional<SessionQuality> QualityWorker::take() {
@@ -39,6 +45,7 @@ void QualityWorker::work() {
     }
     acquire::Record record = std::move(*asked_);
     asked_.reset();
+    discarded_ = false;
     lock.unlock();
     std::optional<SessionQuality> quality;
     try {
@@ -46,7 +53,7 @@ void QualityWorker::work() {
     } catch (const std::exception&) {  // no budget or memory: the next blow asks again
     }
     lock.lock();
-    if (quality && !asked_) done_ = std::move(quality);
+    if (quality && !discarded_) done_ = std::move(quality);
   }
 }
 

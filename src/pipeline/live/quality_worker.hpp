@@ -9,7 +9,8 @@
 namespace percuss::pipeline {
 
 /// Computes the quality of a session in a thread of its own, so that no verdict waits for a fit. A newer request
-/// replaces one that has not begun.
+/// replaces one that has not begun. A result states the number of its blows, so it is worth showing when newer blows
+/// wait: blows that follow each other faster than the fits do not hide all results.
 class QualityWorker {
  public:
   explicit QualityWorker(AnalysisOptions options);
@@ -19,7 +20,9 @@ class QualityWorker {
 
   /// The record is read by the other thread.
   void ask(acquire::Record record);
-  /// The result for the blows asked last, once.
+  /// Blows asked before do not count any longer: leaves out their results.
+  void discard();
+  /// The newest result, once.
   std::optional<SessionQuality> take();
 
  private:
@@ -30,6 +33,7 @@ class QualityWorker {
   std::condition_variable wake_;
   std::optional<acquire::Record> asked_;
   std::optional<SessionQuality> done_;
+  bool discarded_ = false;  // the blows of the running fit
   bool closing_ = false;
   std::thread thread_;
 };

@@ -78,13 +78,17 @@ void RecordScreen::show_problems(const pipeline::SessionQuality& quality) {
 
 void RecordScreen::show_quality(const pipeline::SessionQuality& quality) {
   show_problems(quality);
-  note("  " + pipeline::quality_text(quality));
+  const bool newest = guide_ == nullptr || quality.blows == guide_->session().accepted();
+  const std::string after =
+      newest ? "" : fmt::format("after {} blow{}: ", quality.blows, quality.blows == 1 ? "" : "s");
+  note("  " + after + pipeline::quality_text(quality));
   const std::string outlook = pipeline::outlook_text(quality, goals_);
   if (!outlook.empty()) note("  " + outlook);
 }
 
 void RecordScreen::update(const pipeline::Guide& guide) {
   if (!worker_) return;
+  if (std::exchange(discard_, false)) worker_->discard();
   if (std::exchange(ask_, false)) worker_->ask(guide.accepted_record());
   if (const auto quality = worker_->take()) show_quality(*quality);
   const std::string state =
@@ -101,14 +105,15 @@ void RecordScreen::on_blow(const pipeline::BlowReport& blow) {
 
 void RecordScreen::on_regraded(std::size_t row, acquire::RowMark mark) {
   if (silent_) return;
-  ask_ = true;
+  ask_ = discard_ = true;
   note(fmt::format("  row {} of the record does not count any longer: {}", row + 1, acquire::reason_of(mark)));
 }
 
 void RecordScreen::on_command(const pipeline::SessionEvent& command, std::size_t undone) {
   if (silent_) return;
   note("  " + command_text(command.kind, undone, guide_->session()));
-  ask_ = ask_ || command.kind == Kind::undo || command.kind == Kind::redo;
+  discard_ = discard_ || command.kind == Kind::undo || command.kind == Kind::redo;
+  ask_ = ask_ || discard_;
 }
 
 void RecordScreen::on_length(std::size_t samples) {

@@ -49,6 +49,7 @@ class RecordScreen : public pipeline::GuideObserver {
   double fs_Hz_ = 0;
   bool silent_ = false;         // while the journal is replayed
   bool ask_ = false;            // other blows count than before
+  bool discard_ = false;        // blows that counted before do not count any longer
   std::set<std::string> told_;  // problems of the test
   std::optional<pipeline::QualityWorker> worker_;
 };

@@ -1,0 +1,46 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "acquire/record/record.hpp"
+#include "pipeline/live/blow_grading.hpp"
+#include "pipeline/live/session.hpp"
+#include "pipeline/live/session_faults.hpp"
+
+namespace percuss::pipeline {
+
+/// A blow that has been judged.
+struct BlowReport {
+  std::size_t row = 0;
+  std::uint64_t end_frame = 0;  // after its samples
+  int point = 0;
+  std::size_t blow = 1;  // of `hits`: its number among the accepted blows of its point, if it counts
+  BlowGrade grade;
+};
+
+/// Is told what happens, on the thread of the guide. It must not wait.
+class GuideObserver {
+ public:
+  GuideObserver() = default;
+  GuideObserver(const GuideObserver&) = delete;
+  GuideObserver& operator=(const GuideObserver&) = delete;
+  virtual ~GuideObserver() = default;
+
+  virtual void on_blow(const BlowReport& blow) = 0;
+  /// An accepted blow does not count any longer.
+  virtual void on_regraded(std::size_t /*row*/, acquire::RowMark /*mark*/) {}
+  /// A command was applied; `undone` accepted blows do not count any longer.
+  virtual void on_command(const SessionEvent& /*command*/, std::size_t /*undone*/) {}
+  virtual void on_length(std::size_t /*samples*/) {}
+  /// A blow, first above the threshold at this frame, is too short to choose the length of all blows by it: the next
+  /// one, or lost samples, came too early. It is not recorded.
+  virtual void on_left_out(std::uint64_t /*frame*/) {}
+  /// A response moves as after a blow, but the force does not; once, before the first blow.
+  virtual void on_silent_hammer() {}
+  /// A fault of the capture, after the verdicts on the blows before it. `frame` is the first lost one; a count of
+  /// samples that are no numbers may still grow.
+  virtual void on_fault(const acquire::CaptureFinding& /*fault*/) {}
+  virtual void on_goals_met() {}
+};
+
+}  // namespace percuss::pipeline
