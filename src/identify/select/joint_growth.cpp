@@ -65,8 +65,8 @@ std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>&
 bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit> other) {
   if (!other) return false;
   const std::size_t more = other->poles.size() > fit.poles.size() ? other->poles.size() - fit.poles.size() : 1;
-  if (likelihood_ratio(set, fit.residual, other->residual) <= least_gain(set, more * unknowns_per_mode(set)))
-    return false;
+  const double least = least_gain_over(set, fit.poles, *other, more * unknowns_per_mode(set));
+  if (likelihood_ratio(set, fit.residual, other->residual) <= least) return false;
   fit = *std::move(other);
   return true;
 }

@@ -95,7 +95,8 @@ void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residua
   if (fit) fit = without_scatter_partners(shared, modes, *std::move(fit));
   if (!fit) return;
   const std::size_t unknowns = unknowns_of(set, modes), after = fit->poles.size() * (2 + 2 * set.channels.size());
-  const double least = least_gain(set, after > unknowns ? after - unknowns : unknowns_per_mode(set));
+  const double least =
+      least_gain_over(shared, poles_of(modes), *fit, after > unknowns ? after - unknowns : unknowns_per_mode(set));
   if (likelihood_ratio(set, before, fit->residual) < least) return;
   modes = joint_modes(shared, *fit);
 }

@@ -25,6 +25,8 @@ constexpr double kModeGain = 150;           // likelihood ratio that a mode need
 // Limits of this ratio per unknown. The maximum is the F statistic that a close mode needs, the minimum about the
 // logarithm of the number of lines.
 constexpr double kMaxGain = 25, kMinGain = 8;
+// A mode that anyone sees.
+constexpr double kClearSignificance = 2 * kJointSignificance, kClearPeakToResidual = 10, kClearWidths = 2;
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
 double noise_part(const VectorXcd& residual) {
@@ -53,6 +55,20 @@ bool is_mode(const FrfDataset& set, const JointFit& fit, std::size_t mode, const
   return inside && pole.damping_ratio < kJointMaxDamping && fit.damping_std(m) < pole.damping_ratio &&
          fit.freq_std_Hz(m) < least_width_Hz(set, pole) && standing.significance > kJointSignificance &&
          standing.peak_to_residual > kJointPeakToResidual;
+}
+
+bool are_apart(const FrfDataset& set, const Pole& one, const Pole& other) {
+  const double width_Hz = std::max(least_width_Hz(set, one), least_width_Hz(set, other));
+  return std::abs(one.freq_Hz - other.freq_Hz) > kClearWidths * width_Hz;
+}
+
+bool is_clear(const FrfDataset& set, const std::vector<Pole>& known, const JointFit& fit, std::size_t mode) {
+  const Pole& pole = fit.poles[mode];
+  const auto apart = [&](const Pole& other) { return &other == &pole || are_apart(set, pole, other); };
+  if (!std::all_of(known.begin(), known.end(), apart) || !std::all_of(fit.poles.begin(), fit.poles.end(), apart))
+    return false;
+  const Standing standing = standing_of(set, fit, mode, Misfit::counted);
+  return standing.significance > kClearSignificance && standing.peak_to_residual > kClearPeakToResidual;
 }
 
 }  // namespace
@@ -151,6 +167,14 @@ std::size_t unknowns_per_mode(const FrfDataset& set) { return 2 + 2 * set.channe
 double least_gain(const FrfDataset& set, std::size_t unknowns) {
   const double each = std::clamp(kModeGain / static_cast<double>(unknowns_per_mode(set)), kMinGain, kMaxGain);
   return each * static_cast<double>(unknowns);
+}
+
+double least_gain_over(const FrfDataset& set, const std::vector<Pole>& known, const JointFit& fit,
+                       std::size_t unknowns) {
+  std::size_t clear = 0;
+  for (std::size_t m = 0; m < fit.poles.size(); ++m) clear += is_clear(set, known, fit, m) ? 1U : 0U;
+  const std::size_t of_clear = std::min(unknowns, clear * unknowns_per_mode(set));
+  return least_gain(set, unknowns - of_clear) + kMinGain * static_cast<double>(of_clear);
 }
 
 }  // namespace percuss::identify
