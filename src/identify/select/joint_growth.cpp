@@ -71,6 +71,18 @@ bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit
   return true;
 }
 
+// As above. Many weak modes may hide that some are clear: then these alone replace the fit.
+bool take_all_or_clear(const FrfDataset& set, JointFit& fit, std::optional<JointFit> other, JointFitBudget& budget) {
+  if (!other) return false;
+  const std::vector<Pole> clear = clear_modes(set, fit.poles, *other);
+  const std::size_t count = other->poles.size();
+  if (take_if_better(set, fit, std::move(other))) return true;
+  if (clear.empty() || fit.poles.size() + clear.size() >= count) return false;
+  std::vector<Pole> poles = fit.poles;
+  poles.insert(poles.end(), clear.begin(), clear.end());
+  return take_if_better(set, fit, settled_fit(set, std::move(poles), budget));
+}
+
 // The resonances and stable poles of the fit's residual.
 std::vector<Pole> residual_starts(const FrfDataset& set, const JointFit& fit) {
   FrfDataset rest = set;
@@ -122,7 +134,7 @@ JointFit with_residual_modes(const FrfDataset& set, JointFit fit, JointFitBudget
       if (count == 0) return false;
       std::vector<Pole> poles(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
       poles.insert(poles.end(), fit.poles.begin(), fit.poles.end());
-      return take_if_better(set, fit, settled_fit(set, std::move(poles), budget));
+      return take_all_or_clear(set, fit, settled_fit(set, std::move(poles), budget), budget);
     };
     if (taken(clear.size(), clear) || (clear.size() > 1 && taken(1, clear))) continue;
     if (significant.size() > clear.size() && taken(significant.size(), significant)) continue;
@@ -193,7 +205,7 @@ std::optional<JointFit> best_joint_fit(const FrfDataset& set, const std::vector<
   if (starts.size() > modes.size()) {
     std::optional<JointFit> after = settled_fit(set, significant_starts(set, std::move(starts), {}), budget);
     if (fit) {
-      take_if_better(set, *fit, std::move(after));
+      take_all_or_clear(set, *fit, std::move(after), budget);
     } else {
       fit = std::move(after);
     }

@@ -25,7 +25,7 @@ constexpr double kModeGain = 150;           // likelihood ratio that a mode need
 // Limits of this ratio per unknown. The maximum is the F statistic that a close mode needs, the minimum about the
 // logarithm of the number of lines.
 constexpr double kMaxGain = 25, kMinGain = 8;
-// A mode that anyone sees.
+// Of a clear mode.
 constexpr double kClearSignificance = 2 * kJointSignificance, kClearPeakToResidual = 10, kClearWidths = 2;
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
@@ -169,12 +169,18 @@ double least_gain(const FrfDataset& set, std::size_t unknowns) {
   return each * static_cast<double>(unknowns);
 }
 
+std::vector<Pole> clear_modes(const FrfDataset& set, const std::vector<Pole>& known, const JointFit& fit) {
+  std::vector<Pole> clear;
+  for (std::size_t m = 0; m < fit.poles.size(); ++m) {
+    if (is_clear(set, known, fit, m)) clear.push_back(fit.poles[m]);
+  }
+  return clear;
+}
+
 double least_gain_over(const FrfDataset& set, const std::vector<Pole>& known, const JointFit& fit,
                        std::size_t unknowns) {
-  std::size_t clear = 0;
-  for (std::size_t m = 0; m < fit.poles.size(); ++m) clear += is_clear(set, known, fit, m) ? 1U : 0U;
-  const std::size_t of_clear = std::min(unknowns, clear * unknowns_per_mode(set));
-  return least_gain(set, unknowns - of_clear) + kMinGain * static_cast<double>(of_clear);
+  const std::size_t clear = std::min(unknowns, clear_modes(set, known, fit).size() * unknowns_per_mode(set));
+  return least_gain(set, unknowns - clear) + kMinGain * static_cast<double>(clear);
 }
 
 }  // namespace percuss::identify
