@@ -65,7 +65,7 @@ std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>&
 bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit> other) {
   if (!other) return false;
   const std::size_t more = other->poles.size() > fit.poles.size() ? other->poles.size() - fit.poles.size() : 1;
-  const double least = least_gain_over(set, fit.poles, *other, more * unknowns_per_mode(set));
+  const double least = least_gain_over(set, {fit.poles, fit.residual}, *other, more * unknowns_per_mode(set));
   if (likelihood_ratio(set, fit.residual, other->residual) <= least) return false;
   fit = *std::move(other);
   return true;
@@ -74,7 +74,7 @@ bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit
 // As above. Many weak modes may hide that some are clear: then these alone replace the fit.
 bool take_all_or_clear(const FrfDataset& set, JointFit& fit, std::optional<JointFit> other, JointFitBudget& budget) {
   if (!other) return false;
-  const std::vector<Pole> clear = clear_modes(set, fit.poles, *other);
+  const std::vector<Pole> clear = clear_modes(set, {fit.poles, fit.residual}, *other);
   const std::size_t count = other->poles.size();
   if (take_if_better(set, fit, std::move(other))) return true;
   if (clear.empty() || fit.poles.size() + clear.size() >= count) return false;

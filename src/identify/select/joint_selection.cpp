@@ -25,8 +25,10 @@ constexpr double kModeGain = 150;           // likelihood ratio that a mode need
 // Limits of this ratio per unknown. The maximum is the F statistic that a close mode needs, the minimum about the
 // logarithm of the number of lines.
 constexpr double kMaxGain = 25, kMinGain = 8;
-// Of a clear mode.
-constexpr double kClearSignificance = 2 * kJointSignificance, kClearPeakToResidual = 10, kClearWidths = 2;
+// Of a clear mode. Its gain per unknown is small, because only a few lines around it are independent: with the eight
+// unknowns of three FRFs, noise reaches it once in 10^4.
+constexpr double kClearSignificance = 2 * kJointSignificance, kClearPeakToResidual = 10, kClearWidths = 1;
+constexpr double kClearGain = 4;
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
 double noise_part(const VectorXcd& residual) {
@@ -57,18 +59,42 @@ bool is_mode(const FrfDataset& set, const JointFit& fit, std::size_t mode, const
          standing.peak_to_residual > kJointPeakToResidual;
 }
 
-bool are_apart(const FrfDataset& set, const Pole& one, const Pole& other) {
-  const double width_Hz = std::max(least_width_Hz(set, one), least_width_Hz(set, other));
-  return std::abs(one.freq_Hz - other.freq_Hz) > kClearWidths * width_Hz;
+// Likelihood ratio over the lines around a pole, where the level of the residual is about constant.
+double local_likelihood_ratio(const FrfDataset& set, const std::vector<VectorXcd>& before,
+                              const std::vector<VectorXcd>& after, const Pole& pole) {
+  const JointWindow window = window_around(set, pole);
+  double ratio = 0;
+  for (std::size_t o = 0; o < after.size(); ++o) {
+    const VectorXcd left = after[o].segment(window.first, window.count);
+    const double more = before[o].segment(window.first, window.count).squaredNorm(), less = left.squaredNorm();
+    if (more > 0 && less > 0) ratio += 2 * static_cast<double>(window.count) * noise_part(left) * std::log(more / less);
+  }
+  return ratio;
 }
 
-bool is_clear(const FrfDataset& set, const std::vector<Pole>& known, const JointFit& fit, std::size_t mode) {
+// True where no other mode of the fit lies near, and the pole is not the one that a known mode became.
+bool stands_alone(const FrfDataset& set, const std::vector<Pole>& known, const std::vector<Pole>& poles,
+                  const Pole& pole) {
+  const auto distance_Hz = [](const Pole& a, const Pole& b) { return std::abs(a.freq_Hz - b.freq_Hz); };
+  const auto became = [&](const Pole& one) {
+    return std::none_of(poles.begin(), poles.end(), [&](const Pole& other) {
+      return &other != &pole && distance_Hz(one, other) < distance_Hz(one, pole);
+    });
+  };
+  const auto near = [&](const Pole& other) {
+    const double width_Hz = std::max(least_width_Hz(set, pole), least_width_Hz(set, other));
+    return &other != &pole && distance_Hz(pole, other) <= kClearWidths * width_Hz;
+  };
+  return std::none_of(known.begin(), known.end(), became) && std::none_of(poles.begin(), poles.end(), near);
+}
+
+bool is_clear(const FrfDataset& set, const KnownModes& known, const JointFit& fit, std::size_t mode) {
   const Pole& pole = fit.poles[mode];
-  const auto apart = [&](const Pole& other) { return &other == &pole || are_apart(set, pole, other); };
-  if (!std::all_of(known.begin(), known.end(), apart) || !std::all_of(fit.poles.begin(), fit.poles.end(), apart))
-    return false;
+  if (!stands_alone(set, known.poles, fit.poles, pole)) return false;
   const Standing standing = standing_of(set, fit, mode, Misfit::counted);
-  return standing.significance > kClearSignificance && standing.peak_to_residual > kClearPeakToResidual;
+  const double least = kClearGain * static_cast<double>(unknowns_per_mode(set));
+  return standing.significance > kClearSignificance && standing.peak_to_residual > kClearPeakToResidual &&
+         local_likelihood_ratio(set, known.residual, fit.residual, pole) > least;
 }
 
 }  // namespace
@@ -169,7 +195,7 @@ double least_gain(const FrfDataset& set, std::size_t unknowns) {
   return each * static_cast<double>(unknowns);
 }
 
-std::vector<Pole> clear_modes(const FrfDataset& set, const std::vector<Pole>& known, const JointFit& fit) {
+std::vector<Pole> clear_modes(const FrfDataset& set, const KnownModes& known, const JointFit& fit) {
   std::vector<Pole> clear;
   for (std::size_t m = 0; m < fit.poles.size(); ++m) {
     if (is_clear(set, known, fit, m)) clear.push_back(fit.poles[m]);
@@ -177,10 +203,9 @@ std::vector<Pole> clear_modes(const FrfDataset& set, const std::vector<Pole>& kn
   return clear;
 }
 
-double least_gain_over(const FrfDataset& set, const std::vector<Pole>& known, const JointFit& fit,
-                       std::size_t unknowns) {
-  const std::size_t clear = std::min(unknowns, clear_modes(set, known, fit).size() * unknowns_per_mode(set));
-  return least_gain(set, unknowns - clear) + kMinGain * static_cast<double>(clear);
+double least_gain_over(const FrfDataset& set, const KnownModes& known, const JointFit& fit, std::size_t unknowns) {
+  const std::size_t clear = clear_modes(set, known, fit).size() * unknowns_per_mode(set);
+  return unknowns > clear ? least_gain(set, unknowns - clear) : 0;
 }
 
 }  // namespace percuss::identify

@@ -56,14 +56,19 @@ std::size_t unknowns_per_mode(const FrfDataset& set);
 /// to gain less than each of the few of a single record.
 double least_gain(const FrfDataset& set, std::size_t unknowns);
 
-/// The modes of a fit that anyone sees beside the `known` ones: they stand 20 dB above the residual, are twice as
-/// significant as necessary, and lie two bandwidths from every other mode.
-std::vector<Pole> clear_modes(const FrfDataset& set, const std::vector<Pole>& known, const JointFit& fit);
+/// Poles, and the residual of their fit.
+struct KnownModes {
+  const std::vector<Pole>& poles;
+  const std::vector<Eigen::VectorXcd>& residual;
+};
 
-/// As least_gain(), for a fit with so many more unknowns than one with the `known` poles. Clear modes need the least
-/// gain: a misfit of strong modes makes the residual smooth, which leaves few independent lines, so that the likelihood
-/// ratio of such a mode is small.
-double least_gain_over(const FrfDataset& set, const std::vector<Pole>& known, const JointFit& fit,
-                       std::size_t unknowns);
+/// The modes of a fit that anyone sees beside the known ones: they stand 20 dB above the residual, are twice as
+/// significant as necessary, lie a bandwidth from every other mode, and make the lines around them likelier. A misfit
+/// of strong modes leaves few independent lines, so that such a mode gains little in the likelihood ratio of the whole
+/// band.
+std::vector<Pole> clear_modes(const FrfDataset& set, const KnownModes& known, const JointFit& fit);
+
+/// As least_gain(), for a fit with so many more unknowns than the known modes have; those of clear modes do not count.
+double least_gain_over(const FrfDataset& set, const KnownModes& known, const JointFit& fit, std::size_t unknowns);
 
 }  // namespace percuss::identify
