@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kFixedEvaluations = 8;  // of a fit, in addition to those of its steps: residual, standard deviations
 
-// About two seconds, and a fifth of a second for each FRF.
-constexpr double kProducts = 1.5e9, kProductsPerFrf = 1.5e8;
+// About six seconds, and a fifth of a second for each FRF.
+constexpr double kProducts = 4.5e9, kProductsPerFrf = 1.5e8;
 
 }  // namespace
 
