@@ -1,6 +1,7 @@
 #include "acquire/hits/trigger_scan.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -13,10 +14,18 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples per task
 constexpr std::size_t kPart = std::size_t{1} << 15;   // samples per read: 256 KiB stay in the cache
-constexpr std::size_t kBlock = 64;                    // samples per value of the envelope
-constexpr std::size_t kNoiseSamples = 1024;           // per chunk: give a standard deviation to 4 %
+// Samples per value of the envelope: 10 ms, so that a pulse and its neighbours stay apart at low rates.
+constexpr std::size_t kBlock = 64, kMinBlock = 8;
+constexpr double kBlock_s = 0.01;
+constexpr std::size_t kNoiseSamples = 1024;  // per chunk: give a standard deviation to 4 %
+
+std::size_t block_at(double fs_Hz) {
+  const auto samples = static_cast<std::size_t>(std::clamp(kBlock_s * fs_Hz, 1.0, static_cast<double>(kBlock)));
+  return std::max(kMinBlock, std::bit_floor(samples));
+}
 
 struct Envelope {
+  std::size_t block = kBlock;  // samples
   std::vector<Extremes> blocks;
   std::vector<double> chunk_median, chunk_noise;
 };
@@ -24,10 +33,14 @@ struct Envelope {
 Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, std::size_t last) {
   // Chunks of equal size: a short last chunk would count as much as the others in the median over chunks.
   const std::size_t chunks = (last - first + kChunk - 1) / kChunk;
-  const std::size_t size = ((last - first) / chunks / kBlock + 1) * kBlock;
+  const std::size_t block = block_at(record.fs_Hz);
+  const std::size_t size = ((last - first) / chunks / block + 1) * block;
   const std::size_t used = (last - first + size - 1) / size;
   std::vector<std::vector<Extremes>> blocks(used);
-  Envelope envelope{.blocks = {}, .chunk_median = std::vector<double>(used), .chunk_noise = std::vector<double>(used)};
+  Envelope envelope{.block = block,
+                    .blocks = {},
+                    .chunk_median = std::vector<double>(used),
+                    .chunk_noise = std::vector<double>(used)};
   parallel_for_cost(used, size, [&](std::size_t c) {
     static const PerThread<std::vector<double>> buffers;  // one per thread, not one per chunk
     std::vector<double>& buffer = buffers.local();
@@ -35,7 +48,7 @@ Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, s
     const std::size_t begin = first + c * size, end = std::min(begin + size, last);
     for (std::size_t at = begin; at < end; at += kPart) {
       const auto part = record.read_force_N.view_or_read(row, at, std::min(kPart, end - at), buffer);
-      const std::vector<Extremes> its_blocks = block_extremes(part, kBlock);
+      const std::vector<Extremes> its_blocks = block_extremes(part, block);
       blocks[c].insert(blocks[c].end(), its_blocks.begin(), its_blocks.end());
       const std::size_t its_share = std::max<std::size_t>(1, kNoiseSamples * part.size() / (end - begin));
       for (const double value : subsampled(part, its_share)) subset.push_back(value);
@@ -64,9 +77,12 @@ std::size_t largest_in(const std::vector<double>& distance, std::size_t first, s
 }
 
 // The largest block of each event, ascending.
-std::vector<std::size_t> event_blocks(const std::vector<double>& distance, double trigger_N, double separation_s,
-                                      double fs_Hz) {
-  const auto blocks_in = [&](double time_s) { return static_cast<std::size_t>(time_s * fs_Hz) / kBlock + 1; };
+std::vector<std::size_t> event_blocks(const std::vector<double>& distance, std::size_t block, double trigger_N,
+                                      double separation_s, double fs_Hz) {
+  // Samples in blocks so far apart are apart by the time, wherever they lie in their blocks.
+  const auto blocks_in = [&](double time_s) {
+    return (static_cast<std::size_t>(time_s * fs_Hz) + block - 1) / block + 1;
+  };
   const std::size_t apart = blocks_in(separation_s), own = std::min(apart, blocks_in(kOwnHit_s));
   std::vector<std::size_t> events;
   for (std::size_t b = 0; b < distance.size();) {
@@ -103,17 +119,18 @@ TriggerScan scan_for_triggers(const Record& record, std::size_t row, const Trigg
   for (std::size_t b = 0; b < distance.size(); ++b) distance[b] = envelope.blocks[b].max_distance_from(scan.baseline_N);
   const auto largest = std::max_element(distance.begin(), distance.end());
   scan.largest_N = *largest;
-  const std::size_t begin = options.first + static_cast<std::size_t>(largest - distance.begin()) * kBlock;
+  const std::size_t begin = options.first + static_cast<std::size_t>(largest - distance.begin()) * envelope.block;
   scan.largest_first = begin;
-  scan.largest_end = std::min(begin + kBlock, last);
+  scan.largest_end = std::min(begin + envelope.block, last);
   scan.trigger_N =
       options.trigger_N.value_or(std::max(kTriggerNoise * scan.noise_N, kTriggerFraction * scan.largest_N));
   if (!(scan.largest_N > 0)) return scan;
 
-  for (const std::size_t block : event_blocks(distance, scan.trigger_N, options.separation_s, record.fs_Hz)) {
-    const std::size_t begin_sample = options.first + block * kBlock;
+  for (const std::size_t block :
+       event_blocks(distance, envelope.block, scan.trigger_N, options.separation_s, record.fs_Hz)) {
+    const std::size_t begin_sample = options.first + block * envelope.block;
     scan.events.push_back(
-        index_of_max(record, row, begin_sample, std::min(begin_sample + kBlock, last), scan.baseline_N));
+        index_of_max(record, row, begin_sample, std::min(begin_sample + envelope.block, last), scan.baseline_N));
   }
   return scan;
 }

@@ -34,10 +34,10 @@ struct TriggerOptions {
 };
 
 /// Searches one row of the record for pulses of either sign. Reads the row in chunks, with memory for about 1/16 of
-/// it, and 64 samples of each event again. The default threshold is max(12 standard deviations of the noise, 1 % of the
-/// largest). An event begins with the first sample above the threshold. Its largest sample is within `separation_s` of
-/// the first. The event ends `separation_s` after the largest sample. A pulse at least 0.1 s from the largest and at
-/// least half its size is an event of its own. theory (1.2)
+/// it (3/8 below 1.6 kHz), and up to 64 samples of each event again. The default threshold is max(12 standard
+/// deviations of the noise, 1 % of the largest). An event begins with the first sample above the threshold. Its largest
+/// sample is within `separation_s` of the first. The event ends `separation_s` after the largest sample. A pulse at
+/// least 0.1 s from the largest and at least half its size is an event of its own. theory (1.2)
 TriggerScan scan_for_triggers(const Record& record, std::size_t row, const TriggerOptions& options = {});
 
 }  // namespace percuss::acquire

@@ -52,6 +52,29 @@ TEST(TriggerScan, MeasuresBaselineAndNoiseBesideThePulses) {
   EXPECT_EQ(found.events.size(), 7U);
 }
 
+// The scan looks at blocks of samples. A pulse that lies in two of them is one event, at any rate.
+TEST(TriggerScan, FindsOnePulseWhereverItLies) {
+  for (const double fs_Hz : {25.0, 50.0, 200.0, 1000.0, 6400.0}) {
+    for (std::size_t at = 1000; at < 1000 + 130; ++at) {
+      std::vector<double> x(4000);
+      add_pulse(x, at, 100);
+      x[at - 1] = 99;
+      const TriggerScan found = scan_for_triggers(test::force_record(fs_Hz, {x}), 0);
+      ASSERT_EQ(found.events, (Events{at})) << fs_Hz << " Hz, sample " << at;
+    }
+  }
+}
+
+TEST(TriggerScan, KeepsHitsApartAtLowRates) {
+  for (const double fs_Hz : {50.0, 200.0, 1000.0}) {
+    std::vector<double> x(4000);
+    const auto apart = static_cast<std::size_t>(0.8 * fs_Hz);
+    add_pulse(x, 1001, 100);
+    add_pulse(x, 1001 + apart, 80);
+    EXPECT_EQ(scan_for_triggers(test::force_record(fs_Hz, {x}), 0).events, (Events{1001, 1001 + apart})) << fs_Hz;
+  }
+}
+
 TEST(TriggerScan, FindsNothingInNoiseAConstantOrSilence) {
   std::vector<double> noise(500000, 3.0);
   test::add_noise(noise, 1, 1);
