@@ -9,6 +9,9 @@ namespace percuss::acquire {
 namespace {
 
 constexpr double kMaxRing_bytes = 32.0 * 1024 * 1024;
+constexpr std::size_t kMinRing = 8192;  // frames
+// Frames that the analysis takes together, whatever the rate, before it knows of the first blow.
+constexpr std::size_t kTakenTogether = 1024;
 constexpr std::size_t kMaxBlock_bytes = std::size_t{4} << 20U;
 constexpr std::size_t kMaxFindings = 10000;  // that nobody takes
 constexpr double kDriftLimit = 200e-6;       // crystals keep to 100 ppm
@@ -21,7 +24,7 @@ std::size_t frames_in(double seconds, double fs_Hz) {
 std::size_t ring_frames(const FrameLayout& layout, const StreamFormat& format, double ring_s) {
   const auto frame_bytes = static_cast<double>(bytes_per_sample(layout.type) * layout.channels.size());
   const double seconds = std::min(ring_s, kMaxRing_bytes / (frame_bytes * format.fs_Hz));
-  return std::max<std::size_t>(frames_in(seconds, format.fs_Hz), 1024);
+  return std::max(frames_in(seconds, format.fs_Hz), kMinRing);
 }
 
 std::size_t block_frames(const StreamFormat& format, double block_s) {
@@ -39,7 +42,7 @@ SampleStore::SampleStore(const FrameLayout& layout, const StreamFormat& format, 
       pace_(pace),
       block_frames_(block_frames(format, options.block_s)),
       ring_(layout, ring_frames(layout, format, options.ring_s), journal ? journal->writer().next_frame() : 0),
-      history_frames_(std::min(frames_in(options.history_s, format.fs_Hz), ring_.capacity() / 2)),
+      history_frames_(std::min(frames_in(options.history_s, format.fs_Hz) + kTakenTogether, ring_.capacity() / 2)),
       journal_(std::move(journal)),
       expected_frame_(journal_ ? journal_->writer().next_frame() : 0),
       inspection_(format),
@@ -195,7 +198,8 @@ void SampleStore::make_room() {
     const std::uint64_t head = ring_.written(), half = ring_.capacity() / 2;
     const std::uint64_t lag = head - read_;
     if (journal_ && !begun_ && lag > half) begin_at(ring_.released());
-    std::uint64_t done = begun_ ? written_ : journal_ ? head - std::min<std::uint64_t>(head, history_frames_) : head;
+    // The history ends where the reader is: a device without a clock may be far ahead of it.
+    std::uint64_t done = begun_ ? written_ : journal_ ? read_ - std::min<std::uint64_t>(read_, history_frames_) : head;
     done = std::min(done, inspected_);
     std::uint64_t release = std::min(done, read_);
     if (begun_ && pace_ != DevicePace::reader && lag > half) release = std::min(done, head - half);
@@ -205,7 +209,8 @@ void SampleStore::make_room() {
       const std::uint64_t kept = std::max({read_, begun_ ? written_ : 0, ring_.released()});
       lost_by_reader = release - std::min(release, kept);
     }
-    if (begun_ && pace_ != DevicePace::clock && head - release > full)
+    // Such a device waits for the journal, but not for a full disk.
+    if (begun_ && pace_ != DevicePace::clock && head - release > full && !journal_->fault().empty())
       release = std::max(release, std::min(read_, head - full));
     if (begun_ && release > written_) {
       lost_by_journal_ += release - written_;

@@ -72,7 +72,10 @@ bool SampleStore::everything_taken() {
 
 void SampleStore::keep_from(std::uint64_t frame) {
   const std::lock_guard guard(mutex_);
-  if (journal_ && !begun_) begin_at(ring_.index_of(frame));
+  if (!journal_ || begun_) return;
+  const std::uint64_t oldest = ring_.range_from(ring_.released(), 1).first_frame;
+  if (ring_.released() > 0 && oldest > frame) lost_by_journal_ += oldest - frame;
+  begin_at(ring_.index_of(frame));
 }
 
 void SampleStore::append_event(const std::string& json) {

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/math/statistics.hpp"
 #include "pipeline/analysis.hpp"
+#include "pipeline/findings/long_dropout.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -63,6 +64,19 @@ Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, co
       return {RowMark::silent_channel, name_of_channel(context.channels, c) + " is silent",
               "check its cable and its input"};
     }
+  }
+  return {};
+}
+
+// A run of equal samples that is too long to predict the motion in it.
+Reason judge_dropouts(const acquire::Hit& hit, const BlowSamples& samples, const BlowContext& context) {
+  for (std::size_t c = 0; c + 1 < samples.size() && !hit.gated_N.empty(); ++c) {
+    const auto dropout = find_long_dropout(samples[c + 1], hit.pulse_end);
+    if (!dropout) continue;
+    const double length_s = static_cast<double>(dropout->count) / context.channels.description.fs_Hz;
+    return {RowMark::silent_channel,
+            fmt::format("{} drops out for {:.3g} ms", name_of_channel(context.channels, c), 1e3 * length_s),
+            "check its cable and its connector"};
   }
   return {};
 }
@@ -221,6 +235,7 @@ BlowGrade grade_blow(const BlowSamples& samples, const BlowCircumstances& circum
   BlowGrade grade{.peak_N = hit.peak_N, .pulse_s = hit.pulse_s, .bandwidth_Hz = hit.bandwidth_Hz};
   note_range(circumstances, grade);
   Reason reason = judge_capture(samples, circumstances, context);
+  if (reason.mark == RowMark::none) reason = judge_dropouts(hit, samples, context);
   if (reason.mark == RowMark::none) reason = judge_range(circumstances, context);
   if (reason.mark == RowMark::none) reason = judge_force(hit, circumstances, context);
   if (reason.mark == RowMark::none) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acquire/hits/pulse_shape.hpp"
 #include "acquire/live/capture_finding.hpp"
 
 namespace percuss::pipeline {
@@ -158,6 +159,13 @@ std::string left_out_text(double time_s) {
       "the blow at {:.1f} s is not recorded: another blow, lost samples or the end of the recording came before its "
       "decay could be measured; wait longer between blows, or state the length",
       time_s);
+}
+
+std::string long_push_text(const LongPush& push, double time_s) {
+  return fmt::format(
+      "a push of {:.3g} N and {:.0f} ms, {:.1f} s after the start, is no blow: a hammer's contact lasts "
+      "{:.0f} ms at most; strike shorter, or use a harder tip",
+      std::abs(push.peak_N), 1e3 * push.length_s, time_s, 1e3 * acquire::kLongestPulse_s);
 }
 
 std::string silent_hammer_text(const LiveChannels& channels) {

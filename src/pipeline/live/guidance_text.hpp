@@ -35,6 +35,8 @@ std::string fault_text(const acquire::CaptureFinding& fault, const LiveChannels&
 std::string left_out_text(double time_s);
 /// Why no blow is seen (GuideObserver::on_silent_hammer).
 std::string silent_hammer_text(const LiveChannels& channels);
+/// A push at this time was too long for a blow.
+std::string long_push_text(const LongPush& push, double time_s);
 /// The end: "22 of 24 points are complete; 113 blows count, 9 were rejected".
 std::string summary_text(const Session& session);
 

@@ -1,6 +1,7 @@
 #include "pipeline/live/guide.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "acquire/hits/time_selection.hpp"
@@ -13,6 +14,7 @@ using Kind = SessionEvent::Kind;
 constexpr std::size_t kCompared = 20;  // blows of the point: time and memory of a verdict stay bounded
 constexpr double kLongGap_s = 1;       // after a longer one the trigger begins anew
 constexpr std::size_t kFeed = 4096;    // samples
+constexpr double kStrongPush = 0.2;    // of the usual blow: a weaker push was no attempt to strike
 constexpr double kRest_s = 0.2;        // before a blow, where the structure should be at rest
 
 std::size_t pretrigger_of(const LiveChannels& channels, const GuideOptions& options) {
@@ -121,7 +123,15 @@ void Guide::feed_trigger(std::uint64_t from) {
 }
 
 void Guide::collect_events() {
-  while (const auto event = trigger_->next()) windows_.push_back({.event = *event, .first = window_start(*event)});
+  while (const auto event = trigger_->next()) {
+    windows_.push_back({.event = *event, .first = window_start(*event)});
+    told_long_push_ = false;
+  }
+  const auto push = trigger_->take_long_push();
+  if (!push) return;
+  watch_.reset();  // the hammer is not silent
+  const bool as_strong = std::abs(push->peak_N) > kStrongPush * typical(&Session::Blow::peak_N);
+  if (as_strong && !std::exchange(told_long_push_, true)) observer_.on_long_push(*push);
 }
 
 void Guide::watch_hammer(std::uint64_t from) {

@@ -139,8 +139,9 @@ class Guide {
   std::map<std::uint64_t, PastBlow> past_;  // by frame
   std::deque<SessionEvent> past_commands_;
   SessionFaults faults_;
-  std::uint64_t noted_ = 0;  // losses before this frame are in faults_
-  bool complete_ = false;    // what happens after the last blow does not concern the session
+  std::uint64_t noted_ = 0;      // losses before this frame are in faults_
+  bool told_long_push_ = false;  // since the last blow
+  bool complete_ = false;        // what happens after the last blow does not concern the session
 };
 
 }  // namespace percuss::pipeline

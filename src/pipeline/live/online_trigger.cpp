@@ -159,6 +159,12 @@ void OnlineTrigger::take_event(std::uint64_t first, std::uint64_t best, std::uin
     events_.push_back({.first = first, .peak = best});
     peaks_N_.push_back(std::abs(peak_N));
     if (peaks_N_.size() > kRecentPeaks) peaks_N_.pop_front();
+  } else {
+    const acquire::PulseShape shape = acquire::shape_of_pulse(x, best - from);
+    const bool ends = shape.has_rise && shape.fall + 1 < static_cast<double>(x.size());
+    const double length_s = (shape.fall - shape.rise) / options_.fs_Hz;
+    if (ends && length_s > acquire::kLongestPulse_s)
+      long_push_ = {.peak = best, .peak_N = peak_N, .length_s = length_s};
   }
   own_level_N_ = acquire::kOwnHitFraction * std::abs(peak_N);
   quiet_until_ = std::max(best + apart_, end);

@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace percuss::pipeline {
@@ -12,6 +13,13 @@ namespace percuss::pipeline {
 struct BlowEvent {
   std::uint64_t first = 0;  // frame of the first sample above the threshold
   std::uint64_t peak = 0;   // frame of the largest |force − baseline|
+};
+
+/// A push of the force that lasts too long for a blow of a hammer.
+struct LongPush {
+  std::uint64_t peak = 0;  // frame
+  double peak_N = 0;       // signed, baseline removed
+  double length_s = 0;     // above 5 % of the peak
 };
 
 struct OnlineTriggerOptions {
@@ -32,6 +40,9 @@ class OnlineTrigger {
   void finish();
   /// The next blow, in order.
   std::optional<BlowEvent> next();
+  /// The newest push since the last call that was too long for a blow, but began and ended as one does. Slower changes
+  /// of the force are drift.
+  std::optional<LongPush> take_long_push() { return std::exchange(long_push_, std::nullopt); }
 
   /// All blows that begin before this frame have been found. It stays at the first sample of an excursion until the
   /// samples that decide whether it is a blow have arrived.
@@ -66,6 +77,7 @@ class OnlineTrigger {
   double own_level_N_ = 0;
   std::uint64_t measured_ = 0;  // frames
   std::deque<BlowEvent> events_;
+  std::optional<LongPush> long_push_;
 };
 
 }  // namespace percuss::pipeline

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "core/error.hpp"
@@ -15,6 +17,14 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kMaxFurther = 9999;
+// Warnings about the set-up, which further blows repeat.
+constexpr std::array<std::string_view, 6> kOfSetUp = {"same_motion", "duplicate",   "dropout",
+                                                      "skew",        "ac_coupling", "assumed_tube"};
+
+bool makes_results_wrong(const Warning& warning) {
+  return warning.severity == acquire::Severity::reject ||
+         std::find(kOfSetUp.begin(), kOfSetUp.end(), warning.code) != kOfSetUp.end();
+}
 
 std::optional<double> lowest_coherence(const Analysis& analysis) {
   std::optional<double> lowest;
@@ -54,7 +64,7 @@ SessionQuality quality_of(const Analysis& analysis, std::size_t blows) {
       out.modes.push_back(live_mode(analysis.modes()[m], types[m]));
     out.coherence = lowest_coherence(analysis);
     for (const Warning& warning : ranked(analysis.warnings())) {
-      if (warning.severity == acquire::Severity::reject) out.problems.push_back(warning.message);
+      if (makes_results_wrong(warning)) out.problems.push_back(warning.message);
     }
   } catch (const InputError&) {  // too few blows for these options: the next blow may do
     out.modes.clear();

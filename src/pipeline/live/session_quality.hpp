@@ -27,7 +27,7 @@ struct SessionQuality {
   std::size_t blows = 0;
   std::vector<LiveMode> modes{};      // ascending
   std::optional<double> coherence{};  // median over the band, of the channel where it is lowest
-  /// What makes the results wrong, with the remedy: a reversed hammer, exchanged channels.
+  /// What makes the results wrong, with the remedy: a reversed hammer, exchanged channels, a wrong angle.
   std::vector<std::string> problems{};
 };
 

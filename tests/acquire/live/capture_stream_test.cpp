@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <string>
@@ -160,6 +161,36 @@ TEST(CaptureStream, JournalsFromTheFrameThatTheGuidanceNames) {
   ASSERT_EQ(journal.events().size(), 2U);
   EXPECT_EQ(journal.events()[0].frame, 0U);
   EXPECT_EQ(wrong_numbers(journal), 0U);
+}
+
+// A device without a clock runs ahead of the reader. At a low rate, the reader knows of the first blow after many
+// seconds.
+TEST(CaptureStream, JournalsFromAnEarlyFrameAtALowRate) {
+  for (const auto stall : {0ms, 3ms, 30ms}) {
+    const ScratchFolder folder;
+    const std::string path = folder.file("t.h5.journal"), spec = folder.file("slow.json");
+    std::ofstream(spec) << R"({"fs_hz": 50, "duration_s": 20, "modes": [{"frequency_hz": 2, "damping_ratio": 0.05,
+        "residue_per_kg": [0.02]}], "sensors": [{"position_m": 0}], "impact": {"position_m": 0},
+        "pulse": {"width_s": 0.04, "peak_n": 300}})";
+    CaptureStream stream(synth::open_simulated_device(spec + ",numbered,fast,hits=1,first=1,end=400"),
+                         {.journal = path});
+    std::this_thread::sleep_for(stall);
+    Seen seen;
+    while (seen.frames < 700) {
+      if (const auto block = stream.next(100ms)) seen.add(*block, 3);
+    }
+    std::this_thread::sleep_for(stall);
+    stream.keep_from(13);
+    read_all(stream, seen);
+    stream.stop();
+    const JournalReader journal(path);
+    const std::uint64_t first = journal.ranges().front().first;
+    EXPECT_LE(first, 13U);  // a stall begins the journal earlier
+    EXPECT_THAT(journal.ranges(), ElementsAre(FrameRange{first, 20000 - first}));
+    EXPECT_EQ(seen.frames, 20000U);
+    EXPECT_EQ(wrong_numbers(journal) + seen.wrong + seen.jumps, 0U);
+    EXPECT_THAT(stream.take_findings(), IsEmpty());
+  }
 }
 
 TEST(CaptureStream, JournalsNothingUntilItIsAsked) {

@@ -44,6 +44,12 @@ TEST(GuidanceText, SetsTheRangeByTheFirstBlows) {
   EXPECT_EQ(pipeline::range_advice({}, channels, true), "");
 }
 
+TEST(GuidanceText, SaysWhyAPushIsNoBlow) {
+  EXPECT_EQ(pipeline::long_push_text({.peak = 1, .peak_N = -226.6, .length_s = 0.0562}, 61.04),
+            "a push of 227 N and 56 ms, 61.0 s after the start, is no blow: a hammer's contact lasts 50 ms at most; "
+            "strike shorter, or use a harder tip");
+}
+
 TEST(GuidanceText, PromptsForTheNextStep) {
   Session session({.points = {1, 2, 7}, .hits = 2});
   const auto prompt = [&] { return prompt_text(session, pipeline::RovingPart::hammer); };

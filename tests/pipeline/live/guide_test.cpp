@@ -101,6 +101,52 @@ TEST(Guide, RejectsBlowsInTheDecayOfTheLast) {
   EXPECT_EQ(bench.witness.blows[1].grade.reason, "struck again before the decay ended");
 }
 
+// A push that is too long for a hammer is told, once until the next blow; the hammer is not silent then.
+TEST(Guide, TellsOfPushesThatAreTooLong) {
+  Bench bench(struck_tube("2.9, 4.4", 7));
+  const auto push = [&](double at_s, double length_s, double peak_N) {
+    const auto first = static_cast<std::size_t>(at_s * 4096), count = static_cast<std::size_t>(length_s * 4096);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double phase = 3.14159265358979 * static_cast<double>(i) / static_cast<double>(count);
+      bench.source.values[3 * (first + i)] += peak_N * std::pow(std::sin(phase), 2);
+      bench.source.values[3 * (first + i) + 1] += i % 2 == 0 ? 30 : -30;
+    }
+  };
+  push(0.5, 0.08, 300);
+  push(1.2, 0.07, 200);
+  push(2.0, 0.6, 250);  // a hand that leans on the hammer
+  push(6.0, 0.08, 9);   // weak: no attempt to strike
+  bench.play_all();
+  ASSERT_EQ(bench.witness.long_pushes.size(), 1U);
+  EXPECT_NEAR(bench.witness.long_pushes[0].peak_N, 300, 1);
+  // sin² exceeds 5 % on 86 % of its length
+  EXPECT_NEAR(bench.witness.long_pushes[0].length_s, 0.86 * 0.08, 0.002);
+  EXPECT_EQ(bench.witness.silent_hammers, 0U);
+  EXPECT_EQ(bench.guide->session().accepted(), 2U);
+}
+
+TEST(Guide, RejectsBlowsWithinWhichAResponseDropsOut) {
+  Bench bench(struck_tube(kFiveTimes, 8));
+  std::vector<double>& values = bench.source.values;
+  for (std::size_t i = 0; i < 200; ++i) values[3 * (static_cast<std::size_t>(1.93 * 4096) + i) + 2] = 0;
+  bench.play_all();
+  EXPECT_THAT(bench.marks(),
+              ElementsAre(RowMark::none, RowMark::silent_channel, RowMark::none, RowMark::none, RowMark::none));
+  EXPECT_EQ(bench.witness.blows[1].grade.reason, "channel 3 (accel 2) drops out for 48.8 ms");
+}
+
+// At a low rate, the samples that are searched together last for seconds.
+TEST(Guide, AcceptsCleanBlowsAtLowRates) {
+  for (const double fs_Hz : {50.0, 200.0, 256.0, 500.0}) {
+    acquire::Record record = struck_tube("0.4, 1.9, 3.4, 4.9, 6.4", 9);
+    record.fs_Hz = fs_Hz;  // the same samples, in slow motion
+    Bench bench(record);
+    bench.play_all();
+    for (const RowMark mark : bench.marks()) EXPECT_EQ(mark, RowMark::none) << fs_Hz;
+    EXPECT_EQ(bench.guide->session().accepted(), 5U) << fs_Hz;
+  }
+}
+
 TEST(Guide, RejectsASilentChannel) {
   Bench bench(struck_tube(kFiveTimes, 8));
   std::vector<double>& values = bench.source.values;
@@ -270,6 +316,14 @@ TEST(SessionQuality, NamesWhatMakesResultsWrong) {
   };
   EXPECT_THAT(problems(1), testing::IsEmpty());
   EXPECT_THAT(problems(-1), ElementsAre(HasSubstr("wrong sign")));
+}
+
+// What further blows would repeat is told at once, too.
+TEST(SessionQuality, NamesWhatIsWrongWithTheSetUp) {
+  acquire::Record record = struck_tube("0.4", 1);
+  for (acquire::SignalInfo& signal : record.accel) signal.angle_rad.reset();
+  EXPECT_THAT(pipeline::session_quality(std::move(record), {}).problems,
+              ElementsAre(HasSubstr("two accelerometers taken as 0° and 90° on a tube")));
 }
 
 // A session that is killed at any frame, and resumed from the samples and events that it left, ends as if nothing had

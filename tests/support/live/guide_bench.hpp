@@ -23,12 +23,14 @@ struct GuideWitness : pipeline::GuideObserver {
   std::vector<std::string> order;  // what was told: "blow 1", "gap"
   std::size_t left_out = 0, goals = 0, silent_hammers = 0;
   std::vector<std::size_t> undone;  // by each command
+  std::vector<pipeline::LongPush> long_pushes;
   void on_blow(const pipeline::BlowReport& blow) override {
     blows.push_back(blow);
     order.push_back("blow " + std::to_string(blow.row + 1));
   }
   void on_command(const pipeline::SessionEvent& /*command*/, std::size_t count) override { undone.push_back(count); }
   void on_silent_hammer() override { ++silent_hammers; }
+  void on_long_push(const pipeline::LongPush& push) override { long_pushes.push_back(push); }
   void on_fault(const acquire::CaptureFinding& fault) override {
     faults.push_back(fault);
     order.emplace_back(acquire::fault_name(fault.fault));

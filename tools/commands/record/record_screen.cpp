@@ -128,6 +128,10 @@ void RecordScreen::on_silent_hammer() {
   if (!silent_) note(pipeline::silent_hammer_text(guide_->channels()));
 }
 
+void RecordScreen::on_long_push(const pipeline::LongPush& push) {
+  if (!silent_) note(pipeline::long_push_text(push, static_cast<double>(push.peak) / fs_Hz_));
+}
+
 void RecordScreen::on_fault(const acquire::CaptureFinding& fault) {
   if (!silent_ && fault.fault != acquire::CaptureFault::resumed) note(pipeline::fault_text(fault, guide_->channels()));
 }

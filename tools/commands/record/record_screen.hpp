@@ -33,6 +33,7 @@ class RecordScreen : public pipeline::GuideObserver {
   void on_length(std::size_t samples) override;
   void on_left_out(std::uint64_t frame) override;
   void on_silent_hammer() override;
+  void on_long_push(const pipeline::LongPush& push) override;
   void on_fault(const acquire::CaptureFinding& fault) override;
   void on_goals_met() override;
 
