@@ -169,7 +169,8 @@ TEST(CaptureStream, JournalsFromAnEarlyFrameAtALowRate) {
   for (const auto stall : {0ms, 3ms, 30ms}) {
     const ScratchFolder folder;
     const std::string path = folder.file("t.h5.journal"), spec = folder.file("slow.json");
-    std::ofstream(spec) << R"({"fs_hz": 50, "duration_s": 20, "modes": [{"frequency_hz": 2, "damping_ratio": 0.05,
+    std::ofstream(spec)
+        << R"({"fs_hz": 50, "duration_s": 20, "band_hz": [1, 20], "modes": [{"frequency_hz": 2, "damping_ratio": 0.05,
         "residue_per_kg": [0.02]}], "sensors": [{"position_m": 0}], "impact": {"position_m": 0},
         "pulse": {"width_s": 0.04, "peak_n": 300}})";
     CaptureStream stream(synth::open_simulated_device(spec + ",numbered,fast,hits=1,first=1,end=400"),
