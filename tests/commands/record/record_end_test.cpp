@@ -109,7 +109,7 @@ TEST(RecordEnd, EndsEarlyBeforeTheFirstBlow) {
   EXPECT_EQ(bench.meanwhile(silent, "grep -q 'hammer on channel' out", "kill $!"), 6);
 }
 
-// The disk was full between two blows, and lifted its limit later.
+// The disk was full between two blows.
 TEST(RecordEnd, StatesFramesThatTheJournalLacks) {
   const Bench bench;
   ASSERT_EQ(bench.record("sim:aluminium-bat,unplug=5").code, 6);

@@ -118,5 +118,47 @@ TEST(RecordFiles, TakesAnySpellingOfTheFileToResume) {
   }
 }
 
+// A session in the folder "begun", with its files named by relative paths.
+void begin_in_a_folder(const Bench& bench) {
+  fs::create_directory(bench.folder.file("begun"));
+  test::write_bytes(bench.folder.file("begun/g.csv"), "point,x_m,y_m,z_m\n0,0,0,0\n1,0.1,0,0\n");
+  test::write_bytes(bench.folder.file("begun/s.json"), R"([{"name":"1","role":"force"},{"name":"2"},{"name":"3"}])");
+  ASSERT_EQ(bench.run({"synth", "aluminium-bat", "-o", "begun/r.h5"}).code, 0);
+  bench.shell(
+      "cd begun\n"
+      "percuss record -o t.h5 --hits 2 --device file:r.h5 --geometry g.csv --setup s.json --report r.html >out &\n"
+      "for i in $(seq 500); do grep -q 'blow 1' out && break; sleep 0.02; done\nkill -9 $!\nwait $!");
+  ASSERT_TRUE(bench.has("begun/t.h5.journal"));
+}
+
+TEST(RecordFiles, AreFoundFromAnotherFolder) {
+  const Bench bench;
+  begin_in_a_folder(bench);
+  fs::copy(bench.folder.file("begun/t.h5.journal"), bench.folder.file("journal"));
+  EXPECT_EQ(bench.run({"record", "--resume", "begun/t.h5", "--fast"}).code, 0);
+  EXPECT_TRUE(bench.has("begun/r.html"));
+  const std::string expected = bench.bytes("begun/t.h5");
+  fs::remove(bench.folder.file("begun/t.h5"));
+  // By other paths: the same files.
+  fs::copy(bench.folder.file("journal"), bench.folder.file("begun/t.h5.journal"));
+  const auto named = bench.run({"record", "--resume", "begun/t.h5", "--fast", "--geometry", "begun/g.csv", "--setup",
+                                bench.folder.file("begun/s.json"), "--device", "file:./begun/r.h5"});
+  EXPECT_EQ(named.code, 0) << named.err;
+  EXPECT_TRUE(bench.bytes("begun/t.h5") == expected);
+  fs::remove(bench.folder.file("begun/t.h5"));
+  // The folder was moved, and a file renamed.
+  fs::copy(bench.folder.file("journal"), bench.folder.file("begun/t.h5.journal"));
+  fs::rename(bench.folder.file("begun"), bench.folder.file("moved"));
+  fs::rename(bench.folder.file("moved/g.csv"), bench.folder.file("moved/grid.csv"));
+  const auto missing = bench.run({"record", "--resume", "moved/t.h5", "--fast"});
+  EXPECT_EQ(missing.code, 3);
+  EXPECT_THAT(missing.err, HasSubstr("a file of the session is missing (g.csv); state where it is now (--geometry)"));
+  const auto other = bench.run({"record", "--resume", "moved/t.h5", "--fast", "--geometry", "moved/s.json"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("--geometry contradicts the session, which began with \"g.csv\""));
+  EXPECT_EQ(bench.run({"record", "--resume", "moved/t.h5", "--fast", "--geometry", "moved/grid.csv"}).code, 0);
+  EXPECT_TRUE(bench.bytes("moved/t.h5") == expected);
+}
+
 }  // namespace
 }  // namespace percuss::record_files_test

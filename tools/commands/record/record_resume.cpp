@@ -11,6 +11,7 @@
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "acquire/open_measurement.hpp"
 #include "cli/option_error.hpp"
+#include "commands/record/record_paths.hpp"
 #include "core/error.hpp"
 
 namespace percuss::tools {
@@ -56,13 +57,6 @@ void refuse_loss(const std::string& path, const Interrupted& interrupted, bool o
   if (rows.size() <= blows + (cut_short ? 1 : 0)) return;
   throw InputError(fmt::format("the file holds {} blows, its journal {}", rows.size(), blows), path,
                    "keep the file: move it elsewhere, and resume again");
-}
-
-// Of any spelling: "t.h5", "./t.h5", a link to it.
-bool names_same_file(const std::string& a, const std::string& b) {
-  std::error_code failed;
-  const auto place = [&](const std::string& path) { return fs::weakly_canonical(fs::absolute(path), failed); };
-  return a == b || (place(a) == place(b) && !failed);
 }
 
 // The journal is what a shell completes after a kill.
