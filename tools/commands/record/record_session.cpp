@@ -45,6 +45,18 @@ struct Recording {
   pipeline::LiveChannels channels;
 };
 
+// A wrong description of a pipe is found before a byte is read: the command line is wrong, not the input.
+std::unique_ptr<acquire::Device> open_named_device(const std::string& name, const acquire::DeviceOptions& wanted) {
+  const bool describes_pipe = name.starts_with("stdin:") && name != "stdin:" && name != "stdin:wav";
+  try {
+    return acquire::open_device(name, wanted, synth::open_simulated_device);
+  } catch (const InputError& error) {
+    if (!describes_pipe || error.options() != std::vector<OptionId>{"device"}) throw;
+    throw OptionError({"device"}, fmt::format("is not understood: {} ({})", error.problem(), error.where()),
+                      error.remedy());
+  }
+}
+
 // Set-up, length and band are checked against the device before there is a journal.
 Recording open_recording(const RecordFlags& flags, const Interrupted& interrupted) {
   const bool resumed = interrupted.journal != nullptr;
@@ -60,7 +72,7 @@ Recording open_recording(const RecordFlags& flags, const Interrupted& interrupte
     wanted.start_frame = interrupted.journal->end_frame();
     options.seamless = true;
   }
-  auto device = acquire::open_device(flags.device, wanted, synth::open_simulated_device);
+  auto device = open_named_device(flags.device, wanted);
   if (!device->format().setup.empty()) read.setup = acquire::stream_setup(device->format(), options.channels);
   Recording out{.stream = nullptr,
                 .channels = pipeline::live_channels(acquire::stream_format(device->format(), options.channels), read,
@@ -238,6 +250,9 @@ int run_record(RecordFlags flags) {
   const UnfinishedSession earlier = flags.resume.empty() ? find_unfinished(flags) : UnfinishedSession{};
   check_session_files(flags);
   if (flags.device.empty()) throw OptionError({"device"}, "is missing", "name what records; percuss devices lists it");
+  if (flags.is_given("fast") && !repeats_itself(flags.device))
+    throw OptionError({"fast"}, "is for simulated and replayed devices",
+                      "leave it out, or name sim: or file:", {"device"});
   if (flags.resume.empty() && !repeats_itself(flags.device)) flags.date = report::creation_time() + " UTC";
   const Outcome outcome = record_file(flags, interrupted, earlier, guide_options(flags));
   if (flags.json) std::cout << outcome.document << std::flush;
