@@ -110,6 +110,21 @@ TEST(RecordCommand, AnalysesAReplayedRecordAlike) {
   for (std::size_t m = 0; m < original.size(); ++m) EXPECT_NEAR(replayed[m], original[m], 2e-6 * original[m]);
 }
 
+// The pipe has no row ends and no names of files; the forces are those of the file.
+TEST(RecordCommand, ReadsTheScaleOfAWavFromAPipe) {
+  const Bench bench;
+  ASSERT_EQ(bench.run({"synth", "aluminium-bat", "-o", "r.wav"}).code, 0);
+  ASSERT_EQ(bench.shell("percuss record -o t.h5 --device stdin: <r.wav >piped"), 0);
+  ASSERT_EQ(bench.shell("percuss record -o t.h5 --force --fast --device file:r.wav >replayed"), 0);
+  const auto first_blow = [&](const char* file) {
+    const std::string text = bench.bytes(file);
+    const std::size_t at = text.find("Blow 1 of 5: accepted, ");
+    return at == std::string::npos ? "none" : text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_THAT(first_blow("piped"), HasSubstr(" N up to "));
+  EXPECT_EQ(first_blow("piped"), first_blow("replayed"));
+}
+
 TEST(RecordCommand, TakesRangesOfChannels) {
   const Bench bench;
   ASSERT_EQ(bench.record("sim:aluminium-bat", {"--hits", "1"}).code, 0);
