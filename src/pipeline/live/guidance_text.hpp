@@ -35,7 +35,7 @@ std::string fault_text(const acquire::CaptureFinding& fault, const LiveChannels&
 std::string left_out_text(double time_s);
 /// Why no blow is seen (GuideObserver::on_silent_hammer).
 std::string silent_hammer_text(const LiveChannels& channels);
-/// The end: "22 of 24 points are complete; 113 blows count, 9 were rejected".
+/// The end: "22 of 24 points are complete; 113 blows count, 9 rejected, 2 undone".
 std::string summary_text(const Session& session);
 
 }  // namespace percuss::pipeline
