@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <string>
@@ -84,6 +85,18 @@ TEST(RecordFiles, SaysHowToSaveBlowsThatCannotBeWritten) {
     EXPECT_EQ(bench.marks().size(), 5U);
     EXPECT_FALSE(bench.has("t.h5.journal"));
   }
+}
+
+// No file may grow beyond a limit, as on a full disk: the row of a blow has no room.
+TEST(RecordFiles, SayHowToGoOnWhenTheDiskIsFull) {
+  const Bench bench;
+  constexpr std::size_t kLess_bytes = 200'000;  // than a row: 9600 samples of 3 channels
+  const auto full = test::run_percuss({"record", "-o", "t.h5", "--device", "sim:aluminium-bat", "--fast"},
+                                      {.folder = bench.folder.path(), .limits = {{RLIMIT_FSIZE, kLess_bytes}}});
+  EXPECT_EQ(full.code, 3);
+  EXPECT_THAT(full.err, HasSubstr("free some room, and resume the session (percuss record --resume t.h5)"));
+  EXPECT_EQ(bench.run({"record", "--resume", "t.h5"}).code, 0);
+  EXPECT_EQ(bench.marks().size(), 5U);
 }
 
 TEST(RecordFiles, NamesAnUnfinishedSessionBeforeItIsOverwritten) {

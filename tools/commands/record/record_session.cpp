@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "acquire/live/capture_stream.hpp"
-#include "acquire/live/open_device.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
 #include "commands/record/channel_list.hpp"
 #include "commands/record/raw_terminal.hpp"
+#include "commands/record/record_capture.hpp"
 #include "commands/record/record_files.hpp"
 #include "commands/record/record_flags.hpp"
 #include "commands/record/record_plan.hpp"
@@ -28,7 +28,6 @@
 #include "pipeline/live/guide.hpp"
 #include "report/text/creation_time.hpp"
 #include "report/text/version.hpp"
-#include "synth/simulated_device.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -39,48 +38,6 @@ using acquire::CaptureFault, acquire::StreamEnd;
 using Kind = pipeline::SessionEvent::Kind;
 
 constexpr double kKeptBefore_s = 1;  // of silence before the first blow, in the journal
-
-struct Recording {
-  std::unique_ptr<acquire::CaptureStream> stream;
-  pipeline::LiveChannels channels;
-};
-
-// A wrong description of a pipe is found before a byte is read: the command line is wrong, not the input.
-std::unique_ptr<acquire::Device> open_named_device(const std::string& name, const acquire::DeviceOptions& wanted) {
-  const bool describes_pipe = name.starts_with("stdin:") && name != "stdin:" && name != "stdin:wav";
-  try {
-    return acquire::open_device(name, wanted, synth::open_simulated_device);
-  } catch (const InputError& error) {
-    if (!describes_pipe || error.options() != std::vector<OptionId>{"device"}) throw;
-    throw OptionError({"device"}, fmt::format("is not understood: {} ({})", error.problem(), error.where()),
-                      error.remedy());
-  }
-}
-
-// Set-up, length and band are checked against the device before there is a journal.
-Recording open_recording(const RecordFlags& flags, const Interrupted& interrupted) {
-  const bool resumed = interrupted.journal != nullptr;
-  acquire::ReadOptions read = resolved_read_options(flags.read);
-  acquire::DeviceOptions wanted{.fs_Hz = flags.fs_Hz, .fast = flags.fast, .setup = read.setup};
-  acquire::CaptureOptions options{
-      .journal = journal_of(flags.output), .overwrite = flags.force, .resume = resumed, .channels = {}};
-  for (const std::size_t channel : flags.channels) {
-    options.channels.push_back(channel - 1);
-    wanted.channels = std::max(wanted.channels.value_or(0), channel);
-  }
-  if (resumed && repeats_itself(flags.device)) {
-    wanted.start_frame = interrupted.journal->end_frame();
-    options.seamless = true;
-  }
-  auto device = open_named_device(flags.device, wanted);
-  if (!device->format().setup.empty()) read.setup = acquire::stream_setup(device->format(), options.channels);
-  Recording out{.stream = nullptr,
-                .channels = pipeline::live_channels(acquire::stream_format(device->format(), options.channels), read,
-                                                    device->format().notes)};
-  check_window(out.channels.description, flags);
-  out.stream = std::make_unique<acquire::CaptureStream>(std::move(device), options);
-  return out;
-}
 
 // The guide tells of losses where the samples show them. Troubles of the disk do not wait for samples.
 void take_findings(acquire::CaptureStream& stream, pipeline::Guide& guide, RecordScreen& screen,
@@ -160,6 +117,17 @@ Ending record_blows(acquire::CaptureStream& stream, pipeline::Guide& guide, Reco
   return ending;
 }
 
+// Where a blow cannot be kept, the journal holds the session.
+Ending record_or_name_resume(const RecordFlags& flags, acquire::CaptureStream& stream, pipeline::Guide& guide,
+                             RecordTerminal& terminal, RecordScreen& screen) {
+  try {
+    return record_blows(stream, guide, terminal, screen);
+  } catch (const InputError& error) {
+    throw InputError(error.problem(), error.where(),
+                     fmt::format("{} ({})", error.remedy(), resume_command(flags.output)), error.options());
+  }
+}
+
 int list_devices() {
   CommandLine line("percuss", "", report::version());
   add_devices(line);
@@ -218,7 +186,7 @@ Outcome record_file(const RecordFlags& flags, const Interrupted& interrupted, co
   pipeline::Guide guide(format, std::move(recording.channels), std::move(options), *stream, screen);
   screen.begin(format, guide);
   if (resumed) take_interrupted(interrupted, flags, guide, screen);
-  Ending ending = record_blows(*stream, guide, terminal, screen);
+  Ending ending = record_or_name_resume(flags, *stream, guide, terminal, screen);
   if (resumed) ending.missing_frames += missing_frames(*interrupted.journal);
   const pipeline::Session& session = guide.session();
   if (ending.early && ending.device == StreamEnd::finished)
@@ -250,9 +218,10 @@ int run_record(RecordFlags flags) {
   const UnfinishedSession earlier = flags.resume.empty() ? find_unfinished(flags) : UnfinishedSession{};
   check_session_files(flags);
   if (flags.device.empty()) throw OptionError({"device"}, "is missing", "name what records; percuss devices lists it");
-  if (flags.is_given("fast") && !repeats_itself(flags.device))
+  if (flags.is_given("fast") && !repeats_itself(flags.device)) {
     throw OptionError({"fast"}, "is for simulated and replayed devices",
                       "leave it out, or name sim: or file:", {"device"});
+  }
   if (flags.resume.empty() && !repeats_itself(flags.device)) flags.date = report::creation_time() + " UTC";
   const Outcome outcome = record_file(flags, interrupted, earlier, guide_options(flags));
   if (flags.json) std::cout << outcome.document << std::flush;
