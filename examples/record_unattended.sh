@@ -21,25 +21,33 @@ for option in "$@"; do
   previous=$option
 done
 
+# The document appears whole or not at all, so that a missing one is made again after a loss of power.
+analyse() {
+  percuss analyze "$1.h5" --json ${band:+--band "$band"} > "$1.json.part" && mv "$1.json.part" "$1.json"
+}
+
 mkdir -p "$folder" || exit 3
 worst=0
 number=1
 while [ "$number" -le "$tests" ]; do
-  test="$folder/test-$number.h5"
-  if [ -e "$test.journal" ]; then
-    percuss record --resume "$test"  # the power failed during this test
-  elif [ -e "$test" ]; then
+  test="$folder/test-$number"
+  code=0
+  if [ -e "$test.h5.journal" ]; then
+    percuss record --resume "$test.h5" || code=$?  # the power failed during this test
+  elif [ ! -e "$test.h5" ]; then
+    percuss record -o "$test.h5" --device "$device" "$@" || code=$?
+  elif [ -e "$test.json" ]; then
     number=$((number + 1))
     continue
-  else
-    percuss record -o "$test" --device "$device" "$@"
   fi
-  code=$?
+  if [ "$code" -eq 0 ]; then
+    analyse "$test" || code=$?
+  fi
   case $code in
-    0) percuss analyze "$test" --json ${band:+--band "$band"} > "$folder/test-$number.json" || code=$? ;;
+    0) ;;
     4) echo "test $number: no blow counts" ;;
     6) echo "test $number: the recording ended early; start this script again to go on" ;;
-    *) echo "test $number: percuss record failed with exit code $code" ;;
+    *) echo "test $number: percuss failed with exit code $code" ;;
   esac
   [ "$code" -gt "$worst" ] && worst=$code
   [ "$code" -eq 0 ] || [ "$code" -eq 4 ] || break

@@ -143,6 +143,26 @@ void require_folder(const std::string& path) {
   throw_system_error("cannot write", absent ? ENOENT : ENOTDIR, path, "create the folder first");
 }
 
+namespace {
+
+// A folder, a pipe, an existing file, or a link to a file that does not exist: writing follows existing files only.
+void require_place(const std::string& path, bool force) {
+  std::error_code ignored;
+  const std::filesystem::file_status found = std::filesystem::status(path, ignored);
+  const bool exists = std::filesystem::exists(found);
+  if (std::filesystem::is_directory(found)) throw InputError("is a folder", path, "name a file");
+  if (exists && !std::filesystem::is_regular_file(found))
+    throw InputError("is not a regular file", path, "name a file");
+  if (force) return;
+  if (exists) throw InputError("file exists", path, "give another name, or overwrite it", {"force"});
+  if (std::filesystem::is_symlink(path, ignored)) {
+    throw InputError("is a link to a file that does not exist", path, "give another name, or replace the link",
+                     {"force"});
+  }
+}
+
+}  // namespace
+
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kinds) {
   std::vector<std::string> known = kinds;
   if (const auto page = std::find(known.begin(), known.end(), kPageExtension); page != known.end())
@@ -156,9 +176,7 @@ void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kin
     if (!seen.insert(path).second)
       throw OptionError({}, "'" + path + "' is to be written twice", "name each file once");
     require_folder(path);
-    std::error_code ignored;
-    if (!flags.force && std::filesystem::exists(path, ignored))
-      throw InputError("file exists", path, "give another name, or overwrite it", {"force"});
+    require_place(path, flags.force);
   }
   check_pages(flags);
 }

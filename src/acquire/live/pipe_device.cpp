@@ -80,14 +80,35 @@ DeviceFormat pipe_format(const WavHeader& header) {
   return format;
 }
 
+// A set-up with units or sensitivities is about the stored numbers.
+bool states_scales(const std::vector<ChannelSetup>& setup) {
+  return std::any_of(setup.begin(), setup.end(), [](const ChannelSetup& channel) {
+    return channel.unit.has_value() || channel.sensitivity_V_per_SI.has_value();
+  });
+}
+
+// As a file of the same bytes: each channel in SI units.
+void take_calibration(const SoundCalibration& calibration, bool scaled, DeviceFormat& format) {
+  const bool whole = format.type == SampleType::int32;
+  StreamFormat& stream = format.stream;
+  if (calibration.fs_Hz > 0) stream.fs_Hz = calibration.fs_Hz;
+  for (const SoundCalibration::Signal& signal : calibration.signals) {
+    stream.names.push_back(signal.name);
+    if (!scaled) continue;
+    stream.units.emplace_back(signal.measures == Quantity::force ? "N" : "m/s^2");
+    format.scales.push_back(format.scale * signal.to_SI);
+    if (whole) stream.full_scales.push_back(std::abs(signal.to_SI));
+  }
+}
+
 class PipeDevice final : public PolledDevice {
  public:
-  PipeDevice(const WavHeader& header, int descriptor)
+  PipeDevice(const WavHeader& header, const DeviceFormat& format, int descriptor)
       : descriptor_(descriptor),
         encoding_(header.encoding),
         frame_bytes_(pcm_bytes(header.encoding) * header.channels),
         left_bytes_(header.data_bytes),
-        format_(pipe_format(header)),
+        format_(format),
         buffer_(std::max(kPipePiece_bytes, frame_bytes_)) {}
   ~PipeDevice() override { stop(); }
 
@@ -125,8 +146,10 @@ class PipeDevice final : public PolledDevice {
 std::unique_ptr<Device> open_pipe_device(const std::string& description, int descriptor, const DeviceOptions& options) {
   const auto fill = [&](std::span<std::byte> out) { return fill_from(descriptor, out); };
   const WavHeader header = description == "wav" ? read_wav_header(fill) : raw_header(description);
-  require_rate(header.fs_Hz, options, "standard input");
-  return std::make_unique<PipeDevice>(header, descriptor);
+  DeviceFormat format = pipe_format(header);
+  if (header.calibration) take_calibration(*header.calibration, !states_scales(options.setup), format);
+  require_rate(format.stream.fs_Hz, options, "standard input");
+  return std::make_unique<PipeDevice>(header, format, descriptor);
 }
 
 }  // namespace percuss::acquire

@@ -8,8 +8,10 @@ namespace percuss::acquire {
 
 /// Samples that another program writes to a pipe: "wav", or "raw:ENCODING:RATE:CHANNELS" such as "raw:s24:51200:2".
 /// Their full scale is 1, except for floating-point numbers, which are as they are. The writer waits while the ring is
-/// full, so nothing is lost here. The stream is finished where the data end, or where a WAV header says so.
-/// errors  InputError: another description; not a WAV header, compressed, or no header within 10 s; require_rate
+/// full, so nothing is lost here. A WAV stream that percuss wrote states names and scales: its samples are in SI units,
+/// unless the set-up states units or sensitivities. The stream is finished where the data end, or where a WAV header
+/// says so. errors  InputError: another description; not a WAV header, compressed, damaged calibration, or no header
+/// within 10 s; require_rate
 std::unique_ptr<Device> open_pipe_device(const std::string& description, int descriptor = 0,
                                          const DeviceOptions& options = {});
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -44,6 +45,7 @@ class HeaderReader {
       // Chunks have even lengths.
       const auto content = take(std::uint64_t{size} + size % 2);
       if (name == "fmt ") take_format(content);
+      if (name == kCalibrationChunk) take_calibration(content, size);
       if (name == "ds64" && content.size() >= 16) data_bytes_ = number_in<std::uint64_t>(content, 8);
     }
   }
@@ -88,9 +90,18 @@ class HeaderReader {
     header_ = header;
   }
 
+  void take_calibration(const std::vector<std::byte>& content, std::uint32_t size) {
+    const std::string_view all(reinterpret_cast<const char*>(content.data()), size);  // NOLINT: the chunk is a text
+    calibration_ =
+        parse_calibration(all.substr(0, all.find('\0')), "standard input: " + std::string(kCalibrationChunk));
+  }
+
   WavHeader with_data(std::uint32_t size) const {
     if (!header_) refuse("the WAV stream has samples before their format");
     WavHeader header = *header_;
+    if (calibration_ && calibration_->signals.size() != header.channels)
+      refuse("the WAV stream describes other channels than it has");
+    header.calibration = calibration_;
     if (size == kUnknownSize && data_bytes_) header.data_bytes = *data_bytes_;
     // Recorders that write to a pipe state 0, the largest size or one just below it.
     constexpr std::uint32_t kLargestCredible = 0x7ffff000;
@@ -103,6 +114,7 @@ class HeaderReader {
   std::uint64_t taken_ = 0;
   std::optional<WavHeader> header_;
   std::optional<std::uint64_t> data_bytes_;
+  std::optional<SoundCalibration> calibration_;
 };
 
 }  // namespace

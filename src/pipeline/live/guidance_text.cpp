@@ -7,6 +7,7 @@
 
 #include "acquire/hits/pulse_shape.hpp"
 #include "acquire/live/capture_finding.hpp"
+#include "core/io/significant_digits.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -26,9 +27,6 @@ std::string force_text(double peak_N) { return fmt::format("{:.3g} N", std::abs(
 std::string frequency_text(double freq_Hz) {
   return freq_Hz < 1000 ? fmt::format("{:.0f} Hz", freq_Hz) : fmt::format("{:.2f} kHz", freq_Hz / 1000);
 }
-
-// As many as give the ± two digits.
-int decimals_of(double std) { return std > 0 ? std::clamp(static_cast<int>(std::ceil(1 - std::log10(std))), 0, 4) : 2; }
 
 const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
@@ -107,8 +105,7 @@ std::string quality_text(const SessionQuality& quality, std::size_t max_modes) {
   for (std::size_t m = 0; m < std::min(max_modes, quality.modes.size()); ++m) {
     const LiveMode& mode = quality.modes[m];
     const std::string name = mode.order > 0 ? name_of(mode, m) + " " : "";
-    text += fmt::format("{}{}{:.{}f} ± {:.2g}", m > 0 ? ", " : "", name, mode.freq_Hz, decimals_of(mode.freq_std_Hz),
-                        mode.freq_std_Hz);
+    text += (m > 0 ? ", " : "") + name + value_with_std(mode.freq_Hz, mode.freq_std_Hz);
   }
   if (quality.modes.size() > max_modes) text += ", …";
   if (quality.coherence) text += fmt::format("; coherence {:.3f}", *quality.coherence);
@@ -177,9 +174,11 @@ std::string silent_hammer_text(const LiveChannels& channels) {
 std::string summary_text(const Session& session) {
   const SessionPlan& plan = session.plan();
   const std::size_t complete = session.complete_points();
-  const std::size_t accepted = session.accepted(), rejected = session.blows().size() - accepted;
+  const std::size_t accepted = session.accepted(), undone = session.undone();
+  const std::size_t rejected = session.blows().size() - accepted - undone;
   std::string text =
       fmt::format("{} blow{} count{}, {} rejected", accepted, plural(accepted), accepted == 1 ? "s" : "", rejected);
+  if (undone > 0) text += fmt::format(", {} undone", undone);
   if (plan.points.size() > 1) text = fmt::format("{} of {} points complete; {}", complete, plan.points.size(), text);
   return text;
 }

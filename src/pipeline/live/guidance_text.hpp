@@ -37,7 +37,7 @@ std::string left_out_text(double time_s);
 std::string silent_hammer_text(const LiveChannels& channels);
 /// A push at this time was too long for a blow.
 std::string long_push_text(const LongPush& push, double time_s);
-/// The end: "22 of 24 points are complete; 113 blows count, 9 were rejected".
+/// The end: "22 of 24 points are complete; 113 blows count, 9 rejected, 2 undone".
 std::string summary_text(const Session& session);
 
 }  // namespace percuss::pipeline

@@ -5,6 +5,8 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
@@ -21,11 +23,20 @@ int open_unnamed(const std::string& folder) {
   return named;
 }
 
+// For messages: "." says little about a box without a screen.
+std::string absolute_folder(const std::string& folder) {
+  std::error_code failed;
+  const auto path = std::filesystem::canonical(folder, failed);
+  return failed ? folder : path.string();
+}
+
 }  // namespace
 
 RowStore::RowStore(const std::string& folder, std::size_t channels)
-    : file_(open_unnamed(folder)), folder_(folder), signals_(channels + 1) {
-  if (file_ < 0) throw_system_error("cannot keep rows", errno, folder, "write the record into another folder");
+    : file_(open_unnamed(folder)), signals_(channels + 1) {
+  const int error = errno;
+  folder_ = absolute_folder(folder);
+  if (file_ < 0) throw_system_error("cannot keep rows", error, folder_, "write the record into another folder");
 }
 
 RowStore::~RowStore() { ::close(file_); }

@@ -37,6 +37,12 @@ std::vector<std::size_t> Session::accepted_rows() const {
 std::size_t Session::accepted_at(int point) const { return accepted_rows(point).size(); }
 std::size_t Session::accepted() const { return accepted_rows().size(); }
 
+std::size_t Session::undone() const {
+  return static_cast<std::size_t>(std::count_if(blows_.begin(), blows_.end(), [](const Blow& blow) {
+    return blow.mark == RowMark::undone || blow.mark == RowMark::redone;
+  }));
+}
+
 bool Session::done_at(std::size_t index) const {
   const std::size_t count = accepted_at(plan_.points[index]);
   return count >= plan_.hits || (enough_[index] && count > 0);

@@ -59,6 +59,8 @@ class Session {
   std::size_t complete_points() const;
   std::size_t accepted_at(int point) const;
   std::size_t accepted() const;
+  /// Blows that the operator took back: undo, redo.
+  std::size_t undone() const;
   /// Rows of the accepted blows at a point.
   std::vector<std::size_t> accepted_rows(int point) const;
   std::vector<std::size_t> accepted_rows() const;

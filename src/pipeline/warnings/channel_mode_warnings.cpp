@@ -152,13 +152,14 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
     if (pair.second >= record.accel.size()) continue;
     const auto angle_rad = angle_between(record, pair);
     if (pair.correlation < kOppositeMotion && angle_rad.value_or(0) < kOneSide_rad) {
-      out.push_back(
-          with_remedy({"reversed",
-                       fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all "
-                                   "modes agree. Shapes have the wrong sign there",
-                                   name_of(record, pair.second), name_of(record, pair.first), pair.modes),
-                       {"accel_scale"}},
-                      "check which way the sensors point, and state a negative scale for the reversed one"));
+      out.push_back(with_remedy(
+          {"reversed",
+           fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all "
+                       "modes agree. Shapes have the wrong sign there",
+                       name_of(record, pair.second), name_of(record, pair.first), pair.modes),
+           {"setup", "accel_scale"}},
+          R"(check which way the sensors point, and state "sign": -1 for the reversed one in the set-up, or a )"
+          "negative scale"));
     } else if (pair.correlation > kSameMotion && angle_rad && *angle_rad > kOwnPlace_rad) {
       out.push_back(with_remedy(
           {"same_motion",

@@ -59,8 +59,8 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
                                fmt::format("the force of {} is negative during the pulse, down to {:.4g} N: the FRFs "
                                            "have the wrong sign",
                                            hit_list(negative.hits), negative.least),
-                               {"force_scale"}},
-                              "state a negative scale of the force"));
+                               {"setup", "force_scale"}},
+                              R"(state "sign": -1 for the force in the set-up, or a negative scale of the force)"));
   }
   if (const auto low = accepted_hits_with(hits, acquire::FindingCode::low_bandwidth); !low.hits.empty()) {
     out.push_back(with_remedy(

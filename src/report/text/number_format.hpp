@@ -1,12 +1,11 @@
 #pragma once
 #include <string>
 
+#include "core/io/significant_digits.hpp"
+
 namespace percuss::report {
 
-/// "169.00034 ± 0.00042": the standard deviation with two significant digits, the value with as many decimals. For a
-/// standard deviation of 0 or NaN: the value alone, with six significant digits. At most 12 decimals; a smaller
-/// standard deviation has an exponent.
-std::string value_with_std(double value, double std);
+using core::value_with_std;
 
 /// Frequencies: four significant digits, k for thousands ("3.9 kHz").
 std::string rounded_frequency_text(double freq_Hz);

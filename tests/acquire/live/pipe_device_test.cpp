@@ -85,6 +85,49 @@ std::string format_chunk(std::uint16_t tag, std::uint16_t channels, std::uint32_
   return bytes_of_numbers(tag, channels, rate, std::uint32_t{0}, std::uint16_t{0}, bits);
 }
 
+std::string wav_with_calibration(const std::string& calibration, const std::string& data) {
+  const std::string text = calibration + std::string(calibration.size() % 2, ' ');
+  return wav(format_chunk(1, 2, 1000, 16), 0xffffffff, data,
+             "CAL1" + bytes_of_numbers(static_cast<std::uint32_t>(text.size())) + text);
+}
+
+const std::string kTwoSignals = R"({"fs_hz": 1000.5, "continuous": true, "rows": [], "signals": [)"
+                                R"({"name": "hammer", "measures": "force", "si_at_full_scale": 512},)"
+                                R"({"name": "tip", "measures": "acceleration", "si_at_full_scale": -4096}]})";
+
+// As the file: of the same bytes.
+TEST(PipeDevice, KeepsTheScalesOfAWavThatPercussWrote) {
+  const std::string stream = wav_with_calibration(kTwoSignals, bytes_of_numbers(std::int16_t{16384}, std::int16_t{1}));
+  EXPECT_THAT(values_of("wav", stream), ElementsAre(256, -0.125));
+  const FilledPipe pipe(stream);
+  const auto device = open_pipe_device("wav", pipe.reading());
+  EXPECT_EQ(device->format().stream.fs_Hz, 1000.5);
+  EXPECT_THAT(device->format().stream.names, ElementsAre("hammer", "tip"));
+  EXPECT_THAT(device->format().stream.units, ElementsAre("N", "m/s^2"));
+  EXPECT_THAT(device->format().stream.full_scales, ElementsAre(512, 4096));
+}
+
+// A set-up with units is about the stored numbers.
+TEST(PipeDevice, LeavesNumbersToASetUpWithUnits) {
+  const std::string stream = wav_with_calibration(kTwoSignals, bytes_of_numbers(std::int16_t{16384}, std::int16_t{1}));
+  const FilledPipe pipe(stream);
+  const auto device = open_pipe_device("wav", pipe.reading(), {.setup = {{.name = "hammer", .unit = "N"}}});
+  EXPECT_THAT(device->format().stream.names, ElementsAre("hammer", "tip"));
+  EXPECT_TRUE(device->format().stream.units.empty());
+  EXPECT_TRUE(device->format().scales.empty());
+  EXPECT_EQ(device->format().stream.full_scale, 1);
+}
+
+TEST(PipeDevice, RefusesACalibrationOfOtherChannels) {
+  const auto refusal = [](const std::string& calibration) {
+    const FilledPipe pipe(wav_with_calibration(calibration, {}));
+    return input_error_of([&] { open_pipe_device("wav", pipe.reading()); });
+  };
+  EXPECT_THAT(refusal(R"({"fs_hz": 1000, "rows": [], "signals": [{"name": "a", "si_at_full_scale": 1}]})"),
+              HasSubstr("describes other channels than it has"));
+  EXPECT_THAT(refusal("{"), HasSubstr("standard input: CAL1"));
+}
+
 TEST(PipeDevice, DecodesEachEncodingExactly) {
   EXPECT_THAT(values_of("raw:s16:1000:2", bytes_of_numbers(std::int16_t{-32768}, std::int16_t{1})),
               ElementsAre(-1, 0x1p-15));

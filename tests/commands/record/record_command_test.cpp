@@ -67,8 +67,18 @@ TEST(RecordCommand, StopsWhenTheGoalIsMet) {
   EXPECT_THAT(bench.record("sim:aluminium-bat", {"--until", "mode 1<1e-9Hz", "--force"}).out,
               HasSubstr("the goal mode 1 < 1e-09 Hz is not met"));
   const auto wrong = bench.record("sim:aluminium-bat", {"--until", "hoop<1Hz", "--force"});
-  EXPECT_NE(wrong.code, 0);
-  EXPECT_THAT(wrong.err, HasSubstr("--until"));
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("--until is not understood: 'hoop<1Hz'"));
+  EXPECT_EQ(bench.record("sim:aluminium-bat", {"--until", "", "--force"}).code, 2);
+}
+
+// While more blows may still be struck, not only at the end.
+TEST(RecordCommand, NamesAGoalForAModeThatTheTestLacks) {
+  const Bench bench;
+  const std::string record = "percuss record -o t.h5 --device sim:aluminium-bat,hits=99 --hits 99 --until 'hoop 7<1Hz'";
+  EXPECT_EQ(bench.meanwhile(record, "grep -q 'hoop 7' out", "kill $!"), 6);
+  EXPECT_THAT(bench.bytes("out"),
+              HasSubstr("! the goal hoop 7 < 1 Hz names none of the modes found so far: bending 1, "));
 }
 
 TEST(RecordCommand, GuidesThroughAGeometry) {
@@ -98,6 +108,21 @@ TEST(RecordCommand, AnalysesAReplayedRecordAlike) {
   ASSERT_EQ(replayed.size(), original.size());
   // The windows differ by some samples: the fits agree to about the ± of 1e-6.
   for (std::size_t m = 0; m < original.size(); ++m) EXPECT_NEAR(replayed[m], original[m], 2e-6 * original[m]);
+}
+
+// The pipe has no row ends and no names of files; the forces are those of the file.
+TEST(RecordCommand, ReadsTheScaleOfAWavFromAPipe) {
+  const Bench bench;
+  ASSERT_EQ(bench.run({"synth", "aluminium-bat", "-o", "r.wav"}).code, 0);
+  ASSERT_EQ(bench.shell("percuss record -o t.h5 --device stdin: <r.wav >piped"), 0);
+  ASSERT_EQ(bench.shell("percuss record -o t.h5 --force --fast --device file:r.wav >replayed"), 0);
+  const auto first_blow = [&](const char* file) {
+    const std::string text = bench.bytes(file);
+    const std::size_t at = text.find("Blow 1 of 5: accepted, ");
+    return at == std::string::npos ? "none" : text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_THAT(first_blow("piped"), HasSubstr(" N up to "));
+  EXPECT_EQ(first_blow("piped"), first_blow("replayed"));
 }
 
 TEST(RecordCommand, TakesRangesOfChannels) {
@@ -168,6 +193,14 @@ TEST(RecordCommand, RefusesWhatItCannotRecord) {
   EXPECT_THAT(bench.record("sim:aluminium-bat", {"--length", "0.3", "--pretrigger", "0.3"}).err,
               HasSubstr("of which 0.3 s come before its peak"));
   EXPECT_EQ(bench.record("sim:aluminium-bat", {"--pretrigger", "0"}).code, 3);
+  const auto encoding = bench.run({"record", "-o", "t.h5", "--device", "stdin:raw:s20:1000:2"});
+  EXPECT_EQ(encoding.code, 2);
+  EXPECT_THAT(encoding.err, HasSubstr("--device is not understood: an unknown encoding of samples (s20); use s16,"));
+  EXPECT_EQ(bench.run({"record", "-o", "t.h5", "--device", "stdin:raw:s24"}).code, 2);
+  EXPECT_EQ(bench.run({"record", "-o", "t.h5", "--device", "stdin:"}).code, 3);  // an empty pipe
+  const auto fast = bench.record("stdin:raw:s24:1000:2");
+  EXPECT_EQ(fast.code, 2);
+  EXPECT_THAT(fast.err, HasSubstr("--fast is for simulated and replayed devices; leave it out"));
   EXPECT_FALSE(bench.has("t.h5"));
   EXPECT_FALSE(bench.has("t.h5.journal"));
 }

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "acquire/formats/hdf5/read_hdf5.hpp"
+#include "acquire/live/capture_finding.hpp"
+#include "acquire/live/journal_format.hpp"
 #include "acquire/record/stated_date.hpp"
 #include "support/live/record_bench.hpp"
 
@@ -28,22 +30,6 @@ TEST(RecordEnd, TellsFaultsInTheOrderOfSamples) {
   EXPECT_LT(first.out.find("Blow 3 of 5: accepted"), end);
   for (int i = 0; i < 5; ++i)
     EXPECT_EQ(bench.record("sim:aluminium-bat,gap=2.5:0.05,unplug=6", {"--force"}).out, first.out);
-}
-
-TEST(RecordEnd, NamesAFailedReportAndPrintsTheDocument) {
-  const Bench bench;
-  const auto missing = bench.record("sim:aluminium-bat", {"--json", "--report", "no-such-folder/r.html"});
-  EXPECT_EQ(missing.code, 3);
-  EXPECT_THAT(missing.err, HasSubstr("no-such-folder"));
-  EXPECT_FALSE(bench.has("t.h5"));  // at once
-  const std::string long_name = std::string(300, 'r') + ".html";
-  const auto recorded = bench.record("sim:aluminium-bat", {"--json", "--report", long_name});
-  EXPECT_NE(recorded.code, 0);
-  EXPECT_THAT(recorded.err, HasSubstr("the report was not written"));
-  EXPECT_EQ(recorded.out, bench.run({"analyze", "t.h5", "--json"}).out);
-  const auto none = bench.record("sim:aluminium-bat,first=2,end=8,silent=2", {"--force", "--report", "r.html"});
-  EXPECT_EQ(none.code, 4);
-  EXPECT_THAT(none.err, HasSubstr("no report is written"));
 }
 
 TEST(RecordEnd, RefusesOptionsThatContradictTheSession) {
@@ -106,6 +92,39 @@ TEST(RecordEnd, EndsEarlyWithItsOwnCode) {
   EXPECT_TRUE(bench.has("t.h5.journal"));
   const auto silent = bench.record("sim:aluminium-bat,first=50,end=2", {"--force"});
   EXPECT_EQ(silent.code, 4);
+}
+
+// Whoever records test after test must not go on with an unplugged device.
+TEST(RecordEnd, EndsEarlyBeforeTheFirstBlow) {
+  const Bench bench;
+  const auto unplugged = bench.record("sim:aluminium-bat,unplug=0.5", {"--report", "r.html"});
+  EXPECT_EQ(unplugged.code, 6);
+  EXPECT_THAT(unplugged.out, HasSubstr("no blow was recorded, so no file is written"));
+  EXPECT_THAT(unplugged.err, HasSubstr("no report is written, because no blow counts"));
+  EXPECT_FALSE(bench.has("t.h5"));
+  EXPECT_FALSE(bench.has("t.h5.journal"));
+  EXPECT_EQ(bench.record("sim:aluminium-bat,unplug=5,silent=3").code, 6);  // rejected blows alone
+  EXPECT_TRUE(bench.has("t.h5.journal"));
+  const std::string silent = "percuss record -o u.h5 --device sim:aluminium-bat,first=99";
+  EXPECT_EQ(bench.meanwhile(silent, "grep -q 'hammer on channel' out", "kill $!"), 6);
+}
+
+// The disk was full between two blows.
+TEST(RecordEnd, StatesFramesThatTheJournalLacks) {
+  const Bench bench;
+  ASSERT_EQ(bench.record("sim:aluminium-bat,unplug=5").code, 6);
+  const acquire::CaptureFinding missing{
+      .fault = acquire::CaptureFault::not_in_journal, .frame = 100000, .count = 25600};
+  const std::string block = acquire::journal_block(acquire::JournalBlockType::finding, acquire::finding_json(missing));
+  test::write_bytes(bench.folder.file("t.h5.journal"), bench.bytes("t.h5.journal") + block);
+  const auto resumed = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(resumed.code, 6);
+  const std::string stated = "25600 frames (1 s) are not in the journal, because it could not be written";
+  const std::size_t first = resumed.out.find(stated), last = resumed.out.rfind(stated);
+  ASSERT_NE(first, std::string::npos) << resumed.out;
+  EXPECT_LT(first, resumed.out.find("resumed after 2 blows"));
+  EXPECT_GT(last, first);
+  EXPECT_LT(last, resumed.out.find("go on with: percuss record --resume t.h5"));
 }
 
 // The journal is damaged in its middle, and the file of the first part still holds all blows.

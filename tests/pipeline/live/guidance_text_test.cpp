@@ -62,6 +62,14 @@ TEST(GuidanceText, PromptsForTheNextStep) {
   session.apply({.kind = Kind::pause});
   EXPECT_EQ(prompt(), "paused; press space to go on");
   EXPECT_EQ(summary_text(session), "0 of 3 points complete; 1 blow counts, 0 rejected");
+  session.apply({.kind = Kind::pause});
+  session.apply({.kind = Kind::undo});
+  session.apply({.kind = Kind::blow, .mark = RowMark::weak});
+  session.apply({.kind = Kind::blow});
+  session.apply({.kind = Kind::blow});
+  session.apply({.kind = Kind::redo, .point = 1});
+  session.apply({.kind = Kind::blow});
+  EXPECT_EQ(summary_text(session), "0 of 3 points complete; 1 blow counts, 1 rejected, 3 undone");
 }
 
 TEST(GuidanceText, ShowsThePrecisionAndTheOutlook) {
@@ -70,7 +78,7 @@ TEST(GuidanceText, ShowsThePrecisionAndTheOutlook) {
       .modes = {{.type = identify::ModeType::bending, .order = 1, .freq_Hz = 205.0471, .freq_std_Hz = 0.012},
                 {.freq_Hz = 2012.3, .freq_std_Hz = 0.1, .falling_std_Hz = 0.1}},
       .coherence = 0.9984};
-  EXPECT_EQ(quality_text(quality), "2 modes in Hz: bending 1 205.047 ± 0.012, 2012.30 ± 0.1; coherence 0.998");
+  EXPECT_EQ(quality_text(quality), "2 modes in Hz: bending 1 205.047 ± 0.012, 2012.30 ± 0.10; coherence 0.998");
   EXPECT_EQ(outlook_text(quality, {}), "12 more blows halve the ± of mode 2, 0.1 Hz");
   EXPECT_EQ(outlook_text(quality, pipeline::parse_goals("mode 2<0.05Hz, hoop 1 < 1 Hz")),
             "12 more blows bring mode 2 below 0.05 Hz; hoop 1 < 1 Hz: not found yet");
@@ -79,6 +87,11 @@ TEST(GuidanceText, ShowsThePrecisionAndTheOutlook) {
       "the goal mode 2 < 0.05 Hz is not met, ± 0.1 Hz; the goal hoop 1 < 1 Hz is not met: no such mode was found; "
       "the goal mode 1 < 1 Hz is met, ± 0.012 Hz");
   EXPECT_EQ(pipeline::quality_text({.blows = 1}), "1 blow, no modes yet");
+  // The digits of the ± and of the value go together, as in the tables of an analysis.
+  EXPECT_EQ(
+      pipeline::quality_text(
+          {.blows = 2, .modes = {{.freq_Hz = 178.49841, .freq_std_Hz = 9e-5}, {.freq_Hz = 2300, .freq_std_Hz = 12}}}),
+      "2 modes in Hz: 178.498410 ± 0.000090, 2300 ± 12");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,10 @@ TEST(RowStore, ReturnsTheSamplesOfItsRows) {
 // Files cannot grow beyond a limit, as on a full disk.
 TEST(RowStore, SuggestsToResumeWhenTheDiskIsFull) {
   const test::ScratchFolder folder;
-  RowStore store(folder.path(), 1);
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  RowStore store(".", 1);
+  std::filesystem::current_path(before);
   const auto old_signal = std::signal(SIGXFSZ, SIG_IGN);
   rlimit old{};
   ::getrlimit(RLIMIT_FSIZE, &old);
@@ -43,6 +47,7 @@ TEST(RowStore, SuggestsToResumeWhenTheDiskIsFull) {
   std::signal(SIGXFSZ, old_signal);
   EXPECT_THAT(message, HasSubstr("cannot keep a row"));
   EXPECT_THAT(message, HasSubstr("free some room, and resume the session"));
+  EXPECT_THAT(message, HasSubstr("(" + std::filesystem::canonical(folder.path()).string() + ")"));
 }
 
 }  // namespace percuss::pipeline::row_store_test

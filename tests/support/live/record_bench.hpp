@@ -38,6 +38,13 @@ struct RecordBench {
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
+  /// Begins a command, whose output goes to the files out and err, and runs `act` as soon as the condition of the shell
+  /// holds, such as kHasBegun. Returns the exit code of the command.
+  int meanwhile(const std::string& command, const std::string& condition, const std::string& act) const {
+    return shell(command + " >out 2>err &\nfor i in $(seq 500); do " + condition + " && break; sleep 0.02; done\n" +
+                 act + "\nwait $!");
+  }
+  static constexpr const char* kHasBegun = "[ -e t.h5.journal ]";
 };
 
 }  // namespace percuss::test

@@ -99,8 +99,8 @@ void add_record(CommandLine& line) {
   command.value("--report", flags->report, "Write the report of the test at the end (.html or .pdf)").type("FILE");
   command
       .value("--resume", flags->resume,
-             "Go on with the interrupted session that was recording this file, with its options; contradicting ones "
-             "are refused")
+             "Go on with the interrupted session that was recording this file (or name its journal), with its options; "
+             "contradicting ones are refused")
       .type("FILE");
   command.flag("--fast", flags->fast, "Do not wait for real time: for sim: and file: only");
   command.flag("--json", flags->json, "Print the analysis as one JSON document; guidance goes to standard error");

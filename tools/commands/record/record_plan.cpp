@@ -9,6 +9,7 @@
 #include "acquire/geometry/geometry.hpp"
 #include "acquire/hits/time_selection.hpp"
 #include "cli/analysis_flags.hpp"
+#include "cli/option_error.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -38,6 +39,15 @@ std::vector<std::vector<double>> geometry_rows(const acquire::Geometry& geometry
   return rows;
 }
 
+std::vector<pipeline::PrecisionGoal> goals_of(const RecordFlags& flags) {
+  if (flags.until.empty() && !flags.is_given("until")) return {};
+  try {
+    return pipeline::parse_goals(flags.until);
+  } catch (const InputError& error) {
+    throw OptionError({"until"}, "is not understood: " + error.problem(), error.remedy());
+  }
+}
+
 }  // namespace
 
 pipeline::GuideOptions guide_options(const RecordFlags& flags) {
@@ -53,7 +63,7 @@ pipeline::GuideOptions guide_options(const RecordFlags& flags) {
   }
   options.date = flags.date;
   if (!flags.band.empty()) options.analysis.band_Hz = parse_band(flags.band, "band");
-  if (!flags.until.empty()) options.until = pipeline::parse_goals(flags.until);
+  options.until = goals_of(flags);
   options.trigger_N = flags.trigger_N;
   options.pretrigger_s = flags.pretrigger_s;
   options.length_s = flags.length_s;

@@ -7,21 +7,34 @@
 #include "cli/exit_code.hpp"
 #include "cli/host.hpp"
 #include "cli/output.hpp"
+#include "cli/provenance.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "report/json/analysis_json.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::tools {
+namespace {
+
+// As typed into a shell.
+std::string command_of(const std::vector<std::string>& words) {
+  std::string command;
+  for (const std::string& word : words) command += (command.empty() ? "" : " ") + shell_quoted_argument(word);
+  return command;
+}
+
+}  // namespace
 
 int write_session_report(const RecordFlags& flags) {
   const bool survey = !flags.geometry.empty();
-  std::vector<std::string> words{"percuss", survey ? "survey" : "analyze", flags.output, "-o", flags.report, "--force"};
+  std::vector<std::string> words{"percuss", survey ? "survey" : "analyze", flags.output, "-o", flags.report};
   if (!flags.band.empty()) words.insert(words.end(), {"--band", flags.band});
   if (survey) words.insert(words.end(), {"--geometry", flags.geometry, "--roving", flags.roving});
+  const std::string later = command_of(words);
+  if (flags.replace_report) words.emplace_back("--force");
   if (flags.quiet) words.emplace_back("--quiet");
   Host host;  // takes the text that the command would print
-  for (const std::string& word : words) host.equivalent_command += (host.equivalent_command.empty() ? "" : " ") + word;
+  host.equivalent_command = command_of(words);
   CommandLine line("percuss", "", report::version(), &host);
   survey ? add_survey(line) : add_analyze(line);
   std::vector<const char*> arguments;
@@ -35,7 +48,7 @@ int write_session_report(const RecordFlags& flags) {
   }
   if (code == kOk) return code;
   for (const Message& note : host.outcome.notes) print_note({}, note);
-  print_note({}, {"the report was not written, or is not complete", {"report"}});
+  print_note({}, {"the report was not written, or is not complete; to write it: " + later, {"report"}});
   return code;
 }
 

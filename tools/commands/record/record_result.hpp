@@ -27,8 +27,9 @@ class SessionResult {
   pipeline::SessionQuality quality_;
 };
 
-/// Writes the report by the same command that makes it from the file later: analyze, or survey with a geometry. Returns
-/// the command's exit code. Prints why it fails.
+/// Writes the report by the same command that makes it from the file later: analyze, or survey with a geometry. A
+/// file that appeared during the session is kept, unless --force is given. Returns the command's exit code. Prints why
+/// it fails, and the command that writes the report later.
 int write_session_report(const RecordFlags& flags);
 
 }  // namespace percuss::tools

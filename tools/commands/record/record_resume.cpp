@@ -11,6 +11,7 @@
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "acquire/open_measurement.hpp"
 #include "cli/option_error.hpp"
+#include "commands/record/record_paths.hpp"
 #include "core/error.hpp"
 
 namespace percuss::tools {
@@ -41,13 +42,9 @@ std::vector<acquire::RowInfo> rows_of(const std::string& path) {
     } catch (const InputError&) {
     }
   }
-  throw InputError("the file is no record of the session", path, "move it elsewhere, and resume again", {"force"});
-}
-
-std::size_t blow_count(const std::vector<pipeline::SessionEvent>& events) {
-  return static_cast<std::size_t>(std::count_if(events.begin(), events.end(), [](const auto& event) {
-    return event.kind == pipeline::SessionEvent::Kind::blow;
-  }));
+  std::vector<OptionId> options;
+  if (!fs::is_directory(path)) options.emplace_back("force");
+  throw InputError("the file is no record of the session", path, "move it elsewhere, and resume again", options);
 }
 
 // The end of a session overwrites the file, also with fewer blows where the journal was damaged. The file may have one
@@ -62,10 +59,31 @@ void refuse_loss(const std::string& path, const Interrupted& interrupted, bool o
                    "keep the file: move it elsewhere, and resume again");
 }
 
+// The journal is what a shell completes after a kill.
+void take_journal_as_output(std::string& path) {
+  const std::string suffix = journal_of("");
+  if (path.ends_with(suffix)) path.resize(path.size() - suffix.size());
+}
+
 }  // namespace
 
+std::vector<pipeline::SessionEvent> session_events(const acquire::JournalReader& journal) {
+  std::vector<pipeline::SessionEvent> events;
+  for (const acquire::JournalEvent& event : journal.events()) {
+    if (!is_settings(event.json)) events.push_back(pipeline::parse_session_event(event.json, journal.path()));
+  }
+  return events;
+}
+
+std::size_t blow_count(const std::vector<pipeline::SessionEvent>& events) {
+  return static_cast<std::size_t>(std::count_if(events.begin(), events.end(), [](const auto& event) {
+    return event.kind == pipeline::SessionEvent::Kind::blow;
+  }));
+}
+
 Interrupted open_interrupted(RecordFlags& flags) {
-  if (flags.is_given("output") && flags.output != flags.resume)
+  take_journal_as_output(flags.resume);
+  if (flags.is_given("output") && !names_same_file(flags.output, flags.resume))
     throw OptionError({"output", "resume"}, "name different files", "leave --output out");
   const std::string path = journal_of(flags.resume);
   if (!fs::exists(path)) {
@@ -73,15 +91,12 @@ Interrupted open_interrupted(RecordFlags& flags) {
                      fs::exists(flags.resume) ? "the session was finished: analyse the file" : "record it anew");
   }
   Interrupted out{.journal = std::make_unique<acquire::JournalReader>(path), .events = {}};
-  bool settings = false;
-  for (const acquire::JournalEvent& event : out.journal->events()) {
-    if (is_settings(event.json)) {
-      if (!std::exchange(settings, true)) restore_settings(event.json, path, flags);
-    } else {
-      out.events.push_back(pipeline::parse_session_event(event.json, path));
-    }
-  }
-  if (!settings) throw InputError("the journal has no options of a session", path, "record it anew");
+  const auto& events = out.journal->events();
+  const auto settings = std::find_if(events.begin(), events.end(),
+                                     [](const acquire::JournalEvent& event) { return is_settings(event.json); });
+  if (settings == events.end()) throw InputError("the journal has no options of a session", path, "record it anew");
+  restore_settings(settings->json, path, flags);
+  out.events = session_events(*out.journal);
   refuse_loss(flags.resume, out, flags.is_given("force"));
   flags.output = flags.resume;
   flags.force = true;
@@ -91,6 +106,20 @@ Interrupted open_interrupted(RecordFlags& flags) {
 std::string torn_text(const Interrupted& interrupted) {
   const std::uint64_t bytes = interrupted.journal->torn_bytes();
   return bytes == 0 ? "" : fmt::format("the last {} bytes of the journal are not whole and are left out", bytes);
+}
+
+std::uint64_t missing_frames(const acquire::JournalReader& journal) {
+  std::uint64_t frames = 0;
+  for (const acquire::CaptureFinding& finding : journal.findings())
+    frames += finding.fault == acquire::CaptureFault::not_in_journal ? finding.count : 0;
+  return frames;
+}
+
+std::string missing_text(std::uint64_t frames, double fs_Hz) {
+  return fmt::format(
+      "{} frames ({:.2g} s) are not in the journal, because it could not be written: a resumed session "
+      "lacks the blows among them",
+      frames, static_cast<double>(frames) / fs_Hz);
 }
 
 bool repeats_itself(const std::string& device) { return device.starts_with("sim:") || device.starts_with("file:"); }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,13 +16,22 @@ struct Interrupted {
   std::vector<pipeline::SessionEvent> events;
 };
 
-/// Opens the session that was recording the file of --resume, and takes over its options.
-/// errors  InputError: no journal, or a damaged one; the file exists and is no record of the session, or holds more
-/// blows than the journal; OptionError: an option contradicts the session
+/// The events of the guidance in a journal.
+/// errors  InputError: a damaged event
+std::vector<pipeline::SessionEvent> session_events(const acquire::JournalReader& journal);
+std::size_t blow_count(const std::vector<pipeline::SessionEvent>& events);
+
+/// Opens the session that was recording the file of --resume, and takes over its options. The journal may be named in
+/// place of the file. errors  InputError: no journal, or a damaged one; the file exists and is no record of the
+/// session, or holds more blows than the journal; OptionError: an option contradicts the session
 Interrupted open_interrupted(RecordFlags& flags);
 
 /// A sentence about the bytes after the last whole block of the journal; empty where there are none.
 std::string torn_text(const Interrupted& interrupted);
+
+/// The frames that were analysed, but could not be written to the journal.
+std::uint64_t missing_frames(const acquire::JournalReader& journal);
+std::string missing_text(std::uint64_t frames, double fs_Hz);
 
 /// Only a device that makes the same samples again goes on where the session was interrupted.
 bool repeats_itself(const std::string& device);

@@ -37,6 +37,13 @@ std::string command_text(Kind kind, std::size_t undone, const pipeline::Session&
   }
 }
 
+// A goal for a mode that the blows do not show.
+std::string missing_goal_text(const pipeline::PrecisionGoal& goal, const pipeline::SessionQuality& quality) {
+  std::vector<std::string> names;
+  for (std::size_t m = 0; m < quality.modes.size(); ++m) names.push_back(pipeline::name_of(quality.modes[m], m));
+  return fmt::format("! the goal {} names none of the modes found so far: {}", goal.text(), fmt::join(names, ", "));
+}
+
 }  // namespace
 
 RecordScreen::RecordScreen(RecordTerminal& terminal, const RecordFlags& flags, const pipeline::GuideOptions& options)
@@ -45,7 +52,7 @@ RecordScreen::RecordScreen(RecordTerminal& terminal, const RecordFlags& flags, c
       plan_(options.plan),
       goals_(options.until),
       roving_(flags.roving == "sensor" ? pipeline::RovingPart::sensor : pipeline::RovingPart::hammer) {
-  if (terminal.interactive()) worker_.emplace(options.analysis);
+  if (terminal.interactive() || (!goals_.empty() && !flags.quiet)) worker_.emplace(options.analysis);
 }
 
 void RecordScreen::begin(const acquire::StreamFormat& format, const pipeline::Guide& guide) {
@@ -76,7 +83,17 @@ void RecordScreen::show_problems(const pipeline::SessionQuality& quality) {
   }
 }
 
+// Each once, as soon as there are modes.
+void RecordScreen::show_missing_goals(const pipeline::SessionQuality& quality) {
+  if (quality.modes.empty()) return;
+  for (const pipeline::PrecisionGoal& goal : goals_) {
+    if (!pipeline::mode_of(goal, quality) && told_.insert(goal.text()).second) note(missing_goal_text(goal, quality));
+  }
+}
+
 void RecordScreen::show_quality(const pipeline::SessionQuality& quality) {
+  show_missing_goals(quality);
+  if (!terminal_.interactive()) return;
   show_problems(quality);
   const bool newest = guide_ == nullptr || quality.blows == guide_->session().accepted();
   const std::string after =

@@ -22,7 +22,7 @@ class RecordScreen : public pipeline::GuideObserver {
   void begin(const acquire::StreamFormat& format, const pipeline::Guide& guide);
   void resumed(const pipeline::Guide& guide);
   void note(const std::string& text);
-  /// Shows the prompt and, on a terminal, what the test is worth.
+  /// Shows the prompt and, on a terminal, what the test is worth; anywhere, goals for modes that the test lacks.
   void update(const pipeline::Guide& guide);
   /// The summary. Names accepted blows that the analysis of all blows rejects.
   void end(const pipeline::Guide& guide, const SessionResult& result);
@@ -39,6 +39,7 @@ class RecordScreen : public pipeline::GuideObserver {
 
  private:
   void show_quality(const pipeline::SessionQuality& quality);
+  void show_missing_goals(const pipeline::SessionQuality& quality);
   void show_problems(const pipeline::SessionQuality& quality);
 
   RecordTerminal& terminal_;
@@ -51,7 +52,7 @@ class RecordScreen : public pipeline::GuideObserver {
   bool silent_ = false;         // while the journal is replayed
   bool ask_ = false;            // other blows count than before
   bool discard_ = false;        // blows that counted before do not count any longer
-  std::set<std::string> told_;  // problems of the test
+  std::set<std::string> told_;  // problems of the test, and goals
   std::optional<pipeline::QualityWorker> worker_;
 };
 

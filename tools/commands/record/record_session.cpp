@@ -10,14 +10,14 @@
 #include <utility>
 
 #include "acquire/live/capture_stream.hpp"
-#include "acquire/live/open_device.hpp"
-#include "acquire/write_record.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
 #include "commands/record/channel_list.hpp"
 #include "commands/record/raw_terminal.hpp"
+#include "commands/record/record_capture.hpp"
+#include "commands/record/record_files.hpp"
 #include "commands/record/record_flags.hpp"
 #include "commands/record/record_plan.hpp"
 #include "commands/record/record_result.hpp"
@@ -28,7 +28,6 @@
 #include "pipeline/live/guide.hpp"
 #include "report/text/creation_time.hpp"
 #include "report/text/version.hpp"
-#include "synth/simulated_device.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -40,40 +39,12 @@ using Kind = pipeline::SessionEvent::Kind;
 
 constexpr double kKeptBefore_s = 1;  // of silence before the first blow, in the journal
 
-struct Recording {
-  std::unique_ptr<acquire::CaptureStream> stream;
-  pipeline::LiveChannels channels;
-};
-
-// Set-up, length and band are checked against the device before there is a journal.
-Recording open_recording(const RecordFlags& flags, const Interrupted& interrupted) {
-  const bool resumed = interrupted.journal != nullptr;
-  acquire::ReadOptions read = resolved_read_options(flags.read);
-  acquire::DeviceOptions wanted{.fs_Hz = flags.fs_Hz, .fast = flags.fast, .setup = read.setup};
-  acquire::CaptureOptions options{
-      .journal = journal_of(flags.output), .overwrite = flags.force, .resume = resumed, .channels = {}};
-  for (const std::size_t channel : flags.channels) {
-    options.channels.push_back(channel - 1);
-    wanted.channels = std::max(wanted.channels.value_or(0), channel);
-  }
-  if (resumed && repeats_itself(flags.device)) {
-    wanted.start_frame = interrupted.journal->end_frame();
-    options.seamless = true;
-  }
-  auto device = acquire::open_device(flags.device, wanted, synth::open_simulated_device);
-  if (!device->format().setup.empty()) read.setup = acquire::stream_setup(device->format(), options.channels);
-  Recording out{.stream = nullptr,
-                .channels = pipeline::live_channels(acquire::stream_format(device->format(), options.channels), read,
-                                                    device->format().notes)};
-  check_window(out.channels.description, flags);
-  out.stream = std::make_unique<acquire::CaptureStream>(std::move(device), options);
-  return out;
-}
-
 // The guide tells of losses where the samples show them. Troubles of the disk do not wait for samples.
-void take_findings(acquire::CaptureStream& stream, pipeline::Guide& guide, RecordScreen& screen) {
+void take_findings(acquire::CaptureStream& stream, pipeline::Guide& guide, RecordScreen& screen,
+                   std::uint64_t& missing_frames) {
   for (const acquire::CaptureFinding& finding : stream.take_findings()) {
     guide.add_finding(finding);
+    if (finding.fault == CaptureFault::not_in_journal) missing_frames += finding.count;
     if (finding.fault == CaptureFault::journal_failed || finding.fault == CaptureFault::not_in_journal)
       screen.note(acquire::finding_text(finding));
   }
@@ -112,9 +83,17 @@ void press(const PressedKey& key, pipeline::Guide& guide, RecordScreen& screen) 
     screen.note("  the key applies after the blow that is being recorded");
 }
 
-// Until the session is finished, the device ends or a signal arrives. Returns why.
-StreamEnd record_blows(acquire::CaptureStream& stream, pipeline::Guide& guide, RecordTerminal& terminal,
-                       RecordScreen& screen) {
+struct Ending {
+  StreamEnd device = StreamEnd::none;
+  std::uint64_t missing_frames = 0;  // not in the journal
+  bool early = false;                // before every point had its blows
+  bool broken = false;               // early, by a fault of the device or by a signal
+};
+
+// Until the session is finished, the device ends or a signal arrives.
+Ending record_blows(acquire::CaptureStream& stream, pipeline::Guide& guide, RecordTerminal& terminal,
+                    RecordScreen& screen) {
+  Ending ending;
   bool kept = false;
   while (!guide.session().finished() && SessionSignals::arrived() == 0) {
     while (const auto key = terminal.take_key()) press(*key, guide, screen);
@@ -124,15 +103,29 @@ StreamEnd record_blows(acquire::CaptureStream& stream, pipeline::Guide& guide, R
       stream.keep_from(guide.frame_before_first_blow(kKeptBefore_s));
       kept = true;
     }
-    take_findings(stream, guide, screen);
+    take_findings(stream, guide, screen, ending.missing_frames);
     screen.update(guide);
     if (!block && stream.end() != StreamEnd::none) break;
   }
-  const StreamEnd end = guide.session().finished() ? StreamEnd::none : stream.end();
+  ending.device = guide.session().finished() ? StreamEnd::none : stream.end();
   stream.stop();
-  take_findings(stream, guide, screen);
+  take_findings(stream, guide, screen, ending.missing_frames);
   guide.finish();
-  return end;
+  const bool signal = SessionSignals::arrived() != 0;
+  ending.early = (ending.device != StreamEnd::none || signal) && !guide.session().finished();
+  ending.broken = ending.early && (signal || ending.device != StreamEnd::finished);
+  return ending;
+}
+
+// Where a blow cannot be kept, the journal holds the session.
+Ending record_or_name_resume(const RecordFlags& flags, acquire::CaptureStream& stream, pipeline::Guide& guide,
+                             RecordTerminal& terminal, RecordScreen& screen) {
+  try {
+    return record_blows(stream, guide, terminal, screen);
+  } catch (const InputError& error) {
+    throw InputError(error.problem(), error.where(),
+                     fmt::format("{} ({})", error.remedy(), resume_command(flags.output)), error.options());
+  }
 }
 
 int list_devices() {
@@ -142,56 +135,77 @@ int list_devices() {
   return line.run(static_cast<int>(kWords.size()), kWords.data());
 }
 
-void check_files(const RecordFlags& flags) {
-  if (flags.output.empty()) throw OptionError({"output"}, "is missing", "name the file to record, such as -o test.h5");
-  check_outputs({.paths = {flags.output}, .force = flags.force}, {".h5", ".hdf5"});
-  if (!flags.report.empty()) check_outputs({.paths = {flags.report}, .force = flags.force}, {".html"});
+// An earlier session that was overwritten, as --force demands.
+void state_overwritten(const UnfinishedSession& earlier, const RecordFlags& flags) {
+  if (earlier.journal.empty() || earlier.blows == 0U) return;
+  print_note({}, {fmt::format("the unfinished session of {} is overwritten; lost: {}", one_line(flags.output),
+                              earlier.content()),
+                  {"force"}});
 }
 
-// Records, and writes the file. The exit code; `document` is for --json.
-int record_file(const RecordFlags& flags, const Interrupted& interrupted, pipeline::GuideOptions options,
-                std::string& document) {
+struct Outcome {
+  int code = kOk;
+  std::size_t accepted = 0;
+  std::string document;  // for --json
+};
+
+// Takes the samples of an interrupted session.
+void take_interrupted(const Interrupted& interrupted, const RecordFlags& flags, pipeline::Guide& guide,
+                      RecordScreen& screen) {
+  replay(interrupted, repeats_itself(flags.device), guide);
+  if (const std::string torn = torn_text(interrupted); !torn.empty()) screen.note(torn);
+  if (const auto missing = missing_frames(*interrupted.journal); missing > 0)
+    screen.note(missing_text(missing, interrupted.journal->format().fs_Hz));
+  screen.resumed(guide);
+}
+
+// Writes the file of a session with blows. Its journal stays where the session may go on.
+void keep_session(const RecordFlags& flags, const acquire::Record& record, const Ending& ending, RecordScreen& screen) {
+  write_session(flags, record);
+  if (!ending.early) {
+    fs::remove(journal_of(flags.output));  // the file is whole, and on the disk
+    return;
+  }
+  if (ending.missing_frames > 0) screen.note(missing_text(ending.missing_frames, record.fs_Hz));
+  screen.note("the file holds the blows so far; go on with: " + resume_command(flags.output));
+}
+
+// Records, and writes the file.
+Outcome record_file(const RecordFlags& flags, const Interrupted& interrupted, const UnfinishedSession& earlier,
+                    pipeline::GuideOptions options) {
   const auto analysis = options.analysis;
   Recording recording = open_recording(flags, interrupted);
   auto& stream = recording.stream;
   const bool resumed = interrupted.journal != nullptr;
   if (!resumed) stream->append_event(settings_json(flags));  // at once: a kill may follow
+  state_overwritten(earlier, flags);
   const acquire::StreamFormat format = stream->format();
   const SessionSignals signals;
   RecordTerminal terminal(STDIN_FILENO, flags.json ? STDERR_FILENO : STDOUT_FILENO, flags.quiet);
   RecordScreen screen(terminal, flags, options);
   pipeline::Guide guide(format, std::move(recording.channels), std::move(options), *stream, screen);
   screen.begin(format, guide);
-  if (resumed) {
-    replay(interrupted, repeats_itself(flags.device), guide);
-    if (const std::string torn = torn_text(interrupted); !torn.empty()) screen.note(torn);
-    screen.resumed(guide);
-  }
-  const StreamEnd end = record_blows(*stream, guide, terminal, screen);
+  if (resumed) take_interrupted(interrupted, flags, guide, screen);
+  Ending ending = record_or_name_resume(flags, *stream, guide, terminal, screen);
+  if (resumed) ending.missing_frames += missing_frames(*interrupted.journal);
   const pipeline::Session& session = guide.session();
-  const bool early = (end != StreamEnd::none || SessionSignals::arrived() != 0) && !session.finished();
-  if (end == StreamEnd::finished && !session.finished())
+  if (ending.early && ending.device == StreamEnd::finished)
     screen.note("the device ended before every point had its blows");
   stream.reset();
+  Outcome out{.code = ending.early ? kPartial : kOk, .accepted = session.accepted(), .document = {}};
+  if (out.accepted == 0 && !ending.broken) out.code = kImpossible;
   if (session.blows().empty()) {
     screen.note("no blow was recorded, so no file is written");
     fs::remove(journal_of(flags.output));  // it holds no samples
-    return kImpossible;
+    return out;
   }
   const acquire::Record record = guide.record();
-  acquire::write_record(flags.output, record, flags.force);
-  if (early) {
-    screen.note(fmt::format("the file holds the blows so far; go on with: percuss record --resume {}", flags.output));
-  } else {
-    fs::remove(journal_of(flags.output));  // the file is whole, and on the disk
-  }
-  int code = early ? kPartial : kOk;
-  if (session.accepted() == 0) code = kImpossible;
-  if (flags.quiet && !flags.json) return code;  // nothing would show the analysis
+  keep_session(flags, record, ending, screen);
+  if (flags.quiet && !flags.json) return out;  // nothing would show the analysis
   const SessionResult result(record, flags.output, analysis, session.accepted());
   screen.end(guide, result);
-  if (flags.json) document = result.document();
-  return code;
+  if (flags.json) out.document = result.document();
+  return out;
 }
 
 }  // namespace
@@ -201,19 +215,23 @@ int run_record(RecordFlags flags) {
   flags.channels = parse_channels(flags.channel_list);
   Interrupted interrupted;
   if (!flags.resume.empty()) interrupted = open_interrupted(flags);
-  check_files(flags);
+  const UnfinishedSession earlier = flags.resume.empty() ? find_unfinished(flags) : UnfinishedSession{};
+  check_session_files(flags);
   if (flags.device.empty()) throw OptionError({"device"}, "is missing", "name what records; percuss devices lists it");
+  if (flags.is_given("fast") && !repeats_itself(flags.device)) {
+    throw OptionError({"fast"}, "is for simulated and replayed devices",
+                      "leave it out, or name sim: or file:", {"device"});
+  }
   if (flags.resume.empty() && !repeats_itself(flags.device)) flags.date = report::creation_time() + " UTC";
-  std::string document;
-  const int code = record_file(flags, interrupted, guide_options(flags), document);
-  if (flags.json) std::cout << document << std::flush;
-  if (flags.report.empty()) return code;
-  if (code == kImpossible) {
+  const Outcome outcome = record_file(flags, interrupted, earlier, guide_options(flags));
+  if (flags.json) std::cout << outcome.document << std::flush;
+  if (flags.report.empty()) return outcome.code;
+  if (outcome.accepted == 0) {
     print_note({}, {"no report is written, because no blow counts", {"report"}});
-    return code;
+    return outcome.code;
   }
   const int reported = write_session_report(flags);
-  return code == kOk ? reported : code;
+  return outcome.code == kOk ? reported : outcome.code;
 }
 
 }  // namespace percuss::tools

@@ -1,8 +1,11 @@
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "batch/sha256_file.hpp"
 #include "cli/option_error.hpp"
 #include "commands/record/record_flags.hpp"
+#include "commands/record/record_paths.hpp"
 #include "core/error.hpp"
 
 namespace percuss::tools {
@@ -51,10 +54,27 @@ struct Write {
 struct Read {
   const nlohmann::json& in;
   const RecordFlags& typed;
+  const SessionPaths& paths;
 
   template <class Value>
   void operator()(const char* key, Value& value) const {
     if (!keep_typed(key, in.at(key), value)) value = in.at(key).get<Value>();
+  }
+  // A file may be named by another path than in the session.
+  void operator()(const char* key, std::string& value) const {
+    const auto stored = in.at(key).get<std::string>();
+    const std::string option = key, sha256 = in.value(option + "_sha256", "");
+    const std::string here = option == "device"                          ? paths.find_device(stored)
+                             : option == "geometry" || option == "setup" ? paths.find(stored, sha256)
+                             : option == "report"                        ? paths.target(stored)
+                                                                         : stored;
+    if (!typed.is_given(key)) {
+      value = here;
+      return;
+    }
+    if (option == "device" && names_same_device(value, here)) return;
+    if (!sha256.empty() && !value.empty() && batch::sha256_of_record(value) == sha256) return;
+    keep_typed(key, in.at(key), value);
   }
   void operator()(const char* key, std::optional<double>& value) const {
     const nlohmann::json stored = in.contains(key) ? in.at(key) : nlohmann::json();
@@ -79,6 +99,8 @@ struct Read {
 
 std::string settings_json(const RecordFlags& flags) {
   Json out{{"event", "settings"}, {"frame", 0}};
+  std::error_code ignored;
+  out["folder"] = std::filesystem::current_path(ignored).string();  // relative paths begin there
   each_setting(flags, Write{out});
   each_file(flags, [&](const char* /*option*/, const char* key, const std::string& path) {
     out[key] = batch::sha256_of_record(path);
@@ -92,8 +114,12 @@ void restore_settings(const std::string& event, const std::string& where, Record
   try {
     const auto in = nlohmann::json::parse(event);
     const RecordFlags typed = flags;
-    each_setting(flags, Read{in, typed});
+    const SessionPaths paths(in.value("folder", ""), where);
+    each_setting(flags, Read{in, typed, paths});
+    flags.session_report = paths.target(in.at("report").get<std::string>());
     each_file(flags, [&](const char* option, const char* key, const std::string& path) {
+      if (std::error_code ignored; !std::filesystem::exists(path, ignored))
+        throw InputError("a file of the session is missing", path, "state where it is now", {option});
       if (!in.contains(key) || in.at(key) == batch::sha256_of_record(path)) return;  // older journals have no checksums
       throw InputError("the file has changed since the session began", path, "restore it, and resume again", {option});
     });
