@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -15,6 +16,7 @@
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
+#include "core/io/natural_order.hpp"
 #include "core/parallel/parallel.hpp"
 
 namespace percuss::tools {
@@ -77,9 +79,41 @@ std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, bool fo
   return opened;
 }
 
+// Puts the files of an unquoted pattern, which the shell gave as "p1 p10 p2", into their natural order, each with its
+// force scale. Returns what was done, if anything was.
+std::optional<Message> order_naturally(ReadFlags& flags) {
+  const std::vector<std::size_t> order = meant_order(flags.paths);
+  const auto moved = std::adjacent_find(order.begin(), order.end(), std::greater<>());
+  if (moved == order.end()) return std::nullopt;
+  const std::vector<std::string> paths = flags.paths;
+  const std::vector<double> scales = flags.options.force_scale;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    flags.paths[i] = paths[order[i]];
+    if (scales.size() == paths.size()) flags.options.force_scale[i] = scales[order[i]];
+  }
+  const auto name = [&](std::size_t i) {
+    return one_line(std::filesystem::path(flags.paths[i]).filename().string(), 40);
+  };
+  const auto at = static_cast<std::size_t>(moved - order.begin());
+  return Message(
+      fmt::format("the files came in a shell's order of characters and are counted by the numbers in their names, {} "
+                  "before {}; to count them in another order, rename them",
+                  name(at), name(at + 1)));
+}
+
 bool is_folder(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::is_directory(path, ignored);
+}
+
+// The flags with found_files() as paths, in their natural order; `note` says if it is not the order given.
+ReadFlags found_in_order(const ReadFlags& given, std::optional<Message>& note) {
+  ReadFlags flags = given;
+  if (has_in_memory_inputs(flags)) return flags;
+  flags.paths = found_files(given.paths);
+  note = order_naturally(flags);
+  if (flags.files == acquire::FileGrouping::tests) note.reset();  // tests are told apart by their names
+  return flags;
 }
 
 }  // namespace
@@ -99,9 +133,8 @@ std::vector<std::string> found_files(const std::vector<std::string>& paths) {
 }
 
 ReadFlags with_found_files(const ReadFlags& given) {
-  ReadFlags flags = given;
-  if (!has_in_memory_inputs(flags)) flags.paths = found_files(given.paths);
-  return flags;
+  std::optional<Message> ignored;
+  return found_in_order(given, ignored);
 }
 
 acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOptions& options, std::size_t index) {
@@ -123,7 +156,8 @@ std::variant<acquire::Record, acquire::FrfRecord> open_measurement_at(const Read
 }
 
 Measurements open_measurements(const ReadFlags& given) {
-  const ReadFlags flags = with_found_files(given);
+  std::optional<Message> note;
+  const ReadFlags flags = found_in_order(given, note);
   require_files(flags);
   const acquire::ReadOptions options = resolved_read_options(flags);
   const auto fork_server = fork_server_for(flags, options);
@@ -136,6 +170,8 @@ Measurements open_measurements(const ReadFlags& given) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (auto* record = std::get_if<acquire::Record>(&*all[i])) out.records.push_back(std::move(*record));
     if (auto* frfs = std::get_if<acquire::FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
+    if (note && !out.records.empty()) out.records.back().notes.push_back(*note);
+    if (note && !out.frfs.empty()) out.frfs.back().notes.push_back(*note);
     if (out.records.empty() || out.frfs.empty()) continue;
     throw InputError("records and FRFs cannot be joined",
                      has_in_memory_inputs(flags) ? "data in memory" : flags.paths[i],
@@ -151,14 +187,18 @@ acquire::FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<acquire::Frf
 }
 
 std::vector<acquire::Record> open_records(const ReadFlags& given) {
-  const ReadFlags flags = with_found_files(given);
+  std::optional<Message> note;
+  const ReadFlags flags = found_in_order(given, note);
   require_files(flags);
   const acquire::ReadOptions options = resolved_read_options(flags);
   auto all =
       for_each_file<acquire::Record>(flags, false, [&](std::size_t i) { return open_record_at(flags, options, i); });
   std::vector<acquire::Record> records;
   records.reserve(all.size());
-  for (auto& record : all) records.push_back(std::move(*record));
+  for (auto& record : all) {
+    records.push_back(std::move(*record));
+    if (note) records.back().notes.push_back(*note);
+  }
   return records;
 }
 

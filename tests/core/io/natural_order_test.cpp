@@ -1,4 +1,4 @@
-#include "batch/natural_order.hpp"
+#include "core/io/natural_order.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace percuss::batch::natural_order_test {
+namespace percuss::natural_order_test {
 
 TEST(NaturalOrder, ComparesNumbersByTheirValue) {
   const std::vector<std::string> ordered{"a",        "hit",       "hit1.csv", "hit2.csv",  "hit002b.csv",
@@ -32,4 +32,27 @@ TEST(NaturalOrder, IsStrict) {
   }
 }
 
-}  // namespace percuss::batch::natural_order_test
+std::vector<std::string> ordered(const std::vector<std::string>& names) {
+  std::vector<std::string> out;
+  for (const std::size_t i : meant_order(names)) out.push_back(names[i]);
+  return out;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(MeantOrder, OrdersWhatAShellsPatternGaveByNumbers) {
+  EXPECT_EQ(ordered({"d/p1.csv", "d/p10.csv", "d/p11.csv", "d/p2.csv"}),
+            (Names{"d/p1.csv", "d/p2.csv", "d/p10.csv", "d/p11.csv"}));
+  EXPECT_EQ(ordered({"p10.csv", "p1.csv", "p20.csv", "p2.csv"}), (Names{"p1.csv", "p2.csv", "p10.csv", "p20.csv"}))
+      << "the order of a locale that ignores punctuation";
+  EXPECT_EQ(ordered({"a1", "a10", "a2", "b1", "b10", "b2"}), (Names{"a1", "a2", "a10", "b1", "b2", "b10"}));
+}
+
+TEST(MeantOrder, KeepsEveryOtherOrder) {
+  for (const Names& names :
+       {Names{}, Names{"p1"}, Names{"p1", "p2", "p10"}, Names{"p10", "p2", "p1"}, Names{"p2", "p1", "p10"},
+        Names{"end10", "middle2", "start1"}, Names{"p0.25.csv", "p0.5.csv", "p0.75.csv"}, Names{"p01", "p02", "p10"}})
+    EXPECT_EQ(ordered(names), names);
+}
+
+}  // namespace percuss::natural_order_test
