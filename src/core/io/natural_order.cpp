@@ -22,8 +22,14 @@ std::string without_numbers(const std::string& name) {
   return out;
 }
 
-bool has_decimal_number(const std::string& without_numbers) {
-  return without_numbers.find("#.#") != std::string::npos || without_numbers.find("#,#") != std::string::npos;
+// Whether the names, below the folder that they share, hold a decimal number.
+bool have_decimal_numbers(const std::vector<std::string>& alike) {
+  const std::string& name = alike.front();
+  const std::string& other = alike.back();
+  const auto apart = std::mismatch(name.begin(), name.end(), other.begin(), other.end()).first;
+  const std::size_t folder = std::string(name.begin(), apart).rfind('/');
+  const std::string below = without_numbers(folder == std::string::npos ? name : name.substr(folder + 1));
+  return below.find("#.#") != std::string::npos || below.find("#,#") != std::string::npos;
 }
 
 // Some locales ignore punctuation: "p10.csv" before "p1.csv".
@@ -76,7 +82,7 @@ std::vector<std::size_t> meant_order(const std::vector<std::string>& names) {
     while (end < names.size() && without_numbers(names[end]) == common) ++end;
     const auto at = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
     const std::vector<std::string> alike(names.begin() + at(first), names.begin() + at(end));
-    if (!has_decimal_number(common) && in_a_shells_order(alike)) {
+    if (!have_decimal_numbers(alike) && in_a_shells_order(alike)) {
       std::sort(order.begin() + at(first), order.begin() + at(end),
                 [&](std::size_t a, std::size_t b) { return comes_first_naturally(names[a], names[b]); });
     }

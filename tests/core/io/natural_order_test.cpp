@@ -45,6 +45,8 @@ TEST(MeantOrder, OrdersWhatAShellsPatternGaveByNumbers) {
             (Names{"d/p1.csv", "d/p2.csv", "d/p10.csv", "d/p11.csv"}));
   EXPECT_EQ(ordered({"p10.csv", "p1.csv", "p20.csv", "p2.csv"}), (Names{"p1.csv", "p2.csv", "p10.csv", "p20.csv"}))
       << "the order of a locale that ignores punctuation";
+  EXPECT_EQ(ordered({"v1.5/p1.csv", "v1.5/p10.csv", "v1.5/p2.csv"}),
+            (Names{"v1.5/p1.csv", "v1.5/p2.csv", "v1.5/p10.csv"}));
   EXPECT_EQ(ordered({"a1", "a10", "a2", "b1", "b10", "b2"}), (Names{"a1", "a2", "a10", "b1", "b2", "b10"}));
 }
 
