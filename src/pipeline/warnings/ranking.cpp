@@ -74,6 +74,8 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"weak", Severity::warn},
     {"force_noise_unknown", Severity::warn},
     {"not_told", Severity::warn},
+    {"modes_alone", Severity::warn},
+    {"larger_later", Severity::warn},
     {"drift", Severity::warn},
     {"no_rest", Severity::warn},
     {"missing_position", Severity::warn},
