@@ -81,6 +81,12 @@ bool is_stated_response(const CsvColumn& signal, const ReadOptions& options) {
          std::any_of(options.accel_channels.begin(), options.accel_channels.end(), names);
 }
 
+// Whether a signal that is not read may be a force by its unit.
+bool may_be_force(const CsvColumn& signal) {
+  const auto unit = parse_unit(signal.unit);
+  return !unit || unit->quantity == Quantity::force || unit->quantity == Quantity::voltage;
+}
+
 }  // namespace
 
 double active_share(std::span<const double> samples) {
@@ -111,6 +117,27 @@ bool rises_evenly(std::span<const double> samples) {
     if (!(std::abs(samples[i] - expected) <= kMaxDeviation * step)) return false;
   }
   return true;
+}
+
+std::optional<Message> unread_hammer_note(
+    const std::vector<CsvColumn>& signals, const CsvColumns& known,
+    const std::function<std::vector<double>(std::size_t index, std::size_t max_samples)>& read) {
+  if (known.has_force) return std::nullopt;
+  for (const CsvColumn& signal : signals) {
+    const bool is_read = std::any_of(known.accel.begin(), known.accel.end(),
+                                     [&](const CsvColumn& column) { return column.index == signal.index; });
+    if (is_read || !signal.has_numbers || is_no_signal(signal, known, {})) continue;
+    const bool named = quantity_named(signal.base) == Quantity::force;
+    try {
+      const bool pulses = may_be_force(signal) && hammer_measure(read(signal.index, kMaxSamples)) < kMaxHammerMeasure;
+      if (!named && !pulses) continue;
+    } catch (const InputError&) {
+      if (!named) continue;
+    }
+    return Message(one_line(signal.name, 40) + " looks like the hammer's force and is not read: name it as the force",
+                   {"force_channel"});
+  }
+  return std::nullopt;
 }
 
 RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& known, const ReadOptions& options,

@@ -73,6 +73,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"low_bandwidth", Severity::warn},
     {"weak", Severity::warn},
     {"force_noise_unknown", Severity::warn},
+    {"hammer_as_response", Severity::warn},
     {"not_told", Severity::warn},
     {"modes_alone", Severity::warn},
     {"larger_later", Severity::warn},

@@ -102,13 +102,15 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
   }
 }
 
+std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
+  std::vector<double> samples(std::min(table.lines(), max_samples));
+  table.read(index, 0, samples);
+  return samples;
+}
+
 // The guess must not fail: the caller reports the missing roles.
 RoleGuess guess_of(const CsvTable& table, const CsvColumns& known, const ReadOptions& options) {
-  const auto read = [&](std::size_t index, std::size_t max_samples) {
-    std::vector<double> samples(std::min(table.lines(), max_samples));
-    table.read(index, 0, samples);
-    return samples;
-  };
+  const auto read = [&](std::size_t index, std::size_t max) { return first_samples(table, index, max); };
   RoleGuess guess = guess_roles(table.header().columns, known, options, read);
   guess.rate_known = guess.rate_known || table.header().fs_Hz || options.fs_Hz || clock_column(table);
   return guess;
@@ -132,6 +134,10 @@ Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
   record.format = "CSV";
   const CsvColumns columns = columns_of(open->table, options, input_name(bytes.path));
   describe_signals(columns, options, *open, record);
+  const auto unread =
+      unread_hammer_note(open->table.header().columns, columns,
+                         [&](std::size_t index, std::size_t max) { return first_samples(open->table, index, max); });
+  if (unread) record.notes.push_back(*unread);
   open->rows = find_csv_rows(open->table, columns);
   describe_rows(*open, record);
   record.fs_Hz = find_csv_rate_Hz(open->table, columns, open->rows, options, record.notes);
