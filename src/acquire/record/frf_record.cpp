@@ -43,6 +43,7 @@ FrfRecord join_frfs(std::vector<FrfRecord> records) {
     notes.push_back({input_name_of(next), next.notes});
     out.files.insert(out.files.end(), next.files.begin(), next.files.end());
     if (next.format != out.format) out.format = "several";
+    if (next.estimator != out.estimator) out.estimator.clear();
   }
   out.notes = joined_notes(notes);
   return out;

@@ -154,7 +154,7 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
                          page_plot("movement", "Cross-section of the barrel in each mode."));
     body += indicator_section() + stabilisation_section(warnings);
   }
-  body += method_section(analysis, {.modes = modes});
+  body += method_section(analysis, {.modes = modes, .deflection = options.deflection});
   body += page_section("provenance", "Provenance", page_provenance(analysis.record().files, provenance)) + "</main>\n";
   const PlotSelection wanted{.hits = with_hits, .frfs = frfs, .stabilisation = modes};
   return HtmlPage{.title = page_title(title, provenance.title_block),

@@ -114,7 +114,13 @@ std::vector<Columns> unnamed_columns(const CsvHeader& header) {
   return out;
 }
 
-// Reads unit, kind, window and the sensors' angles from the cells before the data.
+// The estimator in percuss's own statement, "Hv, exp(+jwt)": elsewhere, H1 may be the name of an FRF.
+std::string stated_estimator(const std::string& previous, const std::string& word) {
+  if (word != "exp(+jwt)") return "";
+  return previous == "h1" ? "H1" : previous == "h2" ? "H2" : previous == "hv" ? "Hv" : "";
+}
+
+// Reads unit, kind, estimator, window and the sensors' angles from the cells before the data.
 void read_statements(std::string_view header, StoredFrfs& out) {
   std::string previous;
   std::vector<double> angle_deg;
@@ -125,6 +131,7 @@ void read_statements(std::string_view header, StoredFrfs& out) {
     if (word.empty()) continue;
     if (!out.unit) out.unit = parse_frf_unit(word);
     if (!out.kind) out.kind = parse_frf_kind(word);
+    if (out.record.estimator.empty()) out.record.estimator = stated_estimator(previous, word);
     const ParsedNumber number = parse_number(word, false);
     const bool is_number = number.problem == NumberProblem::none;
     if (is_number && previous == "decay_per_s" && number.value >= 0) out.record.decay_per_s = number.value;
