@@ -29,6 +29,7 @@ struct FrfRecord {
   std::vector<std::vector<double>> geometry;  // [points][3], as in Record; may be empty
   std::vector<TraceLine> trace_lines;         // likewise
   std::vector<TraceFace> trace_faces;         // likewise
+  std::vector<DrivingPlace> driving;          // likewise
   double decay_per_s = 0;                     // of the exponential window that the file states for force and response
   std::vector<Message> notes;                 // what was assumed, one line each
   /// As Record::source().

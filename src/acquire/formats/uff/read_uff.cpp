@@ -66,6 +66,20 @@ int point_of_row(const UffRow& row, bool sensor_roves, const FileBytes& file) {
   return point;
 }
 
+// The place of the hammer: the reference of a response, else the force's own.
+const UffDof& struck_place(const UffRow& row, const UffFunction& response) {
+  return response.reference.node != 0 ? response.reference : row.front()->response;
+}
+
+// The responses of a row that were measured where and in the direction in which it was struck.
+void add_driving_places(const UffRow& row, int point, std::vector<DrivingPlace>& driving) {
+  for (std::size_t i = 1; i < row.size(); ++i) {
+    const DrivingPlace at{point, i};
+    const bool known = std::find(driving.begin(), driving.end(), at) != driving.end();
+    if (!known && same_place(row[i]->response, struck_place(row, *row[i]))) driving.push_back(at);
+  }
+}
+
 bool roving_sensor(const std::vector<UffRow>& rows) {
   std::set<int> struck, sensed;
   for (const UffRow& row : rows) {
@@ -180,6 +194,7 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
     table.rows.push_back({.samples = row.front()->count,
                           .point = point_of_row(row, sensor, file),
                           .run = stated.by_percuss ? row.front()->load_case : 0});
+    add_driving_places(row, table.rows.back().point, table.driving);
   }
   table.geometry = uff_geometry(open->contents, stated.node_offset, table.notes);
   if (!table.geometry.empty()) {
