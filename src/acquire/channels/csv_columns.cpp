@@ -186,6 +186,7 @@ class Finder {
     }
     if (columns_.accel.empty() && !columns_.has_force) find_only_response();
     if (!columns_.accel.empty()) return;
+    refuse_velocities();
     if (!columns_.has_force) {
       throw AmbiguousColumns("neither a force nor an acceleration column found among " + list_of(header_.columns),
                              where_, "name the force and the accelerations, or the accelerations alone", header_,
@@ -193,6 +194,15 @@ class Finder {
     }
     throw AmbiguousColumns("no acceleration column found among " + list_of(header_.columns), where_,
                            "name the accelerations", header_, {"accel_channel"});
+  }
+
+  // A laser vibrometer measures velocities, which no option turns into accelerations.
+  void refuse_velocities() const {
+    for (const CsvColumn& column : header_.columns) {
+      if (!column.has_numbers || quantity_of(column) != Quantity::velocity) continue;
+      throw InputError("no acceleration, but " + one_line(column.name, 40) + " is a velocity", where_,
+                       "differentiate the velocities, or give FRFs of them as mobility", {"frf_kind"});
+    }
   }
 
   // A file without force and accelerations holds the responses of microphones: sound pressures, or one signal of no

@@ -26,6 +26,8 @@ struct RoleGuess {
   std::string force;
   std::vector<std::string> accel;
   bool rate_known = true;  // false: nothing in the file states the sampling rate
+  bool in_volts = false;   // accelerations are in volts, and nothing states their sensitivity
+  bool frf_table = false;  // the file is a table of FRFs: real and imaginary parts beside a column that rises evenly
 };
 
 /// The share of samples in which a signal lives: (Σ x²)² / (N Σ x⁴), where x is the distance from the median (of 262144

@@ -13,6 +13,7 @@
 #include "acquire/channels/signal_overrides.hpp"
 #include "acquire/formats/text/csv_rows.hpp"
 #include "acquire/formats/text/csv_table.hpp"
+#include "acquire/formats/text/read_frf_text.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 
@@ -102,6 +103,8 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
   }
 }
 
+constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
+
 std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
   std::vector<double> samples(std::min(table.lines(), max_samples));
   table.read(index, 0, samples);
@@ -112,6 +115,9 @@ std::vector<double> first_samples(const CsvTable& table, std::size_t index, std:
 RoleGuess guess_of(const CsvTable& table, const CsvColumns& known, const ReadOptions& options) {
   const auto read = [&](std::size_t index, std::size_t max) { return first_samples(table, index, max); };
   RoleGuess guess = guess_roles(table.header().columns, known, options, read);
+  const std::vector<CsvColumn>& columns = table.header().columns;
+  guess.frf_table = columns.front().index == 0 && columns.front().has_numbers && names_frfs(table.header()) &&
+                    rises_evenly(read(0, kRisingSamples));
   guess.rate_known = guess.rate_known || table.header().fs_Hz || options.fs_Hz || clock_column(table);
   return guess;
 }

@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "acquire/channels/csv_columns.hpp"
 #include "acquire/channels/signal_table.hpp"
 #include "acquire/formats/uff/uff_roles.hpp"
 #include "acquire/formats/uff/uff_rows.hpp"
@@ -46,6 +47,7 @@ std::vector<std::string> names_of_row(const UffRow& row) {
 TableSignal signal_of(const UffFunction& function, const std::string& name, const std::optional<UffUnits>& units) {
   TableSignal out{.name = name};
   if (parse_unit(function.ordinate.unit)) out.unit = function.ordinate.unit;
+  if (out.unit.empty() && function.ordinate.quantity == Uff58::velocity) out.unit = si_name(Quantity::velocity);
   out.measures = quantity_of_axis(function.ordinate);
   if (units && out.measures) out.to_SI = 1 / (*out.measures == Quantity::force ? units->force : units->length);
   const UffAnnotation stated = uff_annotation(function);
@@ -115,6 +117,32 @@ double rate_of_function_Hz(const UffFunction& function, const std::string& where
   }
   note = rate->note;
   return rate->fs_Hz;
+}
+
+std::size_t number_of(const UffFunction* function, const std::vector<const UffFunction*>& functions) {
+  return static_cast<std::size_t>(std::find(functions.begin(), functions.end(), function) - functions.begin()) + 1;
+}
+
+// Without a force all functions are signals of one row, so that the guess lists those of every hit. Where the functions
+// make rows of the guessed force and its responses, the guess is made of the first row, by the functions' numbers.
+void guess_one_row(const std::vector<const UffFunction*>& functions, const std::vector<std::string>& names,
+                   const std::string& file, RoleGuess& guess) {
+  const auto by_name = std::find(names.begin(), names.end(), guess.force);
+  const std::size_t force = by_name != names.end()
+                                ? static_cast<std::size_t>(by_name - names.begin())
+                                : static_cast<std::size_t>(std::strtoul(guess.force.c_str(), nullptr, 10)) - 1;
+  if (force >= functions.size()) return;
+  const ReadOptions by_number{.force_channel = std::to_string(force + 1)};
+  const ReadOptions named = with_names(by_number, functions);
+  if (named.force_channel == by_number.force_channel) return;
+  try {
+    const std::vector<UffRow> rows = uff_rows(functions, force_functions(functions, named), file);
+    guess.force = std::to_string(number_of(rows.front().front(), functions));
+    guess.accel.clear();
+    for (std::size_t i = 1; i < rows.front().size(); ++i)
+      guess.accel.push_back(std::to_string(number_of(rows.front()[i], functions)));
+  } catch (const InputError&) {
+  }
 }
 
 std::string list_of_sets(const UffContents& contents) {
@@ -208,7 +236,12 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   table.read = [open](std::size_t row, std::size_t signal, std::size_t start, std::span<double> out) {
     open->rows[row][signal]->read(0, start, out);
   };
-  return record_of_table(std::move(table), named);
+  try {
+    return record_of_table(std::move(table), named);
+  } catch (AmbiguousColumns& error) {
+    if (open->rows.size() == 1 && !error.known.has_force) guess_one_row(functions, names, name, error.guess);
+    throw;
+  }
 }
 
 Record open_uff(const FileBytes& file, const ReadOptions& options) {
