@@ -49,6 +49,16 @@ TEST(CertifyCommand, ExitsWithCode5IfTheLimitIsExceeded) {
   EXPECT_EQ(test::parse_json(bbcor.out)["metric"], "bbcor");
 }
 
+// The session's limit of 0.728 is one of NCAA BESR.
+TEST(CertifyCommand, DoesNotJudgeByTheLimitOfAnotherMetric) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("s.csv"), six_shots("34"));
+  const auto refused = run_percuss({"certify", "s.csv", "--metric", "bbcor"}, {.folder = folder.path()});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("0.728, is one of ncaa_besr"), HasSubstr("--limit")));
+  EXPECT_EQ(run_percuss({"certify", "s.csv", "--metric", "ncaa_besr"}, {.folder = folder.path()}).code, 5);
+}
+
 TEST(CertifyCommand, RejectsUnusableInput) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("bad.json"), "{\"bat\": 3}");
