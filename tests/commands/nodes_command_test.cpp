@@ -121,6 +121,22 @@ TEST_F(NodesCommand, OrdersTheFilesOfAnUnquotedPatternByTheirNumbers) {
   EXPECT_THAT(nodes(arguments).out, testing::Not(HasSubstr("s9.h5 before s10.h5")));
 }
 
+TEST_F(NodesCommand, LeavesOutFilesOfAFolderThatAreNoRecords) {
+  const std::filesystem::path folder = file("session");
+  std::filesystem::create_directory(folder);
+  for (int point = 0; point < 7; ++point) {
+    const std::string name = "point" + std::to_string(point) + ".h5";
+    std::filesystem::copy_file(file(name), folder / name);
+  }
+  test::write_bytes((folder / "README.txt").string(), "The bat was hung by two cords.\n");
+  const auto outcome = nodes({folder.string(), "--positions", "6:0.5:9", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNodeTolerance_in);
+  EXPECT_THAT(outcome.out, HasSubstr("left out, because it holds no numbers: README.txt"));
+  const auto named = nodes({file("point0.h5"), (folder / "README.txt").string(), "--positions", "6:0.5:9"});
+  EXPECT_EQ(named.code, 3) << "a file that is named must be a record";
+}
+
 TEST_F(NodesCommand, WorksFromFrfs) {
   ASSERT_EQ(run_percuss({"frf", file("scan.h5"), "--band", "60:1000", "-o", file("frf.csv")}).code, 0);
   const auto outcome = nodes({file("frf.csv"), "--positions", "6:0.5:9", "--json"});
