@@ -66,6 +66,7 @@ constexpr std::array kNames = {
     Name{"ft", {Quantity::length, kFoot_m}},
     Name{"kg", {Quantity::mass, 1}},
     Name{"lb", {Quantity::mass, kPound_kg}},
+    Name{"lbs", {Quantity::mass, kPound_kg}},
     Name{"oz", {Quantity::mass, kOunce_kg}},
     Name{"Pa", {Quantity::pressure, 1}},
     Name{"kPa", {Quantity::pressure, 1e3}},
@@ -181,6 +182,9 @@ Unit require_unit(std::string_view name, Quantity wanted, std::string_view where
     throw InputError("\"" + one_line(name, 40) + "\" measures a velocity, not an acceleration", where,
                      "differentiate the velocities, or give FRFs of them as mobility");
   }
+  // A hammer or a load cell in pounds measures pounds of force.
+  if (unit->quantity == Quantity::mass && wanted == Quantity::force && unit->to_SI == kPound_kg)
+    return {Quantity::force, kPoundForce_N};
   if (unit->quantity != wanted) {
     throw InputError(
         "\"" + one_line(name, 40) + "\" measures " + quantity_name(unit->quantity) + ", not " + quantity_name(wanted),

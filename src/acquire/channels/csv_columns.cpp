@@ -129,7 +129,8 @@ class Finder {
     if (!column.has_numbers || is_helper(column, columns_)) return false;
     if (const auto measured = quantity_of(column)) {
       if (*measured == quantity) return true;
-      if (*measured != Quantity::voltage) return false;
+      const bool pounds = quantity == Quantity::force && *measured == Quantity::mass;  // of force, if the name says so
+      if (*measured != Quantity::voltage && !pounds) return false;
     }
     // A word counts only in a file with names. A force word counts only without an acceleration word in the same name.
     const std::string name = lower_case(column.base);
