@@ -191,7 +191,7 @@ ReportText certify_text(const metrics::Session& s, const metrics::Certification&
   }
   for (std::size_t i = 0; i < c.shots.size(); ++i) {
     if (!c.shots[i].valid()) {
-      out.say(fmt::format("shot {} does not count: {}", i, joined_messages(c.shots[i].reasons)));
+      out.say(fmt::format("shot {} does not count: {}", i + 1, joined_messages(c.shots[i].reasons)));
     }
   }
   for (const auto& [id, ball] : c.balls) {

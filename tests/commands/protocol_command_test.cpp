@@ -49,6 +49,13 @@ TEST(CertifyCommand, ExitsWithCode5IfTheLimitIsExceeded) {
   EXPECT_EQ(test::parse_json(bbcor.out)["metric"], "bbcor");
 }
 
+TEST(CertifyCommand, CountsShotsFromOne) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("s.csv"), six_shots("34") + "6,b6,145.4,120,34,0\n");
+  const auto outcome = run_percuss({"certify", "s.csv"}, {.folder = folder.path()});
+  EXPECT_THAT(outcome.out, HasSubstr("shot 7 does not count: 120.00 mph inbound"));
+}
+
 // The session's limit of 0.728 is one of NCAA BESR.
 TEST(CertifyCommand, DoesNotJudgeByTheLimitOfAnotherMetric) {
   const test::ScratchFolder folder;

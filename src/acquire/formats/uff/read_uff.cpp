@@ -187,10 +187,12 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   open->file = file;
   open->contents = std::move(contents);
   const std::string name = input_name(file.path);
-  std::vector<const UffFunction*> functions;
-  for (const UffFunction& function : open->contents.functions) {
-    if (is_time_record(function)) functions.push_back(&function);
+  std::vector<UffFunction*> named_by_lines;
+  for (UffFunction& function : open->contents.functions) {
+    if (is_time_record(function)) named_by_lines.push_back(&function);
   }
+  name_by_id_lines(named_by_lines);
+  const std::vector<const UffFunction*> functions(named_by_lines.begin(), named_by_lines.end());
   if (functions.empty()) {
     const auto& all = open->contents.functions;
     if (std::any_of(all.begin(), all.end(), [](const UffFunction& function) { return is_uff_frf(function); })) {
