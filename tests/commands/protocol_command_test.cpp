@@ -56,6 +56,15 @@ TEST(CertifyCommand, CountsShotsFromOne) {
   EXPECT_THAT(outcome.out, HasSubstr("shot 7 does not count: 120.00 mph inbound"));
 }
 
+TEST(CertifyCommand, StatesTheBatOnItsPage) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("s.json"), run_percuss({"certify", "--example"}).out);
+  ASSERT_EQ(run_percuss({"certify", "s.json", "-o", "s.html"}, {.folder = folder.path()}).code, 0);
+  const std::string page = test::bytes_of(folder.file("s.html"));
+  for (const char* part : {"<dt>Bat</dt><dd>AS001</dd>", "<dt>Length, weight, MOI</dt>", "<dt>Metric</dt>", " in, "})
+    EXPECT_THAT(page, HasSubstr(part));
+}
+
 // The session's limit of 0.728 is one of NCAA BESR.
 TEST(CertifyCommand, DoesNotJudgeByTheLimitOfAnotherMetric) {
   const test::ScratchFolder folder;

@@ -22,7 +22,7 @@ namespace percuss::report {
 std::string frf_section(const std::string& summary) {
   return page_section(
       "frf", "Frequency responses",
-      page_paragraph("Drag to zoom in on a frequency range in all three plots; double-click to see the whole band.") +
+      page_hint("Drag to zoom in on a frequency range in all three plots; double-click to see the whole band.") +
           page_plot("magnitude", "Magnitude of the frequency responses in decibels over frequency. " + summary) +
           page_plot("phase", "Phase of the frequency responses over frequency.") +
           page_plot("coherence", "Coherence over frequency, 0 to 1."));

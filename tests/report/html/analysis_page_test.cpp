@@ -117,6 +117,16 @@ TEST_F(AnalysisPage, DrawsThePolesThatNoModeDescribes) {
   EXPECT_THAT(test::bytes_of(folder_.file("broad.svg")), HasSubstr("stable in a section, no mode"));
 }
 
+TEST_F(AnalysisPage, IsMadeForPaperToo) {
+  test::write_small_test(folder_.file("bat.h5"));
+  const std::string page = page_of(folder_.file("bat.h5"));
+  EXPECT_THAT(page, HasSubstr("content: counter(page)"));
+  EXPECT_THAT(page, HasSubstr("<p class=\"hint\">Drag to zoom"));
+  const std::string print = between(page, "@media print", "@page");
+  EXPECT_THAT(print, HasSubstr(".hint { display: none; }"));
+  EXPECT_THAT(print, HasSubstr("td.right { white-space: nowrap; overflow-wrap: normal; }"));
+}
+
 TEST_F(AnalysisPage, AllowsOnlyItsOwnScripts) {
   test::write_small_test(folder_.file("bat.h5"));
   const std::string page = page_of(folder_.file("bat.h5"));
