@@ -60,7 +60,7 @@ TEST_F(TestReport, SaysHowItsResultsWereMade) {
 
 TEST_F(TestReport, StatesTheEstimatorOfGivenFrfsOnlyAsTheirFileDoes) {
   test::write_small_test(folder_.file("bat.h5"));
-  for (const char* name : {"f.csv", "f.h5", "f.mat"}) {
+  for (const char* name : {"f.csv", "f.h5", "f.mat", "f.uff"}) {
     const std::string path = folder_.file(name);
     ASSERT_EQ(run_percuss({"frf", folder_.file("bat.h5"), "--estimator", "hv", "-o", path, "--quiet"}).code, 0);
     EXPECT_THAT(page_of(path), HasSubstr("their file states the estimator Hv")) << name;

@@ -194,6 +194,7 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   const FrfUnit unit = unit_of_function(first, contents, known);
   if (known) out.unit = unit;
   const UffAnnotation stated = uff_annotation(first);
+  out.record.estimator = stated.estimator;
   out.record.decay_per_s = std::max(0.0, stated.decay_per_s.value_or(0));
   out.record.geometry = uff_geometry(contents, stated.node_offset, out.record.notes);
   if (!out.record.geometry.empty()) {
