@@ -201,8 +201,8 @@ class Finder {
   void refuse_velocities() const {
     for (const CsvColumn& column : header_.columns) {
       if (!column.has_numbers || quantity_of(column) != Quantity::velocity) continue;
-      throw InputError("no acceleration, but " + one_line(column.name, 40) + " is a velocity", where_,
-                       "differentiate the velocities, or give FRFs of them as mobility", {"frf_kind"});
+      throw AmbiguousColumns("no acceleration, but " + one_line(column.name, 40) + " is a velocity", where_,
+                             "differentiate the velocities, or give FRFs of them as mobility", header_, {"frf_kind"});
     }
   }
 

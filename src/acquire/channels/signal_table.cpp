@@ -113,6 +113,7 @@ RoleGuess guess_of(const SignalTable& table, const CsvHeader& header, const CsvC
 }
 
 std::optional<Message> unread_hammer_note(const SignalTable& table, const SignalRoles& roles) {
+  if (!table.read) return std::nullopt;
   CsvColumns known{.has_force = roles.has_force};
   std::vector<CsvColumn> columns;
   for (std::size_t i = 0; i < table.signals.size(); ++i) columns.push_back(column_of(table, i));
