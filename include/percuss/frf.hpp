@@ -55,7 +55,7 @@ class FrfSet {
  public:
   FrfKind kind() const;
   std::string unit() const;       // "(m/s^2)/N", "(m/s)/N" or "m/N"
-  std::string estimator() const;  // "H1", "H2", "Hv"
+  std::string estimator() const;  // "H1", "H2", "Hv"; empty: the file does not state it
   const std::vector<double>& freq_Hz() const;
   const std::vector<Frf>& frfs() const;  // ascending by point, then channel
   std::vector<Channel> channels() const;

@@ -12,10 +12,10 @@
 #include <system_error>
 
 #include "acquire/format_registry.hpp"
-#include "batch/natural_order.hpp"
 #include "batch/sha256_file.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/natural_order.hpp"
 #include "core/visible_text.hpp"
 
 namespace percuss::batch {

@@ -66,11 +66,20 @@ constexpr std::array kNames = {
     Name{"ft", {Quantity::length, kFoot_m}},
     Name{"kg", {Quantity::mass, 1}},
     Name{"lb", {Quantity::mass, kPound_kg}},
+    Name{"lbs", {Quantity::mass, kPound_kg}},
     Name{"oz", {Quantity::mass, kOunce_kg}},
     Name{"Pa", {Quantity::pressure, 1}},
     Name{"kPa", {Quantity::pressure, 1e3}},
     Name{"mPa", {Quantity::pressure, 1e-3}},
     Name{"uPa", {Quantity::pressure, 1e-6}},
+    Name{"m/s", {Quantity::velocity, 1}},
+    Name{"m_s", {Quantity::velocity, 1}},
+    Name{"mm/s", {Quantity::velocity, 1e-3}},
+    Name{"mm_s", {Quantity::velocity, 1e-3}},
+    Name{"cm/s", {Quantity::velocity, 1e-2}},
+    Name{"cm_s", {Quantity::velocity, 1e-2}},
+    Name{"in/s", {Quantity::velocity, kInch_m}},
+    Name{"ft/s", {Quantity::velocity, kFoot_m}},
 };
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
@@ -123,6 +132,8 @@ std::string quantity_name(Quantity quantity) {
       return "a mass";
     case Quantity::pressure:
       return "a pressure";
+    case Quantity::velocity:
+      return "a velocity";
   }
   return "nothing";
 }
@@ -145,6 +156,8 @@ std::string examples(Quantity quantity) {
       return "kg, lb or oz";
     case Quantity::pressure:
       return "Pa or kPa";
+    case Quantity::velocity:
+      return "m/s or mm/s";
   }
   return "SI";
 }
@@ -165,6 +178,13 @@ Unit require_unit(std::string_view name, Quantity wanted, std::string_view where
   const auto unit = parse_unit(name);
   const std::string remedy = "use " + examples(wanted);
   if (!unit) throw InputError("unknown unit \"" + one_line(name, 40) + "\"", where, remedy);
+  if (unit->quantity == Quantity::velocity && wanted == Quantity::acceleration) {
+    throw InputError("\"" + one_line(name, 40) + "\" measures a velocity, not an acceleration", where,
+                     "differentiate the velocities, or give FRFs of them as mobility");
+  }
+  // A hammer or a load cell in pounds measures pounds of force.
+  if (unit->quantity == Quantity::mass && wanted == Quantity::force && unit->to_SI == kPound_kg)
+    return {Quantity::force, kPoundForce_N};
   if (unit->quantity != wanted) {
     throw InputError(
         "\"" + one_line(name, 40) + "\" measures " + quantity_name(unit->quantity) + ", not " + quantity_name(wanted),
@@ -191,6 +211,8 @@ std::string si_name(Quantity quantity) {
       return "kg";
     case Quantity::pressure:
       return "Pa";
+    case Quantity::velocity:
+      return "m/s";
   }
   return {};
 }

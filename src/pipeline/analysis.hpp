@@ -91,6 +91,9 @@ class Analysis {
   const FitQuality& fit() const;
   /// Peaks of fitted_frfs() that no mode models, the largest first; some lie just beyond the band.
   const std::vector<identify::UnmodelledPeak>& unexplained_peaks() const;
+  /// Poles within the band that are stable in a section of it, and whose resonance no mode describes. Empty if the user
+  /// chose the modes.
+  const std::vector<identify::Pole>& unmodelled_poles() const;
   /// Delays, clocks and scales of the channels, as far as the modes show them.
   const ChannelFindings& channel_findings() const;
   /// Each mode fitted to each accepted hit alone: repeatability, drift, dependence on the force.
@@ -131,6 +134,7 @@ class Analysis {
   Lazy<std::vector<identify::ModeClassification>> classifications_;
   Lazy<FitQuality> fit_;
   Lazy<std::vector<identify::UnmodelledPeak>> unexplained_peaks_;
+  Lazy<std::vector<identify::Pole>> unmodelled_poles_;
   Lazy<ChannelFindings> channel_findings_;
   Lazy<std::vector<HitMode>> modes_per_hit_;
   Lazy<identify::Stabilisation> stabilisation_;

@@ -46,6 +46,17 @@ const std::vector<identify::UnmodelledPeak>& Analysis::unexplained_peaks() const
   });
 }
 
+const std::vector<identify::Pole>& Analysis::unmodelled_poles() const {
+  return within_budget(budget_, unmodelled_poles_, [&]() -> std::vector<identify::Pole> {
+    if (options_.modes.modes || !options_.modes.start_Hz.empty()) return {};
+    const ThreadLimit limit(options_.threads);
+    std::vector<identify::Pole> poles = identify::unmodelled_poles(fitted_frfs(), modes());
+    const auto [low_Hz, high_Hz] = band_Hz();
+    std::erase_if(poles, [&](const identify::Pole& pole) { return pole.freq_Hz < low_Hz || pole.freq_Hz > high_Hz; });
+    return poles;
+  });
+}
+
 const ChannelFindings& Analysis::channel_findings() const {
   return within_budget(budget_, channel_findings_, [&]() -> ChannelFindings {
     const std::vector<identify::Mode>& found = modes();

@@ -47,7 +47,7 @@ std::vector<Warning> Analysis::warnings() const {
     if (modes().size() < options_.modes.start_Hz.size())
       add(refused_start_warnings(identify::refused_starts(fitted_frfs(), options_.modes)));
     if (!user_chose_modes) add(unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));
-    if (!user_chose_modes) add(unmodelled_pole_warnings(identify::unmodelled_poles(fitted_frfs(), modes()), band_Hz()));
+    add(unmodelled_pole_warnings(unmodelled_poles(), band_Hz()));
   }
   if (classifications_.ready()) {
     add(object_warnings(classifications(), options_.classes));

@@ -190,7 +190,7 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
       if (modal && contribution.empty())
         contribution = modal_contributions(analysis, impacts[h].point, c, options.deflection.highpass_corner_Hz);
       if (method == metrics::DeflectionMethod::modal && contribution.empty()) {
-        throw InputError("no mode is known at the point of impact", fmt::format("hit {}", h),
+        throw InputError("no mode is known at the point of impact", fmt::format("hit {}", h + 1),
                          "choose another method, or check the findings of the hits", {"method"});
       }
     }

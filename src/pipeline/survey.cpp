@@ -101,6 +101,12 @@ void Survey::find_driving_points() {
                      {"driving_point"});
   }
   driving_ = options_.driving;
+  if (driving_.empty()) {
+    for (const acquire::DrivingPlace& at : analysis_.record().driving) {
+      if (points.contains(at.point) && at.channel < accel.size())
+        driving_.push_back({.point = static_cast<std::size_t>(at.point), .channel = at.channel});
+    }
+  }
   if (!driving_.empty() || options_.roving != identify::Roving::hammer) return;
   for (const auto& [point, place] : tube_places_) {
     for (std::size_t c = 0; c < accel.size(); ++c) {

@@ -20,7 +20,7 @@ namespace percuss::pipeline {
 struct SurveyOptions {
   std::optional<acquire::Geometry> geometry;  // default: the record's own
   identify::Roving roving = identify::Roving::hammer;
-  std::vector<identify::DrivingPoint> driving;  // empty: points at which a sensor sits
+  std::vector<identify::DrivingPoint> driving;  // empty: those of the record, else points at which a sensor sits
   std::string geometry_source{};                // file of the geometry, for messages; empty: none
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "report/json/json_document.hpp"
 #include "report/text/number_format.hpp"
@@ -191,7 +192,7 @@ ReportText certify_text(const metrics::Session& s, const metrics::Certification&
   }
   for (std::size_t i = 0; i < c.shots.size(); ++i) {
     if (!c.shots[i].valid()) {
-      out.say(fmt::format("shot {} does not count: {}", i, joined_messages(c.shots[i].reasons)));
+      out.say(fmt::format("shot {} does not count: {}", i + 1, joined_messages(c.shots[i].reasons)));
     }
   }
   for (const auto& [id, ball] : c.balls) {
@@ -227,6 +228,29 @@ LineChart certify_chart(const metrics::Session& s, const metrics::Certification&
   return chart;
 }
 
+// The bat, the ball lot and the terms of the test, at the head of the page.
+std::vector<std::pair<std::string, std::string>> facts_of(const metrics::Session& s) {
+  std::vector<std::pair<std::string, std::string>> facts{{"Bat", s.bat.id}};
+  const auto add = [&](const char* what, const std::string& text) {
+    if (!text.empty()) facts.emplace_back(what, text);
+  };
+  std::string sizes = s.bat.length_in > 0 ? fmt::format("{:g} in", s.bat.length_in) : "";
+  const auto size = [&](const std::optional<double>& value, const char* unit) {
+    if (value) sizes += fmt::format("{}{:g} {}", sizes.empty() ? "" : ", ", *value, unit);
+  };
+  size(s.bat.weight_oz, "oz");
+  size(s.bat.moi_ozin2, "oz in² about the pivot");
+  add("Length, weight, MOI", sizes);
+  add("Material", s.bat.material);
+  add("Condition", s.bat.condition);
+  add("Program", s.bat.program);
+  add("Days in the laboratory", fmt::format("bat {:g}, balls {:g}", s.bat.days_in_lab, s.lot.days_in_lab));
+  add("Ball lot", s.lot.id);
+  add("Metric",
+      std::string(name_of(s.metric)) + (s.limit ? fmt::format(", limit {:g}", *s.limit) : ", no limit stated"));
+  return facts;
+}
+
 }  // namespace
 
 CommandReport certify_report(const metrics::Session& session, const metrics::Certification& certification) {
@@ -234,6 +258,7 @@ CommandReport certify_report(const metrics::Session& session, const metrics::Cer
   report.json = certify_json(session, certification);
   report.text = certify_text(session, certification);
   report.table = certify_csv(session, certification);
+  report.facts = facts_of(session);
   report.charts = {certify_chart(session, certification)};
   return report;
 }

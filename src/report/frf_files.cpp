@@ -31,7 +31,8 @@ acquire::FrfRecord frf_record_of(const pipeline::Analysis& analysis) {
   out.trace_lines = analysis.record().trace_lines;
   out.trace_faces = analysis.record().trace_faces;
   out.decay_per_s = analysis.window_decay_per_s();
-  out.estimator = name_of(analysis.options().estimator);
+  const acquire::FrfRecord* const given = analysis.given_frfs();
+  out.estimator = given != nullptr ? given->estimator : name_of(analysis.options().estimator);
   const std::size_t first = band.first - lines.first;
   for (const acquire::PointFrf& frf : analysis.frfs()) {
     out.frfs.push_back({.point = frf.point, .channel = frf.channel, .frf = {}});

@@ -160,7 +160,7 @@ LineChart shapes_chart(const BendingPlot& bending) {
     for (const BendingNode& node : line.nodes) {
       nodes.x.push_back(node.z_m / kInch_m);
       nodes.y.push_back(0);
-      nodes.labels.push_back(node.text);
+      nodes.labels.push_back(node.text.substr(0, node.text.find(',')));  // in inches, as the axis
     }
     chart.curves.push_back(std::move(curve));
     if (!nodes.x.empty()) chart.curves.push_back(std::move(nodes));

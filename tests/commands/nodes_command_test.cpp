@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "acquire/formats/hdf5/write_hdf5.hpp"
@@ -99,6 +101,40 @@ TEST_F(NodesCommand, TakesSeveralFilesAsPointsInTheirOrder) {
   const auto outcome = nodes(arguments);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNodeTolerance_in);
+}
+
+// A shell gives "s10 s4 s5 …" for the pattern s*; s10 is the last point.
+TEST_F(NodesCommand, OrdersTheFilesOfAnUnquotedPatternByTheirNumbers) {
+  std::vector<std::string> paths;
+  for (int point = 0; point < 7; ++point) {
+    paths.push_back(file("s" + std::to_string(point + 4) + ".h5"));
+    std::filesystem::copy_file(file("point" + std::to_string(point) + ".h5"), paths.back());
+  }
+  std::sort(paths.begin(), paths.end());
+  std::vector<std::string> arguments{"--positions", "6:0.5:9", "--json"};
+  arguments.insert(arguments.end(), paths.begin(), paths.end());
+  const auto outcome = nodes(arguments);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNodeTolerance_in);
+  EXPECT_THAT(outcome.out, HasSubstr("s9.h5 before s10.h5"));
+  std::swap(arguments[3], arguments[4]);  // neither order: the user's choice
+  EXPECT_THAT(nodes(arguments).out, testing::Not(HasSubstr("s9.h5 before s10.h5")));
+}
+
+TEST_F(NodesCommand, LeavesOutFilesOfAFolderThatAreNoRecords) {
+  const std::filesystem::path folder = file("session");
+  std::filesystem::create_directory(folder);
+  for (int point = 0; point < 7; ++point) {
+    const std::string name = "point" + std::to_string(point) + ".h5";
+    std::filesystem::copy_file(file(name), folder / name);
+  }
+  test::write_bytes((folder / "README.txt").string(), "The bat was hung by two cords.\n");
+  const auto outcome = nodes({folder.string(), "--positions", "6:0.5:9", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNodeTolerance_in);
+  EXPECT_THAT(outcome.out, HasSubstr("left out, because it holds no numbers: README.txt"));
+  const auto named = nodes({file("point0.h5"), (folder / "README.txt").string(), "--positions", "6:0.5:9"});
+  EXPECT_EQ(named.code, 3) << "a file that is named must be a record";
 }
 
 TEST_F(NodesCommand, WorksFromFrfs) {

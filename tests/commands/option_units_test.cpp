@@ -2,6 +2,8 @@
 
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/small_records.hpp"
 
 // Options take numbers with a unit.
 namespace percuss::option_units_test {
@@ -46,6 +48,25 @@ TEST(OptionUnits, HoldForEachValueOfAListAndForARange) {
   standard.insert(standard.end(), {"--gravity-in-s2", "9.80665 m/s2"});
   inches.insert(inches.end(), {"--gravity-in-s2", "386.08858267716535"});
   EXPECT_NEAR(document_of(standard)["moi_oz_in2"].get<double>(), document_of(inches)["moi_oz_in2"].get<double>(), 1e-8);
+}
+
+TEST(OptionUnits, HoldForSensitivities) {
+  const test::ScratchFolder folder;
+  const test::SmallRecord small = test::small_record();
+  test::write_columns(folder.file("v.csv"), "time_s,hammer (V),acc (V)",
+                      {small.time_s, small.force_N, small.accel_mps2});
+  const auto amplitudes = [&](const std::string& force, const std::string& accel) {
+    return document_of({"info", folder.file("v.csv"), "--force-sensitivity", force, "--accel-sensitivity",
+                        accel})["files"][0]["channels"];
+  };
+  const auto plain = amplitudes("2.25", "98.0665");
+  EXPECT_EQ(amplitudes("2.25mV/N", "98.0665 mV/g"), plain);
+  for (std::size_t c = 0; c < plain.size(); ++c) {
+    const double expected = plain[c]["to_si"].get<double>();
+    const double found = amplitudes("0.00225V/N", "10mV/(m/s^2)")[c]["to_si"].get<double>();
+    EXPECT_NEAR(found / expected, 1, 1e-12) << c;
+  }
+  EXPECT_EQ(run_percuss({"info", folder.file("v.csv"), "--accel-sensitivity", "100mV/N"}).code, 2);
 }
 
 TEST(OptionUnits, HoldForTheSpeedsOfMeasuredCcor) {

@@ -49,6 +49,32 @@ TEST(CertifyCommand, ExitsWithCode5IfTheLimitIsExceeded) {
   EXPECT_EQ(test::parse_json(bbcor.out)["metric"], "bbcor");
 }
 
+TEST(CertifyCommand, CountsShotsFromOne) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("s.csv"), six_shots("34") + "6,b6,145.4,120,34,0\n");
+  const auto outcome = run_percuss({"certify", "s.csv"}, {.folder = folder.path()});
+  EXPECT_THAT(outcome.out, HasSubstr("shot 7 does not count: 120.00 mph inbound"));
+}
+
+TEST(CertifyCommand, StatesTheBatOnItsPage) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("s.json"), run_percuss({"certify", "--example"}).out);
+  ASSERT_EQ(run_percuss({"certify", "s.json", "-o", "s.html"}, {.folder = folder.path()}).code, 0);
+  const std::string page = test::bytes_of(folder.file("s.html"));
+  for (const char* part : {"<dt>Bat</dt><dd>AS001</dd>", "<dt>Length, weight, MOI</dt>", "<dt>Metric</dt>", " in, "})
+    EXPECT_THAT(page, HasSubstr(part));
+}
+
+// The session's limit of 0.728 is one of NCAA BESR.
+TEST(CertifyCommand, DoesNotJudgeByTheLimitOfAnotherMetric) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("s.csv"), six_shots("34"));
+  const auto refused = run_percuss({"certify", "s.csv", "--metric", "bbcor"}, {.folder = folder.path()});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("0.728, is one of ncaa_besr"), HasSubstr("--limit")));
+  EXPECT_EQ(run_percuss({"certify", "s.csv", "--metric", "ncaa_besr"}, {.folder = folder.path()}).code, 5);
+}
+
 TEST(CertifyCommand, RejectsUnusableInput) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("bad.json"), "{\"bat\": 3}");

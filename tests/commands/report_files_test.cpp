@@ -36,6 +36,16 @@ TEST(ReportText, PrintsTheSameOnTerminalAndPage) {
             "<li>beware again</li>\n</ul>\n");
 }
 
+// A table of many columns fits into the width of the page with smaller letters.
+TEST(ReportText, MarksWideTables) {
+  const auto table_of = [](std::size_t columns) {
+    report::TextTable table(std::vector<report::TextTable::Column>(columns, {"n"}));
+    return table.html();
+  };
+  EXPECT_THAT(table_of(9), testing::StartsWith("<table>"));
+  EXPECT_THAT(table_of(11), testing::StartsWith("<table class=\"wide\">"));
+}
+
 std::size_t count_of(const std::string& text, const std::string& what) {
   std::size_t count = 0;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;

@@ -55,7 +55,9 @@ INSTANTIATE_TEST_SUITE_P(Others, Units,
                                          Case{"\xC2\xB0", Quantity::angle, std::numbers::pi / 180},
                                          Case{"rad", Quantity::angle, 1}, Case{"m", Quantity::length, 1},
                                          Case{"mm", Quantity::length, 0.001}, Case{"cm", Quantity::length, 0.01},
-                                         Case{"in", Quantity::length, 0.0254}, Case{"kg", Quantity::mass, 1}));
+                                         Case{"in", Quantity::length, 0.0254}, Case{"kg", Quantity::mass, 1},
+                                         Case{"lbs", Quantity::mass, 0.45359237}, Case{"m/s", Quantity::velocity, 1},
+                                         Case{"mm_s", Quantity::velocity, 0.001}));
 
 TEST(ParseUnit, ReturnsNothingForUnknownUnits) {
   for (const char* name :

@@ -219,6 +219,21 @@ TEST(Survey, NamesTheSensorOnANode) {
   EXPECT_THAT(warnings, Contains(Field(&Warning::message, HasSubstr("accel 2 sits on a node of mode 1"))));
 }
 
+TEST(Survey, TakesTheDrivingPointsThatTheRecordStates) {
+  synth::SynthSpec spec = roving(barrel(), 2);
+  spec.modes.resize(1);
+  acquire::Record record = synth::synthesise(spec).record;
+  record.geometry.clear();  // no position shows a driving point
+  const Analysis silent(record, in_band());
+  EXPECT_TRUE(Survey(silent, {}).driving_points().empty());
+  record.driving = {{.point = 1, .channel = 0}};
+  const Analysis stated(record, in_band());
+  ASSERT_EQ(Survey(stated, {}).driving_points().size(), 1U);
+  EXPECT_EQ(Survey(stated, {}).driving_points()[0].point, 1U);
+  EXPECT_EQ(Survey(stated, {.driving = {{.point = 2, .channel = 0}}}).driving_points()[0].point, 2U)
+      << "the user's choice";
+}
+
 TEST(Survey, WarnsOfAWrongDrivingPointSignAndBrokenReciprocity) {
   synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(2);

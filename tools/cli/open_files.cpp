@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -15,6 +16,8 @@
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
+#include "core/io/csv_header.hpp"
+#include "core/io/natural_order.hpp"
 #include "core/parallel/parallel.hpp"
 
 namespace percuss::tools {
@@ -57,10 +60,33 @@ std::shared_ptr<acquire::ForkServer> fork_server_for(const ReadFlags& flags, con
   return acquire::measurement_fork_server({.read = options, .kind = flags.frf_kind});
 }
 
+// The files to open, in their order.
+struct FoundFiles {
+  ReadFlags flags;              // with their paths
+  std::set<std::string> named;  // the paths as typed; others were found in folders and by patterns
+  std::optional<Message> note;  // where the order is not the one given
+  bool in_folder(std::size_t i) const { return i < flags.paths.size() && !named.contains(flags.paths[i]); }
+};
+
+std::string file_name(const std::string& path) { return one_line(std::filesystem::path(path).filename().string(), 40); }
+
+// Whether the file was refused as a text without numbers, such as a README.
+bool is_no_record(const std::exception_ptr& error) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const InputError& refused) {
+    return refused.problem().starts_with(kNoNumbers);
+  } catch (...) {
+    return false;
+  }
+}
+
 // Opens the files in parallel, except sandboxed ones without a fork server. Rethrows the error of the first file that
 // cannot be opened.
+// Leaves out files of folders that are no records.
 template <class Opened, class Open>
-std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, bool fork_server, const Open& open) {
+std::vector<std::optional<Opened>> for_each_file(const FoundFiles& found, bool fork_server, const Open& open) {
+  const ReadFlags& flags = found.flags;
   std::vector<std::optional<Opened>> opened(input_count(flags));
   std::vector<std::exception_ptr> failed(opened.size());
   const bool forks = !fork_server && several_with_sandboxed_format(flags);
@@ -71,15 +97,68 @@ std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, bool fo
       failed[i] = std::current_exception();
     }
   });
-  for (const std::exception_ptr& error : failed) {
-    if (error) std::rethrow_exception(error);
+  const bool any = std::any_of(opened.begin(), opened.end(), [](const auto& one) { return one.has_value(); });
+  for (std::size_t i = 0; i < failed.size(); ++i) {
+    if (failed[i] && !(any && found.in_folder(i) && is_no_record(failed[i]))) std::rethrow_exception(failed[i]);
   }
   return opened;
+}
+
+// The note on the files that for_each_file() left out.
+template <class Opened>
+std::optional<Message> left_out_note(const FoundFiles& found, const std::vector<std::optional<Opened>>& opened) {
+  constexpr std::size_t kMaxNamed = 4;
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < opened.size(); ++i) {
+    if (opened[i] || ++count > kMaxNamed) continue;
+    names += (count > 1 ? ", " : "") + file_name(found.flags.paths[i]);
+  }
+  if (count == 0) return std::nullopt;
+  const std::string more = count > kMaxNamed ? fmt::format(" and {} more", count - kMaxNamed) : "";
+  return Message(
+      fmt::format("left out, because {} no numbers: {}{}", count == 1 ? "it holds" : "they hold", names, more));
+}
+
+// Puts the files of an unquoted pattern, which the shell gave as "p1 p10 p2", into their natural order, each with its
+// force scale. Returns what was done, if anything was.
+std::optional<Message> order_naturally(ReadFlags& flags) {
+  const std::vector<std::size_t> order = meant_order(flags.paths);
+  const auto moved = std::adjacent_find(order.begin(), order.end(), std::greater<>());
+  if (moved == order.end()) return std::nullopt;
+  const std::vector<std::string> paths = flags.paths;
+  const std::vector<double> scales = flags.options.force_scale;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    flags.paths[i] = paths[order[i]];
+    if (scales.size() == paths.size()) flags.options.force_scale[i] = scales[order[i]];
+  }
+  const auto name = [&](std::size_t i) { return file_name(flags.paths[i]); };
+  const auto at = static_cast<std::size_t>(moved - order.begin());
+  return Message(
+      fmt::format("the files came in a shell's order of characters and are counted by the numbers in their names, {} "
+                  "before {}; to count them in another order, rename them",
+                  name(at), name(at + 1)));
 }
 
 bool is_folder(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::is_directory(path, ignored);
+}
+
+FoundFiles found_in_order(const ReadFlags& given) {
+  FoundFiles found{.flags = given, .named = {given.paths.begin(), given.paths.end()}, .note = {}};
+  if (has_in_memory_inputs(given)) return found;
+  found.flags.paths = found_files(given.paths);
+  found.note = order_naturally(found.flags);
+  if (given.files == acquire::FileGrouping::tests) found.note.reset();  // tests are told apart by their names
+  return found;
+}
+
+// Adds the notes to the record or the FRFs of each file.
+template <class Opened>
+void add_notes(const FoundFiles& found, const std::optional<Message>& left_out, Opened& one) {
+  if (found.note) one.notes.push_back(*found.note);
+  if (left_out) one.notes.push_back(*left_out);
 }
 
 }  // namespace
@@ -98,11 +177,7 @@ std::vector<std::string> found_files(const std::vector<std::string>& paths) {
   return files;
 }
 
-ReadFlags with_found_files(const ReadFlags& given) {
-  ReadFlags flags = given;
-  if (!has_in_memory_inputs(flags)) flags.paths = found_files(given.paths);
-  return flags;
-}
+ReadFlags with_found_files(const ReadFlags& given) { return found_in_order(given).flags; }
 
 acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOptions& options, std::size_t index) {
   const acquire::ReadOptions file_options = read_options_of_file(options, index, input_count(flags));
@@ -123,17 +198,21 @@ std::variant<acquire::Record, acquire::FrfRecord> open_measurement_at(const Read
 }
 
 Measurements open_measurements(const ReadFlags& given) {
-  const ReadFlags flags = with_found_files(given);
+  const FoundFiles found = found_in_order(given);
+  const ReadFlags& flags = found.flags;
   require_files(flags);
   const acquire::ReadOptions options = resolved_read_options(flags);
   const auto fork_server = fork_server_for(flags, options);
   auto all = for_each_file<std::variant<acquire::Record, acquire::FrfRecord>>(
-      flags, fork_server != nullptr, [&](std::size_t i) {
+      found, fork_server != nullptr, [&](std::size_t i) {
         if (fork_server == nullptr) return open_measurement_at(flags, options, i);
         return acquire::open_measurement_forked(fork_server, flags.paths[i], {.read = options, .kind = flags.frf_kind});
       });
+  const std::optional<Message> left_out = left_out_note(found, all);
   Measurements out;
   for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i]) continue;
+    std::visit([&](auto& one) { add_notes(found, left_out, one); }, *all[i]);
     if (auto* record = std::get_if<acquire::Record>(&*all[i])) out.records.push_back(std::move(*record));
     if (auto* frfs = std::get_if<acquire::FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
     if (out.records.empty() || out.frfs.empty()) continue;
@@ -151,14 +230,20 @@ acquire::FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<acquire::Frf
 }
 
 std::vector<acquire::Record> open_records(const ReadFlags& given) {
-  const ReadFlags flags = with_found_files(given);
+  const FoundFiles found = found_in_order(given);
+  const ReadFlags& flags = found.flags;
   require_files(flags);
   const acquire::ReadOptions options = resolved_read_options(flags);
   auto all =
-      for_each_file<acquire::Record>(flags, false, [&](std::size_t i) { return open_record_at(flags, options, i); });
+      for_each_file<acquire::Record>(found, false, [&](std::size_t i) { return open_record_at(flags, options, i); });
   std::vector<acquire::Record> records;
   records.reserve(all.size());
-  for (auto& record : all) records.push_back(std::move(*record));
+  const std::optional<Message> left_out = left_out_note(found, all);
+  for (auto& record : all) {
+    if (!record) continue;
+    records.push_back(std::move(*record));
+    add_notes(found, left_out, records.back());
+  }
   return records;
 }
 

@@ -11,7 +11,17 @@
 namespace percuss::tools {
 namespace {
 
-enum class Dimension { length, mass, speed, acceleration, inertia };
+// The sensitivities have their SI values in V per N, m/s² and Pa.
+enum class Dimension {
+  length,
+  mass,
+  speed,
+  acceleration,
+  inertia,
+  volts_per_force,
+  volts_per_accel,
+  volts_per_pressure
+};
 
 struct UnitOfValue {
   std::string_view name;
@@ -19,7 +29,7 @@ struct UnitOfValue {
   double si;
 };
 constexpr double kFoot_m = 12 * kInch_m;
-constexpr std::array<UnitOfValue, 18> kUnits{{{"m", Dimension::length, 1},
+constexpr std::array<UnitOfValue, 33> kUnits{{{"m", Dimension::length, 1},
                                               {"cm", Dimension::length, 0.01},
                                               {"mm", Dimension::length, 0.001},
                                               {"in", Dimension::length, kInch_m},
@@ -28,6 +38,7 @@ constexpr std::array<UnitOfValue, 18> kUnits{{{"m", Dimension::length, 1},
                                               {"g", Dimension::mass, 0.001},
                                               {"oz", Dimension::mass, kOunce_kg},
                                               {"lb", Dimension::mass, kPound_kg},
+                                              {"lbs", Dimension::mass, kPound_kg},
                                               {"m/s", Dimension::speed, 1},
                                               {"km/h", Dimension::speed, 1 / 3.6},
                                               {"mph", Dimension::speed, kMilePerHour_mps},
@@ -36,12 +47,26 @@ constexpr std::array<UnitOfValue, 18> kUnits{{{"m", Dimension::length, 1},
                                               {"in/s2", Dimension::acceleration, kInch_m},
                                               {"ft/s2", Dimension::acceleration, kFoot_m},
                                               {"kgm2", Dimension::inertia, 1},
-                                              {"ozin2", Dimension::inertia, kOunce_kg* kInch_m* kInch_m}}};
+                                              {"ozin2", Dimension::inertia, kOunce_kg* kInch_m* kInch_m},
+                                              {"mV/N", Dimension::volts_per_force, 1e-3},
+                                              {"V/N", Dimension::volts_per_force, 1},
+                                              {"mV/lbf", Dimension::volts_per_force, 1e-3 / kPoundForce_N},
+                                              {"V/lbf", Dimension::volts_per_force, 1 / kPoundForce_N},
+                                              {"mV/g", Dimension::volts_per_accel, 1e-3 / kStandardGravity_mps2},
+                                              {"V/g", Dimension::volts_per_accel, 1 / kStandardGravity_mps2},
+                                              {"mV/(m/s^2)", Dimension::volts_per_accel, 1e-3},
+                                              {"mV/(m/s2)", Dimension::volts_per_accel, 1e-3},
+                                              {"mV/(m/s\u00B2)", Dimension::volts_per_accel, 1e-3},
+                                              {"V/(m/s^2)", Dimension::volts_per_accel, 1},
+                                              {"V/(m/s2)", Dimension::volts_per_accel, 1},
+                                              {"V/(m/s\u00B2)", Dimension::volts_per_accel, 1},
+                                              {"mV/Pa", Dimension::volts_per_pressure, 1e-3},
+                                              {"V/Pa", Dimension::volts_per_pressure, 1}}};
 
 struct Placeholder {
   std::string_view shown, unit;
 };
-constexpr std::array<Placeholder, 10> kPlaceholders{{{"M", "m"},
+constexpr std::array<Placeholder, 13> kPlaceholders{{{"M", "m"},
                                                      {"IN", "in"},
                                                      {"KG", "kg"},
                                                      {"OZ", "oz"},
@@ -50,7 +75,10 @@ constexpr std::array<Placeholder, 10> kPlaceholders{{{"M", "m"},
                                                      {"MPH", "mph"},
                                                      {"IN/S2", "in/s2"},
                                                      {"KG*M2", "kgm2"},
-                                                     {"OZIN2", "ozin2"}}};
+                                                     {"OZIN2", "ozin2"},
+                                                     {"mV/N", "mV/N"},
+                                                     {"mV/g", "mV/g"},
+                                                     {"mV/Pa", "mV/Pa"}}};
 
 const UnitOfValue* unit_named(std::string_view name) {
   const auto* const at =
@@ -74,8 +102,9 @@ bool has_option_units(std::string_view placeholder) { return unit_of_option(plac
 NumberAndUnit split_unit(std::string_view text) {
   text = trimmed(text);
   if (parse_number(text, false).problem == NumberProblem::none) return {.number = text, .unit = {}};
-  // The 2 of m/s2 belongs to the unit.
-  const std::size_t before = text.ends_with('2') ? text.size() - 2 : std::string_view::npos;
+  // The 2 of m/s2 and of mV/(m/s^2) belongs to the unit.
+  const std::string_view bare = text.ends_with(')') ? text.substr(0, text.size() - 1) : text;
+  const std::size_t before = bare.ends_with('2') && bare.size() > 1 ? bare.size() - 2 : std::string_view::npos;
   const std::size_t digits = text.find_last_of("0123456789.", before) + 1;  // 0 for none
   return {.number = text.substr(0, digits), .unit = trimmed(text.substr(digits))};
 }

@@ -38,7 +38,7 @@ void print_report(const report::CommandReport& report, const OutputFlags& flags)
     };
     outcome.html = [text = report.text] { return text.html(); };
   }
-  print(flags, flags.json ? report.json : report.text.text(terminal_width(), flag_of));
+  print(flags, flags.json ? report.json : report.text.text(terminal_width(), flag_of, !flags.quiet));
 }
 
 int show_report(const report::CommandReport& report, const OutputFlags& flags, const std::vector<std::string>& paths) {

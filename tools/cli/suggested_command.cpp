@@ -30,8 +30,10 @@ bool is_role_option(std::string_view word) {
 
 std::string suggested_options(const acquire::RoleGuess& guess) {
   if (guess.accel.empty()) return "";
+  if (guess.frf_table) return "--frf-kind accelerance";
   std::string options = guess.force.empty() ? "" : "--force-channel " + quoted(guess.force) + " ";
   options += "--accel-channel " + quoted(fmt::format("{}", fmt::join(guess.accel, ",")));
+  if (guess.in_volts) options += " --accel-sensitivity mV/g";
   return options + (guess.rate_known ? "" : " --fs HZ");
 }
 

@@ -100,16 +100,18 @@ void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSe
 
 std::string text_of(const AnalyzeResults& results, std::size_t width, bool sketch, OptionWriter write_option) {
   std::string text;
+  const bool warnings = !results.flags.output.quiet;
   for (const Test& test : results.tests) {
     if (results.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
     text += report::analysis_text(*test.analysis, {.sections = results.sections,
                                                    .width = width,
                                                    .per_hit = results.flags.per_hit,
+                                                   .warnings = warnings,
                                                    .sketch = sketch,
                                                    .write_option = write_option});
     if (test.deflection)
-      text += "\n" + report::deflection_tables(*test.analysis, *test.deflection).text(width, write_option);
-    if (results.comparison) text += "\n" + results.comparison->text.text(width, write_option);
+      text += "\n" + report::deflection_tables(*test.analysis, *test.deflection).text(width, write_option, warnings);
+    if (results.comparison) text += "\n" + results.comparison->text.text(width, write_option, warnings);
   }
   return text;
 }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <iostream>
 #include <memory>
 
@@ -18,6 +20,19 @@ struct CertifyFlags {
   OutputFlags output;
 };
 
+// A limit belongs to its metric: BESR, NCAA BESR and BBCOR have different scales.
+void judge_by(const CertifyFlags& flags, metrics::Session& session) {
+  const auto metric = metrics::performance_metric_named(flags.metric);
+  if (metric && *metric != session.metric && session.limit && !flags.limit) {
+    throw OptionError::wrong_value(
+        "metric", flags.metric, fmt::format("state the limit of {}", flags.metric),
+        fmt::format("the limit of the session, {}, is one of {}", *session.limit, metrics::name_of(session.metric)),
+        {"limit"});
+  }
+  if (metric) session.metric = *metric;
+  if (flags.limit) session.limit = flags.limit;
+}
+
 int certify_session(const CertifyFlags& flags) {
   if (flags.example || flags.example_table) {
     print(flags.output, flags.example_table ? metrics::session_table_example() : metrics::session_example());
@@ -26,8 +41,7 @@ int certify_session(const CertifyFlags& flags) {
   if (flags.session.empty()) throw OptionError({}, "no session is given", "name its file, or - for standard input");
   check_report_outputs(flags.output);
   metrics::Session session = metrics::read_session(flags.session);
-  if (!flags.metric.empty()) session.metric = *metrics::performance_metric_named(flags.metric);
-  if (flags.limit) session.limit = flags.limit;
+  judge_by(flags, session);
   const metrics::Certification certification = metrics::certify(session, {.accept_plateau = flags.accept_plateau});
   show_report(report::certify_report(session, certification), flags.output, {flags.session});
   return certification.verdict == metrics::CertifyVerdict::fail ? kQualityGate : kOk;

@@ -165,7 +165,8 @@ int run_survey(const SurveyFlags& flags) {
   const bool wants_json =
       flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
   const std::string document = wants_json ? report::survey_json(survey, {.trace = flags.trace}) : "";
-  const std::string text = flags.output.json ? "" : report::survey_text(survey, flags.hits, terminal_width(), flag_of);
+  const std::string text =
+      flags.output.json ? "" : report::survey_text(survey, flags.hits, terminal_width(), flag_of, !flags.output.quiet);
   progress.stop();
   write_outputs(flags, survey, document);
   print(flags.output, flags.output.json ? document : text);

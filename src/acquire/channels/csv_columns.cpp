@@ -129,7 +129,8 @@ class Finder {
     if (!column.has_numbers || is_helper(column, columns_)) return false;
     if (const auto measured = quantity_of(column)) {
       if (*measured == quantity) return true;
-      if (*measured != Quantity::voltage) return false;
+      const bool pounds = quantity == Quantity::force && *measured == Quantity::mass;  // of force, if the name says so
+      if (*measured != Quantity::voltage && !pounds) return false;
     }
     // A word counts only in a file with names. A force word counts only without an acceleration word in the same name.
     const std::string name = lower_case(column.base);
@@ -186,6 +187,7 @@ class Finder {
     }
     if (columns_.accel.empty() && !columns_.has_force) find_only_response();
     if (!columns_.accel.empty()) return;
+    refuse_velocities();
     if (!columns_.has_force) {
       throw AmbiguousColumns("neither a force nor an acceleration column found among " + list_of(header_.columns),
                              where_, "name the force and the accelerations, or the accelerations alone", header_,
@@ -193,6 +195,15 @@ class Finder {
     }
     throw AmbiguousColumns("no acceleration column found among " + list_of(header_.columns), where_,
                            "name the accelerations", header_, {"accel_channel"});
+  }
+
+  // A laser vibrometer measures velocities, which no option turns into accelerations.
+  void refuse_velocities() const {
+    for (const CsvColumn& column : header_.columns) {
+      if (!column.has_numbers || quantity_of(column) != Quantity::velocity) continue;
+      throw AmbiguousColumns("no acceleration, but " + one_line(column.name, 40) + " is a velocity", where_,
+                             "differentiate the velocities, or give FRFs of them as mobility", header_, {"frf_kind"});
+    }
   }
 
   // A file without force and accelerations holds the responses of microphones: sound pressures, or one signal of no

@@ -72,6 +72,22 @@ bool is_no_signal(const CsvColumn& column, const CsvColumns& known, const ReadOp
          (setup != nullptr && setup->role == "ignore");
 }
 
+// Whether a signal measures what is neither a force nor a response: a velocity, an angle.
+bool measures_another_quantity(const CsvColumn& signal) {
+  const auto unit = parse_unit(signal.unit);
+  return unit && unit->quantity != Quantity::force && unit->quantity != Quantity::voltage &&
+         !is_response(unit->quantity);
+}
+
+// Whether the number of an acceleration in volts has no scale yet.
+bool needs_sensitivity(const CsvColumn& signal, const ReadOptions& options) {
+  const ChannelSetup* const setup = setup_of(signal, options);
+  const auto unit = parse_unit(signal.unit);
+  const bool stated = !options.accel_scale.empty() || !options.accel_sensitivity_V_per_mps2.empty() ||
+                      !options.accel_unit.empty() || (setup != nullptr && (setup->sensitivity_V_per_SI || setup->unit));
+  return unit && unit->quantity == Quantity::voltage && !stated;
+}
+
 // Whether the user or the unit says that the signal is a response.
 bool is_stated_response(const CsvColumn& signal, const ReadOptions& options) {
   const ChannelSetup* const setup = setup_of(signal, options);
@@ -79,6 +95,12 @@ bool is_stated_response(const CsvColumn& signal, const ReadOptions& options) {
   const auto unit = parse_unit(signal.unit);
   return (unit && is_response(unit->quantity)) || (setup != nullptr && setup->role == "acceleration") ||
          std::any_of(options.accel_channels.begin(), options.accel_channels.end(), names);
+}
+
+// Whether a signal that is not read may be a force by its unit.
+bool may_be_force(const CsvColumn& signal) {
+  const auto unit = parse_unit(signal.unit);
+  return !unit || unit->quantity == Quantity::force || unit->quantity == Quantity::voltage;
 }
 
 }  // namespace
@@ -113,6 +135,27 @@ bool rises_evenly(std::span<const double> samples) {
   return true;
 }
 
+std::optional<Message> unread_hammer_note(
+    const std::vector<CsvColumn>& signals, const CsvColumns& known,
+    const std::function<std::vector<double>(std::size_t index, std::size_t max_samples)>& read) {
+  if (known.has_force) return std::nullopt;
+  for (const CsvColumn& signal : signals) {
+    const bool is_read = std::any_of(known.accel.begin(), known.accel.end(),
+                                     [&](const CsvColumn& column) { return column.index == signal.index; });
+    if (is_read || !signal.has_numbers || is_no_signal(signal, known, {})) continue;
+    const bool named = quantity_named(signal.base) == Quantity::force;
+    try {
+      const bool pulses = may_be_force(signal) && hammer_measure(read(signal.index, kMaxSamples)) < kMaxHammerMeasure;
+      if (!named && !pulses) continue;
+    } catch (const InputError&) {
+      if (!named) continue;
+    }
+    return Message(one_line(signal.name, 40) + " looks like the hammer's force and is not read: name it as the force",
+                   {"force_channel"});
+  }
+  return std::nullopt;
+}
+
 RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& known, const ReadOptions& options,
                       const std::function<std::vector<double>(std::size_t index, std::size_t max_samples)>& read,
                       const std::function<std::string(const CsvColumn&)>& name_of) {
@@ -127,7 +170,7 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
     if (!signal.has_numbers || found.size() == kMaxGuessedSignals) continue;
     if (known.has_force && signal.index == known.force.index) continue;
     if (is_one_of(lower_case(signal.base), kTimeWords)) guess.rate_known = true;
-    if (is_no_signal(signal, known, options)) continue;
+    if (is_no_signal(signal, known, options) || measures_another_quantity(signal)) continue;
     try {
       const std::vector<double> samples = read(signal.index, max_samples);
       if (signal.index == 0 && rises_evenly(samples)) {
@@ -148,7 +191,9 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
   if (!known.has_force && found.size() < 2) force = nullptr;
   if (force != nullptr) guess.force = value(*force);
   for (const CsvColumn* signal : found) {
-    if (signal != force) guess.accel.push_back(value(*signal));
+    if (signal == force) continue;
+    guess.accel.push_back(value(*signal));
+    guess.in_volts = guess.in_volts || needs_sensitivity(*signal, options);
   }
   if (!options.accel_channels.empty()) guess.accel = options.accel_channels;
   return guess;

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/io/csv_header.hpp"
 
 namespace percuss::acquire {
@@ -15,12 +17,17 @@ struct ReadOptions;
 inline constexpr std::size_t kMaxGuessedSignals = 64;  // more than a command line should list
 /// The largest ratio between the hammer_measure() of two hammers. That of a response is 20 times its hammer's or more.
 inline constexpr double kMaxMeasureRatio = 10;
+/// The largest hammer_measure() of a hammer. A haversine of 5 ms in 0.3 s has 4e-4, the decay of a mode of 2 kHz and 1
+/// % in 1 s has 4e-3.
+inline constexpr double kMaxHammerMeasure = 1e-3;
 
 /// The likely force and accelerations of a file that does not name them, as the options accept them. Empty: no guess.
 struct RoleGuess {
   std::string force;
   std::vector<std::string> accel;
   bool rate_known = true;  // false: nothing in the file states the sampling rate
+  bool in_volts = false;   // accelerations are in volts, and nothing states their sensitivity
+  bool frf_table = false;  // the file is a table of FRFs: real and imaginary parts beside a column that rises evenly
 };
 
 /// The share of samples in which a signal lives: (Σ x²)² / (N Σ x⁴), where x is the distance from the median (of 262144
@@ -44,5 +51,12 @@ bool rises_evenly(std::span<const double> samples);
 RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& known, const ReadOptions& options,
                       const std::function<std::vector<double>(std::size_t index, std::size_t max_samples)>& read,
                       const std::function<std::string(const CsvColumn&)>& name_of = {});
+
+/// The note on a file that is read without a force although a signal that is not read must be the hammer's: by the
+/// words of its name, or because its unit may be a force's and its samples look like pulses. `signals`, `read` as
+/// above.
+std::optional<Message> unread_hammer_note(
+    const std::vector<CsvColumn>& signals, const CsvColumns& known,
+    const std::function<std::vector<double>(std::size_t index, std::size_t max_samples)>& read);
 
 }  // namespace percuss::acquire

@@ -104,14 +104,27 @@ void describe_table(ScaledTable& open, const ReadOptions& options, Record& recor
   note_assumed_units(record);
 }
 
+std::vector<double> first_samples(const SignalTable& table, std::size_t index, std::size_t max_samples) {
+  std::vector<double> samples(table.rows.empty() ? 0 : std::min(table.rows.front().samples, max_samples));
+  table.read(0, index, 0, samples);
+  return samples;
+}
+
 // From the samples of the first row.
 RoleGuess guess_of(const SignalTable& table, const CsvHeader& header, const CsvColumns& known,
                    const ReadOptions& options) {
-  return guess_roles(header.columns, known, options, [&](std::size_t index, std::size_t max_samples) {
-    std::vector<double> samples(table.rows.empty() ? 0 : std::min(table.rows.front().samples, max_samples));
-    table.read(0, index, 0, samples);
-    return samples;
-  });
+  return guess_roles(header.columns, known, options,
+                     [&](std::size_t index, std::size_t max) { return first_samples(table, index, max); });
+}
+
+std::optional<Message> unread_hammer_note(const SignalTable& table, const SignalRoles& roles) {
+  if (!table.read) return std::nullopt;
+  CsvColumns known{.has_force = roles.has_force};
+  std::vector<CsvColumn> columns;
+  for (std::size_t i = 0; i < table.signals.size(); ++i) columns.push_back(column_of(table, i));
+  for (const std::size_t index : roles.accel) known.accel.push_back(columns[index]);
+  return unread_hammer_note(columns, known,
+                            [&](std::size_t index, std::size_t max) { return first_samples(table, index, max); });
 }
 
 }  // namespace
@@ -147,6 +160,11 @@ Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOp
   record.geometry = std::move(table.geometry);
   record.trace_lines = std::move(table.trace_lines);
   record.trace_faces = std::move(table.trace_faces);
+  for (const DrivingPlace& at : table.driving) {
+    const auto channel = std::find(roles.accel.begin(), roles.accel.end(), at.channel);
+    if (channel != roles.accel.end())
+      record.driving.push_back({at.point, static_cast<std::size_t>(channel - roles.accel.begin())});
+  }
   record.files = table.files;
   record.format = table.format;
   record.rows = table.rows;
@@ -172,6 +190,7 @@ Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOp
 
 Record record_of_table(SignalTable table, const ReadOptions& options) {
   const SignalRoles roles = find_roles(table, options);
+  if (const auto note = unread_hammer_note(table, roles)) table.notes.push_back(*note);
   return record_of_table(std::move(table), roles, options);
 }
 

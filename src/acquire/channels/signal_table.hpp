@@ -34,6 +34,7 @@ struct SignalTable {
   std::vector<std::vector<double>> geometry;
   std::vector<TraceLine> trace_lines;
   std::vector<TraceFace> trace_faces{};
+  std::vector<DrivingPlace> driving{};  // with indices of signals in place of channels
   std::vector<Message> notes;
   /// Stored numbers first … first + out.size() − 1 of a row's signal. Several threads may call at once.
   std::function<void(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out)> read;

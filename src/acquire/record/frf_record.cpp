@@ -40,9 +40,11 @@ FrfRecord join_frfs(std::vector<FrfRecord> records) {
       frf.point += after;
       out.frfs.push_back(std::move(frf));
     }
+    for (const DrivingPlace& at : next.driving) out.driving.push_back({at.point + after, at.channel});
     notes.push_back({input_name_of(next), next.notes});
     out.files.insert(out.files.end(), next.files.begin(), next.files.end());
     if (next.format != out.format) out.format = "several";
+    if (next.estimator != out.estimator) out.estimator.clear();
   }
   out.notes = joined_notes(notes);
   return out;

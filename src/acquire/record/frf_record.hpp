@@ -25,10 +25,11 @@ struct FrfRecord {
   LineRange lines;                // of every FRF; fs_Hz is twice the highest frequency, the true rate is not known
   std::vector<SignalInfo> accel;  // [channels]; to_SI is the factor applied to the stored FRF: unit and sign
   std::vector<PointFrf> frfs;     // [points × channels], point by point, ascending
-  std::string estimator = "H1";
+  std::string estimator{};        // "H1", "H2", "Hv"; empty: not stated
   std::vector<std::vector<double>> geometry;  // [points][3], as in Record; may be empty
   std::vector<TraceLine> trace_lines;         // likewise
   std::vector<TraceFace> trace_faces;         // likewise
+  std::vector<DrivingPlace> driving;          // likewise
   double decay_per_s = 0;                     // of the exponential window that the file states for force and response
   std::vector<Message> notes;                 // what was assumed, one line each
   /// As Record::source().

@@ -93,6 +93,10 @@ Record join_records(std::vector<Record> records, FileGrouping grouping) {
       out.rows.push_back(info);
       joined->rows.push_back({r, row});
     }
+    if (grouping == FileGrouping::points && r > 0) {
+      for (const DrivingPlace& at : record.driving)
+        out.driving.push_back({at.point + static_cast<int>(points), at.channel});
+    }
     points += number_of_points(record);
     out.files.insert(out.files.end(), record.files.begin(), record.files.end());
     if (record.files.empty()) out.files.push_back({.path = record.source()});

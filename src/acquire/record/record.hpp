@@ -42,6 +42,13 @@ struct RowInfo {
   RowMark mark = RowMark::none;  // rejected while it was recorded
 };
 
+/// A point struck beside the sensor of a channel, in the direction of the sensor.
+struct DrivingPlace {
+  int point = 0;
+  std::size_t channel = 0;  // index into Record::accel
+  bool operator==(const DrivingPlace&) const = default;
+};
+
 /// The storage of a signal whose numbers are contiguous in its file: little-endian IEEE floats of 4 or 8 bytes.
 struct ContiguousSignal {
   std::uint64_t offset_bytes = 0;    // of the first number of the first row
@@ -69,6 +76,7 @@ struct Record {
   std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored; NaN where not known; may be empty
   std::vector<TraceLine> trace_lines;         // may be empty
   std::vector<TraceFace> trace_faces;         // may be empty
+  std::vector<DrivingPlace> driving;          // where the file states them; may be empty
   std::vector<ContiguousSignal> contiguous;   // the force and each channel, where all are contiguous; else empty
   std::vector<RecordFault> faults;            // faults while the record was captured, in order of time
   std::vector<Message> notes;                 // assumptions, and parts that could not be read

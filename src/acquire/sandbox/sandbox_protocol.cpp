@@ -65,7 +65,8 @@ std::string serialized_ambiguous_columns(const AmbiguousColumns& error) {
   out.put(error.guess.force);
   out.put(static_cast<std::uint64_t>(error.guess.accel.size()));
   for (const std::string& name : error.guess.accel) out.put(name);
-  out.put(static_cast<std::uint64_t>(error.guess.rate_known));
+  for (const bool known : {error.guess.rate_known, error.guess.in_volts, error.guess.frf_table})
+    out.put(static_cast<std::uint64_t>(known));
   return out.bytes();
 }
 
@@ -127,7 +128,8 @@ AmbiguousColumns deserialize_ambiguous_columns(const std::string& payload) {
   error.guess.force = in.text();
   const std::size_t accels = in.count(sizeof(std::uint64_t));
   for (std::size_t i = 0; i < accels; ++i) error.guess.accel.push_back(in.text());
-  error.guess.rate_known = in.get<std::uint64_t>() != 0;
+  for (bool* const known : {&error.guess.rate_known, &error.guess.in_volts, &error.guess.frf_table})
+    *known = in.get<std::uint64_t>() != 0;
   return error;
 }
 

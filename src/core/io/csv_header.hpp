@@ -34,6 +34,9 @@ struct CsvHeader {
 /// The possible contents of a text in columns.
 enum class CsvContent { time_record, frf };
 
+/// The beginning of the problem of a text that is no table.
+inline constexpr std::string_view kNoNumbers = "no lines of numbers";
+
 /// Reads the lines before the data. The names are in the last line with text over every column of numbers, the units in
 /// the last line with nothing but units. Comment lines count as well, but ordinary lines take precedence.
 /// errors  InputError: no line of numbers; for a time record, the columns of an FRF or a spectrum

@@ -110,7 +110,7 @@ Deflection deflection_by_frequency(const ImpactSignal& signal, const DeflectionO
           .bias_mps2 = rest.bias(0)};
 }
 
-Deflection by_modes(const ImpactSignal& signal) {
+Deflection by_modes(const ImpactSignal& signal, const DeflectionOptions& options) {
   assert(!signal.force_N.empty());
   ModalDeflection modal = modal_deflection(signal.force_N, signal.fs_Hz, signal.modes, signal.rigid_per_kg);
   // The share of the acceleration that the modes do not explain may be missing from the deflection as well.
@@ -125,7 +125,8 @@ Deflection by_modes(const ImpactSignal& signal) {
   return {.method = DeflectionMethod::modal,
           .velocity_mps = std::move(modal.velocity_mps),
           .deflection_m = std::move(modal.deflection_m),
-          .std_m = std::move(modal.std_m)};
+          .std_m = std::move(modal.std_m),
+          .rigid_motion_left_out = !(signal.rigid_per_kg > 0) && !drift_free(signal, options).held};
 }
 
 }  // namespace
@@ -155,7 +156,7 @@ Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& op
   }
   Deflection out = method == DeflectionMethod::small_interval ? small_interval(signal)
                    : method == DeflectionMethod::frequency    ? deflection_by_frequency(signal, options)
-                   : method == DeflectionMethod::modal        ? by_modes(signal)
+                   : method == DeflectionMethod::modal        ? by_modes(signal, options)
                                                               : drift_free(signal, options);
   find_largest(signal, options, out);
   return out;

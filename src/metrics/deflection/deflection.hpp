@@ -41,6 +41,9 @@ struct Deflection {
   std::size_t peak = 0;       // sample of the largest significant deflection
   double peak_m = 0;          // signed; NaN, like peak_std_m and forward_m, where no deflection is significant
   double peak_std_m = 0;
+  bool larger_later = false;  // larger values follow the peak, but their standard deviation grows faster than they
+  // modal only: rigid-body motion is left out, and the record does not show that the structure returns to rest
+  bool rigid_motion_left_out = false;
   double forward_m = 0, forward_std_m = 0;  // the peak in the direction of the first motion; signed
   // The deflection at the last sample that bias and drift cause: for drift_free its standard deviation, for
   // small_interval its value; 0 for the other methods.

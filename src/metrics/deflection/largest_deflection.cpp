@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSignificantStds = 4;
 constexpr double kClearlyMoved = 0.1;  // of the largest deflection
+constexpr double kGrownOn = 1.1;       // over the largest deflection
 constexpr double kWeak = 0.005;        // standard deviation over the largest deflection
 constexpr double kCurvesDisagree = 5;  // standard deviations between the two curves
 constexpr std::size_t kCompared = 64;  // places at which they are compared
@@ -98,6 +99,13 @@ std::optional<LowNoiseCurve> low_noise_curve(const ImpactSignal& signal, const D
   return out;
 }
 
+// Whether clearly larger values follow the peak.
+bool grows_on(const Deflection& d) {
+  const double clear_m = kGrownOn * std::abs(d.peak_m) + kSignificantStds * d.peak_std_m;
+  return std::any_of(d.deflection_m.begin() + static_cast<std::ptrdiff_t>(d.peak), d.deflection_m.end(),
+                     [&](double w) { return std::abs(w) > clear_m; });
+}
+
 }  // namespace
 
 void find_largest(const ImpactSignal& signal, const DeflectionOptions& options, Deflection& d) {
@@ -117,6 +125,7 @@ void find_largest(const ImpactSignal& signal, const DeflectionOptions& options, 
   d.peak = *peak;
   d.peak_m = d.deflection_m[d.peak];
   d.peak_std_m = own.std(d.peak);
+  d.larger_later = !low_noise && grows_on(d);
   const double direction = first_direction(curve, d.peak);
   const auto forward = low_noise ? largest(curve, direction) : most_significant(own, direction);
   if (!forward) return;

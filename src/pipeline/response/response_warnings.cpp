@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <span>
 
+#include "acquire/channels/role_guess.hpp"
+#include "core/error.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/object_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
@@ -20,6 +24,36 @@ Warning no_force() {
        {},
        acquire::Severity::info},
       "name the force's channel, if there is one");
+}
+
+constexpr std::size_t kExaminedSamples = std::size_t{1} << 18U;  // of each response: enough for a hit
+
+double hammer_measure_of(const acquire::Record& record, std::size_t channel) {
+  std::vector<double> samples;
+  for (std::size_t row = 0; row < record.rows.size() && samples.size() < kExaminedSamples; ++row) {
+    const std::size_t count = std::min(record.rows[row].samples, kExaminedSamples - samples.size());
+    samples.resize(samples.size() + count);
+    record.read_accel_mps2(row, channel, 0, std::span(samples).last(count));
+  }
+  return acquire::hammer_measure(samples);
+}
+
+// A hammer among the responses: its samples look like pulses, and those of the other responses do not.
+std::vector<Warning> hammer_as_response(const acquire::Record& record) {
+  std::vector<double> measures;
+  for (std::size_t c = 0; c < record.accel.size(); ++c) measures.push_back(hammer_measure_of(record, c));
+  if (measures.size() < 2) return {};
+  const auto smallest = std::min_element(measures.begin(), measures.end());
+  const auto alike = std::count_if(measures.begin(), measures.end(),
+                                   [&](double measure) { return measure <= acquire::kMaxMeasureRatio * *smallest; });
+  if (!(*smallest < acquire::kMaxHammerMeasure) || alike > 1) return {};
+  const std::string name = one_line(record.accel[static_cast<std::size_t>(smallest - measures.begin())].name, 40);
+  return {with_remedy({"hammer_as_response",
+                       name + " looks like the hammer's pulses, but is analysed as a response",
+                       {"force_channel", "accel_channel", "force_unit"}},
+                      fmt::format("name {} as the force and the others as accelerations, and the unit of the force if "
+                                  "the file states another",
+                                  name))};
 }
 
 std::vector<Warning> tones(const ResponseTest& test) {
@@ -55,6 +89,7 @@ std::vector<Warning> response_warnings(const ResponseTest& test) {
     out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
   add(input_warnings(test.record));
+  add(hammer_as_response(test.record));
   out.push_back(no_force());
   if (!test.possible()) {
     out.push_back(with_remedy({"no_free_decay", "no impact is followed by a free decay", {"accept_hit", "from"}},

@@ -6,6 +6,7 @@
 namespace percuss::pipeline {
 
 /// The warnings about a test without a force, most serious first:
+///   hammer_as_response  a response looks like the hammer
 ///   no_force         results that need a force are missing
 ///   no_free_decay    no impact can be used
 ///   tone             sinusoids that do not decay

@@ -20,6 +20,7 @@ acquire::Record record_without_rows(const acquire::FrfRecord& frfs) {
   record.geometry = frfs.geometry;
   record.trace_lines = frfs.trace_lines;
   record.trace_faces = frfs.trace_faces;
+  record.driving = frfs.driving;
   return record;
 }
 

@@ -8,6 +8,35 @@
 
 namespace percuss::pipeline {
 
+namespace {
+
+// Motion that the largest deflections stated do not show.
+void add_motion_left_out(const DeflectionResults& test, std::vector<Warning>& out) {
+  const auto growing = std::count_if(test.deflections.begin(), test.deflections.end(),
+                                     [](const metrics::Deflection* deflection) { return deflection->larger_later; });
+  if (growing > 0) {
+    out.push_back(with_remedy(
+        {"larger_later",
+         fmt::format("{} of {} deflections grow on after the largest value stated, but their ± grows faster: the value "
+                     "stated is the one that exceeds its ± most, not the end of the motion",
+                     growing, test.deflections.size()),
+         {"effective_mass"}},
+        "record with more pre-trigger; for a free structure, state its effective mass at the struck point"));
+  }
+  const bool modes_alone =
+      std::any_of(test.deflections.begin(), test.deflections.end(),
+                  [](const metrics::Deflection* deflection) { return deflection->rigid_motion_left_out; });
+  if (modes_alone) {
+    out.push_back(with_remedy({"modes_alone",
+                               "the modal deflections hold the vibration of the identified modes alone: the rigid-body "
+                               "motion of a free structure is left out",
+                               {"effective_mass"}},
+                              "for a free structure, state its effective mass at the struck point"));
+  }
+}
+
+}  // namespace
+
 std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
   std::vector<Warning> out;
   if (test.used < test.impacts) {
@@ -30,6 +59,7 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
                                {"method"}},
                               "record with more pre-trigger, or choose the method modal"));
   }
+  add_motion_left_out(test, out);
   const bool drifts = std::any_of(test.deflections.begin(), test.deflections.end(), [](const auto* deflection) {
     return deflection->method == metrics::DeflectionMethod::drift_free && !deflection->held;
   });
@@ -38,8 +68,9 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
         with_remedy({"drift",
                      "the structure does not return to its rest position, or the record is too short to show that it "
                      "does: late deflections drift, and their ± includes the drift",
-                     {"method", "free_body"}},
-                    "choose the method modal, which does not drift, or state that the body is free"));
+                     {"method", "free_body", "effective_mass"}},
+                    "for a held structure, choose the method modal, which does not drift; for a free one, say that it "
+                    "is free and state its effective mass at the struck point"));
   }
   return ranked(std::move(out));
 }

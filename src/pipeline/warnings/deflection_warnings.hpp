@@ -15,7 +15,7 @@ struct DeflectionResults {
   std::vector<const metrics::Deflection*> deflections;
 };
 
-/// no_pulse, no_rest, not_told, drift.
+/// no_pulse, no_rest, not_told, larger_later, modes_alone, drift.
 std::vector<Warning> deflection_warnings(const DeflectionResults& test);
 
 }  // namespace percuss::pipeline

@@ -111,8 +111,8 @@ std::vector<Warning> unmodelled_pole_warnings(std::vector<identify::Pole> poles,
     list += fmt::format("{}{:.6g} Hz ({:.2g} %)", separator(list), poles[p].freq_Hz, 100 * poles[p].damping_ratio);
   list += and_more(poles.size());
   return {with_remedy({"unmodelled_poles",
-                       "the stabilisation diagram shows stable poles that no mode describes: " + list +
-                           ". Modes may be missing there, and their neighbours may be off by more than their ±",
+                       "stabilisation diagrams of sections of the band show stable poles that no mode describes: " +
+                           list + ". Modes may be missing there, and their neighbours may be off by more than their ±",
                        {"band", "start"}},
                       "analyse a narrower band around them, or state a starting frequency for each mode")};
 }

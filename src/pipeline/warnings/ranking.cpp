@@ -14,7 +14,8 @@ namespace {
 using acquire::Severity;
 
 // Most serious first: wrong quantities and mixed tests, then distorted or incomplete signals, structures that are not
-// linear or not at rest, what the fit leaves open, and remarks.
+// linear or not at rest, what the fit leaves open, and remarks. A cause stands before its consequence: split modes and
+// missing modes before the residual that they leave.
 constexpr auto kRanking = std::to_array<RankedCode>({
     {"hits_disagree", Severity::reject},
     {"swapped_channels", Severity::reject},
@@ -59,21 +60,24 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"tone", Severity::warn},
     {"pair_or_scatter", Severity::warn},
     {"spike", Severity::warn},
+    {"double_peak", Severity::warn},
+    {"sensor_on_node", Severity::warn},
     {"driving_point_sign", Severity::warn},
     {"reciprocity", Severity::warn},
-    {"frac", Severity::warn},
-    {"model_misfit", Severity::warn},
     {"unclaimed_peaks", Severity::warn},
     {"unmodelled_poles", Severity::warn},
     {"local_fits", Severity::warn},
-    {"double_peak", Severity::warn},
-    {"sensor_on_node", Severity::warn},
+    {"model_misfit", Severity::warn},
+    {"frac", Severity::warn},
     {"assumed_tube", Severity::warn},
     {"short_pretrigger", Severity::warn},
     {"low_bandwidth", Severity::warn},
     {"weak", Severity::warn},
     {"force_noise_unknown", Severity::warn},
+    {"hammer_as_response", Severity::warn},
     {"not_told", Severity::warn},
+    {"modes_alone", Severity::warn},
+    {"larger_later", Severity::warn},
     {"drift", Severity::warn},
     {"no_rest", Severity::warn},
     {"missing_position", Severity::warn},

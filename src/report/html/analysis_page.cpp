@@ -22,7 +22,7 @@ namespace percuss::report {
 std::string frf_section(const std::string& summary) {
   return page_section(
       "frf", "Frequency responses",
-      page_paragraph("Drag to zoom in on a frequency range in all three plots; double-click to see the whole band.") +
+      page_hint("Drag to zoom in on a frequency range in all three plots; double-click to see the whole band.") +
           page_plot("magnitude", "Magnitude of the frequency responses in decibels over frequency. " + summary) +
           page_plot("phase", "Phase of the frequency responses over frequency.") +
           page_plot("coherence", "Coherence over frequency, 0 to 1."));
@@ -154,7 +154,7 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
                          page_plot("movement", "Cross-section of the barrel in each mode."));
     body += indicator_section() + stabilisation_section(warnings);
   }
-  body += method_section(analysis, {.modes = modes});
+  body += method_section(analysis, {.modes = modes, .deflection = options.deflection});
   body += page_section("provenance", "Provenance", page_provenance(analysis.record().files, provenance)) + "</main>\n";
   const PlotSelection wanted{.hits = with_hits, .frfs = frfs, .stabilisation = modes};
   return HtmlPage{.title = page_title(title, provenance.title_block),

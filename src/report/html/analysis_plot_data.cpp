@@ -87,7 +87,7 @@ Json hits_plot_json(const pipeline::Analysis& analysis) {
   return out;
 }
 
-Json stabilisation_plot_json(const identify::Stabilisation& diagram) {
+Json stabilisation_plot_json(const identify::Stabilisation& diagram, const std::vector<identify::Pole>& unmodelled) {
   std::vector<double> freq_Hz;
   std::string stability;
   Json orders = Json::array();
@@ -96,7 +96,9 @@ Json stabilisation_plot_json(const identify::Stabilisation& diagram) {
     orders.push_back(pole.order);
     stability += name_of(pole.stability)[0];
   }
-  return {{"hz", numbers_json(freq_Hz, 0)}, {"order", std::move(orders)}, {"stability", stability}};
+  Json json{{"hz", numbers_json(freq_Hz, 0)}, {"order", std::move(orders)}, {"stability", stability}};
+  for (const identify::Pole& pole : unmodelled) json["unmodelled_hz"].push_back(pole.freq_Hz);
+  return json;
 }
 
 }  // namespace
@@ -114,7 +116,8 @@ std::string analysis_plot_data(const pipeline::Analysis& analysis,
   json["band_hz"] = {low_Hz, high_Hz};
   if (wanted.frfs) json["frf"] = frf_plot_json(analysis);
   json["modes"] = modes_plot_json(analysis, classifications);
-  if (wanted.stabilisation) json["stabilisation"] = stabilisation_plot_json(analysis.stabilisation());
+  if (wanted.stabilisation)
+    json["stabilisation"] = stabilisation_plot_json(analysis.stabilisation(), analysis.unmodelled_poles());
   return ascii_text(json);
 }
 

@@ -30,8 +30,9 @@ std::vector<acquire::InputFile> files_of(const std::vector<std::string>& inputs)
 std::string command_page(const CommandReport& report, const std::vector<std::string>& inputs,
                          const Provenance& provenance) {
   const std::string title = title_of(report, inputs);
-  std::string body =
-      page_header(title, "", provenance.title_block) + "<main>\n" + page_section("found", "Result", report.text.html());
+  TitleBlock block = provenance.title_block;
+  block.facts.insert(block.facts.begin(), report.facts.begin(), report.facts.end());
+  std::string body = page_header(title, "", block) + "<main>\n" + page_section("found", "Result", report.text.html());
   const bool bends = !report.bending.modes.empty();
   if (bends) {
     body += page_section("bending", "Bending modes of the bat",

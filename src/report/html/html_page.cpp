@@ -26,8 +26,10 @@ std::string data_text(const std::string& json) {
 }
 
 std::string paper_style(const TitleBlock& block) {
-  return fmt::format(":root {{ --print-width: {}; }}\n@page {{ size: {}; margin: 15mm; }}\n", block.print_width,
-                     block.paper);
+  return fmt::format(
+      ":root {{ --print-width: {}; }}\n@page {{ size: {}; margin: 15mm; @bottom-right {{ content: counter(page) \" / "
+      "\" counter(pages); font: 8pt sans-serif; }} }}\n",
+      block.print_width, block.paper);
 }
 
 }  // namespace

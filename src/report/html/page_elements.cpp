@@ -49,6 +49,8 @@ std::string title_of(const std::vector<acquire::InputFile>& files) {
 
 std::string page_paragraph(const std::string& text) { return "<p>" + html_escape(text) + "</p>\n"; }
 
+std::string page_hint(const std::string& text) { return "<p class=\"hint\">" + html_escape(text) + "</p>\n"; }
+
 namespace {
 
 std::string figure_html(const char* kind, const char* role, const std::string& description) {

@@ -20,6 +20,8 @@ struct Provenance {
 /// A section under a heading; `content` is HTML.
 std::string page_section(const char* id, const char* heading, const std::string& content);
 std::string page_paragraph(const std::string& text);
+/// How to use a picture on a screen; paper leaves it out.
+std::string page_hint(const std::string& text);
 /// A figure for the scripts in src/report/html/page to draw in, with a text for screen readers.
 std::string page_plot(const char* kind, const std::string& description);
 /// The same for a figure with controls, which a screen reader must reach.

@@ -18,8 +18,12 @@ using acquire::Severity;
 
 constexpr std::size_t kMaxBytes = 4000;  // of one statement
 
-const char* label_of(Severity severity) {
-  switch (severity) {
+// What is true of the structure puts no result in doubt.
+bool concerns_the_structure(std::string_view code) { return code == "double_peak" || code == "nonlinear"; }
+
+const char* label_of(const pipeline::Warning& warning) {
+  if (concerns_the_structure(warning.code)) return "A property of the structure";
+  switch (warning.severity.value_or(Severity::warn)) {
     case Severity::reject:
       return "Results are wrong";
     case Severity::warn:
@@ -39,7 +43,7 @@ std::string consequence_of(const pipeline::Warning& warning) {
 
 std::string statement_html(const pipeline::Warning& warning) {
   const Severity severity = warning.severity.value_or(Severity::warn);
-  std::string out = fmt::format("<li class=\"{}\"><b>{}.</b> {}", name_of(severity), label_of(severity),
+  std::string out = fmt::format("<li class=\"{}\"><b>{}.</b> {}", name_of(severity), label_of(warning),
                                 html_escape(one_line(consequence_of(warning), kMaxBytes)));
   if (!warning.remedy.empty())
     out += fmt::format(" <span class=\"remedy\">Remedy: {}.</span>", html_escape(one_line(warning.remedy, kMaxBytes)));

@@ -105,6 +105,18 @@ LineChart hits_chart(const std::vector<HitCurves>& hits, HitSamples HitCurves::*
   return chart;
 }
 
+// At the highest order of the diagram: the sections that show these poles have orders of their own.
+ChartCurve unmodelled_poles(const pipeline::Analysis& analysis) {
+  ChartCurve curve{.name = "stable in a section, no mode", .line = false, .mark = ChartMark::triangle, .style = 4};
+  std::size_t top = 0;
+  for (const identify::StabilisationPole& pole : analysis.stabilisation().poles) top = std::max(top, pole.order);
+  for (const identify::Pole& pole : analysis.unmodelled_poles()) {
+    curve.x.push_back(pole.freq_Hz);
+    curve.y.push_back(static_cast<double>(top));
+  }
+  return curve;
+}
+
 LineChart stabilisation_chart(const pipeline::Analysis& analysis,
                               const std::vector<identify::ModeClassification>& classifications) {
   LineChart chart{.title = "Stabilisation", .x = kFrequency, .y = {.label = "model order"}};
@@ -127,6 +139,7 @@ LineChart stabilisation_chart(const pipeline::Analysis& analysis,
     }
     if (!curve.x.empty()) chart.curves.push_back(std::move(curve));
   }
+  if (ChartCurve poles = unmodelled_poles(analysis); !poles.x.empty()) chart.curves.push_back(std::move(poles));
   chart.flags = mode_flags(analysis, classifications);
   return chart;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <vector>
 
 #include "report/svg/chart_mark.hpp"
 #include "report/svg/chart_path.hpp"
@@ -141,12 +142,34 @@ class Drawing {
       const double x = x_.pixel(curve.x[i]), y = y_.pixel(curve.y[i]);
       if (!std::isfinite(x) || !std::isfinite(y)) continue;
       out_ += chart_mark_svg(curve.mark, x, y, colour(style));
-      if (i < curve.labels.size() && !curve.labels[i].empty()) {
-        add(R"(<text x="{:.1f}" y="{:.1f}"{}>{}</text>)", x > kRight - kLabelRoom ? x - 7 : x + 7, y - 5,
-            x > kRight - kLabelRoom ? " text-anchor=\"end\"" : "", svg_escape(curve.labels[i]));
-      }
+      if (i < curve.labels.size() && !curve.labels[i].empty()) label(curve.labels[i], x, y);
     }
     out_ += '\n';
+  }
+
+  // The room of a text: its left end, its right end and its base line.
+  struct TextPlace {
+    double left = 0, right = 0, y = 0;
+    bool overlaps(const TextPlace& other) const {
+      return left < other.right && other.left < right && std::abs(y - other.y) < kLineHeight - 1;
+    }
+  };
+
+  // A label beside its point, higher or lower where it would lie over another; none where there is no room.
+  void label(const std::string& text, double x, double y) {
+    const double width = kFlagCharacterWidth * static_cast<double>(text_width(text));
+    const bool before = x > kRight - kLabelRoom || (x + 7 + width > kRight && x - 7 - width > kLeft);
+    const double left = before ? x - 7 - width : x + 7;
+    for (const int line : {0, -1, 1, -2, 2, -3, 3}) {
+      const TextPlace place{.left = left, .right = left + width, .y = y - 5 + kLineHeight * line};
+      const bool inside = line == 0 || (place.y > kTop && place.y < kBottom);
+      const auto overlaps = [&](const TextPlace& other) { return place.overlaps(other); };
+      if (!inside || std::any_of(labels_.begin(), labels_.end(), overlaps)) continue;
+      labels_.push_back(place);
+      add(R"(<text x="{:.1f}" y="{:.1f}"{}>{}</text>)", before ? x - 7 : x + 7, place.y,
+          before ? " text-anchor=\"end\"" : "", svg_escape(text));
+      return;
+    }
   }
 
   // Names above the plot, unless they overlap the name before.
@@ -209,6 +232,7 @@ class Drawing {
   ChartScale x_, y_;
   double width_ = kWidth;
   bool scattered_ = false;
+  std::vector<TextPlace> labels_;  // placed so far
   std::string out_;
 };
 

@@ -19,7 +19,7 @@ struct ChartCurve {
   bool line = true;    // false: points alone, in any order
   ChartMark mark = ChartMark::circle;
   std::optional<std::size_t> style{};  // colour and dashes; default: the index of the curve
-  std::vector<std::string> labels{};   // label i is beside point i; may be shorter than x
+  std::vector<std::string> labels{};   // label i is beside point i, not over others; may be shorter than x
   bool thin = false;                   // a thin line in ink, over the other curves
 };
 

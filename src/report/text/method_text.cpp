@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/io/significant_digits.hpp"
@@ -82,9 +83,12 @@ const char* equation_of(frf::Estimator estimator) {
 void add_frfs(const pipeline::Analysis& analysis, Sentences& out) {
   const acquire::LineRange& lines = analysis.lines();
   if (const acquire::FrfRecord* given = analysis.given_frfs()) {
-    out.push_back(fmt::format("{} of {} were given ({}), measured by another program; its estimator: {}.",
+    const std::string estimator = given->estimator.empty()
+                                      ? "their estimator is not stated"
+                                      : "their file states the estimator " + one_line(given->estimator, 60);
+    out.push_back(fmt::format("{} of {} were given ({}), not averaged from hits here; {}.",
                               counted(given->frfs.size(), "FRF"), counted(lines.count, "line"), given->format,
-                              one_line(given->estimator, 60)));
+                              estimator));
     return;
   }
   const frf::Estimator estimator = analysis.options().estimator;
@@ -106,6 +110,60 @@ const char* effort_sentence(identify::Effort effort) {
              "(4.10)).";
   }
   return "";
+}
+
+// Which modes the fit of all modes together does not describe.
+void add_exceptions(const std::vector<identify::Mode>& modes, Sentences& out) {
+  const auto count = [&](const auto& which) {
+    return static_cast<std::size_t>(std::count_if(modes.begin(), modes.end(), which));
+  };
+  const std::size_t local = count([](const identify::Mode& mode) { return mode.joint_misfit > 0; });
+  const std::size_t moving = count([](const identify::Mode& mode) { return mode.freq_scatter_Hz > 0; });
+  if (local > 0) {
+    out.push_back(
+        fmt::format("However, {} of {} keep{} the fit over {} own spectral lines ((4.2), (4.14)), which leaves less "
+                    "residual than the joint fit.",
+                    local, counted(modes.size(), "mode"), local == 1 ? "s" : "", local == 1 ? "its" : "their"));
+  }
+  if (moving > 0) {
+    out.push_back(
+        fmt::format("{} of {} {} fitted at each point alone, because the frequency differs from point to "
+                    "point; the means over the points are stated (4.15).",
+                    moving, counted(modes.size(), "mode"), moving == 1 ? "was" : "were"));
+  }
+}
+
+// The parts of the ± that any mode has.
+std::string std_sentence(const std::vector<identify::Mode>& modes) {
+  const auto any = [&](const auto& has) { return std::any_of(modes.begin(), modes.end(), has); };
+  Sentences parts{"the noise (4.12)"};
+  if (any([](const auto& m) { return m.freq_std_parts_Hz.hits > 0 || m.damping_std_parts.hits > 0; }))
+    parts.emplace_back("the scatter between the hits (4.19)");
+  if (any([](const auto& m) { return m.freq_scatter_Hz > 0; }))
+    parts.emplace_back("the scatter between the points (4.15)");
+  if (any([](const auto& m) { return m.freq_std_parts_Hz.misfit > 0 || m.damping_std_parts.misfit > 0; }))
+    parts.emplace_back("the misfit of the model (4.20)");
+  std::string list;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + parts[i];
+  return fmt::format("Each ± is one standard deviation, from {}{}.", list,
+                     parts.size() == 1 ? " alone" : ", where a mode shows them");
+}
+
+void add_deflection(const pipeline::ImpactTest& test, Sentences& out) {
+  const auto any = [&](const auto& has) { return std::any_of(test.hits.begin(), test.hits.end(), has); };
+  const auto by = [](metrics::DeflectionMethod method) {
+    return [method](const pipeline::DeflectedHit& hit) { return hit.deflection.method == method; };
+  };
+  if (any(by(metrics::DeflectionMethod::drift_free))) {
+    out.emplace_back(
+        "The deflection is the double integral of the acceleration (7.1), without the bias and drift that the rest "
+        "before the impact shows (7.3).");
+  }
+  if (any(by(metrics::DeflectionMethod::modal)))
+    out.emplace_back("The deflection is the response of the modes to the measured force (7.8).");
+  if (any([](const pipeline::DeflectedHit& hit) { return hit.deflection.rigid_motion_left_out; }))
+    out.emplace_back("The rigid-body motion of a free structure is left out.");
 }
 
 void add_classes(const pipeline::Analysis& analysis, Sentences& out, bool shapes_decide) {
@@ -141,14 +199,7 @@ void add_modes(const pipeline::Analysis& analysis, Sentences& out, bool shapes_d
                                   : fmt::format("{} frequencies", options.modes.start_Hz.size())));
   }
   const auto& modes = analysis.modes();
-  const bool hits = std::any_of(modes.begin(), modes.end(), [](const auto& m) { return m.freq_std_parts_Hz.hits > 0; });
-  const bool misfit =
-      std::any_of(modes.begin(), modes.end(), [](const auto& m) { return m.freq_std_parts_Hz.misfit > 0; });
-  if (!modes.empty()) {
-    out.push_back(fmt::format("Each ± is one standard deviation, from the noise (4.12){}{}.",
-                              hits ? ", the scatter between the hits (4.19)" : "",
-                              misfit ? " and the misfit of the model (4.20)" : ""));
-  }
+  for (std::string& sentence : fit_sentences(modes)) out.push_back(std::move(sentence));
   add_classes(analysis, out, shapes_decide);
   if (!modes.empty()) out.emplace_back("The fit was judged by FRFs synthesised from the modes, with their FRAC (5.5).");
 }
@@ -159,12 +210,20 @@ std::string cell(const std::optional<double>& value, double factor, const char* 
 
 }  // namespace
 
+std::vector<std::string> fit_sentences(const std::vector<identify::Mode>& modes) {
+  Sentences out;
+  add_exceptions(modes, out);
+  if (!modes.empty()) out.push_back(std_sentence(modes));
+  return out;
+}
+
 std::vector<std::string> method_sentences(const pipeline::Analysis& analysis, const MethodScope& scope) {
   Sentences out;
   if (analysis.given_frfs() == nullptr) add_signals(analysis, out);
   if (analysis.possible()) {
     add_frfs(analysis, out);
     if (scope.modes) add_modes(analysis, out, scope.shapes_decide);
+    if (scope.deflection != nullptr) add_deflection(*scope.deflection, out);
   }
   return out;
 }

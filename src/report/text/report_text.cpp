@@ -76,12 +76,17 @@ void ReportText::warn(Message message) {
   parts_.emplace_back(Sentence{.message = std::move(message), .warning = true});
 }
 
-std::string ReportText::text(std::size_t width, OptionWriter write) const {
+std::string ReportText::text(std::size_t width, OptionWriter write, bool warnings) const {
   std::string out;
+  bool left_out = false;
   for (const auto& part : parts_) {
     if (const auto* lines = std::get_if<std::string>(&part)) {
       out += *lines;
     } else if (const auto* sentence = std::get_if<Sentence>(&part)) {
+      if (sentence->warning && !warnings) {
+        left_out = true;
+        continue;
+      }
       const Message& message = sentence->message;
       const std::string words = write != nullptr ? message.written(write) : message.text;
       out += wrapped((sentence->warning ? "! " : "") + words, width, kIndent) + "\n";
@@ -89,6 +94,7 @@ std::string ReportText::text(std::size_t width, OptionWriter write) const {
       out += std::get<TextTable>(part).text(width);
     }
   }
+  while (left_out && out.ends_with("\n\n")) out.pop_back();
   return out;
 }
 

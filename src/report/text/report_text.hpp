@@ -23,8 +23,8 @@ class ReportText {
   void warn(Message message);
 
   /// For a terminal of `width` columns. `write` appends the options of sentences and warnings; nullptr leaves
-  /// them out.
-  std::string text(std::size_t width, OptionWriter write = nullptr) const;
+  /// them out. `warnings` = false leaves out the warnings, and the blank lines before them at the end.
+  std::string text(std::size_t width, OptionWriter write = nullptr, bool warnings = true) const;
   /// As elements of HTML: the first line as the verdict, then paragraphs, tables and warnings.
   std::string html() const;
 

@@ -128,7 +128,8 @@ std::string frac_text(const pipeline::Survey& survey) {
 
 }  // namespace
 
-std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t width, OptionWriter write_option) {
+std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t width, OptionWriter write_option,
+                        bool warnings) {
   std::set<ReportSection> sections{ReportSection::frf, ReportSection::coherence};
   if (hits || !survey.analysis().possible()) sections.insert(ReportSection::hits);
   std::string text = analysis_text(survey.analysis(), {.sections = sections, .width = width, .warnings = false});
@@ -138,7 +139,7 @@ std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t w
     text += mac_text(survey) + frac_text(survey);
   }
   text += "\n";
-  text += warnings_text(survey.warnings()).text(width, write_option);
+  if (warnings) text += warnings_text(survey.warnings()).text(width, write_option);
   while (text.ends_with("\n\n")) text.pop_back();
   return text;
 }

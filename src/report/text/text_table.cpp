@@ -16,6 +16,7 @@ namespace {
 // The last column is at least kMinWrap wide: a narrower one is harder to read than a line that is too long. It may have
 // kTightWrap where the table then fits.
 constexpr std::size_t kMinWrap = 24, kTightWrap = 14;
+constexpr std::size_t kMaxNormalColumns = 9;  // of a table on a page: a wider one has smaller letters
 
 std::string padded(const std::string& cell, std::size_t width, TextTable::Align align) {
   const std::string space(width - std::min(width, text_width(cell)), ' ');
@@ -128,7 +129,8 @@ std::string TextTable::html() const {
   };
   std::vector<std::string> heads;
   for (const Column& column : columns_) heads.push_back(column.head);
-  std::string out = "<table>\n<thead>" + line("th", heads, true) + "</thead>\n<tbody>\n";
+  std::string out = columns_.size() > kMaxNormalColumns ? "<table class=\"wide\">\n<thead>" : "<table>\n<thead>";
+  out += line("th", heads, true) + "</thead>\n<tbody>\n";
   for (std::size_t row = 0; row < rows_.size(); ++row) out += line("td", rows_[row], in_result_[row]);
   return out + "</tbody>\n</table>\n";
 }

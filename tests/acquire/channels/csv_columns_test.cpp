@@ -86,6 +86,14 @@ TEST(CsvColumns, ListTheColumnsWhenNoneFits) {
               HasSubstr("2 columns could be the force: a_N, b_N"));
 }
 
+TEST(CsvColumns, RefuseVelocitiesInPlaceOfAccelerations) {
+  EXPECT_THAT(input_error_of([] {
+                columns_of({"t (s)", "force (N)", "laser (mm/s)"});
+              }),
+              HasSubstr("laser (mm/s) is a velocity"));
+  EXPECT_THAT(accel_names(columns_of({"t (s)", "force (lbs)", "laser (mm/s)", "a (g)"})), ElementsAre("a (g)"));
+}
+
 TEST(CsvColumns, RefuseNamesThatAreMissingOrDoubled) {
   const std::vector<std::string> names = {"t_s", "f", "a", "A"};
   EXPECT_THAT(input_error_of([&] { columns_of(names, {.force_channel = "x"}); }),

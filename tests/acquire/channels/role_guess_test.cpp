@@ -54,6 +54,25 @@ TEST(RisesEvenly, IsTrueForTimesOnly) {
   EXPECT_FALSE(rises_evenly(std::vector<double>(100, 1.0)));
 }
 
+TEST(UnreadHammer, IsNamedByItsNameOrItsPulses) {
+  const std::vector<CsvColumn> columns{{.index = 0, .name = "t", .base = "t"},
+                                       {.index = 1, .name = "ch1", .base = "ch1"},
+                                       {.index = 2, .name = "a (g)", .base = "a", .unit = "g"},
+                                       {.index = 3, .name = "hammer (g)", .base = "hammer", .unit = "g"}};
+  CsvColumns known{.accel = {columns[2]}};
+  known.time = columns[0];
+  const auto note = [&](std::size_t count, const std::vector<double>& samples) {
+    const auto found = unread_hammer_note({columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(count)},
+                                          known, [&](std::size_t, std::size_t) { return samples; });
+    return found ? found->text : "";
+  };
+  EXPECT_THAT(note(3, pulse(4000, 20, 300)), testing::StartsWith("ch1 looks like the hammer's force"));
+  EXPECT_EQ(note(3, sine(4000)), "");
+  EXPECT_THAT(note(4, sine(4000)), testing::StartsWith("hammer (g) looks like"));
+  known.has_force = true;
+  EXPECT_EQ(note(4, pulse(4000, 20, 300)), "");
+}
+
 TEST(GuessRoles, TakesThePulseAsTheForce) {
   std::vector<double> time;
   for (int i = 0; i < 1000; ++i) time.push_back(i / 1000.0);

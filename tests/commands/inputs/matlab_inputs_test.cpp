@@ -53,6 +53,17 @@ TEST_F(MatlabInputs, WithoutRolesGetTheCommandThatWorks) {
   EXPECT_NEAR(first_mode_Hz(run_suggestion(outcome.err)), 200, kFrequencyTolerance_Hz);
 }
 
+// A struct array is a matrix for each field, and its rate is stated once per element.
+TEST_F(MatlabInputs, OfStructArraysWithoutRolesGetTheCommandThatWorks) {
+  const std::vector<double> fs_Hz{1 / (record_.time_s[1] - record_.time_s[0])};
+  test::MatBuilder(file("array.mat"), test::MatLevel::v5)
+      .structure("data", {"x", "y", "fs"},
+                 {{record_.accel_mps2, record_.force_N, fs_Hz}, {record_.accel_mps2, record_.force_N, fs_Hz}});
+  const auto outcome = analyze({"array.mat", "--json"});
+  EXPECT_THAT(outcome.err, EndsWith("--force-channel data.y --accel-channel data.x\n"));
+  EXPECT_NEAR(first_mode_Hz(run_suggestion(outcome.err)), 200, kFrequencyTolerance_Hz);
+}
+
 TEST_F(MatlabInputs, MayStateUnitsAndCoherence) {
   const std::size_t n = record_.force_N.size();
   for (const char* unit : {"accel_unit", "accelUnit", "unit_accel"}) {

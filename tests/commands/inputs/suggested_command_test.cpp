@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <utility>
 
 #include "commands/inputs/input_files.hpp"
+#include "support/uff_text.hpp"
 
 // The command that a message suggests for files that do not name their channels.
 namespace percuss::suggested_command_test {
@@ -54,6 +57,60 @@ TEST_F(SuggestedCommand, FollowsTheRolesOfASetUp) {
   test::write_bytes(file("setup.json"), R"([{"name": "CH1", "role": "ignore"}])");
   EXPECT_THAT(suggestion({"analyze", "x.csv", "--setup", "setup.json"}),
               EndsWith(" --force-channel CH3 --accel-channel CH2\n"));
+}
+
+TEST_F(SuggestedCommand, AsksForTheSensitivityOfVolts) {
+  test::write_columns(file("x.csv"), "time_s,CH1 (V),CH2 (V)", {record_.time_s, record_.force_N, record_.accel_mps2});
+  EXPECT_THAT(suggestion({"analyze", "x.csv"}),
+              EndsWith(" --force-channel 2 --accel-channel 3 --accel-sensitivity mV/g\n"));
+  EXPECT_THAT(suggestion({"analyze", "x.csv", "--accel-sensitivity", "100"}),
+              EndsWith(" --accel-sensitivity 100 --force-channel 2 --accel-channel 3\n"));
+}
+
+// No option turns velocities into accelerations.
+TEST_F(SuggestedCommand, IsNotGivenForVelocities) {
+  test::write_columns(file("x.csv"), "time_s,force_N,laser (mm/s)",
+                      {record_.time_s, record_.force_N, record_.accel_mps2});
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"analyze", "x.csv"}, {"analyze", "x.csv", "--accel-channel", "3"}})
+    EXPECT_THAT(suggestion(words), AllOf(HasSubstr("velocity"), HasSubstr("mobility"), Not(HasSubstr("suggest"))));
+}
+
+TEST_F(SuggestedCommand, ReadsTablesOfFrfs) {
+  std::vector<double> freq_Hz, re, im;
+  for (int k = 10; k < 500; ++k) {
+    const double r = k / 200.0;
+    const std::complex<double> h = -r * r / std::complex<double>(1 - r * r, 0.02 * r);
+    freq_Hz.push_back(k);
+    re.push_back(h.real());
+    im.push_back(h.imag());
+  }
+  test::write_columns(file("x.csv"), "X,real,imag", {freq_Hz, re, im});
+  const std::string message = suggestion({"analyze", "x.csv", "--json"});
+  EXPECT_THAT(message, EndsWith(" --frf-kind accelerance\n"));
+  EXPECT_NEAR(first_mode_Hz(run_suggestion(message)), 200, test::kFrequencyTolerance_Hz);
+  test::write_columns(file("f.csv"), "f,Re,Im", {freq_Hz, re, im});
+  EXPECT_NEAR(first_mode_Hz(run_percuss({"analyze", file("f.csv"), "--json"})), 200, test::kFrequencyTolerance_Hz);
+}
+
+TEST_F(SuggestedCommand, NamesTheSignalsOfOneHitOfAUniversalFile) {
+  std::string text;
+  for (int hit = 0; hit < 2; ++hit) {
+    for (const auto& [node, samples] : {std::pair{1, &record_.force_N}, std::pair{2, &record_.accel_mps2}}) {
+      std::string numbers;
+      for (const double x : *samples) numbers += fmt::format("{:13.5E}\n", x);
+      text += test::UffText{.response_node = node,
+                            .ordinate_type = 4,
+                            .values = samples->size(),
+                            .dx = fmt::format("{:13.5E}", record_.time_s[1] - record_.time_s[0]),
+                            .ordinate = 0}
+                  .text(numbers);
+    }
+  }
+  test::write_bytes(file("x.uff"), text);
+  const std::string message = suggestion({"analyze", "x.uff", "--json"});
+  EXPECT_THAT(message, EndsWith(" --force-channel 1 --accel-channel 2\n"));
+  EXPECT_NEAR(first_mode_Hz(run_suggestion(message)), 200, test::kFrequencyTolerance_Hz);
 }
 
 TEST_F(SuggestedCommand, NeedsNoRateWhereTimesOfDayGiveIt) {

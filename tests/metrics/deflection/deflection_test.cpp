@@ -197,6 +197,37 @@ TEST(Deflection, FromModesNeedsNoRestBeforeTheImpact) {
   EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 1e-3 * largest(test.deflection_m));
 }
 
+// A free body moves away; the modes alone cannot show it. A held structure has no rigid-body motion.
+TEST(Deflection, FromModesSaysThatItLeavesOutRigidBodyMotion) {
+  Impact test = impact();
+  ImpactSignal signal = signal_of(test);
+  signal.force_N = test.force_N;
+  signal.modes = {{.pole = pole(), .residue_per_kg = kResidue_per_kg}};
+  EXPECT_FALSE(deflection_of(signal, {.method = DeflectionMethod::modal}).rigid_motion_left_out);
+  const double mass_kg = 0.9;
+  for (std::size_t i = 0; i < test.accel_mps2.size(); ++i) test.accel_mps2[i] += test.force_N[i] / mass_kg;
+  signal.accel_mps2 = test.accel_mps2;
+  EXPECT_TRUE(deflection_of(signal, {.method = DeflectionMethod::modal}).rigid_motion_left_out);
+  signal.rigid_per_kg = 1 / mass_kg;
+  EXPECT_FALSE(deflection_of(signal, {.method = DeflectionMethod::modal}).rigid_motion_left_out);
+}
+
+// The ± decides which value counts as the largest of a body that moves away: its motion goes on.
+TEST(Deflection, SaysThatTheMotionGoesOnAfterTheLargestValue) {
+  Impact test = impact(20000, 0.005);
+  EXPECT_FALSE(deflection_of(signal_of(impact()), {}).larger_later);
+  std::mt19937 random(7);
+  std::normal_distribution<double> gauss;
+  for (std::size_t i = 0; i < test.accel_mps2.size(); ++i) test.accel_mps2[i] += 2 * test.force_N[i] + gauss(random);
+  const Deflection found = deflection_of(signal_of(test), {.free_body = true});
+  EXPECT_LT(found.peak + 1, found.deflection_m.size());
+  EXPECT_TRUE(found.larger_later);
+  for (double& a : test.accel_mps2) a = -a;  // a sensor the other way round
+  const Deflection reversed = deflection_of(signal_of(test), {.free_body = true});
+  EXPECT_EQ(reversed.peak, found.peak);
+  EXPECT_EQ(std::abs(reversed.peak_m), std::abs(found.peak_m));
+}
+
 TEST(Deflection, ConvergesAtFirstOrderBySmallIntervals) {
   std::vector<double> errors;
   for (const double fs_Hz : {5000.0, 10000.0, 20000.0}) {

@@ -185,6 +185,25 @@ TEST(ResponseTest, SaysWhatNeedsAForce) {
   EXPECT_THAT(found->message, testing::HasSubstr("1/kg"));
 }
 
+TEST(ResponseTest, NamesAHammerAmongTheResponses) {
+  const auto said = [](const std::vector<Warning>& warnings) {
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [](const Warning& warning) { return warning.code == "hammer_as_response"; });
+  };
+  EXPECT_FALSE(said(analyse_responses(rows(1), {}).warnings));
+  std::vector<std::vector<std::vector<double>>> signals;
+  for (const double scale : {100.0, 70.0, -120.0}) {
+    add_hit(0.05 + 1e-5 * scale, scale, signals.emplace_back(2, std::vector<double>(8192)));
+    std::vector<double> force(8192);
+    for (std::size_t n = 0; n < force.size(); ++n) {
+      const double t = static_cast<double>(n) / kFs_Hz - 0.05;
+      if (t > 0 && t < kPulse_s) force[n] = std::abs(scale) * std::sin(std::numbers::pi * t / kPulse_s);
+    }
+    signals.back().push_back(std::move(force));
+  }
+  EXPECT_TRUE(said(analyse_responses(test::response_record(kFs_Hz, std::move(signals), 0.01, false), {}).warnings));
+}
+
 TEST(ResponseTest, HasNoModesInNoise) {
   const ResponseTest test = analyse_responses(
       test::response_record(kFs_Hz, {{std::vector<double>(4096), std::vector<double>(4096)}}, 1, false), {});

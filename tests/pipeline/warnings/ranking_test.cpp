@@ -30,6 +30,11 @@ TEST(Ranking, PutsTheMostSeriousFirst) {
   EXPECT_EQ(*out.back().severity, Severity::info);
 }
 
+TEST(Ranking, PutsACauseBeforeItsConsequence) {
+  const auto out = ranked({{"frac", "a"}, {"model_misfit", "b"}, {"unclaimed_peaks", "c"}, {"double_peak", "d"}});
+  EXPECT_THAT(codes_of(out), ElementsAre("double_peak", "unclaimed_peaks", "model_misfit", "frac"));
+}
+
 TEST(Ranking, EndsMessagesWithTheirRemedy) {
   const Warning warning = with_remedy({"frac", "the modes explain too little"}, "take more hits");
   EXPECT_EQ(warning.message, "the modes explain too little; take more hits");

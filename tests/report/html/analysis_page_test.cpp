@@ -98,6 +98,35 @@ TEST_F(AnalysisPage, ContainsVerdictTableAndPlots) {
   EXPECT_LT(page.size(), 500'000U);
 }
 
+// A broad mode without a peak, which a quick fit leaves out: the diagram shows each pole of which the page warns.
+TEST_F(AnalysisPage, DrawsThePolesThatNoModeDescribes) {
+  test::write_bytes(folder_.file("broad.json"), R"({"fs_hz": 4096, "samples": 4096, "band_hz": [60, 1500], "seed": 1,
+    "hits": 3, "noise": {"force": 1e-4, "accel": 1e-3}, "modes": [
+    {"frequency_hz": 200, "damping_ratio": 0.01, "residue_per_kg": [1, 0.5]},
+    {"frequency_hz": 400, "damping_ratio": 0.08, "residue_per_kg": [0.3, 0.3]},
+    {"frequency_hz": 700, "damping_ratio": 0.005, "residue_per_kg": [1, -1]}]})");
+  ASSERT_EQ(run_percuss({"synth", folder_.file("broad.json"), "-o", folder_.file("broad.h5")}).code, 0);
+  const std::string page = page_of(folder_.file("broad.h5"), {"--band", "60:1500", "--effort", "quick"});
+  EXPECT_THAT(page, HasSubstr("stabilisation diagrams of sections of the band show stable poles"));
+  const auto unmodelled_Hz = data_of(page)["stabilisation"]["unmodelled_hz"];
+  ASSERT_EQ(unmodelled_Hz.size(), 1U);
+  EXPECT_NEAR(unmodelled_Hz[0].get<double>(), 400, 4) << "a hundredth, an eighth of the bandwidth";
+  const auto chart = run_percuss({"analyze", folder_.file("broad.h5"), "--band", "60:1500", "--effort", "quick",
+                                  "--picture", "stabilisation", "-o", folder_.file("broad.svg")});
+  EXPECT_EQ(chart.code, 0) << chart.err;
+  EXPECT_THAT(test::bytes_of(folder_.file("broad.svg")), HasSubstr("stable in a section, no mode"));
+}
+
+TEST_F(AnalysisPage, IsMadeForPaperToo) {
+  test::write_small_test(folder_.file("bat.h5"));
+  const std::string page = page_of(folder_.file("bat.h5"));
+  EXPECT_THAT(page, HasSubstr("content: counter(page)"));
+  EXPECT_THAT(page, HasSubstr("<p class=\"hint\">Drag to zoom"));
+  const std::string print = between(page, "@media print", "@page");
+  EXPECT_THAT(print, HasSubstr(".hint { display: none; }"));
+  EXPECT_THAT(print, HasSubstr("td.right { white-space: nowrap; overflow-wrap: normal; }"));
+}
+
 TEST_F(AnalysisPage, AllowsOnlyItsOwnScripts) {
   test::write_small_test(folder_.file("bat.h5"));
   const std::string page = page_of(folder_.file("bat.h5"));

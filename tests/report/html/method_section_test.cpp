@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "report/text/method_text.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
@@ -55,6 +56,32 @@ TEST_F(TestReport, SaysHowItsResultsWereMade) {
                            "within a gate around each pulse", "fell to 0.01", "estimator Hv (2.6)", "effort standard",
                            "Bending or hoop was decided"})
     EXPECT_THAT(method, HasSubstr(part));
+}
+
+TEST_F(TestReport, StatesTheEstimatorOfGivenFrfsOnlyAsTheirFileDoes) {
+  test::write_small_test(folder_.file("bat.h5"));
+  for (const char* name : {"f.csv", "f.h5", "f.mat", "f.uff"}) {
+    const std::string path = folder_.file(name);
+    ASSERT_EQ(run_percuss({"frf", folder_.file("bat.h5"), "--estimator", "hv", "-o", path, "--quiet"}).code, 0);
+    EXPECT_THAT(page_of(path), HasSubstr("their file states the estimator Hv")) << name;
+  }
+  const std::string own = test::bytes_of(folder_.file("f.csv"));
+  test::write_bytes(folder_.file("foreign.csv"), "# accelerance (m/s^2)/N\n" + own.substr(own.find('\n') + 1));
+  EXPECT_THAT(page_of(folder_.file("foreign.csv")), HasSubstr("their estimator is not stated"));
+}
+
+TEST(FitSentences, NameTheExceptionsAndThePartsOfTheDeviations) {
+  std::vector<identify::Mode> modes(3);
+  EXPECT_THAT(fit_sentences(modes), testing::ElementsAre(HasSubstr("from the noise (4.12) alone.")));
+  modes[0].joint_misfit = 20;
+  modes[1].freq_scatter_Hz = 0.1;
+  modes[2].damping_std_parts.hits = 1e-4;
+  EXPECT_THAT(fit_sentences(modes),
+              testing::ElementsAre(HasSubstr("1 of 3 modes keeps the fit over its own spectral lines"),
+                                   HasSubstr("1 of 3 modes was fitted at each point alone"),
+                                   HasSubstr("the noise (4.12), the scatter between the hits (4.19) and the scatter "
+                                             "between the points (4.15), where")));
+  EXPECT_TRUE(fit_sentences({}).empty());
 }
 
 TEST_F(TestReport, RefusesTitleBlocksThatItCannotShow) {

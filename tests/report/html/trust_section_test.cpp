@@ -20,6 +20,13 @@ TEST(TrustSection, StatesConsequenceAndRemedyOnceEach) {
   EXPECT_EQ(html.find("take more hits"), html.rfind("take more hits"));
 }
 
+// Split modes are a result: they put none in doubt.
+TEST(TrustSection, CallsSplitModesAPropertyOfTheStructure) {
+  const std::string html = PageWarnings({{"double_peak", "split modes: 1900 Hz"}}, {}, {}).section();
+  EXPECT_THAT(html, HasSubstr("<b>A property of the structure.</b> split modes: 1900 Hz"));
+  EXPECT_THAT(html, Not(HasSubstr("may be off")));
+}
+
 TEST(TrustSection, LeavesWarningsToThePartThatTheyConcern) {
   const PageWarnings warnings({{"frac", "of the fit"}, {"reversed", "wrong"}, {"moving_modes", "of all"}}, {},
                               {PagePart::fit, PagePart::force});

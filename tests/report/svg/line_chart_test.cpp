@@ -70,6 +70,31 @@ TEST(LineChart, DrawsPointsAloneWithALegend) {
   EXPECT_THAT(svg, HasSubstr("stroke=\"#0072B2\" stroke-width=\"1.8\""));                  // the given style
 }
 
+// Labels of neighbouring points move apart; those for which there is no room are left out.
+TEST(LineChart, KeepsLabelsApart) {
+  const auto chart_of = [](std::size_t count) {
+    ChartCurve curve{.line = false};
+    for (std::size_t i = 0; i < count; ++i) {
+      curve.x.push_back(1 + 0.001 * static_cast<double>(i));
+      curve.y.push_back(0);
+      curve.labels.push_back("node " + std::to_string(i));
+    }
+    return LineChart{.x = {.range = std::pair(0.0, 4.0)}, .y = {.range = std::pair(-1.0, 1.0)}, .curves = {curve}};
+  };
+  const auto heights = [](const std::string& svg) {
+    std::multiset<std::string> out;
+    for (std::size_t at = svg.find(">node "); at != std::string::npos; at = svg.find(">node ", at + 1)) {
+      const std::size_t y = svg.rfind("y=\"", at) + 3;
+      out.insert(svg.substr(y, svg.find('"', y) - y));
+    }
+    return out;
+  };
+  const auto three = heights(line_chart_svg(chart_of(3)));
+  EXPECT_EQ(three.size(), 3U);
+  EXPECT_EQ(std::set<std::string>(three.begin(), three.end()).size(), 3U);
+  EXPECT_EQ(heights(line_chart_svg(chart_of(30))).size(), 7U) << "three lines above and below the first label";
+}
+
 TEST(LineChart, MarksDifferWithoutColour) {
   std::set<std::string> shapes;
   for (const ChartMark mark : {ChartMark::circle, ChartMark::plus, ChartMark::open_diamond, ChartMark::diamond,

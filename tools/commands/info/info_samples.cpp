@@ -15,8 +15,6 @@ namespace {
 constexpr std::size_t kMaxSamples = std::size_t{1} << 22U;  // of a channel, and
 constexpr std::size_t kMaxInAll = std::size_t{1} << 26U;    // of all channels
 constexpr std::size_t kColumns = 48;                        // of the picture
-// A haversine of 5 ms in 0.3 s has 4e-4, the decay of a mode of 2 kHz and 1 % in 1 s has 4e-3.
-constexpr double kHammerMeasure = 1e-3;
 
 std::size_t max_samples(const acquire::Record& record) {
   return std::min(kMaxSamples, kMaxInAll / (record.accel.size() + 1));
@@ -56,7 +54,7 @@ void find_hammers(const acquire::Record& record, std::vector<Channel>& channels)
   for (const Channel& channel : channels) smallest = std::min(smallest, channel.samples->hammer_measure);
   for (Channel& channel : channels) {
     const double measure = channel.samples->hammer_measure;
-    channel.samples->hammer = measure < kHammerMeasure && measure <= acquire::kMaxMeasureRatio * smallest;
+    channel.samples->hammer = measure < acquire::kMaxHammerMeasure && measure <= acquire::kMaxMeasureRatio * smallest;
   }
   if (!record.has_force || !channels.front().samples->hammer) return;
   for (std::size_t c = 1; c < channels.size(); ++c) channels[c].samples->hammer = false;

@@ -96,6 +96,7 @@ void read_sensors(const InputHdf5& file, const InputDataSet& frf, std::size_t ch
 void read_root(const InputHdf5& file, StoredFrfs& out, std::size_t& averages) {
   if (const auto unit = hdf5::text_attribute(file.id(), "unit", file.path())) out.unit = parse_frf_unit(*unit);
   if (const auto kind = hdf5::text_attribute(file.id(), "kind", file.path())) out.kind = parse_frf_kind(*kind);
+  out.record.estimator = one_line(hdf5::text_attribute(file.id(), "estimator", file.path()).value_or(""), 60);
   if (const auto decay = hdf5::number_attribute(file.id(), "decay_per_s", file.path(), 1)) {
     if (!(decay->front() >= 0) || !std::isfinite(decay->front()))
       throw InputError("decay_per_s is not a decay", file.path(), "store 0 or more, in 1/s");

@@ -31,7 +31,7 @@ void write_attributes(hdf5::OutputHdf5& out, const std::string& group, const Frf
   write_sensors(out, within(group, "frf"), record);
   if (record.decay_per_s > 0) out.set_numbers(group, "decay_per_s", std::array{record.decay_per_s}, false);
   out.set_text(group, "unit", unit_of(kind));
-  out.set_text(group, "estimator", record.estimator);
+  if (!record.estimator.empty()) out.set_text(group, "estimator", record.estimator);
   const auto fewest =
       std::min_element(record.frfs.begin(), record.frfs.end(),
                        [](const PointFrf& a, const PointFrf& b) { return a.frf.averages < b.frf.averages; });

@@ -22,6 +22,7 @@ namespace {
 struct Candidates {
   std::vector<CsvColumn> signals;
   std::vector<std::span<const double>> samples;
+  std::vector<std::vector<double>> own;  // samples that are not contiguous in their variable
 
   void add(std::string name, std::string unit, std::span<const double> of) {
     signals.push_back({.index = signals.size(), .name = std::move(name), .base = "", .unit = std::move(unit)});
@@ -52,6 +53,33 @@ Candidates longest_vectors(const MatFile& file, const std::vector<std::size_t>& 
   return out;
 }
 
+// Matrices of one shape, such as the fields of a struct array: one signal each, with the hits along the shorter side.
+Candidates alike_matrices(const MatFile& file, const std::vector<std::size_t>& index) {
+  const MatVariable* largest = nullptr;
+  const auto is_matrix = [](const MatVariable& variable) {
+    return !variable.is_complex() && !variable.is_text && variable.shape.size() == 2 && variable.shape[0] > 1 &&
+           variable.shape[1] > 1 && !names_spectrum(variable.name);
+  };
+  for (const std::size_t v : index) {
+    const MatVariable& variable = file.variables[v];
+    if (is_matrix(variable) && (largest == nullptr || variable.size() > largest->size())) largest = &variable;
+  }
+  Candidates out;
+  if (largest == nullptr) return out;
+  const std::size_t rows = largest->shape[0], columns = largest->shape[1];
+  const std::size_t count = std::max(rows, columns), step = rows < columns ? rows : 1;
+  for (const std::size_t v : index) {
+    const MatVariable& variable = file.variables[v];
+    if (!is_matrix(variable) || variable.shape != largest->shape) continue;
+    std::vector<double> first(count);
+    for (std::size_t i = 0; i < count; ++i) first[i] = variable.real[i * step];
+    out.own.push_back(std::move(first));
+    out.add(variable.name, unit_in(file, variable.name), {});
+  }
+  for (std::size_t i = 0; i < out.own.size(); ++i) out.samples[i] = out.own[i];
+  return out;
+}
+
 Candidates columns_of_matrix(const MatFile& file, const std::vector<std::size_t>& index) {
   Candidates out;
   for (const std::size_t v : index) {
@@ -75,6 +103,7 @@ Candidates columns_of_matrix(const MatFile& file, const std::vector<std::size_t>
 RoleGuess guess_mat_roles(const MatFile& file, const std::vector<std::size_t>& index, const CsvColumns& known,
                           const ReadOptions& options) {
   Candidates found = longest_vectors(file, index);
+  if (found.signals.size() < 2) found = alike_matrices(file, index);
   if (found.signals.size() < 2) found = columns_of_matrix(file, index);
   CsvColumns force{.force = known.force, .has_force = known.has_force};
   const auto is_force = [&](const CsvColumn& signal) { return signal.name == known.force.name; };

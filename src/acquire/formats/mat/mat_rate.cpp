@@ -25,6 +25,14 @@ bool is_time_vector(const MatVariable& variable) {
   return named && !variable.is_text && !variable.is_complex() && is_mat_vector(variable);
 }
 
+// The number of a scalar, or the common one of a field of a struct array.
+std::optional<double> single_number(const MatVariable& variable) {
+  if (variable.size() == 0 || variable.is_text || variable.is_complex()) return std::nullopt;
+  const double first = variable.real.front();
+  const bool alike = std::all_of(variable.real.begin(), variable.real.end(), [&](double x) { return x == first; });
+  return alike ? std::optional(first) : std::nullopt;
+}
+
 double rate_of_times_Hz(const MatFile& file, const MatVariable& variable) {
   const std::string where = file.path + ": " + variable.name;
   double largest = 0;
@@ -65,8 +73,9 @@ std::optional<double> mat_number(const MatFile& file, std::initializer_list<std:
     for (const MatVariable& variable : file.variables) {
       const std::string lower = lower_case(field_name(variable.name)), name = bare_name(lower);
       const bool ending = lower.size() > wanted.size() && name.ends_with(wanted) && wanted.size() > 4;
-      const bool number = variable.size() == 1 && !variable.is_text && !variable.is_complex();
-      if (number && (name == wanted || ending)) return variable.real.front();
+      if (name != wanted && !ending) continue;
+      const std::optional<double> number = single_number(variable);
+      if (number && (variable.size() == 1 || variable.name.find('.') != std::string::npos)) return number;
     }
   }
   return std::nullopt;
@@ -87,7 +96,8 @@ std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& option
     if (named == nullptr) throw InputError("no such variable", where, "name another, or state the rate in Hz", {"fs"});
     if (named->is_text || named->is_complex() || named->size() == 0)
       throw InputError("not a number", where, "name another, or state the rate in Hz", {"fs"});
-    return checked_rate_Hz(named->size() > 1 ? rate_of_times_Hz(file, *named) : named->real.front(), where);
+    const std::optional<double> number = single_number(*named);
+    return checked_rate_Hz(number ? *number : rate_of_times_Hz(file, *named), where);
   }
   std::optional<double> found_Hz = mat_number(file, {"fs", "fshz", "samplerate", "samplingrate", "samplefrequency",
                                                      "samplingfrequency", "samplefreq", "samplingfreq", "srate"});

@@ -220,6 +220,7 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   }
   out.unit = parse_frf_unit(mat_text(file, "unit"));
   out.kind = parse_frf_kind(mat_text(file, "kind"));
+  out.record.estimator = one_line(mat_text(file, "estimator"), 60);
   read_frfs(file, frf, layout, out);
   return out;
 }

@@ -69,7 +69,7 @@ void write_frf_record_mat(const std::string& path, const FrfRecord& record, FrfK
   if (record.decay_per_s > 0) out.number("decay_per_s", record.decay_per_s);
   out.text("kind", name_of(kind));
   out.text("unit", unit_of(kind));
-  out.text("estimator", record.estimator);
+  if (!record.estimator.empty()) out.text("estimator", record.estimator);
   std::size_t averages = shown.front().averages;
   for (const Frf& frf : shown) averages = std::min(averages, frf.averages);
   out.number("averages", static_cast<double>(averages));

@@ -14,6 +14,7 @@
 #include "acquire/channels/unit_notes.hpp"
 #include "acquire/formats/text/csv_rows.hpp"
 #include "acquire/formats/text/csv_table.hpp"
+#include "acquire/formats/text/read_frf_text.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 
@@ -100,14 +101,21 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
   }
 }
 
+constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
+
+std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
+  std::vector<double> samples(std::min(table.lines(), max_samples));
+  table.read(index, 0, samples);
+  return samples;
+}
+
 // The guess must not fail: the caller reports the missing roles.
 RoleGuess guess_of(const CsvTable& table, const CsvColumns& known, const ReadOptions& options) {
-  const auto read = [&](std::size_t index, std::size_t max_samples) {
-    std::vector<double> samples(std::min(table.lines(), max_samples));
-    table.read(index, 0, samples);
-    return samples;
-  };
+  const auto read = [&](std::size_t index, std::size_t max) { return first_samples(table, index, max); };
   RoleGuess guess = guess_roles(table.header().columns, known, options, read);
+  const std::vector<CsvColumn>& columns = table.header().columns;
+  guess.frf_table = columns.front().index == 0 && columns.front().has_numbers && names_frfs(table.header()) &&
+                    rises_evenly(read(0, kRisingSamples));
   guess.rate_known = guess.rate_known || table.header().fs_Hz || options.fs_Hz || clock_column(table);
   return guess;
 }
@@ -130,6 +138,10 @@ Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
   record.format = "CSV";
   const CsvColumns columns = columns_of(open->table, options, input_name(bytes.path));
   describe_signals(columns, options, *open, record);
+  const auto unread =
+      unread_hammer_note(open->table.header().columns, columns,
+                         [&](std::size_t index, std::size_t max) { return first_samples(open->table, index, max); });
+  if (unread) record.notes.push_back(*unread);
   open->rows = find_csv_rows(open->table, columns);
   describe_rows(*open, record);
   record.fs_Hz = find_csv_rate_Hz(open->table, columns, open->rows, options, record.notes);

@@ -106,15 +106,31 @@ std::vector<Columns> find_columns(const CsvHeader& header, const std::string& fi
   return out;
 }
 
+// "freq…" in a first column, or a shorter name beside the parts of an FRF.
+bool names_frequencies(const CsvHeader& header) {
+  const std::string name = lower_case(header.columns.front().base);
+  return lower_case(header.columns.front().name).starts_with("freq") ||
+         ((name == "f" || name == "hz") && names_frfs(header));
+}
+
 // Columns without names: frequency, real, imaginary, real, imaginary, …
-std::vector<Columns> unnamed_columns(const CsvHeader& header) {
+std::vector<Columns> unnamed_columns(const CsvHeader& header, const std::string& file) {
   std::vector<Columns> out;
+  for (const CsvColumn& column : header.columns) {
+    if (part_of(words_of(column.name)) == Part::phase) refuse_unpaired(file, column.name);
+  }
   for (std::size_t i = 1; i + 1 < header.columns.size(); i += 2)
     out.push_back({.first = header.columns[i].index, .second = header.columns[i + 1].index, .paired = true});
   return out;
 }
 
-// Reads unit, kind, window and the sensors' angles from the cells before the data.
+// The estimator in percuss's own statement, "Hv, exp(+jwt)": elsewhere, H1 may be the name of an FRF.
+std::string stated_estimator(const std::string& previous, const std::string& word) {
+  if (word != "exp(+jwt)") return "";
+  return previous == "h1" ? "H1" : previous == "h2" ? "H2" : previous == "hv" ? "Hv" : "";
+}
+
+// Reads unit, kind, estimator, window and the sensors' angles from the cells before the data.
 void read_statements(std::string_view header, StoredFrfs& out) {
   std::string previous;
   std::vector<double> angle_deg;
@@ -125,6 +141,7 @@ void read_statements(std::string_view header, StoredFrfs& out) {
     if (word.empty()) continue;
     if (!out.unit) out.unit = parse_frf_unit(word);
     if (!out.kind) out.kind = parse_frf_kind(word);
+    if (out.record.estimator.empty()) out.record.estimator = stated_estimator(previous, word);
     const ParsedNumber number = parse_number(word, false);
     const bool is_number = number.problem == NumberProblem::none;
     if (is_number && previous == "decay_per_s" && number.value >= 0) out.record.decay_per_s = number.value;
@@ -198,13 +215,26 @@ void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, 
 
 }  // namespace
 
+bool names_frfs(const CsvHeader& header) {
+  Part previous = Part::none;
+  for (const CsvColumn& column : header.columns) {
+    if (column.index == 0 || !header.named) continue;
+    const Part part = part_of(words_of(column.name));
+    const bool pair =
+        (previous == Part::real && part == Part::imaginary) || (previous == Part::magnitude && part == Part::phase);
+    if (pair) return true;
+    previous = part;
+  }
+  return false;
+}
+
 std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
   const std::string file = input_name(bytes.path);
   CsvLayout layout = layout_of_text(bytes, CsvContent::frf);
   if (layout.header.columns.front().index != 0) return std::nullopt;
-  const bool frequency = lower_case(layout.header.columns.front().name).starts_with("freq");
+  const bool frequency = names_frequencies(layout.header) || (forced && names_frfs(layout.header));
   auto columns = frequency ? find_columns(layout.header, file) : std::vector<Columns>{};
-  if (columns.empty() && forced) columns = unnamed_columns(layout.header);
+  if (columns.empty() && forced) columns = unnamed_columns(layout.header, file);
   if (columns.empty()) return std::nullopt;
   StoredFrfs out;
   out.record.files.push_back({.path = bytes.path, .bytes = bytes.size});

@@ -28,8 +28,9 @@ std::string frf_record_csv(const FrfRecord& record, FrfKind kind) {
   std::vector<Frf> shown;
   shown.reserve(record.frfs.size());
   for (const PointFrf& frf : record.frfs) shown.push_back(converted(frf.frf, record.lines, kind, record.decay_per_s));
-  std::string out = fmt::format("# {} {}, {}, exp(+jwt){}\nfrequency_hz", name_of(kind), unit_of(kind),
-                                record.estimator, statements(record));
+  const std::string estimator = record.estimator.empty() ? "" : ", " + record.estimator;
+  std::string out =
+      fmt::format("# {} {}{}, exp(+jwt){}\nfrequency_hz", name_of(kind), unit_of(kind), estimator, statements(record));
   for (const PointFrf& frf : record.frfs) {
     for (const char* part : {"re", "im", "std", "coherence"})
       out += fmt::format(",p{}_c{}_{}", frf.point, frf.channel, part);

@@ -194,6 +194,7 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   const FrfUnit unit = unit_of_function(first, contents, known);
   if (known) out.unit = unit;
   const UffAnnotation stated = uff_annotation(first);
+  out.record.estimator = stated.estimator;
   out.record.decay_per_s = std::max(0.0, stated.decay_per_s.value_or(0));
   out.record.geometry = uff_geometry(contents, stated.node_offset, out.record.notes);
   if (!out.record.geometry.empty()) {
@@ -213,6 +214,7 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
     const int node = (grid.sensor_roves ? f->response.node : f->reference.node) - stated.node_offset;
     require_point_number(node, uff_location(file, f->at));
     out.frfs.push_back(stored_frf(*f, node, channel));
+    if (same_place(f->response, f->reference)) out.record.driving.push_back({node, channel});
     const auto coherence = coherences.find({key_of(f->reference), key_of(f->response)});
     if (coherence != coherences.end())
       add_coherence(*coherence->second, uff_location(file, coherence->second->at), out.frfs.back());

@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "acquire/channels/csv_columns.hpp"
 #include "acquire/channels/signal_table.hpp"
 #include "acquire/formats/uff/uff_roles.hpp"
 #include "acquire/formats/uff/uff_rows.hpp"
@@ -46,6 +47,7 @@ std::vector<std::string> names_of_row(const UffRow& row) {
 TableSignal signal_of(const UffFunction& function, const std::string& name, const std::optional<UffUnits>& units) {
   TableSignal out{.name = name};
   if (parse_unit(function.ordinate.unit)) out.unit = function.ordinate.unit;
+  if (out.unit.empty() && function.ordinate.quantity == Uff58::velocity) out.unit = si_name(Quantity::velocity);
   out.measures = quantity_of_axis(function.ordinate);
   if (units && out.measures) out.to_SI = 1 / (*out.measures == Quantity::force ? units->force : units->length);
   const UffAnnotation stated = uff_annotation(function);
@@ -64,6 +66,20 @@ int point_of_row(const UffRow& row, bool sensor_roves, const FileBytes& file) {
   const int point = (sensor_roves ? last.response.node : struck == 0 ? offset : struck) - offset;
   require_point_number(point, uff_location(file, row.front()->at));
   return point;
+}
+
+// The place of the hammer: the reference of a response, else the force's own.
+const UffDof& struck_place(const UffRow& row, const UffFunction& response) {
+  return response.reference.node != 0 ? response.reference : row.front()->response;
+}
+
+// The responses of a row that were measured where and in the direction in which it was struck.
+void add_driving_places(const UffRow& row, int point, std::vector<DrivingPlace>& driving) {
+  for (std::size_t i = 1; i < row.size(); ++i) {
+    const DrivingPlace at{point, i};
+    const bool known = std::find(driving.begin(), driving.end(), at) != driving.end();
+    if (!known && same_place(row[i]->response, struck_place(row, *row[i]))) driving.push_back(at);
+  }
 }
 
 bool roving_sensor(const std::vector<UffRow>& rows) {
@@ -101,6 +117,32 @@ double rate_of_function_Hz(const UffFunction& function, const std::string& where
   }
   note = rate->note;
   return rate->fs_Hz;
+}
+
+std::size_t number_of(const UffFunction* function, const std::vector<const UffFunction*>& functions) {
+  return static_cast<std::size_t>(std::find(functions.begin(), functions.end(), function) - functions.begin()) + 1;
+}
+
+// Without a force all functions are signals of one row, so that the guess lists those of every hit. Where the functions
+// make rows of the guessed force and its responses, the guess is made of the first row, by the functions' numbers.
+void guess_one_row(const std::vector<const UffFunction*>& functions, const std::vector<std::string>& names,
+                   const std::string& file, RoleGuess& guess) {
+  const auto by_name = std::find(names.begin(), names.end(), guess.force);
+  const std::size_t force = by_name != names.end()
+                                ? static_cast<std::size_t>(by_name - names.begin())
+                                : static_cast<std::size_t>(std::strtoul(guess.force.c_str(), nullptr, 10)) - 1;
+  if (force >= functions.size()) return;
+  const ReadOptions by_number{.force_channel = std::to_string(force + 1)};
+  const ReadOptions named = with_names(by_number, functions);
+  if (named.force_channel == by_number.force_channel) return;
+  try {
+    const std::vector<UffRow> rows = uff_rows(functions, force_functions(functions, named), file);
+    guess.force = std::to_string(number_of(rows.front().front(), functions));
+    guess.accel.clear();
+    for (std::size_t i = 1; i < rows.front().size(); ++i)
+      guess.accel.push_back(std::to_string(number_of(rows.front()[i], functions)));
+  } catch (const InputError&) {
+  }
 }
 
 std::string list_of_sets(const UffContents& contents) {
@@ -145,10 +187,12 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   open->file = file;
   open->contents = std::move(contents);
   const std::string name = input_name(file.path);
-  std::vector<const UffFunction*> functions;
-  for (const UffFunction& function : open->contents.functions) {
-    if (is_time_record(function)) functions.push_back(&function);
+  std::vector<UffFunction*> named_by_lines;
+  for (UffFunction& function : open->contents.functions) {
+    if (is_time_record(function)) named_by_lines.push_back(&function);
   }
+  name_by_id_lines(named_by_lines);
+  const std::vector<const UffFunction*> functions(named_by_lines.begin(), named_by_lines.end());
   if (functions.empty()) {
     const auto& all = open->contents.functions;
     if (std::any_of(all.begin(), all.end(), [](const UffFunction& function) { return is_uff_frf(function); })) {
@@ -180,6 +224,7 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
     table.rows.push_back({.samples = row.front()->count,
                           .point = point_of_row(row, sensor, file),
                           .run = stated.by_percuss ? row.front()->load_case : 0});
+    add_driving_places(row, table.rows.back().point, table.driving);
   }
   table.geometry = uff_geometry(open->contents, stated.node_offset, table.notes);
   if (!table.geometry.empty()) {
@@ -193,7 +238,12 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   table.read = [open](std::size_t row, std::size_t signal, std::size_t start, std::span<double> out) {
     open->rows[row][signal]->read(0, start, out);
   };
-  return record_of_table(std::move(table), named);
+  try {
+    return record_of_table(std::move(table), named);
+  } catch (AmbiguousColumns& error) {
+    if (open->rows.size() == 1 && !error.known.has_force) guess_one_row(functions, names, name, error.guess);
+    throw;
+  }
 }
 
 Record open_uff(const FileBytes& file, const ReadOptions& options) {

@@ -50,6 +50,7 @@ struct UffAnnotation {
   int node_offset = 0;
   std::size_t averages = 0;
   std::optional<double> dx, angle_deg, position_m, decay_per_s;
+  std::string estimator;  // of an FRF
 };
 UffAnnotation uff_annotation(const UffFunction& function);
 

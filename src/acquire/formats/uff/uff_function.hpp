@@ -37,6 +37,11 @@ struct UffDof {
   friend auto operator<=>(const UffDof&, const UffDof&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
+/// Whether both are one node, moved or struck in one direction, as at a driving point.
+inline bool same_place(const UffDof& a, const UffDof& b) {
+  return a.node == b.node && a.node != 0 && a.direction == b.direction && a.direction != 0;
+}
+
 struct UffAxis {
   int quantity = 0;
   std::string label, unit;

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <map>
+#include <utility>
 
 #include "acquire/channels/column_words.hpp"
+#include "core/io/csv_header.hpp"
+#include "core/io/parse_number.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -98,6 +102,23 @@ ReadOptions with_names(const ReadOptions& options, const Functions& functions) {
   for (std::string& channel : named.accel_channels) name(channel);
   for (ChannelSetup& entry : named.setup) name(entry.name);
   return named;
+}
+
+void name_by_id_lines(const std::vector<UffFunction*>& functions) {
+  constexpr std::size_t kMaxName_bytes = 60;  // a longer line is a description
+  std::map<std::pair<int, int>, std::string> line_of_place;
+  std::map<std::string, std::pair<int, int>> place_of_line;
+  for (const UffFunction* function : functions) {
+    if (!function->response.name.empty()) continue;
+    const std::string line(trimmed(function->id[0]));
+    const std::pair place{function->response.node, function->response.direction};
+    if (line.empty() || line == "NONE" || line.size() > kMaxName_bytes) return;
+    if (line_of_place.emplace(place, line).first->second != line) return;
+    if (place_of_line.emplace(line, place).first->second != place) return;
+  }
+  for (UffFunction* function : functions) {
+    if (function->response.name.empty()) function->response.name = trimmed(function->id[0]);
+  }
 }
 
 std::string uff_dof_name(const UffDof& dof) {

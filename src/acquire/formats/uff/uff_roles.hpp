@@ -24,6 +24,10 @@ std::vector<bool> force_functions(const std::vector<const UffFunction*>& functio
 /// row, or if the name of the numbered force does not occur once per row.
 ReadOptions with_names(const ReadOptions& options, const std::vector<const UffFunction*>& functions);
 
+/// Names responses without a name by the first ID line of their functions, where these lines name signals: functions of
+/// one node and direction have the same line, those of different ones different lines.
+void name_by_id_lines(const std::vector<UffFunction*>& functions);
+
 /// The name of a degree of freedom: "force", "accel 1"; if it is unnamed, its node and direction: "12+Z".
 std::string uff_dof_name(const UffDof& dof);
 

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "acquire/formats/uff/uff_contents.hpp"
+#include "core/error.hpp"
 #include "core/io/parse_number.hpp"
 #include "core/io/time_stamps.hpp"
 
@@ -41,6 +43,9 @@ UffAnnotation uff_annotation(const UffFunction& function) {
   out.angle_deg = number_after(fourth_line, "angle_deg =");
   out.position_m = number_after(fourth_line, "position_m =");
   out.decay_per_s = number_after(fourth_line, "decay_per_s =");
+  constexpr std::string_view kEstimator = "estimator = ";
+  if (function.id[1].starts_with(kEstimator))
+    out.estimator = one_line(trimmed(std::string_view(function.id[1]).substr(kEstimator.size())), 60);
   return out;
 }
 

@@ -17,6 +17,7 @@ UffFunction described_frf(const FrfRecord& record, const PointFrf& frf, FrfKind 
   const SignalInfo& sensor = record.accel[frf.channel];
   UffFunction out{.type = Uff58::frequency_response, .count = record.lines.count, .complex = true};
   out.id[0] = fmt::format("{} point {} channel {}", name_of(kind), frf.point, frf.channel);
+  if (!record.estimator.empty()) out.id[1] = "estimator = " + record.estimator;
   out.id[3] = uff_sensor_text(sensor);
   if (frf.frf.averages > 0) out.id[3] += fmt::format("averages = {}; ", frf.frf.averages);
   if (record.decay_per_s > 0) out.id[3] += fmt::format("decay_per_s = {}; ", record.decay_per_s);

@@ -64,6 +64,11 @@ const stabilisationPlot = () => {
       });
       context.strokeStyle = colour("--c1");
       for (const mode of data.modes || []) drawVerticalLine(u, mode.hz);
+      context.setLineDash([4 * devicePixelRatio, 4 * devicePixelRatio]);
+      context.strokeStyle = colour("--ink");
+      for (const unmodelled of diagram.unmodelled_hz || []) drawVerticalLine(u, unmodelled);
+      context.setLineDash([]);
+      context.strokeStyle = colour("--c1");
       context.lineWidth = 2 * devicePixelRatio;
       for (const i of ringed) {
         if (i < 0 || xs[i] < u.scales.x.min || xs[i] > u.scales.x.max) continue;
@@ -73,6 +78,7 @@ const stabilisationPlot = () => {
       }
     });
     plot(figure, 300, "frequency, Hz", "model order", xs, [{ values: ys, stroke: "transparent", paths: () => null }], { hooks: { draw: [dots] } });
-    addElement("figcaption", figure, "Grey: the strongest FRF at each frequency. Vertical lines: the modes; ringed: their stable poles of the highest order.");
+    addElement("figcaption", figure, "Grey: the strongest FRF at each frequency. Vertical lines: the modes; ringed: their stable poles of the highest order."
+      + (diagram.unmodelled_hz ? " Dashed: poles that are stable in the diagram of a section of the band and that no mode describes." : ""));
   }
 };

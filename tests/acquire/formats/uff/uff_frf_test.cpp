@@ -70,6 +70,23 @@ TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
   EXPECT_EQ(record.kind, acquire::FrfKind::accelerance);
 }
 
+// The response and the reference of an FRF at one node, in one direction.
+TEST(UffFrf, NamesDrivingPoints) {
+  std::string text;
+  for (const int node : {4, 9}) {
+    for (const int direction : {2, 3}) {
+      text += frf_text(
+          {.response_node = 9, .response_direction = direction, .reference_node = node, .reference_direction = 3}, 1);
+    }
+  }
+  EXPECT_THAT(read(text).driving, ElementsAre(DrivingPlace{9, 1}));
+  acquire::FrfReadOptions second;
+  second.read.accel_channels = {"2"};
+  EXPECT_THAT(read(text, second).driving, ElementsAre(DrivingPlace{9, 0}));
+  EXPECT_TRUE(read(frf_text({.response_node = 9, .response_direction = 3, .reference_node = 9}, 1)).driving.empty())
+      << "struck against the direction of the sensor";
+}
+
 TEST(UffFrf, MakesPointsOfResponsesOfARovingSensor) {
   std::string text;
   for (const int node : {7, 3, 5}) text += frf_text({.response_node = node, .reference_node = 1}, node);

@@ -78,6 +78,16 @@ TEST(UffRecord, NumbersPointsByTheNodeStruckOrByTheRovingSensor) {
   EXPECT_THAT(sensor.points(), ElementsAre(4, 9));
 }
 
+TEST(UffRecord, NamesDrivingPoints) {
+  UffText at4 = kAccel, at9 = kAccel;
+  at4.response_node = at9.response_node = at9.reference_node = 9;
+  at4.reference_node = 4;
+  at4.reference_direction = at9.reference_direction = 3;
+  const std::string hits =
+      function_text(kForce, 1) + function_text(at4, 1) + function_text(kForce, 1) + function_text(at9, 1);
+  EXPECT_THAT(opened(hits).driving, ElementsAre(DrivingPlace{9, 0}));
+}
+
 TEST(UffRecord, TakesUnitsFromTheFileWhereFunctionsStateNone) {
   const std::string units =
       "    -1\n   164\n         9USER DEFINED                  2\n"

@@ -45,6 +45,23 @@ TEST(UffRoles, FindAForceByItsNameInAnyLetterCase) {
   }
 }
 
+// The first ID line names a signal without a name of its own.
+TEST(UffRoles, TakeTheIdLineAsTheNameOfASignal) {
+  const auto function = [](const std::string& line, int node, double x) {
+    const UffText set{.response_node = node, .values = 2, .ordinate = 0};
+    std::string text = set.text(fmt::format("{:13.5E}{:13.5E}\n", x, x + 1));
+    return text.replace(text.find("NONE"), 4, line);
+  };
+  const std::string hit = function("Impact hammer", 1, 1) + function("Left end", 2, 3);
+  const Record record = open_uff(csv_bytes(hit + hit), {.accel_channels = {"left end"}});
+  ASSERT_EQ(record.rows.size(), 2U);
+  EXPECT_EQ(record.force.name, "Impact hammer");
+  EXPECT_EQ(record.accel[0].name, "Left end");
+  // Lines that number the hits name no signals.
+  const std::string numbered = function("hit 1", 1, 1) + function("hit 1", 2, 3);
+  EXPECT_EQ(open_uff(csv_bytes(numbered), {.force_channel = "1", .accel_channels = {"2"}}).accel[0].name, "2+Z");
+}
+
 TEST(UffRoles, FindAForceByTheLabelOfItsAxis) {
   std::string text = unstated("a", 3) + unstated("b", 1) + unstated("c", 7) + unstated("b", 5);
   // The label of a function's ordinate stands in columns 27 to 46 of record 9.
