@@ -47,13 +47,18 @@ const std::byte* sample_at(const StridedSamples& signal, std::size_t index) {
   return signal.first + static_cast<std::ptrdiff_t>(index) * signal.step_bytes;
 }
 
+template <class Number>
+double number_at(const std::byte* at) {
+  Number number;
+  std::memcpy(&number, at, sizeof number);  // the source may be unaligned
+  return static_cast<double>(number);
+}
+
 void read_strided(const StridedSamples& signal, std::size_t first, std::span<double> out) {
   with_type(signal.type, [&]<class Number>(const Number*) {
     const std::byte* at = sample_at(signal, first);
     for (double& value : out) {
-      Number number;
-      std::memcpy(&number, at, sizeof number);  // the source may be unaligned
-      value = static_cast<double>(number);
+      value = number_at<Number>(at);
       at += signal.step_bytes;
     }
   });
@@ -143,12 +148,13 @@ std::uint64_t sample_checksum(const ArrayTest& test) {
     const std::size_t at = i * series / sampled;
     const StridedSamples& signal = strided_samples_of(test, at / signals, at % signals);
     const std::size_t numbers = std::min(signal.samples, kNumbers / sampled);
-    for (std::size_t n = 0; n < numbers; ++n) {
-      double value = 0;
-      read_strided(signal, n * signal.samples / numbers, std::span(&value, 1));
-      sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * kPrime;
-      sum ^= sum >> 32U;
-    }
+    with_type(signal.type, [&]<class Number>(const Number*) {
+      for (std::size_t n = 0; n < numbers; ++n) {
+        const double value = number_at<Number>(sample_at(signal, n * signal.samples / numbers));
+        sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * kPrime;
+        sum ^= sum >> 32U;
+      }
+    });
   }
   return sum;
 }

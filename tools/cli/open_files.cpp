@@ -123,7 +123,9 @@ std::variant<acquire::Record, acquire::FrfRecord> open_measurement_at(const Read
 }
 
 Measurements open_measurements(const ReadFlags& given) {
-  const ReadFlags flags = with_found_files(given);
+  std::optional<ReadFlags> found;
+  if (!has_in_memory_inputs(given)) found = with_found_files(given);
+  const ReadFlags& flags = found ? *found : given;
   require_files(flags);
   const acquire::ReadOptions options = resolved_read_options(flags);
   const auto fork_server = fork_server_for(flags, options);

@@ -44,9 +44,7 @@ int analyze(const AnalyzeFlags& flags) {
                       {"json", "output"});
   }
   const std::optional<report::BatLabel> bat = bat_label(flags.bat_id, flags.bat);
-  ReadFlags read = flags.read;
-  read.options.force_optional = true;
-  Measurements opened = open_measurements(read);
+  Measurements opened = open_measurements(flags.read);
   const auto lacks_force = [](const acquire::Record& record) { return !record.has_force; };
   const auto without = std::find_if(opened.records.begin(), opened.records.end(), lacks_force);
   if (without != opened.records.end()) {
@@ -104,6 +102,7 @@ int analyze(const AnalyzeFlags& flags) {
 
 void add_analyze(CommandLine& line) {
   auto flags = line.values<AnalyzeFlags>();
+  flags->read.options.force_optional = true;
   Command command = line.command("analyze", "Identify modes from hammer tests: hits, FRFs, modes, bending or hoop",
                                  [flags] { return analyze(*flags); });
   command.about(
