@@ -217,3 +217,44 @@ def test_tables_hold_the_rows_of_bats(tmp_path):
     assert model.table["difference"][4:].tolist() == [one["difference"] for one in model.bats]
     assert not model.table["bat"].flags.writeable
     assert pickle.loads(pickle.dumps(model)).table["bat"].tolist() == model.table["bat"].tolist()
+
+
+def test_each_of_several_tests_is_a_result_of_its_own(tmp_path):
+    """Nothing tells it from the result of an analysis of its record alone."""
+    records = [percuss.synth("wood-bat", seed=seed).record for seed in (1, 2)]
+    both = percuss.analyze(*records, band=BAND, files="tests")
+    assert [len(one.modes) for one in both.runs] == [3, 3]
+    for one, record in zip(both.runs, records):
+        alone = percuss.analyze(record, band=BAND)
+        assert one.json == alone.json and str(one) == str(alone) and repr(one) == repr(alone)
+        assert one["modes"] == alone["modes"] == one.modes and one.fs_hz == alone.fs_hz and list(one) == list(alone)
+        assert one._repr_html_() == alone._repr_html_() and one.exit_code == 0 and one.possible
+        for name in ("frequency_hz", "residues", "lower", "frac"):
+            assert np.array_equal(getattr(one, name), getattr(alone, name)), name
+        assert np.array_equal(one.frf().H, alone.frf().H)
+        assert np.array_equal(one.synthesise([165.0]), alone.synthesise([165.0]))
+        assert one.runs == [one]
+        for kind in ("json", "csv", "modes.csv", "uff", "h5", "mat", "svg", "html"):
+            one.save(tmp_path / f"one.{kind}", force=True)
+            alone.save(tmp_path / f"alone.{kind}", force=True)
+        for kind in ("json", "csv", "modes.csv", "h5", "mat", "svg"):
+            assert (tmp_path / f"one.{kind}").read_bytes() == (tmp_path / f"alone.{kind}").read_bytes(), kind
+        percuss.write(tmp_path / "written.h5", one, force=True)
+        assert np.array_equal(percuss.read(tmp_path / "written.h5").H, alone.frf().H)
+    with pytest.raises(percuss.UsageError, match="2 tests.*runs\\[0\\]"):
+        both.modes
+    again = pickle.loads(pickle.dumps(both))
+    assert again.json == both.json and [one.json for one in again.runs] == [one.json for one in both.runs]
+    assert np.array_equal(again.runs[1].frequency_hz, both.runs[1].frequency_hz)
+
+
+def test_each_of_several_decays_is_a_result_of_its_own():
+    tests = [percuss.synth("wood-bat", seed=seed).record for seed in (1, 2)]
+    records = [percuss.Record(None, one.accel_mps2, one.fs_hz) for one in tests]
+    both = percuss.analyze(*records, band=BAND, files="tests")
+    assert len(both.runs) == 2
+    for one, record in zip(both.runs, records):
+        alone = percuss.analyze(record, band=BAND)
+        assert one.json == alone.json and str(one) == str(alone)
+        assert np.array_equal(one.frequency_hz, alone.frequency_hz) and one.possible and one.exit_code == 0
+        assert len(pickle.loads(pickle.dumps(one)).frequency_hz) == len(one.frequency_hz)
