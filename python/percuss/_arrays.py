@@ -131,7 +131,10 @@ def points_of(points: Any, count: int, of: str = "hits") -> list[int]:
         return []
     array = np.asarray(points)
     whole = array.ndim == 1 and array.dtype.kind in "iuf" and bool(np.all(array == np.floor(array)))
-    if not whole or len(array) != count or array.min(initial=0) < 0 or array.max(initial=0) >= _MAX_ROWS:
+    if whole and len(array) == count and count and not 0 <= array.min() <= array.max() < _MAX_ROWS:
+        wrong = array.min() if array.min() < 0 else array.max()
+        raise InputError(f"{wrong:g} is no number of a point", "points", f"number points from 0 up, below {_MAX_ROWS}")
+    if not whole or len(array) != count:
         given = f"{array.size} points" if whole else "points that are not a list of whole numbers"
         raise InputError(f"{given} for {count} {of}", "points", "give a number from 0 up for each")
     return [int(one) for one in array]

@@ -9,7 +9,7 @@ import numpy as np
 from . import _percuss
 from ._arrays import Responses, frozen, points_of
 from ._errors import InputError, note_in_python
-from ._frf_arrays import alike, real_lines, responses_given
+from ._frf_arrays import averages_given, channel_names_given, coherence_given, frequencies_given, responses_given, std_given
 from ._optional import frf_frame, frf_html
 from ._plots import plot_frf
 
@@ -39,7 +39,8 @@ class Frf:
     Raises
     ------
     InputError
-        Shapes that do not agree, frequencies that are uneven, values that are not finite.
+        Shapes that do not agree; frequencies that do not rise, are uneven or negative; coherences outside 0 … 1, negative
+        standard deviations, values that are masked or not finite.
 
     Examples
     --------
@@ -67,7 +68,7 @@ class Frf:
         names: Sequence[str] = (),
         averages: int = 0,
     ) -> None:
-        freq_hz = np.ascontiguousarray(real_lines(frequency_hz, "frequency_hz", 1), dtype=float)
+        freq_hz = frequencies_given(frequency_hz)
         if kind not in _UNITS:
             raise InputError(f"the kind {kind!r} is not known", "kind", "give accelerance, mobility or receptance")
         value = responses_given(H, "H", complex, len(freq_hz))
@@ -75,8 +76,8 @@ class Frf:
         if len(set(numbers)) != len(numbers):
             raise InputError("a point number is given twice", "points", "give each point once")
         self._set(
-            freq_hz, kind, numbers, list(names) or [f"channel {i + 1}" for i in range(value.shape[1])], int(averages), 0.0, "arrays",
-            value, *(None if one is None else alike(one, name, value.shape) for one, name in [(std, "std"), (coherence, "coherence")]),
+            freq_hz, kind, numbers, channel_names_given(names, value.shape[1]), averages_given(averages), 0.0, "arrays",
+            value, std_given(std, value.shape), coherence_given(coherence, value.shape),
         )  # fmt: skip
         self._handle  # checks the frequencies
 
@@ -84,8 +85,6 @@ class Frf:
         self, freq_hz: np.ndarray, kind: str, points: list[int], names: list[str], averages: int, decay_per_s: float, source: str,
         value: np.ndarray, std: np.ndarray | None, coherence: np.ndarray | None,
     ) -> None:  # fmt: skip
-        if len(names) != value.shape[1]:
-            raise InputError(f"{len(names)} names for {value.shape[1]} channels", "names", "give one for each channel")
         rows: list[tuple[Any, ...]] = [
             (point, channel, averages, *(None if one is None else one[p, channel] for one in (value, std, coherence)))
             for p, point in enumerate(points)
