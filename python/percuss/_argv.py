@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from . import _percuss
+from ._columns import columns_of, columns_text
 from ._errors import InputError, UsageError
 
 # Options of the shell only: Python returns results, and save() writes them.
@@ -151,8 +152,11 @@ def _file_text(value: Any, name: str) -> str:
     document = getattr(value, "json", None)
     if isinstance(document, str):
         return document
+    columns = columns_of(value, name)
+    if columns is not None:
+        return columns_text(columns, name)
     if isinstance(value, (dict, list)) and not _is_table(value):
-        return json.dumps(value)
+        return json.dumps(value, default=_plain)
     try:
         table = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
@@ -165,6 +169,15 @@ def _file_text(value: Any, name: str) -> str:
     else:
         lines = [" ".join(repr(one) for one in row) for row in table.tolist()]
     return "\n".join(lines) + "\n"
+
+
+def _plain(value: Any) -> Any:
+    """A number or array of NumPy within a document, as JSON has it."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    raise TypeError(f"a document cannot hold {type(value).__name__}: give numbers, texts, lists and dictionaries")
 
 
 def _is_table(value: Any) -> bool:
