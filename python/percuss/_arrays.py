@@ -47,6 +47,10 @@ class Responses:
     coherence = property(lambda self: self._stack(5))
     averages = property(lambda self: frozen(np.array([one[2] for one in self._all.values()])))
 
+    @property
+    def least_averages(self) -> int:
+        return min((int(one[2]) for one in self._all.values()), default=0)
+
     def at(self, point: int, channel: int) -> np.ndarray:
         if (point, channel) not in self._all:
             raise KeyError(f"no FRF of point {point}, channel {channel}")

@@ -120,7 +120,7 @@ class Frf:
         if self._made is None:
             value, std, coherence = (None if one is None else np.ascontiguousarray(one) for one in (self.H, self.std, self.coherence))
             assert value is not None
-            averages = int(self._responses.averages.min(initial=0))
+            averages = self._responses.least_averages
             self._made = _percuss.FrfHandle(
                 np.ascontiguousarray(self._frequency_hz), value, std, coherence, self._kind, self.points.tolist(), self._names,
                 averages, self._decay_per_s,
@@ -213,7 +213,7 @@ class Frf:
         return np.array(self.H, dtype=dtype) if copy or dtype is not None else self.H
 
     def __reduce__(self) -> Any:
-        averages = int(self._responses.averages.min(initial=0))
+        averages = self._responses.least_averages
         given = (
             np.array(self.frequency_hz), self._kind, self.points.tolist(), self._names, averages, self._decay_per_s, self._source,
             np.array(self.H), *(None if one is None else np.array(one) for one in (self.std, self.coherence)),

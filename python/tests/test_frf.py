@@ -110,6 +110,21 @@ def test_frfs_are_pickled_written_and_read(tmp_path, found):
     assert np.array_equal(pickle.loads(pickle.dumps(found)).synthesise([100.0]), found.synthesise([100.0]))
 
 
+@pytest.mark.parametrize("kind", ["h5", "mat", "csv", "uff"])
+def test_write_lists_what_a_format_drops(tmp_path, kind):
+    """What it does not list is read as it was written."""
+    std = np.full((1, 2, 800), 1e-3)
+    full = {"std": std, "coherence": 1 - std, "averages": 4, "names": ["x", "y"]}
+    for options in (full, {**full, "averages": 0}, {"std": std}, {}):
+        frf = percuss.Frf(FREQ_HZ, exact(FREQ_HZ)[:1], **options)
+        notes = " ".join(percuss.write(tmp_path / f"frfs.{kind}", frf, force=True))
+        read = percuss.read(tmp_path / f"frfs.{kind}")
+        assert ("names" in notes) == (read.names != ["accel 1", "accel 2"] or "names" in options)
+        assert ("standard deviations" in notes) == (frf.std is not None and read.std is None), options
+        assert (frf.coherence is None) == (read.coherence is None)
+        assert ("averages" in notes) == (frf._responses.least_averages != read._responses.least_averages), options
+
+
 @pytest.mark.parametrize("given, options, wanted", [
     ((FREQ_HZ, exact(FREQ_HZ)[..., :-1]), {}, "799 values for 800 frequencies"),
     ((FREQ_HZ, np.zeros((1, 1, 1, 800))), {}, "give \\(points, channels, lines\\)"),
