@@ -6,6 +6,7 @@
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "option_names.hpp"
+#include "signal_object.hpp"
 
 namespace percuss::python {
 namespace {
@@ -42,6 +43,14 @@ Object frfs_of(PyObject* self, const Arguments& arguments) {
   for (acquire::PointFrf& one : *made)
     one.frf = acquire::converted(one.frf, analysis->lines(), wanted, analysis->window_decay_per_s());
   return responses_of(*made, first, band.count, made);
+}
+
+// The accelerations of a test, as Frf.signals.
+Object signals_of(PyObject* self, const Arguments& arguments) {
+  std::vector<Object> out;
+  for (const acquire::SignalInfo& signal : analysis_of(held_by(self), test_in(arguments))->record().accel)
+    out.push_back(object_of(signal));
+  return object_of(out);
 }
 
 // [(hit, channel, point, first_s, velocity, deflection, std or None)]
@@ -178,7 +187,7 @@ void bind_outcome(PyObject* module) {
        method<&frfs_of>("frfs"), method<&modes_of>("modes"), method<&residual_terms_of>("residual_terms"),
        method<&stabilisation_of>("stabilisation"), method<&shapes_of>("shapes"), method<&deflections_of>("deflections"),
        method<&columns_of>("columns"), method<&record_of>("record"), method<&opened_of>("opened"),
-       method<&result_of_test>("of_test")},
+       method<&result_of_test>("of_test"), method<&signals_of>("signals")},
       {property<[](PyObject* self) { return object_of(held_by(self)->code); }>("code"),
        property<[](PyObject* self) { return object_of(held_by(self)->outcome.document); }>("document"),
        property<[](PyObject* self) { return notes_of(held_by(self)->outcome.notes); }>("notes"),

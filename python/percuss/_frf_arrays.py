@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import numbers
 from typing import Any
 
@@ -55,6 +56,16 @@ def averages_given(value: Any) -> int:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, numbers.Real) or not float(value).is_integer() or value < 0:
         raise InputError(f"{one_line(value)} is no number of hits", "averages", "give a whole number; 0 if it is not known")
     return int(value)
+
+
+def window_decay_given(exponential: Any, freq_hz: np.ndarray) -> float:
+    """The decay in 1/s of a window that falls to this fraction within a record; 0 without one."""
+    if exponential is None:
+        return 0.0
+    if isinstance(exponential, (bool, np.bool_)) or not isinstance(exponential, numbers.Real) or not 0 < float(exponential) < 1:
+        raise InputError(f"{one_line(exponential)} is no fraction", "exponential", "give a number between 0 and 1, such as 0.01")
+    spacing_hz = float(freq_hz[-1] - freq_hz[0]) / max(1, len(freq_hz) - 1)
+    return -math.log(float(exponential)) * spacing_hz
 
 
 def channel_names_given(names: Any, channels: int) -> list[str]:

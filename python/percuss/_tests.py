@@ -9,7 +9,7 @@ import numpy as np
 
 from ._arrays import Responses
 from ._errors import NoHitError, UsageError
-from ._frf import Frf
+from ._frf import Frf, channel_of
 from ._results import Result
 
 
@@ -41,7 +41,7 @@ class TestResult(Result):
         return [*super()._calls(), ("possible", 0), *(self._of_test(0) if has_frfs else [])]
 
     def _of_test(self, test: int) -> list[tuple[Any, ...]]:
-        return [("frequency_hz", test), ("window_decay_per_s", test), ("frfs", test, self._kind)]
+        return [("frequency_hz", test), ("window_decay_per_s", test), ("signals", test), ("frfs", test, self._kind)]
 
     def __getstate__(self) -> dict[str, Any]:
         return {**super().__getstate__(), "_cache": {}}
@@ -84,9 +84,10 @@ class TestResult(Result):
             raise UsageError(f"cannot be {kind!r}", "give accelerance, mobility or receptance", ["kind"])
         if ("frf", kind) not in self._cache:
             responses = Responses(self._computed("frfs", kind))
-            names = [f"channel {channel + 1}" for channel in responses.channels]
+            signals = self._computed("signals")
+            channels = [channel_of(signals[channel]) for channel in responses.channels]
             frequency_hz, decay = self._computed("frequency_hz"), self._computed("window_decay_per_s")
-            self._cache["frf", kind] = Frf._of_responses(frequency_hz, responses, kind, names, decay, self._source)
+            self._cache["frf", kind] = Frf._of_responses(frequency_hz, responses, kind, channels, decay, self._source)
         return self._cache["frf", kind]
 
     @property

@@ -177,3 +177,30 @@ def responses_of(shapes):
     s = 2j * np.pi * FREQ_HZ
     omega = 2 * np.pi * MODES_HZ[:, None]
     return np.einsum("mp,ml->pl", shapes, s**2 / (s**2 + 2 * DAMPING[:, None] * omega * s + omega**2))[:, None]
+
+
+def test_frfs_of_a_result_keep_the_channels(bat):
+    found = percuss.analyze(percuss.Record(bat.record.force_n, bat.record.accel_mps2, bat.record.fs_hz, names=["hammer", "tip", "grip"]),
+                            band=BAND, angle=(0, 45), position=(0.1, 0.2))  # fmt: skip
+    frf = found.frf()
+    assert frf.names == ["tip", "grip"]
+    for one in (frf, pickle.loads(pickle.dumps(found)).frf(), pickle.loads(pickle.dumps(frf)), found.frf("mobility")):
+        assert [signal["name"] for signal in one.signals] == ["tip", "grip"]
+        assert np.allclose([signal["angle_rad"] for signal in one.signals], np.radians([0, 45]))
+        assert np.allclose([signal["position_m"] for signal in one.signals], [0.1, 0.2])
+    again = percuss.analyze(frf, band=BAND)
+    assert again.family == found.family  # which the angles decide
+
+
+def test_frfs_under_an_exponential_window_have_the_damping_without_it():
+    """H of a window exp(−a t) over force and response is H(jω + a)."""
+    fraction, spacing_hz = 0.01, 1.0
+    s = 2j * np.pi * FREQ_HZ - np.log(fraction) * spacing_hz
+    omega = 2 * np.pi * MODES_HZ[:, None]
+    seen = np.einsum("mpc,ml->pcl", RESIDUES, s**2 / (s**2 + 2 * DAMPING[:, None] * omega * s + omega**2))
+    found = percuss.analyze(percuss.Frf(FREQ_HZ, seen, exponential=fraction), band=(60, 700), object="other")
+    assert np.allclose(found.damping_ratio, DAMPING, rtol=1e-6)
+    assert not np.allclose(percuss.analyze(percuss.Frf(FREQ_HZ, seen), band=(60, 700), object="other").damping_ratio, DAMPING, rtol=1e-2)
+    for wrong in (0, 1, -0.1, "x", np.nan):
+        with pytest.raises(percuss.InputError, match="is no fraction \\(exponential\\)"):
+            percuss.Frf(FREQ_HZ, seen, exponential=wrong)

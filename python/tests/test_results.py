@@ -292,3 +292,13 @@ def test_the_remedies_of_deflections_lead_away_from_the_method_that_failed():
     assert "never exceed" in texts["modal"] and "method modal" not in texts["modal"] and "effective mass" in texts["modal"]
     assert "never exceed" in texts["mass"] and "effective mass" not in texts["mass"] and "drift-free" in texts["mass"]
     assert "never exceed" in texts["no force"] and "modal" not in texts["no force"]
+
+
+def test_deviations_of_scaled_shapes_include_the_scale():
+    """The document states the scale's apart; an element of a shape in 1/√kg is known no better than its scale."""
+    scan = percuss.survey(percuss.synth("bat-scan").record, band=BAND, effort="quick", driving_point=(0, 0))
+    shapes = [mode["shape"] for mode in scan.to_dict()["modes"]]
+    assert any(one["scale_std"] > 0 for one in shapes)
+    assert scan.scale_std.tolist() == [one["scale_std"] for one in shapes]
+    own = np.array([[place["std"] for place in one["values"]] for one in shapes])
+    assert np.allclose(scan.shapes_std, np.hypot(own, scan.scale_std[:, None] * abs(scan.shapes)), rtol=1e-12)
