@@ -35,7 +35,8 @@ class Frf:
     kind : {'accelerance', 'mobility', 'receptance'}, optional
         Response: acceleration, velocity or displacement.
     std, coherence : array, optional
-        Standard deviation in the unit of H, and ordinary coherence, in the shape of H.
+        Standard deviation of the complex number in the unit of H, and ordinary coherence, in the shape of H. The ± of modes
+        grow with std where it exceeds the residual of the fit; the weights of the fit come from the residual.
     points : sequence of int, optional
         Number of each struck point. Default: from 0 up.
     names : sequence of str, optional
