@@ -19,7 +19,7 @@ class Survey(Analysis):
     scale_std : array (modes,)
         Relative standard deviation of the scale of each shape in 1/√kg, common to its places; 0 for other shapes.
     shape_points, shape_channels : array (places,)
-        From 0.
+        From 0. With a roving hammer all channels contribute to a place, and its channel is 0.
     mac : array (modes, modes)
         0 … 1.
     cmif : array (lines, values)
@@ -58,7 +58,7 @@ class Survey(Analysis):
 
     @property
     def shape_channels(self) -> np.ndarray:
-        """(places,) index of the channel, from 0."""
+        """(places,) index of the channel, from 0; 0 for all places of a roving hammer, to which all channels contribute."""
         return self._shape("channels")
 
     @property
