@@ -62,7 +62,7 @@ int analyze(const AnalyzeFlags& flags) {
     tests.front().deflection = deflection_of(*tests.front().analysis);
   const auto made = std::make_shared<AnalyzeResults>(
       AnalyzeResults{.flags = flags, .tests = std::move(tests), .sections = sections, .bat = bat});
-  if (wants_json) made->document = document_of(*made);
+  if (wants_json) made->document = document_of_tests(*made);
   if (!flags.compared.empty())
     made->comparison = comparison_of(flags, made->document, made->tests.front().analysis->record().source());
   const std::shared_ptr<const AnalyzeResults> results = made;

@@ -61,7 +61,7 @@ std::string html_of(const AnalyzeResults& results) {
 
 }  // namespace
 
-std::string document_of(const AnalyzeResults& results) {
+std::string document_of_tests(const AnalyzeResults& results) {
   std::vector<report::NumberedAnalysis> numbered;
   numbered.reserve(results.tests.size());
   for (const Test& test : results.tests) numbered.push_back({.run = test.run, .analysis = test.analysis.get()});
@@ -218,7 +218,7 @@ CommandResult outcome_of(const std::shared_ptr<const AnalyzeResults>& results, c
   outcome.of_test = [results, captured](std::size_t test) {
     const auto alone = std::make_shared<AnalyzeResults>(*results);
     alone->tests = {results->tests.at(test)};
-    alone->document = document_of(*alone);
+    alone->document = document_of_tests(*alone);
     return outcome_of(alone, captured);
   };
   return outcome;

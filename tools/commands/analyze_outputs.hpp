@@ -24,7 +24,7 @@ struct AnalyzeResults {
 };
 
 /// The JSON document of the tests.
-std::string document_of(const AnalyzeResults& results);
+std::string document_of_tests(const AnalyzeResults& results);
 
 /// Checks the output paths. Throws as check_outputs.
 void check_analyze_outputs(const AnalyzeFlags& flags);

@@ -8,23 +8,23 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kReach = 2;           // half-power bandwidths on each side of a mode
-constexpr std::size_t kMinReach = 32;  // lines on each side: their mean square is known to 12 %
+constexpr double kNoiseReach = 2;           // half-power bandwidths on each side of a mode
+constexpr std::size_t kMinNoiseReach = 32;  // lines on each side: their mean square is known to 12 %
 constexpr double kMinVariance = 1e-300;
 
-struct Window {
+struct NoiseWindow {
   std::size_t first = 0, end = 0;  // lines
 };
 
-Window window_around(const identify::Mode& mode, const acquire::LineRange& lines) {
+NoiseWindow noise_window_around(const identify::Mode& mode, const acquire::LineRange& lines) {
   const std::size_t middle = lines.nearest(mode.pole.freq_Hz);
-  const auto reach =
-      std::max(kMinReach, static_cast<std::size_t>(std::ceil(kReach * mode.pole.half_power_Hz() / lines.df_Hz())));
+  const auto reach = std::max(
+      kMinNoiseReach, static_cast<std::size_t>(std::ceil(kNoiseReach * mode.pole.half_power_Hz() / lines.df_Hz())));
   return {.first = middle - std::min(middle, reach), .end = std::min(lines.count, middle + reach + 1)};
 }
 
 // The harmonic mean of the stated variance, since quiet lines tell most; 0 where none is stated.
-double stated_variance(const std::vector<double>& std, std::size_t offset, const Window& window) {
+double stated_variance(const std::vector<double>& std, std::size_t offset, const NoiseWindow& window) {
   double sum = 0;
   for (std::size_t k = window.first; k < window.end && !std.empty(); ++k)
     sum += 1 / std::max(kMinVariance, std[offset + k] * std[offset + k]);
@@ -32,7 +32,7 @@ double stated_variance(const std::vector<double>& std, std::size_t offset, const
 }
 
 // The mean square of the residual, from which the fit takes the noise.
-double residual_variance(const std::vector<Complex>& frf, const std::vector<Complex>& fit, const Window& window) {
+double residual_variance(const std::vector<Complex>& frf, const std::vector<Complex>& fit, const NoiseWindow& window) {
   double sum = 0;
   for (std::size_t k = window.first; k < window.end; ++k) sum += std::norm(frf[k] - fit[k]);
   return std::max(kMinVariance, sum / static_cast<double>(window.end - window.first));
@@ -47,7 +47,7 @@ void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfD
   const std::vector<identify::SynthesisedFrf> fits = identify::synthesised_frfs(set, modes, set.lines);
   const std::size_t offset = set.lines.first - given.lines.first;
   for (identify::Mode& mode : modes) {
-    const Window window = window_around(mode, set.lines);
+    const NoiseWindow window = noise_window_around(mode, set.lines);
     double by_fit = 0, by_stated = 0;  // information about the pole
     for (std::size_t o = 0; o < mode.residues.size(); ++o) {
       identify::Residue& residue = mode.residues[o];
