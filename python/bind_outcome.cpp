@@ -114,7 +114,7 @@ void require_same_arrays(const ResultHandle& held, const std::string& path) {
 Object result_of_test(PyObject* self, const Arguments& arguments) {
   const SharedResult& held = held_by(self);
   const std::size_t test = test_in(arguments);
-  if (test >= held->outcome.tests)
+  if (test >= held->outcome.tests || !held->outcome.of_test)
     raise_builtin(PyExc_IndexError, "test " + std::to_string(test) + " of " + std::to_string(held->outcome.tests));
   auto made = std::make_shared<ResultHandle>();
   made->outcome = compute(held, [&] { return held->outcome.of_test(test); });

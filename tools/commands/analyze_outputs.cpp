@@ -196,7 +196,6 @@ namespace {
 // `captured`: the output flags without the host, which may end before the result does.
 CommandResult outcome_of(const std::shared_ptr<const AnalyzeResults>& results, const OutputFlags& captured) {
   CommandResult outcome;
-  outcome.document = results->document;
   for (const Test& test : results->tests) outcome.analyses.emplace_back(results, test.analysis.get());
   if (const auto& deflection = results->tests.front().deflection) outcome.deflection = {results, &*deflection};
   outcome.text = [results](std::size_t width, OptionWriter write_option) {
@@ -215,11 +214,14 @@ CommandResult outcome_of(const std::shared_ptr<const AnalyzeResults>& results, c
   outcome.possible = std::all_of(results->tests.begin(), results->tests.end(),
                                  [](const Test& test) { return test.analysis->possible(); });
   outcome.tests = results->tests.size();
+  if (outcome.tests < 2) return outcome;
   outcome.of_test = [results, captured](std::size_t test) {
     const auto alone = std::make_shared<AnalyzeResults>(*results);
     alone->tests = {results->tests.at(test)};
     alone->document = document_of_tests(*alone);
-    return outcome_of(alone, captured);
+    CommandResult one = outcome_of(alone, captured);
+    one.document = alone->document;
+    return one;
   };
   return outcome;
 }
