@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -48,13 +47,18 @@ const std::byte* sample_at(const StridedSamples& signal, std::size_t index) {
   return signal.first + static_cast<std::ptrdiff_t>(index) * signal.step_bytes;
 }
 
+template <class Number>
+double number_at(const std::byte* at) {
+  Number number;
+  std::memcpy(&number, at, sizeof number);  // the source may be unaligned
+  return static_cast<double>(number);
+}
+
 void read_strided(const StridedSamples& signal, std::size_t first, std::span<double> out) {
   with_type(signal.type, [&]<class Number>(const Number*) {
     const std::byte* at = sample_at(signal, first);
     for (double& value : out) {
-      Number number;
-      std::memcpy(&number, at, sizeof number);  // the source may be unaligned
-      value = static_cast<double>(number);
+      value = number_at<Number>(at);
       at += signal.step_bytes;
     }
   });
@@ -140,18 +144,17 @@ std::uint64_t sample_checksum(const ArrayTest& test) {
       test.rows.empty() ? 0 : test.rows.front().accel.size() + static_cast<std::size_t>(test.has_force);
   const std::size_t series = test.rows.size() * signals, sampled = std::min(series, kMaxSignals);
   std::uint64_t sum = kOffset;
-  std::array<double, kNumbers> values{};
   for (std::size_t i = 0; i < sampled; ++i) {
     const std::size_t at = i * series / sampled;
-    StridedSamples signal = strided_samples_of(test, at / signals, at % signals);
-    const std::size_t most = kNumbers / sampled, step = std::max<std::size_t>(1, (signal.samples + most - 1) / most);
-    signal.step_bytes *= static_cast<std::ptrdiff_t>(step);
-    const std::span<double> read = std::span(values).first((signal.samples + step - 1) / step);
-    read_strided(signal, 0, read);
-    for (const double value : read) {
-      sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * kPrime;
-      sum ^= sum >> 32U;
-    }
+    const StridedSamples& signal = strided_samples_of(test, at / signals, at % signals);
+    const std::size_t numbers = std::min(signal.samples, kNumbers / sampled);
+    with_type(signal.type, [&]<class Number>(const Number*) {
+      for (std::size_t n = 0; n < numbers; ++n) {
+        const double value = number_at<Number>(sample_at(signal, n * signal.samples / numbers));
+        sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * kPrime;
+        sum ^= sum >> 32U;
+      }
+    });
   }
   return sum;
 }

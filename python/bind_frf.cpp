@@ -1,3 +1,4 @@
+#include <optional>
 #include <utility>
 
 #include "acquire/record/point_number.hpp"
@@ -14,16 +15,25 @@ acquire::FrfKind kind_of(const std::string& name) {
   return acquire::FrfKind::receptance;
 }
 
-// (frequency_hz, values, std or None, coherence or None, kind, points, names, averages, decay_per_s): the arrays are
-// contiguous, (points, channels, lines).
+std::optional<double> number_or_none(const Object& one) {
+  return one.is_none() ? std::nullopt : std::optional(one.number());
+}
+
+// (frequency_hz, values, std or None, coherence or None, kind, points, channels, averages, decay_per_s): the arrays are
+// contiguous, (points, channels, lines); a channel is (name, angle_rad or None, position_m or None).
 std::shared_ptr<const acquire::StoredFrfs> stored_frfs_of(const Arguments& arguments) {
   auto stored = std::make_shared<acquire::StoredFrfs>();
   stored->record.format = "arrays";
   stored->record.lines = acquire::lines_from_frequencies(copied_values<double>(arguments[0]), "frequency_hz");
   stored->kind = kind_of(arguments[4].text());
-  const std::vector<Object> points = arguments[5].items(), names = arguments[6].items();
+  const std::vector<Object> points = arguments[5].items(), channels = arguments[6].items();
   stored->record.decay_per_s = arguments[8].number();
-  for (const Object& name : names) stored->record.accel.push_back({.name = name.text(), .unit = ""});
+  for (const Object& one : channels) {
+    stored->record.accel.push_back({.name = one.at(0).text(),
+                                    .unit = "",
+                                    .angle_rad = number_or_none(one.at(1)),
+                                    .position_m = number_or_none(one.at(2))});
+  }
   const auto values = copied_values<std::complex<double>>(arguments[1]);
   const auto optional = [&](std::size_t i) {
     return arguments[i].is_none() ? std::vector<double>() : copied_values<double>(arguments[i]);
@@ -38,8 +48,8 @@ std::shared_ptr<const acquire::StoredFrfs> stored_frfs_of(const Arguments& argum
   for (std::size_t p = 0; p < points.size(); ++p) {
     const auto point = static_cast<int>(points[p].whole());
     acquire::require_point_number(point, "points");
-    for (std::size_t c = 0; c < names.size(); ++c) {
-      const std::size_t at = p * names.size() + c;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      const std::size_t at = p * channels.size() + c;
       stored->frfs.push_back({.point = point,
                               .channel = c,
                               .value = part(values, at),

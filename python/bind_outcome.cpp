@@ -2,9 +2,11 @@
 #include <optional>
 
 #include "bindings.hpp"
+#include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "option_names.hpp"
+#include "signal_object.hpp"
 
 namespace percuss::python {
 namespace {
@@ -41,6 +43,14 @@ Object frfs_of(PyObject* self, const Arguments& arguments) {
   for (acquire::PointFrf& one : *made)
     one.frf = acquire::converted(one.frf, analysis->lines(), wanted, analysis->window_decay_per_s());
   return responses_of(*made, first, band.count, made);
+}
+
+// The accelerations of a test, as Frf.signals.
+Object signals_of(PyObject* self, const Arguments& arguments) {
+  std::vector<Object> out;
+  for (const acquire::SignalInfo& signal : analysis_of(held_by(self), test_in(arguments))->record().accel)
+    out.push_back(object_of(signal));
+  return object_of(out);
 }
 
 // [(hit, channel, point, first_s, velocity, deflection, std or None)]
@@ -89,6 +99,8 @@ Object opened_of(PyObject* self, const Arguments& /*arguments*/) {
   return object_of(out);
 }
 
+std::size_t tests_of(const ResultHandle& held) { return std::max(held.outcome.tests, held.outcome.analyses.size()); }
+
 // A .json file holds the document, which does not need the arrays any more.
 void require_same_arrays(const ResultHandle& held, const std::string& path) {
   if (tools::extension_of(path) == ".json") return;
@@ -96,6 +108,20 @@ void require_same_arrays(const ResultHandle& held, const std::string& path) {
     if (sample_checksum(*test) != sum)
       throw InputError("the arrays have changed since the analysis", "save", "save earlier, or analyze them again");
   }
+}
+
+// The result of one of several tests, as if it had been given alone.
+Object result_of_test(PyObject* self, const Arguments& arguments) {
+  const SharedResult& held = held_by(self);
+  const std::size_t test = test_in(arguments);
+  if (test >= held->outcome.tests || !held->outcome.of_test)
+    raise_builtin(PyExc_IndexError, "test " + std::to_string(test) + " of " + std::to_string(held->outcome.tests));
+  auto made = std::make_shared<ResultHandle>();
+  made->outcome = compute(held, [&] { return held->outcome.of_test(test); });
+  made->code = made->outcome.possible ? tools::kOk : tools::kImpossible;
+  made->arrays = held->arrays;
+  made->mutex = held->mutex;
+  return ResultClass::wrap(std::move(made));
 }
 
 Object text_of(PyObject* self, const Arguments& arguments) {
@@ -124,6 +150,7 @@ Object save(PyObject* self, const Arguments& arguments) {
 
 Object possible(PyObject* self, const Arguments& arguments) {
   const SharedResult& held = held_by(self);
+  if (held->outcome.analyses.empty() && held->outcome.tests > 0) return object_of(held->outcome.possible);
   const auto analysis = analysis_of(held, test_in(arguments));
   return object_of(compute(held, [&] { return analysis->possible(); }));
 }
@@ -159,11 +186,12 @@ void bind_outcome(PyObject* module) {
        method<&frequencies_of>("frequency_hz"), method<&window_decay_of>("window_decay_per_s"),
        method<&frfs_of>("frfs"), method<&modes_of>("modes"), method<&residual_terms_of>("residual_terms"),
        method<&stabilisation_of>("stabilisation"), method<&shapes_of>("shapes"), method<&deflections_of>("deflections"),
-       method<&columns_of>("columns"), method<&record_of>("record"), method<&opened_of>("opened")},
+       method<&columns_of>("columns"), method<&record_of>("record"), method<&opened_of>("opened"),
+       method<&result_of_test>("of_test"), method<&signals_of>("signals")},
       {property<[](PyObject* self) { return object_of(held_by(self)->code); }>("code"),
        property<[](PyObject* self) { return object_of(held_by(self)->outcome.document); }>("document"),
        property<[](PyObject* self) { return notes_of(held_by(self)->outcome.notes); }>("notes"),
-       property<[](PyObject* self) { return object_of(held_by(self)->outcome.analyses.size()); }>("tests")});
+       property<[](PyObject* self) { return object_of(tests_of(*held_by(self))); }>("tests")});
 }
 
 }  // namespace percuss::python

@@ -40,8 +40,8 @@ struct ResultHandle {
   int code = 0;
   tools::CommandResult outcome;
   std::vector<std::pair<std::shared_ptr<const ArrayTest>, std::uint64_t>>
-      arrays{};  // with their checksums before the run
-  std::mutex mutex{};
+      arrays{};                                                        // with their checksums before the run
+  std::shared_ptr<std::mutex> mutex = std::make_shared<std::mutex>();  // the parts of a result share it
 };
 using SharedResult = std::shared_ptr<ResultHandle>;
 using ResultClass = Class<ResultHandle>;
@@ -54,7 +54,7 @@ const std::shared_ptr<const pipeline::Analysis>& analysis_of(const SharedResult&
 template <class Function>
 decltype(auto) compute(const SharedResult& held, const Function& function) {
   const ReleasedLock released;
-  const std::scoped_lock lock(held->mutex);
+  const std::scoped_lock lock(*held->mutex);
   const InterruptPolling polling;
   return function();
 }

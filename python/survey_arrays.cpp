@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "bindings.hpp"
 #include "pipeline/survey.hpp"
 
@@ -35,13 +37,14 @@ Object shapes_of(PyObject* self, const Arguments& /*arguments*/) {
       held, [&]() -> const auto& { return survey->macs(); });
   const std::size_t places = shapes.empty() ? 0 : shapes.front().places.size();
   std::vector<Complex> values;
-  std::vector<double> value_std, mac, cmif;
+  std::vector<double> value_std, scale_std, mac, cmif;
   std::vector<std::int64_t> points, channels;
   for (const auto& shape : shapes) {
+    scale_std.push_back(shape.scale_std);
     for (std::size_t p = 0; p < places; ++p) {
       const identify::ShapePlace& place = shape.places.at(p);
       values.push_back(place.value);
-      value_std.push_back(place.std);
+      value_std.push_back(std::hypot(place.std, shape.scale_std * std::abs(place.value)));
       if (&shape != &shapes.front()) continue;
       points.push_back(static_cast<std::int64_t>(place.point));
       channels.push_back(static_cast<std::int64_t>(place.channel));
@@ -60,6 +63,7 @@ Object shapes_of(PyObject* self, const Arguments& /*arguments*/) {
   Dictionary out;
   out.set("shapes", array_of(std::move(values), {shapes.size(), places}));
   out.set("shapes_std", array_of(std::move(value_std), {shapes.size(), places}));
+  out.set("scale_std", array_of(std::move(scale_std)));
   out.set("points", array_of(std::move(points)));
   out.set("channels", array_of(std::move(channels)));
   out.set("mac", array_of(std::move(mac), {macs.size(), macs.size()}));

@@ -42,8 +42,15 @@ class Analysis(TestResult):
 
     @property
     def runs(self) -> list[Analysis]:
-        """A result per test; a list of one if there is a single test."""
-        return [type(self)(self._outcome, test) for test in range(self._outcome.tests)]
+        """A result per test, as if each had been analysed alone; a list of one if there is a single test."""
+        if self._outcome.tests < 2:
+            return [self]
+        if "runs" not in self._cache:
+            self._cache["runs"] = [type(self)(self._outcome.of_test(test)) for test in range(self._outcome.tests)]
+        return list(self._cache["runs"])
+
+    def _pickled_tests(self) -> list[Any]:
+        return [one.__getstate__()["_outcome"] for one in self.runs] if self._outcome.tests > 1 else []
 
     def _of_test(self, test: int) -> list[tuple[Any, ...]]:
         deflected = [("deflections",)] if "deflection" in self._parsed() else []

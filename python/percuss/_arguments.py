@@ -18,6 +18,8 @@ _MEASURED = (Record, Frf, Synthetic, AveragedFrf)
 
 def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any], bool]:
     """Paths, or handles of data in memory, and whether these are bare arrays."""
+    if len(data) == 1 and isinstance(data[0], _MEASURED):
+        return [], [_handle_of(data[0])], False
     given: list[Any] = list(data[0]) if len(data) == 1 and _is_list_of_inputs(data[0]) else list(data)
     if given and all(isinstance(one, _PATHS) for one in given):
         return [os.fsdecode(one) for one in given], [], False

@@ -5,18 +5,23 @@ from __future__ import annotations
 import json
 import numbers
 import os
+import sys
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from . import _percuss
+from ._columns import columns_of, columns_text
 from ._errors import InputError, UsageError
 
 # Options of the shell only: Python returns results, and save() writes them.
 _SHELL_ONLY = {
     "help", "output", "json", "force", "quiet", "example", "example_table", "list", "frf", "modes_file",
 }  # fmt: skip
+
+_PLAIN = (str, int, float)
+_ENCODING, _ON_ERROR = sys.getfilesystemencoding(), sys.getfilesystemencodeerrors()  # as os.fsencode
 
 
 class Option:
@@ -35,24 +40,18 @@ class Option:
         self.repeatable = declared["repeatable"]
         self.id = self.flag.lstrip("-").replace("-", "_")
         self.keyword = self.id + "_" if self.id in ("from", "lambda") else self.id
-
-    @property
-    def is_flag(self) -> bool:
-        return not self.shown
-
-    @property
-    def is_file(self) -> bool:
-        return self.shown in ("FILE", "FOLDER")
-
-    @property
-    def may_be_list(self) -> bool:
-        """Whether the option takes a range or, instead, a list: START:STEP:END|POSITION,..."""
-        return any(":" not in form and form.endswith(",...") for form in self.shown.split("|"))
+        self.is_flag = not self.shown
+        self.is_file = self.shown in ("FILE", "FOLDER")
+        # Whether the option takes a range or, instead, a list: START:STEP:END|POSITION,...
+        self.may_be_list = any(":" not in form and form.endswith(",...") for form in self.shown.split("|"))
+        self._takes_plain = not self.is_flag and not self.is_file
 
     def words(self, value: Any, files: MemoryFiles) -> list[str]:
         """The command-line words that set this value; none for None, which means not given."""
         if value is None:
             return []
+        if self._takes_plain and type(value) in _PLAIN:  # most values: the general way takes several times as long
+            return [f"{self.flag}={value!r}" if type(value) is float else f"{self.flag}={value}"]
         if self.is_flag:
             if not isinstance(value, (bool, np.bool_)):
                 raise TypeError(f"{self.keyword} must be True or False, not {value!r}")
@@ -153,8 +152,11 @@ def _file_text(value: Any, name: str) -> str:
     document = getattr(value, "json", None)
     if isinstance(document, str):
         return document
+    columns = columns_of(value, name)
+    if columns is not None:
+        return columns_text(columns, name)
     if isinstance(value, (dict, list)) and not _is_table(value):
-        return json.dumps(value)
+        return json.dumps(value, default=_plain)
     try:
         table = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
@@ -167,6 +169,15 @@ def _file_text(value: Any, name: str) -> str:
     else:
         lines = [" ".join(repr(one) for one in row) for row in table.tolist()]
     return "\n".join(lines) + "\n"
+
+
+def _plain(value: Any) -> Any:
+    """A number or array of NumPy within a document, as JSON has it."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    raise TypeError(f"a document cannot hold {type(value).__name__}: give numbers, texts, lists and dictionaries")
 
 
 def _is_table(value: Any) -> bool:
@@ -184,28 +195,32 @@ class Command:
         options = [Option(one) for one in declared["options"]]
         self.options = {one.keyword: one for one in options if one.keyword not in _SHELL_ONLY}
         self._required = [one for one in options if one.required]
-        self._shell = {one.keyword for one in options}
+        shell = {one.keyword for one in options}
+        self._first = [word.encode() for word in self.name.split()]
+        self._last = [f"--{one}".encode() for one in ("json", "quiet") if one in shell]
 
     def run(self, function: str, data: Any, inputs: list[Any], options: dict[str, Any]) -> _percuss.CommandResult:
         """Runs the command on paths and documents (`data`), or on records and FRFs in memory (`inputs`)."""
         files = MemoryFiles()
         try:
-            words = self.name.split()
-            words += [word for key, value in options.items() for word in self._option(function, key).words(value, files)]
+            words = [word for key, value in options.items() for word in self._option(function, key).words(value, files)]
             for option in self._required:
                 if option.keyword not in options:
                     raise UsageError("is missing", f"give {option.shown}", [option.id])
-            words += [flag for flag in ("--json", "--quiet") if flag[2:] in self._shell]
-            for i, one in enumerate(data):
-                word = self.arguments[0].lower()
-                words.append(_path_word(files.path(one, word if len(data) == 1 else f"{word} {i + 1}")))
-            return _percuss.run([os.fsencode(word) for word in words], inputs, list(files.names.items()))
+            paths = [files.path(one, self._argument(i, len(data))) for i, one in enumerate(data)]
+            given = [word.encode(_ENCODING, _ON_ERROR) for word in words]
+            given_paths = [_path_word(path).encode(_ENCODING, _ON_ERROR) for path in paths]
+            return _percuss.run([*self._first, *given, *self._last, *given_paths], inputs, list(files.names.items()))
         except InputError as error:
             if not files:
                 raise
             raise type(error)(*(files.named(part) if isinstance(part, str) else part for part in error.args)) from None
         finally:
             files.close()
+
+    def _argument(self, index: int, count: int) -> str:
+        word = self.arguments[0].lower()
+        return word if count == 1 else f"{word} {index + 1}"
 
     def _option(self, function: str, keyword: str) -> Option:
         if keyword not in self.options:

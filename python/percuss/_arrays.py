@@ -47,6 +47,10 @@ class Responses:
     coherence = property(lambda self: self._stack(5))
     averages = property(lambda self: frozen(np.array([one[2] for one in self._all.values()])))
 
+    @property
+    def least_averages(self) -> int:
+        return min((int(one[2]) for one in self._all.values()), default=0)
+
     def at(self, point: int, channel: int) -> np.ndarray:
         if (point, channel) not in self._all:
             raise KeyError(f"no FRF of point {point}, channel {channel}")
@@ -131,7 +135,10 @@ def points_of(points: Any, count: int, of: str = "hits") -> list[int]:
         return []
     array = np.asarray(points)
     whole = array.ndim == 1 and array.dtype.kind in "iuf" and bool(np.all(array == np.floor(array)))
-    if not whole or len(array) != count or array.min(initial=0) < 0 or array.max(initial=0) >= _MAX_ROWS:
+    if whole and len(array) == count and count and not 0 <= array.min() <= array.max() < _MAX_ROWS:
+        wrong = array.min() if array.min() < 0 else array.max()
+        raise InputError(f"{wrong:g} is no number of a point", "points", f"number points from 0 up, below {_MAX_ROWS}")
+    if not whole or len(array) != count:
         given = f"{array.size} points" if whole else "points that are not a list of whole numbers"
         raise InputError(f"{given} for {count} {of}", "points", "give a number from 0 up for each")
     return [int(one) for one in array]

@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import Any, Optional, Sequence, Tuple
 
 import numpy as np
 
 from . import _percuss
 from ._arrays import Responses, frozen, points_of
 from ._errors import InputError, note_in_python
-from ._frf_arrays import alike, real_lines, responses_given
+from ._frf_arrays import averages_given, channel_names_given, coherence_given, frequencies_given, responses_given, std_given, window_decay_given
 from ._optional import frf_frame, frf_html
 from ._plots import plot_frf
 
 _UNITS = {"accelerance": "(m/s²)/N", "mobility": "(m/s)/N", "receptance": "m/N"}
+
+
+Channel = Tuple[str, Optional[float], Optional[float]]  # name, angle in rad and position in m, or None
+
+
+def channel_of(signal: dict[str, Any]) -> Channel:
+    return signal["name"], signal["angle_rad"], signal["position_m"]
 
 
 class Frf:
@@ -28,18 +35,28 @@ class Frf:
     kind : {'accelerance', 'mobility', 'receptance'}, optional
         Response: acceleration, velocity or displacement.
     std, coherence : array, optional
-        Standard deviation in the unit of H, and ordinary coherence, in the shape of H.
+        Standard deviation of the complex number in the unit of H, and ordinary coherence, in the shape of H. The ± of modes
+        grow with std where it exceeds the residual of the fit; the weights of the fit come from the residual.
     points : sequence of int, optional
         Number of each struck point. Default: from 0 up.
     names : sequence of str, optional
         Name of each channel.
     averages : int, optional
         Hits behind each response; 0 if not known.
+    exponential : float, optional
+        Fraction that an exponential window over force and response had fallen to at the end of each record, as of
+        `analyze`. The record is taken to last 1/(spacing of the frequencies). Damping is corrected for it.
 
     Raises
     ------
     InputError
-        Shapes that do not agree, frequencies that are uneven, values that are not finite.
+        Shapes that do not agree; frequencies that do not rise, are uneven or negative; coherences outside 0 … 1, negative
+        standard deviations, values that are masked or not finite.
+
+    Notes
+    -----
+    FRFs without `exponential` are taken as those of records that hold the whole decay. Of a record that was cut before, or
+    had another window, the leakage is not known: its damping ratios come out too large.
 
     Examples
     --------
@@ -66,8 +83,9 @@ class Frf:
         points: Sequence[int] | None = None,
         names: Sequence[str] = (),
         averages: int = 0,
+        exponential: float | None = None,
     ) -> None:
-        freq_hz = np.ascontiguousarray(real_lines(frequency_hz, "frequency_hz", 1), dtype=float)
+        freq_hz = frequencies_given(frequency_hz)
         if kind not in _UNITS:
             raise InputError(f"the kind {kind!r} is not known", "kind", "give accelerance, mobility or receptance")
         value = responses_given(H, "H", complex, len(freq_hz))
@@ -75,17 +93,16 @@ class Frf:
         if len(set(numbers)) != len(numbers):
             raise InputError("a point number is given twice", "points", "give each point once")
         self._set(
-            freq_hz, kind, numbers, list(names) or [f"channel {i + 1}" for i in range(value.shape[1])], int(averages), 0.0, "arrays",
-            value, *(None if one is None else alike(one, name, value.shape) for one, name in [(std, "std"), (coherence, "coherence")]),
+            freq_hz, kind, numbers, [(name, None, None) for name in channel_names_given(names, value.shape[1])],
+            averages_given(averages), window_decay_given(exponential, freq_hz), "arrays",
+            value, std_given(std, value.shape), coherence_given(coherence, value.shape),
         )  # fmt: skip
         self._handle  # checks the frequencies
 
     def _set(
-        self, freq_hz: np.ndarray, kind: str, points: list[int], names: list[str], averages: int, decay_per_s: float, source: str,
-        value: np.ndarray, std: np.ndarray | None, coherence: np.ndarray | None,
+        self, freq_hz: np.ndarray, kind: str, points: list[int], channels: list[Channel], averages: int, decay_per_s: float,
+        source: str, value: np.ndarray, std: np.ndarray | None, coherence: np.ndarray | None,
     ) -> None:  # fmt: skip
-        if len(names) != value.shape[1]:
-            raise InputError(f"{len(names)} names for {value.shape[1]} channels", "names", "give one for each channel")
         rows: list[tuple[Any, ...]] = [
             (point, channel, averages, *(None if one is None else one[p, channel] for one in (value, std, coherence)))
             for p, point in enumerate(points)
@@ -94,7 +111,7 @@ class Frf:
         self._made: Any = None
         self._responses = Responses([(*row[:3], *(None if one is None else frozen(one) for one in row[3:])) for row in rows])
         self._frequency_hz = frozen(freq_hz)
-        self._kind, self._names, self._decay_per_s, self._source = kind, names, decay_per_s, source
+        self._kind, self._channels, self._decay_per_s, self._source = kind, channels, decay_per_s, source
         self._described: dict[str, Any] = {}
 
     @classmethod
@@ -102,18 +119,18 @@ class Frf:
         described = handle.describe()
         made = cls._of_responses(
             described["frequency_hz"], Responses(handle.responses()), "accelerance",
-            [one["name"] for one in described["accel"]], described["decay_per_s"], described["source"],
+            [channel_of(one) for one in described["accel"]], described["decay_per_s"], described["source"],
         )  # fmt: skip
         made._made, made._described = handle, described
         return made
 
     @classmethod
     def _of_responses(
-        cls, freq_hz: np.ndarray, responses: Responses, kind: str, names: list[str], decay_per_s: float, source: str
+        cls, freq_hz: np.ndarray, responses: Responses, kind: str, channels: list[Channel], decay_per_s: float, source: str
     ) -> Frf:
         made = cls.__new__(cls)
         made._made, made._described, made._responses, made._frequency_hz = None, {}, responses, freq_hz
-        made._kind, made._names, made._decay_per_s, made._source = kind, names, decay_per_s, source
+        made._kind, made._channels, made._decay_per_s, made._source = kind, channels, decay_per_s, source
         return made
 
     @property
@@ -121,9 +138,9 @@ class Frf:
         if self._made is None:
             value, std, coherence = (None if one is None else np.ascontiguousarray(one) for one in (self.H, self.std, self.coherence))
             assert value is not None
-            averages = int(self._responses.averages.min(initial=0))
+            averages = self._responses.least_averages
             self._made = _percuss.FrfHandle(
-                np.ascontiguousarray(self._frequency_hz), value, std, coherence, self._kind, self.points.tolist(), self._names,
+                np.ascontiguousarray(self._frequency_hz), value, std, coherence, self._kind, self.points.tolist(), self._channels,
                 averages, self._decay_per_s,
             )  # fmt: skip
         return self._made
@@ -156,7 +173,7 @@ class Frf:
     @property
     def names(self) -> list[str]:
         """Name of each channel."""
-        return list(self._names)
+        return [name for name, _, _ in self._channels]
 
     @property
     def kind(self) -> str:
@@ -214,9 +231,9 @@ class Frf:
         return np.array(self.H, dtype=dtype) if copy or dtype is not None else self.H
 
     def __reduce__(self) -> Any:
-        averages = int(self._responses.averages.min(initial=0))
+        averages = self._responses.least_averages
         given = (
-            np.array(self.frequency_hz), self._kind, self.points.tolist(), self._names, averages, self._decay_per_s, self._source,
+            np.array(self.frequency_hz), self._kind, self.points.tolist(), self._channels, averages, self._decay_per_s, self._source,
             np.array(self.H), *(None if one is None else np.array(one) for one in (self.std, self.coherence)),
         )  # fmt: skip
         return _restored, given

@@ -13,9 +13,10 @@ from ._errors import UsageError
 class PickledResult:
     """Replaces a CommandResult in a pickled result. It stores the return value of each call in `calls`."""
 
-    def __init__(self, outcome: Any, calls: list[tuple[Any, ...]]) -> None:
+    def __init__(self, outcome: Any, calls: list[tuple[Any, ...]], tests: list[Any]) -> None:
         self.code, self.document, self.tests = outcome.code, outcome.document, outcome.tests
         self.notes = list(outcome.notes)
+        self._tests = tests  # a PickledResult for each of several tests
         self._values = {call: getattr(outcome, call[0])(*call[1:]) for call in calls}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -31,6 +32,9 @@ class PickledResult:
         if call not in self._values:
             raise UsageError(f"{call[0]} was not pickled with the result", "read it before pickling, or analyze again")
         return self._values[call]
+
+    def of_test(self, test: int) -> Any:
+        return self._tests[test]
 
     def save(self, path: bytes, force: bool) -> None:
         raise UsageError("a result that was pickled cannot write this file", "call save() before pickling, or write its to_dict() or json")

@@ -91,7 +91,7 @@ def plot_shapes(places: list[str], shapes: np.ndarray, titles: list[str], ax: An
         one.set_title(title, fontsize="small", loc="left")
     step = max(1, len(places) // 12)
     axes[-1].set_xticks(at[::step], places[::step], fontsize="small")
-    axes[-1].set_xlabel("point:channel")
+    axes[-1].set_xlabel("point (from 0):channel (from 1)")
     axes[0].legend(fontsize="small")
     return axes
 
@@ -101,7 +101,7 @@ def plot_curves(curves: list[dict[str, Any]], fs_hz: float, ax: Any) -> Any:
     [axes] = _axes(1, ax)
     for curve in curves:
         t_s = curve["first_s"] + np.arange(len(curve["deflection_m"])) / fs_hz
-        label = f"hit {curve['hit'] + 1}, channel {curve['channel']}" if len(curves) <= _MOST_CURVES else None
+        label = f"hit {curve['hit'] + 1}, channel {curve['channel'] + 1}" if len(curves) <= _MOST_CURVES else None
         axes.plot(1e3 * t_s, 1e3 * curve["deflection_m"], lw=0.9, label=label)
     axes.set_xlabel("time, ms")
     axes.set_ylabel("deflection, mm")
@@ -120,5 +120,5 @@ def plot_analysis(analysis: Any, what: str, point: int | None, channel: int | No
         return plot_stabilisation(analysis.stabilisation(), analysis.frequency_hz, ax)
     if what == "shapes":
         titles = [f"mode {i}: {freq:.5g} Hz" for i, freq in enumerate(analysis.frequency_hz, 1)]
-        return plot_shapes([f"{p}:{c}" for p, c in analysis._shape_places], analysis._shape_values, titles, ax)
+        return plot_shapes([f"{p}:{c + 1}" for p, c in analysis._shape_places], analysis._shape_values, titles, ax)
     raise UsageError(f"cannot be {what!r}", "give frf, stabilisation or shapes", ["what"])

@@ -72,7 +72,10 @@ class Result(Mapping[str, Any]):
         return [("text", _WIDTH), ("html",), ("columns",)]
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_outcome": PickledResult(self._outcome, self._calls())}
+        return {**self.__dict__, "_outcome": PickledResult(self._outcome, self._calls(), self._pickled_tests())}
+
+    def _pickled_tests(self) -> list[PickledResult]:
+        return []
 
     def __copy__(self) -> Any:
         made = type(self).__new__(type(self))

@@ -16,8 +16,10 @@ class Survey(Analysis):
     ----------
     shapes, shapes_std : array (modes, places)
         Complex shapes in 1/√kg if a driving point is known, otherwise scaled to a largest value of 1.
+    scale_std : array (modes,)
+        Relative standard deviation of the scale of each shape in 1/√kg, common to its places; 0 for other shapes.
     shape_points, shape_channels : array (places,)
-        From 0.
+        From 0. With a roving hammer all channels contribute to a place, and its channel is 0.
     mac : array (modes, modes)
         0 … 1.
     cmif : array (lines, values)
@@ -40,8 +42,14 @@ class Survey(Analysis):
 
     @property
     def shapes_std(self) -> np.ndarray:
-        """(modes, places) standard deviation of the real and of the imaginary part, in the unit of shapes."""
+        """(modes, places) standard deviation of the real and of the imaginary part, in the unit of shapes. It includes that of
+        the scale, which the document states apart."""
         return self._shape("shapes_std")
+
+    @property
+    def scale_std(self) -> np.ndarray:
+        """(modes,) relative standard deviation of the scale of each shape in 1/√kg, common to its places; 0 for other shapes."""
+        return self._shape("scale_std")
 
     @property
     def shape_points(self) -> np.ndarray:
@@ -50,7 +58,7 @@ class Survey(Analysis):
 
     @property
     def shape_channels(self) -> np.ndarray:
-        """(places,) index of the channel, from 0."""
+        """(places,) index of the channel, from 0; 0 for all places of a roving hammer, to which all channels contribute."""
         return self._shape("channels")
 
     @property

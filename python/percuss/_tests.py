@@ -9,7 +9,7 @@ import numpy as np
 
 from ._arrays import Responses
 from ._errors import NoHitError, UsageError
-from ._frf import Frf
+from ._frf import Frf, channel_of
 from ._results import Result
 
 
@@ -18,32 +18,30 @@ class TestResult(Result):
 
     __test__ = False  # not a test of pytest
 
-    def __init__(self, outcome: Any, test: int | None = None, kind: str | None = None) -> None:
+    def __init__(self, outcome: Any, kind: str | None = None) -> None:
         super().__init__(outcome)
-        self._chosen = test
         self._kind = kind or "accelerance"
         self._cache: dict[Any, Any] = {}
 
-    @property
-    def _test(self) -> int:
-        if self._chosen is None and self._outcome.tests > 1:
+    def _require_one_test(self) -> None:
+        if self._outcome.tests > 1:
             raise UsageError(f"the result holds {self._outcome.tests} tests", "choose one, such as runs[0]")
-        return self._chosen or 0
 
     def _computed(self, name: str, *arguments: Any) -> Any:
         key = (name, *arguments)
         if key not in self._cache:
-            self._cache[key] = getattr(self._outcome, name)(self._test, *arguments)
+            self._require_one_test()
+            self._cache[key] = getattr(self._outcome, name)(0, *arguments)
         return self._cache[key]
 
     def _calls(self) -> list[tuple[Any, ...]]:
-        tests = range(self._outcome.tests) if self._chosen is None else [self._chosen]
-        possible = [test for test in tests if self._outcome.possible(test)]
-        mine = [call for test in possible for call in self._of_test(test)]
-        return [*super()._calls(), *(("possible", test) for test in tests), *mine]
+        if self._outcome.tests > 1:
+            return super()._calls()
+        has_frfs = self._own().get("input") != "response" and self._outcome.possible(0)
+        return [*super()._calls(), ("possible", 0), *(self._of_test(0) if has_frfs else [])]
 
     def _of_test(self, test: int) -> list[tuple[Any, ...]]:
-        return [("frequency_hz", test), ("window_decay_per_s", test), ("frfs", test, self._kind)]
+        return [("frequency_hz", test), ("window_decay_per_s", test), ("signals", test), ("frfs", test, self._kind)]
 
     def __getstate__(self) -> dict[str, Any]:
         return {**super().__getstate__(), "_cache": {}}
@@ -51,15 +49,16 @@ class TestResult(Result):
     @property
     def possible(self) -> bool:
         """False if no hit can be used. Reading FRFs or modes then raises NoHitError."""
-        return self._outcome.possible(self._test)
+        self._require_one_test()
+        return self._outcome.possible(0)
 
     def _require_hits(self) -> None:
         if not self.possible:
             raise NoHitError("no hit can be used, so there are no FRFs", "hits", "see the findings of the hits")
 
     def _own(self) -> dict[str, Any]:
-        document, test = self._parsed(), self._test
-        return document["runs"][test] if "runs" in document else document
+        self._require_one_test()
+        return self._parsed()
 
     def frf(self, kind: str | None = None) -> Frf:
         """The averaged FRFs over the band.
@@ -85,9 +84,10 @@ class TestResult(Result):
             raise UsageError(f"cannot be {kind!r}", "give accelerance, mobility or receptance", ["kind"])
         if ("frf", kind) not in self._cache:
             responses = Responses(self._computed("frfs", kind))
-            names = [f"channel {channel + 1}" for channel in responses.channels]
+            signals = self._computed("signals")
+            channels = [channel_of(signals[channel]) for channel in responses.channels]
             frequency_hz, decay = self._computed("frequency_hz"), self._computed("window_decay_per_s")
-            self._cache["frf", kind] = Frf._of_responses(frequency_hz, responses, kind, names, decay, self._source)
+            self._cache["frf", kind] = Frf._of_responses(frequency_hz, responses, kind, channels, decay, self._source)
         return self._cache["frf", kind]
 
     @property

@@ -10,18 +10,18 @@ from ._errors import note_in_python
 from ._frf import Frf
 from ._records import Record
 from ._results import Synthetic
-from ._tests import AveragedFrf
+from ._tests import TestResult
 
 
-def write(path: str | bytes | os.PathLike[str], data: Record | Frf | Synthetic | AveragedFrf, *, force: bool = False) -> list[str]:
+def write(path: str | bytes | os.PathLike[str], data: Record | Frf | Synthetic | TestResult, *, force: bool = False) -> list[str]:
     """Write a record or FRFs in the format of the path's extension.
 
     Parameters
     ----------
     path : path
         .h5, .hdf5, .csv, .mat, .uff, .unv; records also .wav, .rf64, .w64.
-    data : Record, Frf, AveragedFrf or Synthetic
-        Of a Synthetic, its record.
+    data : Record, Frf, Synthetic, AveragedFrf, Analysis or Survey
+        Of a Synthetic, its record; of the others, their FRFs.
     force : bool, optional
         Overwrite an existing file.
 
@@ -45,8 +45,8 @@ def write(path: str | bytes | os.PathLike[str], data: Record | Frf | Synthetic |
     ...     percuss.read(os.path.join(folder, "bat.h5")).rows
     5
     """
-    one: Any = data.record if isinstance(data, Synthetic) else data.frf() if isinstance(data, AveragedFrf) else data
+    one: Any = data.record if isinstance(data, Synthetic) else data.frf() if isinstance(data, TestResult) else data
     if not isinstance(one, (Record, Frf)):
-        raise TypeError(f"data cannot be {type(data).__name__}: give a Record, a Frf or a Synthetic")
+        raise TypeError(f"data cannot be {type(data).__name__}: give a Record, a Frf, a Synthetic or a result that holds FRFs")
     words = ["convert", "--quiet", f"--output={os.fsdecode(path)}"] + (["--force"] if force else [])
     return [note_in_python(note) for note in _percuss.run([os.fsencode(word) for word in words], [one._handle], []).notes]

@@ -13,6 +13,8 @@ DATA = (
     "shapes that `Record` takes; or records; or FRFs. Arrays are not copied: do not change them before the function returns, or "
     "while the result still computes.",
 )
+# For functions that need hits over time, and refuse FRFs.
+RECORDS = (DATA[0], DATA[1], "path, array or Record", DATA[3].replace("; or records; or FRFs.", "; or records."))
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,7 @@ class Function:
 
 
 _MEASURED = {"parts": (DATA,), "call": "of_data"}
+_RECORDED = {"parts": (RECORDS,), "call": "of_data"}
 
 FUNCTIONS = (
     Function(
@@ -83,7 +86,7 @@ True
     ),
     Function(
         "deflect", "deflect", "Deflection", "`hits` with `peak_m` and `peak_std_m` in m; `curves()` over time.",
-        imports=("from .._results import Deflection",), **_MEASURED,
+        imports=("from .._results import Deflection",), **_RECORDED,
         notes="If no force was recorded, pass None as the force.",
         example="""
 >>> import percuss
@@ -94,7 +97,7 @@ True
     ),
     Function(
         "calibrate", "calibrate", "Result",
-        "`force_scale` and `force_scale_std` in N per unit of the force channel, `n_per_unit` (without the sign), `hits`.", **_MEASURED,
+        "`force_scale` and `force_scale_std` in N per unit of the force channel, `n_per_unit` (without the sign), `hits`.", **_RECORDED,
     ),
     Function(
         "synth", "synth", "Synthetic", "`record` is a Record; `to_dict()` the truth.",

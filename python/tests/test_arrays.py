@@ -185,3 +185,42 @@ def test_geometry_may_be_an_array():
     assert plain.shapes.shape == (len(plain.frequency_hz), len(plain.shape_points))
     assert np.allclose(np.diag(plain.mac), 1) and plain.cmif.shape[0] == len(plain.cmif_frequency_hz)
     assert np.allclose(percuss.metrics.mac(plain.shapes), plain.mac, atol=1e-12)
+
+
+PROFILE = {"position": np.array([0.1, 0.5, 0.84]), "diameter": np.array([0.024, 0.04, 0.066]), "wall": np.array([0.012, 0.004, 0.003])}
+
+
+def test_profiles_are_tables_with_named_columns(tmp_path):
+    """Of a bat: a dictionary of columns, a structured array or a data frame give what a file of the same numbers gives."""
+    rows = np.array(list(zip(*PROFILE.values())), dtype=[(name, float) for name in PROFILE])
+    (tmp_path / "profile.csv").write_text(",".join(PROFILE) + "\n" + "".join(f"{a!r},{b!r},{c!r}\n" for a, b, c in rows.tolist()))
+    wanted = percuss.models.bat(profile=tmp_path / "profile.csv", young=7e10, density=2700)
+    given = [PROFILE, {key: one.tolist() for key, one in PROFILE.items()}, rows]
+    try:
+        import pandas
+    except ImportError:
+        pass
+    else:
+        given.append(pandas.DataFrame(PROFILE))
+    for one in given:
+        assert np.array_equal(percuss.models.bat(profile=one, young=7e10, density=2700).frequency_hz, wanted.frequency_hz)
+    solid = np.column_stack([PROFILE["position"], PROFILE["diameter"]])  # two columns need no names
+    assert len(percuss.models.bat(profile=solid).frequency_hz)
+    beam = percuss.models.beam(profile={"x": [0, 0.84], "width": [0.04, 0.04], "thickness": [0.01, 0.01]}, support="free", young=1e10, density=700)
+    assert beam.frequency_hz[2] > 0
+    with pytest.raises(percuss.InputError, match="different lengths: position 3, diameter 2 \\(profile\\)"):
+        percuss.models.bat(profile={"position": [0.1, 0.5, 0.84], "diameter": [0.024, 0.04]})
+
+
+def test_documents_hold_numbers_of_numpy():
+    spec = {
+        "schema": "percuss/synth/1", "name": "numpy", "fs_hz": np.float64(8192), "samples": np.int64(8192), "seed": np.uint8(3), "hits": np.int32(3),
+        "modes": [{"frequency_hz": f, "damping_ratio": np.float32(0.01), "family": "bending", "order": i + 1, "residue_per_kg": np.array([0.5])}
+                  for i, f in enumerate(np.array([100.0, 400.0]))],
+        "structure": {"rigid_line_per_kg": np.zeros((1, 1))}, "sensors": [{"position_m": 0.05, "angle_deg": np.int64(0)}],
+        "impact": {"position_m": 0.05, "angle_deg": 0}, "pulse": {"kind": "haversine", "width_s": 0.001, "peak_n": 300},
+        "noise": {"force": 1e-4, "accel": 1e-3},
+    }  # fmt: skip
+    assert percuss.synth(spec).f_hz.tolist() == [100, 400]
+    with pytest.raises(TypeError, match="cannot hold complex"):
+        percuss.synth({**spec, "fs_hz": 1j})

@@ -102,3 +102,12 @@ def test_notebooks_show_a_table_without_scripts(bat):
 
 def test_the_package_is_marked_as_typed():
     assert (pathlib.Path(percuss.__file__).parent / "py.typed").exists()
+
+
+@pytest.mark.parametrize("name", ["deflect", "calibrate"])
+def test_functions_that_refuse_frfs_do_not_offer_them(name, bat):
+    function, options = getattr(percuss, name), {"mass": 1.0} if name == "calibrate" else {}
+    with pytest.raises(percuss.InputError, match="FRFs"):
+        function(percuss.analyze(bat.record, band=(60, 3200)).frf(), **options)
+    data = " ".join(function.__doc__.split()).partition("*data : ")[2].partition("still computes.")[0]
+    assert data.startswith("path, array or Record Files") and "FRF" not in data

@@ -73,3 +73,14 @@ def test_types_are_right_for_a_checker(tmp_path):
                          cwd=tmp_path, env={"MYPYPATH": str(PACKAGE.parent), "PATH": "/usr/bin:/bin"}, capture_output=True, text=True, check=False)  # fmt: skip
     assert "right.py" not in ran.stdout and ran.stdout.count("wrong.py:2: error") == ran.stdout.count("wrong.py:3: error") == 1, ran.stdout
     assert '"bnd"' in ran.stdout and '"effort"' in ran.stdout
+
+
+def test_repeated_calls_take_the_options_that_they_are_given(bat):
+    """The words of the last call are not parsed again; other words, and refused ones between them, are."""
+    calls = [{"only": "hits"}, {"only": "hits"}, {"only": ["hits", "frf"]}, {"only": "hits"}, {"only": "hits", "reject_hit": 1}]
+    first = [percuss.analyze(bat, threads=1, **options).json for options in calls]
+    assert first[0] == first[1] == first[3]
+    assert len(set(first)) == 3
+    with pytest.raises(percuss.UsageError):
+        percuss.analyze(bat, threads=1, only="nothing")
+    assert [percuss.analyze(bat, threads=1, **options).json for options in calls] == first

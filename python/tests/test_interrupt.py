@@ -18,18 +18,27 @@ def timed(call):
     else: print("ended", time.monotonic() - begun, flush=True)
 """
 MANY = "many = percuss.Record(np.tile(r.force_n, (40, 1)), np.tile(r.accel_mps2, (40, 1, 1)), r.fs_hz)\n"
+SPEC = """
+modes = [{"frequency_hz": 100 + 90 * i, "damping_ratio": 0.001, "family": "bending", "order": i + 1, "residue_per_kg": [0.3]} for i in range(20)]
+spec = {"schema": "percuss/synth/1", "name": "long", "fs_hz": 25600, "duration_s": 30, "hits": 40, "modes": modes,
+        "structure": {"length_m": 0.84, "barrel_m": 0.33, "mass_kg": 0.85, "inertia_kgm2": 0.045, "cm_m": 0.378},
+        "sensors": [{"position_m": 0.05, "angle_deg": 0}], "impact": {"position_m": 0.15, "angle_deg": 0},
+        "pulse": {"kind": "haversine", "width_s": 0.00025, "peak_n": 300}, "noise": {"force": 1e-4, "accel": 1e-3}}
+"""
 # One call takes seconds on two cores, so that an end between two calls would come too late.
 LONG = {
     "analyze": "percuss.analyze(many, band=(60, 3200), per_hit=True)",
     "several tests": "percuss.analyze([many] * 4, files='tests', band=(60, 3200), per_hit=True)",
     "reading a result": "percuss.analyze(many, band=(60, 3200), only='hits').residues",
+    "a synthetic test": "percuss.synth(spec)",
+    "a long row": "percuss.synth({**spec, 'hits': 1, 'duration_s': 600})",
     "a model": "percuss.models.impact(sweep={'ei': '1000:1:6000'}, modes=60)",
 }
 
 
 @pytest.mark.parametrize("name", LONG)
 def test_an_interrupt_stops_a_computation(name):
-    script = HEAD + "r = percuss.synth('composite-bat').record\n" + MANY + f"def work():\n    while True: {LONG[name]}\n"
+    script = HEAD + "r = percuss.synth('composite-bat').record\n" + MANY + SPEC + f"def work():\n    while True: {LONG[name]}\n"
     script += "print('begun', flush=True)\ntimed(work)\nprint(len(percuss.analyze(r, band=(60, 3200), effort='quick').frequency_hz))\n"
     with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert process.stdout.readline() == "begun\n"

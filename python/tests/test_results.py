@@ -217,3 +217,88 @@ def test_tables_hold_the_rows_of_bats(tmp_path):
     assert model.table["difference"][4:].tolist() == [one["difference"] for one in model.bats]
     assert not model.table["bat"].flags.writeable
     assert pickle.loads(pickle.dumps(model)).table["bat"].tolist() == model.table["bat"].tolist()
+
+
+def test_each_of_several_tests_is_a_result_of_its_own(tmp_path):
+    """Nothing tells it from the result of an analysis of its record alone."""
+    records = [percuss.synth("wood-bat", seed=seed).record for seed in (1, 2)]
+    both = percuss.analyze(*records, band=BAND, files="tests")
+    assert [len(one.modes) for one in both.runs] == [3, 3]
+    for one, record in zip(both.runs, records):
+        alone = percuss.analyze(record, band=BAND)
+        assert one.json == alone.json and str(one) == str(alone) and repr(one) == repr(alone)
+        assert one["modes"] == alone["modes"] == one.modes and one.fs_hz == alone.fs_hz and list(one) == list(alone)
+        assert one._repr_html_() == alone._repr_html_() and one.exit_code == 0 and one.possible
+        for name in ("frequency_hz", "residues", "lower", "frac"):
+            assert np.array_equal(getattr(one, name), getattr(alone, name)), name
+        assert np.array_equal(one.frf().H, alone.frf().H)
+        assert np.array_equal(one.synthesise([165.0]), alone.synthesise([165.0]))
+        assert one.runs == [one]
+        for kind in ("json", "csv", "modes.csv", "uff", "h5", "mat", "svg", "html"):
+            one.save(tmp_path / f"one.{kind}", force=True)
+            alone.save(tmp_path / f"alone.{kind}", force=True)
+        for kind in ("json", "csv", "modes.csv", "h5", "mat", "svg"):
+            assert (tmp_path / f"one.{kind}").read_bytes() == (tmp_path / f"alone.{kind}").read_bytes(), kind
+        percuss.write(tmp_path / "written.h5", one, force=True)
+        assert np.array_equal(percuss.read(tmp_path / "written.h5").H, alone.frf().H)
+    with pytest.raises(percuss.UsageError, match="2 tests.*runs\\[0\\]"):
+        both.modes
+    again = pickle.loads(pickle.dumps(both))
+    assert again.json == both.json and [one.json for one in again.runs] == [one.json for one in both.runs]
+    assert np.array_equal(again.runs[1].frequency_hz, both.runs[1].frequency_hz)
+
+
+def test_each_of_several_decays_is_a_result_of_its_own():
+    tests = [percuss.synth("wood-bat", seed=seed).record for seed in (1, 2)]
+    records = [percuss.Record(None, one.accel_mps2, one.fs_hz) for one in tests]
+    both = percuss.analyze(*records, band=BAND, files="tests")
+    assert len(both.runs) == 2
+    for one, record in zip(both.runs, records):
+        alone = percuss.analyze(record, band=BAND)
+        assert one.json == alone.json and str(one) == str(alone)
+        assert np.array_equal(one.frequency_hz, alone.frequency_hz) and one.possible and one.exit_code == 0
+        assert len(pickle.loads(pickle.dumps(one)).frequency_hz) == len(one.frequency_hz)
+
+
+def held_beam(seed):
+    """Five hits on a held beam whose accelerometer has a hundredth of noise."""
+    modes = [(30, 0.5), (180, 0.6), (500, 0.5)]
+    return percuss.synth({
+        "schema": "percuss/synth/1", "name": "held", "fs_hz": 8192, "duration_s": 2, "seed": seed, "hits": 5,
+        "modes": [{"frequency_hz": f, "damping_ratio": 0.01, "family": "bending", "order": i + 1, "residue_per_kg": [a]} for i, (f, a) in enumerate(modes)],
+        "structure": {"rigid_line_per_kg": [[0.0]]}, "sensors": [{"position_m": 0.05, "angle_deg": 0}], "impact": {"position_m": 0.05, "angle_deg": 0},
+        "pulse": {"kind": "haversine", "width_s": 0.001, "peak_n": 300, "width_spread": 0, "peak_spread": 0}, "onset_spread_s": 0, "noise": {"force": 1e-3, "accel": 1e-2},
+    }).record  # fmt: skip
+
+
+def test_deflections_from_modes_scatter_as_their_standard_deviations_state():
+    found = [percuss.deflect(held_beam(seed), method="modal", band=(10, 1000)) for seed in range(15)]
+    peaks = np.array([[hit["peak_m"] for hit in one.hits] for one in found])
+    stated = np.array([[hit["peak_std_m"] for hit in one.hits] for one in found])
+    ratio = np.sqrt(np.mean(stated**2) / np.mean(np.var(peaks, axis=0, ddof=1)))
+    # The scatter of 5 times 15 values is known to 9 %. The ± also counts what the noise hides: up to half of it.
+    assert 0.75 < ratio < 2
+
+
+def test_the_remedies_of_deflections_lead_away_from_the_method_that_failed():
+    bat = percuss.synth("wood-bat").record
+    texts = {
+        key: " ".join(one["message"] for one in percuss.deflect(record, band=(60, 3200), **options).warnings)
+        for key, record, options in [
+            ("modal", bat, {"method": "modal"}), ("mass", bat, {"method": "modal", "effective_mass": 0.5}),
+            ("no force", percuss.Record(None, bat.accel_mps2, bat.fs_hz), {}),
+        ]
+    }  # fmt: skip
+    assert "never exceed" in texts["modal"] and "method modal" not in texts["modal"] and "effective mass" in texts["modal"]
+    assert "never exceed" in texts["mass"] and "effective mass" not in texts["mass"] and "drift-free" in texts["mass"]
+    assert "never exceed" in texts["no force"] and "modal" not in texts["no force"]
+
+
+def test_deviations_of_scaled_shapes_include_the_scale():
+    """The document states the scale's apart; an element of a shape in 1/√kg is known no better than its scale."""
+    scan = percuss.survey(percuss.synth("bat-scan").record, band=BAND, effort="quick", driving_point=(0, 0))
+    shapes = [mode["shape"] for mode in scan.to_dict()["modes"]]
+    assert any(one["scale_std"] > 0 for one in shapes)
+    assert scan.scale_std.tolist() == [one["scale_std"] for one in shapes]
+    own = np.array([[place["std"] for place in one["values"]] for one in shapes])
+    assert np.allclose(scan.shapes_std, np.hypot(own, scan.scale_std[:, None] * abs(scan.shapes)), rtol=1e-12)

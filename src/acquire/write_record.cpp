@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "acquire/channels/named_channels.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire {
@@ -13,6 +14,15 @@ namespace {
 [[noreturn]] void refuse_name(const std::string& path, const std::vector<std::string>& extensions) {
   throw InputError("cannot tell what to write", path,
                    fmt::format("name a file that ends in {}", fmt::join(extensions, ", ")));
+}
+
+// Whether a channel has another name than those that readers give, by its number.
+bool has_own_names(const std::vector<SignalInfo>& channels) {
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const std::string& name = channels[c].name;
+    if (!name.empty() && name != channel_name(c) && name != fmt::format("channel {}", c + 1)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -43,8 +53,10 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
 
 std::vector<std::string> losses_of(const std::string& path, const FrfRecord& record) {
   const FileFormat* const format = written_format(path);
-  std::vector<std::string> losses;
-  if (format == nullptr || format->keeps_frf_geometry) return losses;
+  if (format == nullptr) return {};
+  auto losses = format->frf_losses != nullptr ? format->frf_losses(record) : std::vector<std::string>{};
+  if (has_own_names(record.accel)) losses.emplace_back("the channels' names");
+  if (format->keeps_frf_geometry) return losses;
   if (!record.geometry.empty()) losses.emplace_back("the geometry");
   if (!record.trace_lines.empty()) losses.emplace_back("the lines between points");
   if (!record.trace_faces.empty()) losses.emplace_back("the faces between points");

@@ -16,6 +16,7 @@
 #include "pipeline/stages/hit_scatter.hpp"
 #include "pipeline/stages/mains_modes.hpp"
 #include "pipeline/stages/single_hits.hpp"
+#include "pipeline/stages/stated_noise.hpp"
 
 namespace percuss::pipeline {
 Analysis::Analysis(acquire::Record record, AnalysisOptions options)
@@ -177,6 +178,7 @@ const std::vector<identify::Mode>& Analysis::modes() const {
       identify::IdentifyOptions all = options_.modes;
       all.modes.reset();  // the number limits the modes within the band, not the modes of its margin
       std::vector<identify::Mode> found = identify::identify_modes(set, all);
+      if (const acquire::FrfRecord* given = given_frfs()) widen_to_stated_noise(*given, set, found);
       std::optional<identify::HitFrfs> built;
       const auto hits = [&]() -> const identify::HitFrfs& {
         if (!built) built = single_hits(set, from, comparable_hits(from));

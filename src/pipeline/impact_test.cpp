@@ -59,9 +59,10 @@ std::vector<metrics::ModalContribution> modal_contributions(const Analysis& anal
       const double omega = kTwoPi * mode.pole.freq_Hz, zeta = mode.pole.damping_ratio;
       const Complex s = omega * Complex(-zeta, std::sqrt(1 - zeta * zeta));
       const Complex correction = (s + kTwoPi * corner_Hz) / s;
-      const double std = std::hypot(residue.std, residue.relative_std * std::abs(residue.value)) * std::abs(correction);
-      contributions.push_back(
-          {.pole = mode.pole, .residue_per_kg = residue.value * correction, .residue_std_per_kg = std});
+      contributions.push_back({.pole = mode.pole,
+                               .residue_per_kg = residue.value * correction,
+                               .residue_std_per_kg = residue.std * std::abs(correction),
+                               .gain_std = residue.relative_std});
     }
   }
   return contributions;
@@ -83,6 +84,7 @@ DeflectedHit deflected(const acquire::Record& record, const AnalysedHit& hit, co
                                      .accel_mps2 = accel,
                                      .onset_s = onset_from_first_sample_s(hit.hit, record.fs_Hz),
                                      .force_N = force,
+                                     .force_noise_N = hit.hit.noise_N,
                                      .rigid_per_kg = options.effective_mass_kg ? 1 / *options.effective_mass_kg : 0,
                                      .modes = modes};
   return {.hit = h,
@@ -147,14 +149,22 @@ bool rest_recorded(double fs_Hz, const std::vector<AnalysedHit>& impacts, const 
 }
 
 std::vector<Warning> warnings_of(const ImpactTest& test, const ImpactTestOptions& options, std::size_t impacts,
-                                 std::size_t used, bool rest_recorded) {
+                                 std::size_t used, bool rest_recorded, bool has_force) {
   DeflectionResults results{.impacts = impacts,
                             .used = used,
                             .rest_recorded = rest_recorded,
                             .free_body = options.deflection.free_body,
+                            .has_force = has_force,
+                            .mass_known = options.effective_mass_kg.has_value(),
                             .deflections = {}};
   for (const DeflectedHit& hit : test.hits) results.deflections.push_back(&hit.deflection);
   return deflection_warnings(results);
+}
+
+std::string without_force_remedy(metrics::DeflectionMethod method, bool mass_given) {
+  std::string remedy = method == metrics::DeflectionMethod::modal ? "choose another method" : "";
+  if (mass_given) remedy += std::string(remedy.empty() ? "" : " and ") + "leave out the effective mass";
+  return remedy + ", or name the force's channel";
 }
 
 }  // namespace
@@ -165,7 +175,7 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   const metrics::DeflectionMethod method = options.deflection.method;
   if (!record.has_force && (method == metrics::DeflectionMethod::modal || options.effective_mass_kg)) {
     throw InputError("no force was recorded", record.source(),
-                     "choose another method and leave out the effective mass, or name the force's channel",
+                     without_force_remedy(method, options.effective_mass_kg.has_value()),
                      {"method", "effective_mass", "force_channel"});
   }
   for (const acquire::SignalInfo& signal : record.accel) {
@@ -207,7 +217,7 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   });
   for (DeflectedHit& hit : test.hits) hit.position_m = position_of(hit.point);
   test.points = averaged(test.hits, position_of);
-  test.warnings = warnings_of(test, options, impacts.size(), hits.size(), rest);
+  test.warnings = warnings_of(test, options, impacts.size(), hits.size(), rest, record.has_force);
   return test;
 }
 

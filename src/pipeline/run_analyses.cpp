@@ -23,6 +23,10 @@ std::vector<std::pair<int, acquire::Record>> split_runs(const acquire::Record& r
   std::set<int> runs;
   for (const acquire::RowInfo& row : record.rows) runs.insert(row.run);
   std::vector<std::pair<int, acquire::Record>> out;
+  if (runs.size() == 1) {
+    out.emplace_back(*runs.begin(), record);
+    return out;
+  }
   out.reserve(runs.size());
   for (const int run : runs) {
     out.emplace_back(run, acquire::select_rows(record, [run](const acquire::RowInfo& row) { return row.run == run; }));

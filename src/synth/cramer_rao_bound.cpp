@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/budget.hpp"
 #include "core/parallel/parallel.hpp"
 #include "synth/schedule.hpp"
 
@@ -64,6 +65,7 @@ MatrixXd row_products(const Truth& truth, std::span<const TrueHit> hits) {
   }
   MatrixXd sum = MatrixXd::Zero(size, size);
   for (std::size_t first = 0; first < truth.spec.samples; first += chunk) {
+    check_budget();
     const std::size_t count = std::min(chunk, truth.spec.samples - first);
     MatrixXd columns = MatrixXd::Zero(static_cast<Index>(count), size);
     for (const Pulse& pulse : pulses) {

@@ -7,6 +7,7 @@
 #include <complex>
 #include <numbers>
 
+#include "core/budget.hpp"
 #include "synth/anti_alias_filter.hpp"
 
 namespace percuss::synth {
@@ -100,6 +101,7 @@ DuringPulse during_pulse(const SampledPulse& pulse, const std::vector<SampledPol
   const double step = pulse.width / static_cast<double>(panels);
   std::vector<Complex> response(poles.size());
   for (std::size_t node = 0; node < panels * kGaussNodes; ++node) {
+    check_budget();
     const std::size_t panel = node / kGaussNodes, in_panel = node % kGaussNodes;
     const double tau = (static_cast<double>(panel) + gauss_legendre().x[in_panel]) * step;
     const double weight = gauss_legendre().weight[in_panel] * step;
@@ -134,6 +136,7 @@ std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const s
     }
   }
   for (std::size_t r = 0; r < poles.size(); ++r) {
+    check_budget();
     const Complex step = std::exp(poles[r].lambda);
     std::array<Complex, kGaussNodes> decay;  // from the nodes of a panel to its v; the same in all full panels
     double decay_width = -1;
@@ -209,6 +212,7 @@ PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const SynthPo
   for (double& f : out.force_N) f *= pulse.peak_N;
   const auto after = after_pulse(sampled, sampled_poles, zone);
   for (std::size_t r = 0; r < sampled_poles.size(); ++r) {
+    check_budget();
     const Complex at_end = sampled.response(sampled_poles[r].lambda, sampled.width);
     const Complex scale = 2 * pulse.peak_N * sampled_poles[r].factor;
     for (std::size_t i = 0; i < out.force_N.size(); ++i) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/budget.hpp"
+
 namespace percuss::synth {
 namespace {
 
@@ -27,7 +29,9 @@ RandomStream::RandomStream(std::initializer_list<std::uint64_t> name) : engine_(
 double RandomStream::uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
 
 void RandomStream::add_normal(double sigma, std::span<double> to) {
+  constexpr std::size_t kNumbersPerCheck = std::size_t{1} << 16U;  // about 3 ms
   for (std::size_t i = 0; i < to.size(); i += 2) {
+    if (i % kNumbersPerCheck == 0) check_budget();
     const double radius = sigma * std::sqrt(-2 * std::log1p(-uniform()));
     const double angle = 2 * std::numbers::pi * uniform();
     to[i] += radius * std::cos(angle);

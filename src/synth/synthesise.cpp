@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/budget.hpp"
 #include "core/parallel/parallel.hpp"
 #include "synth/cramer_rao_bound.hpp"
 #include "synth/recorder.hpp"
@@ -44,6 +45,7 @@ void add_hit(const Truth& truth, const TrueHit& hit, std::vector<double>& force_
     const double gain = spec.recorder.force_gain;
     add(basis.force_N, hit.reversed ? -gain : gain, basis.first, force_N);
     for (std::size_t c = 0; c < accel_mps2.size(); ++c) {
+      check_budget();
       double direct = truth.rigid_per_kg[hit.point][c];
       for (std::size_t r = 0; r < poles.size(); ++r) {
         const double residue = truth.residue_per_kg[hit.point][c][r];

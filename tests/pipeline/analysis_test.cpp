@@ -212,6 +212,16 @@ TEST(SplitRuns, GivesEachRunItsRows) {
   for (const auto& [run, record] : runs) EXPECT_EQ(record.rows.size(), 5U) << run;
 }
 
+TEST(SplitRuns, ViewsTheSamplesOfASingleRun) {
+  const acquire::Record record = synth::synthesise(bat()).record;
+  const auto runs = split_runs(record);
+  ASSERT_EQ(runs.size(), 1U);
+  std::vector<double> buffer;
+  const std::size_t samples = record.rows.front().samples;
+  EXPECT_EQ(runs.front().second.read_force_N.view_or_read(0, 0, samples, buffer).data(),
+            record.read_force_N.view_or_read(0, 0, samples, buffer).data());
+}
+
 acquire::Record two_runs() {
   synth::SynthSpec spec = bat();
   spec.runs = 2;

@@ -83,15 +83,15 @@ bool is_number(const std::string& text) { return parse_number(text, false).probl
 
 // "--band 60 3200" as "--band 60:3200": the second number would be taken for a file.
 std::vector<std::string> with_whole_ranges(const Declaration& all, const std::vector<std::string>& typed) {
-  const DeclaredCommand& command = *longest_command(all, typed).command;
   const auto takes_range = [&](const std::string& word) {
-    const DeclaredOption* const option = word.starts_with("--") ? find_option(command, word) : nullptr;
+    if (!word.starts_with("--")) return false;
+    const DeclaredOption* const option = find_option(*longest_command(all, typed).command, word);
     return option != nullptr && option->value == "LO:HI";
   };
   std::vector<std::string> out;
   for (std::size_t i = 0; i < typed.size(); ++i) {
     out.push_back(typed[i]);
-    if (i + 2 < typed.size() && takes_range(typed[i]) && is_number(typed[i + 1]) && is_number(typed[i + 2])) {
+    if (i + 2 < typed.size() && is_number(typed[i + 1]) && is_number(typed[i + 2]) && takes_range(typed[i])) {
       out.push_back(typed[i + 1] + ":" + typed[i + 2]);
       i += 2;
     }
@@ -164,26 +164,41 @@ int CommandLine::show_help(const std::vector<std::string>& command_words) const 
 }
 
 int CommandLine::run(int argc, const char* const* argv) {
-  const std::vector<std::string> typed = with_whole_ranges(declaration_, {argv + 1, argv + argc});
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!kept_words_.empty() && words == kept_words_) {
+    for (const Variables& one : variables_) one.restore();
+    return chosen_();
+  }
+  const std::vector<std::string> typed = with_whole_ranges(declaration_, words);
   if (!typed.empty() && typed.front() == "help") return show_help({typed.begin() + 1, typed.end()});
   check_commands(typed);
-  for (const auto& reset : resets_) reset();
+  kept_words_.clear();
+  for (const Variables& one : variables_) one.reset();
+  if (!parse(typed)) return 0;
+  if (host_ != nullptr) {
+    for (const Variables& one : variables_) one.keep();
+    kept_words_ = std::move(words);
+  }
+  return chosen_();
+}
+
+bool CommandLine::parse(const std::vector<std::string>& typed) {
   try {
     app_->parse(std::vector<std::string>(typed.rbegin(), typed.rend()));  // CLI11 takes the words last to first
   } catch (const CLI::CallForHelp&) {
     const auto path = chosen_path(*app_);
     std::cout << help_text(declaration_, declared_of(declaration_, path, path.size()), terminal_width());
-    return 0;
+    return false;
   } catch (const CLI::CallForVersion& version) {
     std::cout << version.what() << '\n';
-    return 0;
+    return false;
   } catch (const UsageError&) {
     reject_unknown_options(declaration_, *app_);
     throw;
   } catch (const CLI::ParseError& error) {
     reject(declaration_, *app_, error, typed);
   }
-  return chosen_();
+  return true;
 }
 
 }  // namespace percuss::tools

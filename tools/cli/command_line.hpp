@@ -31,11 +31,18 @@ class CommandLine {
   /// runs.
   template <class Values>
   std::shared_ptr<Values> values() {
+    struct Stored {
+      std::optional<Values> initial, parsed;
+    };
     auto made = std::make_shared<Values>();
-    resets_.emplace_back([made, initial = std::optional<Values>()]() mutable {
-      if (!initial) initial = *made;
-      *made = *initial;
-    });
+    const auto stored = std::make_shared<Stored>();
+    const auto reset = [made, stored] {
+      if (!stored->initial) stored->initial = *made;
+      *made = *stored->initial;
+    };
+    variables_.push_back({.reset = reset,
+                          .keep = [made, stored] { stored->parsed = *made; },
+                          .restore = [made, stored] { *made = *stored->parsed; }});
     return made;
   }
 
@@ -44,19 +51,28 @@ class CommandLine {
 
   const Declaration& declaration() const { return declaration_; }
 
-  /// Parses and runs a command line; returns 0 after --help and --version. Throws UsageError for an invalid one.
+  /// Parses and runs a command line; returns 0 after --help and --version. Throws UsageError for an invalid one. Of a
+  /// host, the words of the last run are not parsed again: parsing takes longer than many of the commands.
   int run(int argc, const char* const* argv);
 
  private:
   DeclaredCommand* declare(const char* name, const char* description);
   void check_commands(const std::vector<std::string>& words) const;
   int show_help(const std::vector<std::string>& command_words) const;
+  /// False after --help and --version, which it has answered.
+  bool parse(const std::vector<std::string>& typed);
+
+  /// The variables of a command: their initial values, and those of the last parse.
+  struct Variables {
+    std::function<void()> reset, keep, restore;
+  };
 
   Host* host_;
   Declaration declaration_;
   std::unique_ptr<CLI::App> app_;
   std::function<int()> chosen_;
-  std::vector<std::function<void()>> resets_;
+  std::vector<Variables> variables_;
+  std::vector<std::string> kept_words_;  // whose values the variables keep; empty: none
 };
 
 }  // namespace percuss::tools

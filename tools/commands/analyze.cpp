@@ -44,9 +44,7 @@ int analyze(const AnalyzeFlags& flags) {
                       {"json", "output"});
   }
   const std::optional<report::BatLabel> bat = bat_label(flags.bat_id, flags.bat);
-  ReadFlags read = flags.read;
-  read.options.force_optional = true;
-  Measurements opened = open_measurements(read);
+  Measurements opened = open_measurements(flags.read);
   const auto lacks_force = [](const acquire::Record& record) { return !record.has_force; };
   const auto without = std::find_if(opened.records.begin(), opened.records.end(), lacks_force);
   if (without != opened.records.end()) {
@@ -62,27 +60,12 @@ int analyze(const AnalyzeFlags& flags) {
   compute(tests, sections);
   if (sections.contains(report::ReportSection::deflection))
     tests.front().deflection = deflection_of(*tests.front().analysis);
-  std::string document;
-  if (wants_json) {
-    std::vector<report::NumberedAnalysis> numbered;
-    numbered.reserve(tests.size());
-    for (const Test& test : tests) numbered.push_back({.run = test.run, .analysis = test.analysis.get()});
-    document = report::analysis_json(numbered,
-                                     {.sections = sections,
-                                      .trace = flags.trace,
-                                      .explain = flags.explain,
-                                      .per_hit = flags.per_hit,
-                                      .stabilisation = flags.stabilisation,
-                                      .bat = bat,
-                                      .deflection = tests.front().deflection ? &*tests.front().deflection : nullptr});
-  }
-  std::optional<report::CommandReport> comparison;
-  if (!flags.compared.empty()) comparison = comparison_of(flags, document, tests.front().analysis->record().source());
-  const auto results = std::make_shared<const AnalyzeResults>(AnalyzeResults{.flags = flags,
-                                                                             .tests = std::move(tests),
-                                                                             .sections = sections,
-                                                                             .document = std::move(document),
-                                                                             .comparison = std::move(comparison)});
+  const auto made = std::make_shared<AnalyzeResults>(
+      AnalyzeResults{.flags = flags, .tests = std::move(tests), .sections = sections, .bat = bat});
+  if (wants_json) made->document = document_of_tests(*made);
+  if (!flags.compared.empty())
+    made->comparison = comparison_of(flags, made->document, made->tests.front().analysis->record().source());
+  const std::shared_ptr<const AnalyzeResults> results = made;
   const std::string text =
       flags.output.json ? "" : text_of(*results, terminal_width(), can_plot_in_terminal(), flag_of);
   progress.stop();
@@ -104,6 +87,7 @@ int analyze(const AnalyzeFlags& flags) {
 
 void add_analyze(CommandLine& line) {
   auto flags = line.values<AnalyzeFlags>();
+  flags->read.options.force_optional = true;
   Command command = line.command("analyze", "Identify modes from hammer tests: hits, FRFs, modes, bending or hoop",
                                  [flags] { return analyze(*flags); });
   command.about(

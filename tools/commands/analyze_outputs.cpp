@@ -18,6 +18,7 @@
 #include "report/deflection_report.hpp"
 #include "report/frf_files.hpp"
 #include "report/html/analysis_page.hpp"
+#include "report/json/analysis_json.hpp"
 #include "report/modes_uff.hpp"
 #include "report/svg/analysis_charts.hpp"
 #include "report/text/analysis_tables.hpp"
@@ -59,6 +60,21 @@ std::string html_of(const AnalyzeResults& results) {
 }
 
 }  // namespace
+
+std::string document_of_tests(const AnalyzeResults& results) {
+  std::vector<report::NumberedAnalysis> numbered;
+  numbered.reserve(results.tests.size());
+  for (const Test& test : results.tests) numbered.push_back({.run = test.run, .analysis = test.analysis.get()});
+  const AnalyzeFlags& flags = results.flags;
+  const auto& deflection = results.tests.front().deflection;
+  return report::analysis_json(numbered, {.sections = results.sections,
+                                          .trace = flags.trace,
+                                          .explain = flags.explain,
+                                          .per_hit = flags.per_hit,
+                                          .stabilisation = flags.stabilisation,
+                                          .bat = results.bat,
+                                          .deflection = deflection ? &*deflection : nullptr});
+}
 
 void check_analyze_outputs(const AnalyzeFlags& flags) {
   const OutputFlags& output = flags.output;
@@ -177,15 +193,18 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
   outputs.commit();
 }
 
-void give_to_host(const OutputFlags& output, const std::shared_ptr<const AnalyzeResults>& results) {
-  CommandResult& outcome = output.host->outcome;
+namespace {
+
+// `captured`: the output flags without the host, which may end before the result does.
+CommandResult outcome_of(const std::shared_ptr<const AnalyzeResults>& results, const OutputFlags& captured) {
+  CommandResult outcome;
   for (const Test& test : results->tests) outcome.analyses.emplace_back(results, test.analysis.get());
   if (const auto& deflection = results->tests.front().deflection) outcome.deflection = {results, &*deflection};
   outcome.text = [results](std::size_t width, OptionWriter write_option) {
     return text_of(*results, width, false, write_option);
   };
   outcome.html = [results] { return html_of(*results); };
-  outcome.save = [results, captured = captured_output(output)](const std::string& path, bool force) {
+  outcome.save = [results, captured](const std::string& path, bool force) {
     AnalyzeFlags flags = results->flags;
     flags.output = single_output(captured, path, force);
     flags.frf_path.clear();
@@ -194,6 +213,29 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const Analyze
     require_one_test(flags, results->sections, results->tests.size());
     write_outputs(flags, *results);
   };
+  outcome.possible = std::all_of(results->tests.begin(), results->tests.end(),
+                                 [](const Test& test) { return test.analysis->possible(); });
+  outcome.tests = results->tests.size();
+  if (outcome.tests < 2) return outcome;
+  outcome.of_test = [results, captured](std::size_t test) {
+    const auto alone = std::make_shared<AnalyzeResults>(*results);
+    alone->tests = {results->tests.at(test)};
+    alone->document = document_of_tests(*alone);
+    CommandResult one = outcome_of(alone, captured);
+    one.document = alone->document;
+    return one;
+  };
+  return outcome;
+}
+
+}  // namespace
+
+void give_to_host(const OutputFlags& output, const std::shared_ptr<const AnalyzeResults>& results) {
+  CommandResult& outcome = output.host->outcome;
+  CommandResult made = outcome_of(results, captured_output(output));
+  made.document = std::move(outcome.document);
+  made.notes = std::move(outcome.notes);
+  outcome = std::move(made);
 }
 
 }  // namespace percuss::tools

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands/analyze_tests.hpp"
+#include "commands/bat_label.hpp"
 #include "report/html/command_report.hpp"
 
 namespace percuss::tools {
@@ -17,9 +18,13 @@ struct AnalyzeResults {
   AnalyzeFlags flags;
   std::vector<Test> tests;
   std::set<report::ReportSection> sections;
+  std::optional<report::BatLabel> bat;
   std::string document;
   std::optional<report::CommandReport> comparison;
 };
+
+/// The JSON document of the tests.
+std::string document_of_tests(const AnalyzeResults& results);
 
 /// Checks the output paths. Throws as check_outputs.
 void check_analyze_outputs(const AnalyzeFlags& flags);

@@ -71,6 +71,39 @@ std::vector<pipeline::ResponseTest> tests_of(const AnalyzeFlags& flags, std::vec
   return tests;
 }
 
+using SharedTests = std::shared_ptr<const std::vector<pipeline::ResponseTest>>;
+
+bool all_possible(const std::vector<pipeline::ResponseTest>& tests) {
+  return std::all_of(tests.begin(), tests.end(), [](const auto& test) { return test.possible(); });
+}
+
+// Adds what the outcome of the tests' report lacks.
+void complete_outcome(CommandResult& outcome, const SharedTests& tests) {
+  outcome.save = [tests, save_report = outcome.save](const std::string& path, bool force) {
+    if (is_modes_table(path)) {
+      write_file(path, report::modes_csv(*tests), force);
+    } else {
+      save_report(path, force);
+    }
+  };
+  outcome.tests = tests->size();
+  outcome.possible = all_possible(*tests);
+}
+
+CommandResult outcome_of_test(const pipeline::ResponseTest& test, const std::optional<report::BatLabel>& bat,
+                              OutputFlags output) {
+  Host host;
+  host.equivalent_command = output.equivalent_command;
+  output.host = &host;
+  output.paths.clear();
+  const auto tests = std::make_shared<const std::vector<pipeline::ResponseTest>>(1, test);
+  std::vector<std::string> inputs;
+  for (const acquire::InputFile& file : test.record.files) inputs.push_back(file.path);
+  show_report(report::response_report(*tests, bat, false), output, inputs);
+  complete_outcome(host.outcome, tests);
+  return std::move(host.outcome);
+}
+
 }  // namespace
 
 int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> records,
@@ -94,29 +127,26 @@ int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> re
   for (const acquire::Record& record : records) {
     for (const acquire::InputFile& file : record.files) inputs.push_back(file.path);
   }
-  const std::vector<pipeline::ResponseTest> tests = tests_of(flags, std::move(records));
+  const auto shared_tests =
+      std::make_shared<const std::vector<pipeline::ResponseTest>>(tests_of(flags, std::move(records)));
+  const std::vector<pipeline::ResponseTest>& tests = *shared_tests;
   report::CommandReport report = report::response_report(tests, bat, writes_charts(output));
   if (!flags.compared.empty()) {
     report.text += "\n";
     report.text += comparison_of(flags, report.json, inputs.front()).text;
   }
   progress.stop();
-  const std::string table = report::modes_csv(tests);
   OutputGroup outputs;
-  for (const std::string& path : tables) write_file(path, table, output.force);
+  for (const std::string& path : tables) write_file(path, report::modes_csv(tests), output.force);
   show_report(report, output, inputs);
   outputs.commit();
-  if (Host* const host = flags.output.host; host != nullptr) {
-    host->outcome.save = [table, save_report = host->outcome.save](const std::string& path, bool force) {
-      if (is_modes_table(path)) {
-        write_file(path, table, force);
-      } else {
-        save_report(path, force);
-      }
+  if (flags.output.host != nullptr) {
+    complete_outcome(flags.output.host->outcome, shared_tests);
+    flags.output.host->outcome.of_test = [shared_tests, bat, output = captured_output(output)](std::size_t test) {
+      return outcome_of_test(shared_tests->at(test), bat, output);
     };
   }
-  const bool possible = std::all_of(tests.begin(), tests.end(), [](const auto& test) { return test.possible(); });
-  return possible ? kOk : kImpossible;
+  return all_possible(tests) ? kOk : kImpossible;
 }
 
 }  // namespace percuss::tools

@@ -33,7 +33,7 @@ struct AnalyzeFlags {
 /// One test of the command line: all files together, one file, or one run of a file.
 struct Test {
   int run = 0;
-  std::unique_ptr<pipeline::Analysis> analysis;
+  std::shared_ptr<const pipeline::Analysis> analysis;
   std::optional<pipeline::ImpactTest> deflection{};
 };
 

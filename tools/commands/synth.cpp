@@ -10,6 +10,7 @@
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
+#include "core/budget.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/input_file.hpp"
@@ -133,6 +134,8 @@ int run_synth(const SynthFlags& flags) {
   check_outputs(flags);
   synth::SynthSpec spec = spec_named(flags.spec);
   spec.seed = flags.seed.value_or(spec.seed);
+  BudgetMeter unlimited(Budget{}, "synth");  // lets a host interrupt
+  const BudgetScope scope(unlimited);
   const auto made = std::make_shared<const synth::SyntheticTest>(synth::synthesise(spec, flags.threads));
   const synth::SyntheticTest& test = *made;
   const std::string truth = synth::truth_json(test.truth);

@@ -40,11 +40,11 @@ def calibrate(
 
     Parameters
     ----------
-    *data : path, array, Record or Frf
+    *data : path, array or Record
         Files (HDF5, MAT, UFF, LabVIEW, sound, CSV or text); or two arrays, force in N and
-        acceleration in m/s², with `fs`, in the shapes that `Record` takes; or records; or FRFs.
-        Arrays are not copied: do not change them before the function returns, or while the result
-        still computes.
+        acceleration in m/s², with `fs`, in the shapes that `Record` takes; or records. Arrays are
+        not copied: do not change them before the function returns, or while the result still
+        computes.
     mass : float in kg
         Set the free mass, including its accelerometer.
     fs : float in Hz, optional

@@ -73,11 +73,11 @@ def deflect(
 
     Parameters
     ----------
-    *data : path, array, Record or Frf
+    *data : path, array or Record
         Files (HDF5, MAT, UFF, LabVIEW, sound, CSV or text); or two arrays, force in N and
-        acceleration in m/s², with `fs`, in the shapes that `Record` takes; or records; or FRFs.
-        Arrays are not copied: do not change them before the function returns, or while the result
-        still computes.
+        acceleration in m/s², with `fs`, in the shapes that `Record` takes; or records. Arrays are
+        not copied: do not change them before the function returns, or while the result still
+        computes.
     method : {'auto', 'small-interval', 'drift-free', 'frequency', 'modal'}, optional
         Choose the method. auto: integrate without drift if the record shows the structure at rest
         before the impact, otherwise use modes and force if they are known. Default: auto.

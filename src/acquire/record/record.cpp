@@ -35,6 +35,23 @@ std::vector<TraceLine> trace_lines_of(const std::vector<double>& numbers, std::s
   return out;
 }
 
+namespace {
+
+// The reader of the rows `from` of another reader: samples in memory are viewed, not copied.
+template <class... Place>
+SampleReader<std::size_t, Place...> with_rows(const SampleReader<std::size_t, Place...>& all,
+                                              const std::vector<std::size_t>& from) {
+  using Reader = SampleReader<std::size_t, Place...>;
+  typename Reader::View view;
+  if (all.view())
+    view = [from, seen = all.view()](std::size_t row, Place... place) { return seen(from.at(row), place...); };
+  return Reader([from, all](std::size_t row, Place... place, std::size_t first,
+                            std::span<double> samples) { all(from.at(row), place..., first, samples); },
+                std::move(view));
+}
+
+}  // namespace
+
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep) {
   Record out = record;
   out.rows.clear();
@@ -49,13 +66,8 @@ Record select_rows(const Record& record, const std::function<bool(const RowInfo&
   for (RecordFault& fault : out.faults) {
     if (fault.row >= 0) fault.row = number.at(static_cast<std::size_t>(fault.row));
   }
-  out.read_force_N = [from, read = record.read_force_N](std::size_t row, std::size_t first, std::span<double> samples) {
-    read(from.at(row), first, samples);
-  };
-  out.read_accel_mps2 = [from, read = record.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
-                                                              std::span<double> samples) {
-    read(from.at(row), channel, first, samples);
-  };
+  out.read_force_N = with_rows(record.read_force_N, from);
+  out.read_accel_mps2 = with_rows(record.read_accel_mps2, from);
   return out;
 }
 

@@ -32,6 +32,8 @@ class SampleReader {
     read_(place..., first, buffer);
     return buffer;
   }
+  /// The function that returns the whole row; empty if the samples are not in memory.
+  const View& view() const { return view_; }
 
  private:
   Read read_;

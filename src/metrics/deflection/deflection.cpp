@@ -110,16 +110,23 @@ Deflection deflection_by_frequency(const ImpactSignal& signal, const DeflectionO
           .bias_mps2 = rest.bias(0)};
 }
 
+// The share of the motion that the modes do not explain, which may be missing from the deflection as well. Neighbouring
+// samples of a motion are alike; those of the accelerometer's noise are not, so their products cancel.
+double unexplained_share(std::span<const double> accel_mps2, std::span<const double> by_modes_mps2) {
+  double unexplained = 0, explained = 0;
+  for (std::size_t i = 1; i < accel_mps2.size(); ++i) {
+    unexplained += (accel_mps2[i] - by_modes_mps2[i]) * (accel_mps2[i - 1] - by_modes_mps2[i - 1]);
+    explained += by_modes_mps2[i] * by_modes_mps2[i];
+  }
+  unexplained = std::max(0.0, unexplained);
+  return unexplained > 0 ? std::sqrt(unexplained / (unexplained + explained)) : 0;
+}
+
 Deflection by_modes(const ImpactSignal& signal, const DeflectionOptions& options) {
   assert(!signal.force_N.empty());
-  ModalDeflection modal = modal_deflection(signal.force_N, signal.fs_Hz, signal.modes, signal.rigid_per_kg);
-  // The share of the acceleration that the modes do not explain may be missing from the deflection as well.
-  double unexplained = 0, all = 0;
-  for (std::size_t i = 0; i < signal.accel_mps2.size(); ++i) {
-    unexplained += std::pow(signal.accel_mps2[i] - modal.accel_mps2[i], 2);
-    all += std::pow(signal.accel_mps2[i], 2);
-  }
-  const double missing = all > 0 ? std::sqrt(unexplained / all) : 0;
+  ModalDeflection modal =
+      modal_deflection(signal.force_N, signal.fs_Hz, signal.modes, signal.rigid_per_kg, signal.force_noise_N);
+  const double missing = unexplained_share(signal.accel_mps2, modal.accel_mps2);
   for (std::size_t i = 0; i < modal.std_m.size(); ++i)
     modal.std_m[i] = std::hypot(modal.std_m[i], missing * modal.deflection_m[i]);
   return {.method = DeflectionMethod::modal,

@@ -21,6 +21,7 @@ struct ImpactSignal {
   double onset_s = 0;                  // start of the contact, from the first sample; the structure rests before it
   // The excitation, for the modal method and for a free body:
   std::span<const double> force_N;  // [samples]; empty: not measured
+  double force_noise_N = 0;         // standard deviation of a sample
   double rigid_per_kg = 0;          // rigid-body accelerance of a free body at the point; 0: held or unknown
   std::vector<ModalContribution> modes;
 };

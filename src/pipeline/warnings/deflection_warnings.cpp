@@ -7,8 +7,32 @@
 #include "pipeline/warnings/ranking.hpp"
 
 namespace percuss::pipeline {
-
 namespace {
+
+bool by_modes(const DeflectionResults& test) {
+  return std::any_of(test.deflections.begin(), test.deflections.end(), [](const metrics::Deflection* deflection) {
+    return deflection->method == metrics::DeflectionMethod::modal;
+  });
+}
+
+// Each remedy leads away from the method that failed, and none to a method that needs what was not recorded.
+const char* remedy_against_unknown(const DeflectionResults& test) {
+  if (!by_modes(test)) {
+    return test.has_force
+               ? "record with more pre-trigger, or choose the method modal if the band holds the lowest modes"
+               : "record with more pre-trigger";
+  }
+  return test.mass_known
+             ? "extend the band down to the lowest mode, or choose the method drift-free"
+             : "extend the band down to the lowest mode, state the effective mass of a free body, or choose "
+               "the method drift-free";
+}
+
+std::vector<OptionId> options_against_unknown(const DeflectionResults& test) {
+  if (!by_modes(test)) return test.has_force ? std::vector<OptionId>{"method"} : std::vector<OptionId>{};
+  if (test.mass_known) return {"band", "method"};
+  return {"band", "effective_mass", "method"};
+}
 
 // Motion that the largest deflections stated do not show.
 void add_motion_left_out(const DeflectionResults& test, std::vector<Warning>& out) {
@@ -56,21 +80,23 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
                                fmt::format("{} of {} deflections never exceed four times their own uncertainty and "
                                            "have no largest value",
                                            unknown, test.deflections.size()),
-                               {"method"}},
-                              "record with more pre-trigger, or choose the method modal"));
+                               options_against_unknown(test)},
+                              remedy_against_unknown(test)));
   }
   add_motion_left_out(test, out);
   const bool drifts = std::any_of(test.deflections.begin(), test.deflections.end(), [](const auto* deflection) {
     return deflection->method == metrics::DeflectionMethod::drift_free && !deflection->held;
   });
   if (drifts && !test.free_body) {
-    out.push_back(
-        with_remedy({"drift",
-                     "the structure does not return to its rest position, or the record is too short to show that it "
-                     "does: late deflections drift, and their ± includes the drift",
-                     {"method", "free_body", "effective_mass"}},
-                    "for a held structure, choose the method modal, which does not drift; for a free one, say that it "
-                    "is free and state its effective mass at the struck point"));
+    out.push_back(with_remedy(
+        {"drift",
+         "the structure does not return to its rest position, or the record is too short to show that it "
+         "does: late deflections drift, and their ± includes the drift",
+         test.has_force ? std::vector<OptionId>{"method", "free_body", "effective_mass"}
+                        : std::vector<OptionId>{"free_body", "effective_mass"}},
+        test.has_force ? "choose the method modal if the band holds the lowest modes, or state that the body "
+                         "is free"
+                       : "for a free structure, say that it is free and state its effective mass at the struck point"));
   }
   return ranked(std::move(out));
 }

@@ -12,6 +12,8 @@ struct DeflectionResults {
   std::size_t impacts = 0, used = 0;  // found, and with a pulse
   bool rest_recorded = false;         // every row begins long enough before its impact
   bool free_body = false;             // as stated by the user
+  bool has_force = false;             // recorded
+  bool mass_known = false;            // the effective mass, as stated by the user
   std::vector<const metrics::Deflection*> deflections;
 };
 

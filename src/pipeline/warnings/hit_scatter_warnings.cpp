@@ -37,6 +37,15 @@ std::string percent_with_std(double value, double std) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, std, decimals);
 }
 
+// The step of force of a stated slope: 100 N, 10 N … so small that the change stays below 50 %, since nothing falls by
+// more than all of it.
+double stated_step_N(double percent_per_N) {
+  constexpr double kMaxStep_N = 100, kMinStep_N = 1e-3, kMaxPercent = 50;
+  double step_N = kMaxStep_N;
+  while (step_N > kMinStep_N && step_N * percent_per_N > kMaxPercent) step_N /= 10;
+  return step_N;
+}
+
 std::string amplitude_text(const Mode& mode) {
   const identify::AmplitudeTrend& trend = *mode.amplitude;
   std::string text;
@@ -47,10 +56,12 @@ std::string amplitude_text(const Mode& mode) {
                         trend.freq_at_zero_Hz);
   if (trend.damping_follows) {
     const bool falls = trend.damping_slope_per_N < 0;
-    const double slope_percent = 1e4 * std::abs(trend.damping_slope_per_N) / mode.pole.damping_ratio;
-    const double std_percent = 1e4 * trend.damping_slope_std / mode.pole.damping_ratio;
-    text += fmt::format("{}damping {} by {} % of itself per 100 N ({})", text.empty() ? "" : ", ",
-                        falls ? "falls" : "rises", percent_with_std(slope_percent, std_percent),
+    const double slope_percent_per_N = 100 * std::abs(trend.damping_slope_per_N) / mode.pole.damping_ratio;
+    const double std_percent_per_N = 100 * trend.damping_slope_std / mode.pole.damping_ratio;
+    const double step_N = stated_step_N(slope_percent_per_N);
+    text += fmt::format("{}damping {} by {} % of itself per {:g} N ({})", text.empty() ? "" : ", ",
+                        falls ? "falls" : "rises",
+                        percent_with_std(step_N * slope_percent_per_N, step_N * std_percent_per_N), step_N,
                         falls ? "as dry friction does" : "as air or a loose joint does");
   }
   return text;

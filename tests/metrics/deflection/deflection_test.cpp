@@ -228,6 +228,65 @@ TEST(Deflection, SaysThatTheMotionGoesOnAfterTheLargestValue) {
   EXPECT_EQ(std::abs(reversed.peak_m), std::abs(found.peak_m));
 }
 
+// The same impact by the method modal, with exact modes.
+Deflection by_exact_modes(const Impact& test, double force_noise_N = 0, double gain_std = 0) {
+  ImpactSignal signal = signal_of(test);
+  signal.force_N = test.force_N;
+  signal.force_noise_N = force_noise_N;
+  signal.modes = {{.pole = pole(), .residue_per_kg = kResidue_per_kg, .gain_std = gain_std}};
+  return deflection_of(signal, {.method = DeflectionMethod::modal});
+}
+
+TEST(Deflection, FromModesDoesNotTakeNoiseForMissingMotion) {
+  Impact test = impact();
+  constexpr double kNoise = 0.1;  // over the rms of the acceleration
+  double squares = 0;
+  for (const double a : test.accel_mps2) squares += a * a;
+  std::mt19937 engine(1);
+  std::normal_distribution<double> normal(0, kNoise * std::sqrt(squares / static_cast<double>(test.accel_mps2.size())));
+  for (double& a : test.accel_mps2) a += normal(engine);
+  const Deflection found = by_exact_modes(test);
+  // The products of N samples of noise scatter by σ²√N, which is kNoise/12 of the motion in its root; twice that.
+  EXPECT_LT(found.peak_std_m, kNoise / 6 * std::abs(found.peak_m));
+}
+
+TEST(Deflection, FromModesCountsMotionThatTheModesDoNotExplain) {
+  Impact test = impact();
+  constexpr double kMissing = 0.1;
+  for (double& a : test.accel_mps2) a *= 1 + kMissing;
+  const Deflection found = by_exact_modes(test);
+  // The corners of the pulse, whose neighbouring samples differ, are counted in part.
+  EXPECT_NEAR(found.peak_std_m / std::abs(found.peak_m), kMissing, 0.05 * kMissing);
+}
+
+TEST(Deflection, FromModesMovesAllModesByTheCommonGain) {
+  const Impact test = impact(kFine_Hz, 0.02, 0.3);
+  constexpr double kGain = 0.01;
+  ImpactSignal signal = signal_of(test);
+  signal.force_N = test.force_N;
+  const ModalContribution half{.pole = pole(), .residue_per_kg = kResidue_per_kg / 2, .gain_std = kGain};
+  signal.modes = {half, half};
+  const Deflection found = deflection_of(signal, {.method = DeflectionMethod::modal});
+  EXPECT_NEAR(found.peak_std_m / std::abs(found.peak_m), kGain, 1e-3 * kGain);
+}
+
+TEST(Deflection, FromModesScattersByTheNoiseOfTheForceAsItsStandardDeviationStates) {
+  constexpr double kNoise_N = 5;
+  constexpr int kRepeats = 100;
+  const Impact clean = impact(5000, 0.02, 0.3);
+  const Deflection stated = by_exact_modes(clean, kNoise_N);
+  std::mt19937 engine(1);
+  std::normal_distribution<double> normal(0, kNoise_N);
+  double squares = 0;
+  for (int i = 0; i < kRepeats; ++i) {
+    Impact test = clean;
+    for (double& f : test.force_N) f += f != 0 ? normal(engine) : 0;
+    squares += std::pow(by_exact_modes(test).deflection_m[stated.peak] - stated.peak_m, 2);
+  }
+  // A standard deviation from 100 values has one of 7 %; three of them.
+  EXPECT_NEAR(std::sqrt(squares / kRepeats) / stated.peak_std_m, 1, 0.21);
+}
+
 TEST(Deflection, ConvergesAtFirstOrderBySmallIntervals) {
   std::vector<double> errors;
   for (const double fs_Hz : {5000.0, 10000.0, 20000.0}) {

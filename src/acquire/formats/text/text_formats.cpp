@@ -1,5 +1,6 @@
 #include "acquire/formats/text/text_formats.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "acquire/channels/stored_frfs.hpp"
@@ -38,6 +39,15 @@ Measurement open_text_file(const FormatInput& input, const FrfReadOptions& optio
   return open_csv(text, options.read);
 }
 
+std::vector<std::string> frf_csv_losses(const FrfRecord& record) {
+  std::vector<std::string> losses;
+  if (std::any_of(record.frfs.begin(), record.frfs.end(), [](const PointFrf& one) { return one.frf.averages > 0; }))
+    losses.emplace_back("the numbers of averages");
+  if (std::any_of(record.accel.begin(), record.accel.end(), [](const SignalInfo& one) { return one.position_m; }))
+    losses.emplace_back("the sensors' positions");
+  return losses;
+}
+
 void write_frf_csv_file(const std::string& path, const FrfRecord& record, FrfKind kind, bool force) {
   write_file(path, frf_record_csv(record, kind), force);
 }
@@ -70,6 +80,7 @@ const FileFormat kTextFormat{.name = "text",
                              .open = open_text_file,
                              .write_record = write_record_csv,
                              .write_frfs = write_frf_csv_file,
-                             .record_losses = csv_losses};
+                             .record_losses = csv_losses,
+                             .frf_losses = frf_csv_losses};
 
 }  // namespace percuss::acquire

@@ -1,5 +1,6 @@
 #include "acquire/formats/uff/uff_format.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "acquire/channels/stored_frfs.hpp"
@@ -35,6 +36,14 @@ std::vector<std::string> uff_losses(const std::string& /*path*/, const Record& r
   return losses;
 }
 
+// A reader computes standard deviations from the coherence and the number of averages, if both are known.
+std::vector<std::string> uff_frf_losses(const FrfRecord& record) {
+  const bool lost = std::any_of(record.frfs.begin(), record.frfs.end(), [](const PointFrf& one) {
+    return !one.frf.std.empty() && (one.frf.coherence.empty() || one.frf.averages < 2);
+  });
+  return lost ? std::vector<std::string>{"the standard deviations"} : std::vector<std::string>{};
+}
+
 }  // namespace
 
 const FileFormat kUffFormat{
@@ -47,6 +56,7 @@ const FileFormat kUffFormat{
     .write_frfs = [](const std::string& path, const FrfRecord& record, FrfKind kind,
                      bool force) { write_frf_record_uff(path, record, kind, force); },
     .record_losses = uff_losses,
+    .frf_losses = uff_frf_losses,
     .keeps_faces = true,
     .keeps_frf_geometry = true};
 

@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "acquire/record/frf_record.hpp"
+#include "identify/model/frf_dataset.hpp"
+#include "identify/model/mode.hpp"
+
+namespace percuss::pipeline {
+
+/// Widens the ± of modes of given FRFs to the standard deviations that were given with them. The fit takes the noise
+/// from its residual; where the stated noise around a mode is larger, the noise's part of the ± grows by the ratio.
+/// `set` holds the FRFs of `given` in the same order.
+void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfDataset& set,
+                           std::vector<identify::Mode>& modes);
+
+}  // namespace percuss::pipeline
