@@ -52,8 +52,8 @@ struct BeamImpact {
   Beam beam{};
   double at_m = 0.51;  // from the spring's end
   double ball_mass_kg = 0.16, speed_mps = 5;
-  double hertz_Npm15 = 3.2e6;
-  double hysteresis_spm = 0;
+  double hertz_Npm15 = 3.2e6;  // k of the contact force k α^(3/2) (1 + χ α̇), α the approach
+  double hysteresis_spm = 0;   // χ; 0: a contact without loss
   std::size_t modes = 10;
   double step_s = 0;  // 0: shortened until the rebound converges
 };
@@ -120,7 +120,7 @@ struct BatProfile {
   double density_kgpm3 = 649, young_Pa = 1.814e10;
   double shear_Pa = 1.05e9;      // shear modulus × shape factor
   std::vector<double> wall_m{};  // empty: solid
-  bool points = false;           // dimensions change linearly between end_m; else each is that of a slice up to end_m
+  bool points = false;           // true: dimensions at end_m, linear between; false: of the slice that ends at end_m
   std::vector<BatMass> added{};
   BeamSupport support = BeamSupport::free;
   double support_m = 0.1524;     // position of the support
