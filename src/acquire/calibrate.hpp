@@ -29,7 +29,7 @@ struct CalibrationHit {
 
 struct Calibration {
   double scale = 0;      // N per present unit of the force channel; negative when it reads pushes as negative
-  double scale_std = 0;  // the larger one of the scatter over the hits and of the noise within them
+  double scale_std = 0;  // the larger of two: the scatter over the hits, the noise within them
   std::vector<CalibrationHit> hits;
 };
 

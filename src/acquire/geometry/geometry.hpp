@@ -51,7 +51,7 @@ std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>
 /// for y, x for z) towards the one after. Changes nothing where they do not lie in rings.
 void tube_from_coordinates(Geometry& geometry);
 
-/// Adds a number to those of all points, in the lines and faces too.
+/// Adds `by` to all point numbers, also in the lines and faces.
 void shift_points(Geometry& geometry, int by);
 
 /// An example: a grid on a barrel.

@@ -17,8 +17,9 @@ struct SecondPulse {
 };
 
 /// The force beside the main pulse. A tail or the ringing of the hammer continues from the pulse without a pause and
-/// belongs to it. Contacts stand alone, exceed a tenth of the main pulse, or exceed five times the tail just before
-/// them. Ringing pulls as much as it pushes; humps last several times as long as the pulse: neither is a contact.
+/// belongs to it. A push is a contact if it stands alone, exceeds a tenth of the main pulse, or exceeds five times the
+/// tail just before it. Ringing, which pulls as much as it pushes, is no contact; nor is a hump, which lasts several
+/// times as long as the pulse.
 /// theory (1.4)
 struct FurtherForce {
   std::size_t end = 0;                // of the pulse with its tail and ringing

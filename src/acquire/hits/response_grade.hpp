@@ -31,9 +31,9 @@ ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2,
 /// Samples first … first + count − 1 of a hit's response.
 using SampleWindow = std::function<std::span<const double>(std::size_t first, std::size_t count)>;
 
-/// The number of samples after which a response holds only a steady background. From some time after the pulse on, the
-/// response stays within twice its final level. The length is the pulse and twice this time. It is all `samples` in
-/// three cases:
+/// The number of samples after which a response holds only a steady background. The settling time is the time from the
+/// pulse until the response stays within twice its final level. The number covers the pulse and twice the settling time
+/// after it. It is all `samples` in three cases:
 ///   fewer than 512 samples follow the pulse, or the final level is zero;
 ///   the response still falls at the end;
 ///   the response falls only a little, and the level before the hit is unknown or at most half of the final level, so

@@ -13,7 +13,7 @@ constexpr std::size_t kMinRing = 8192;  // frames
 // Frames that the analysis takes together, whatever the rate, before it knows of the first blow.
 constexpr std::size_t kTakenTogether = 1024;
 constexpr std::size_t kMaxBlock_bytes = std::size_t{4} << 20U;
-constexpr std::size_t kMaxFindings = 10000;  // that nobody takes
+constexpr std::size_t kMaxFindings = 10000;  // kept until they are taken
 constexpr double kDriftLimit = 200e-6;       // crystals keep to 100 ppm
 constexpr double kSigmas = 5;
 
@@ -107,7 +107,7 @@ bool SampleStore::inspect() {
     }
     if (range.frames == 0) return any;
     any = true;
-    // Time does not pass as the count of frames says.
+    // At a loss or a pause, the count of frames does not show the time that has passed.
     const bool jumps = range.overrun || format_.is_pause(range.first_frame - expected_frame_, range.overrun);
     inspect_range(range);
     inspected_ += range.frames;

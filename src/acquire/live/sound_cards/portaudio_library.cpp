@@ -14,7 +14,7 @@
 
 #include "core/error.hpp"
 
-// Of the address sanitizer; null in other builds.
+// Functions of the address sanitizer; null in builds without it.
 // NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" {
 [[gnu::weak]] void __lsan_disable();
@@ -57,7 +57,7 @@ void check_in_child() {
 
 }  // namespace
 
-// The plug-ins of ALSA keep some memory for good, and are unloaded.
+// ALSA's plug-ins never free some of their memory. The leak checker would report it.
 QuietErrors::QuietErrors() : saved_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) {
   if (__lsan_disable != nullptr) __lsan_disable();
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);

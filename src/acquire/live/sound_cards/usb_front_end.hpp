@@ -14,9 +14,9 @@ struct UsbFrontEnd {
   std::array<double, 2> full_scales{};    // in `unit`, per channel
 };
 
-/// The product string: model (6 characters), a separator, the kind of data, serial number (6), counts of 24 bits per
-/// unit for each channel, date (YYMMDD). Kind 1: m/s², 5 digits. 2: V, 7 digits. 3: likewise per 50 mV.
-/// Nothing where the text is none.
+/// Parses the product string: model (6 characters), a separator, the kind of data, serial number (6), for each channel
+/// the 24-bit counts per unit, date (YYMMDD). The kind states the unit and the digits of a count: 1: m/s², 5 digits;
+/// 2: V, 7 digits; 3: 50 mV, 7 digits. Nothing where the text is no product string of a front end.
 std::optional<UsbFrontEnd> parse_front_end(std::string_view product);
 
 /// The front end behind a sound card, from its product string in sysfs. `sysfs` is "/sys", or a copy for tests.
