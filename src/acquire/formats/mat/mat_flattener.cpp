@@ -179,22 +179,22 @@ void MatFlattener::add_elements(const std::string& name, const std::vector<const
   MatFile parts{.path = out_.path};
   MatFlattener within(parts, UINT64_MAX);
   bool alike = true;
-  std::string inner;  // what follows the element's number in the name: ".x" of "test(1).x"
+  std::string suffix;  // what follows the element's number in the name: ".x" of "test(1).x"
   for (std::size_t e = 0; e < elements_of.size(); ++e) {
     const std::string element = fmt::format("{}{}{}{}", name, open, e + 1, close);
     within.add(element, elements_of[e]);
     alike = alike && parts.variables.size() == e + 1;
     if (!alike) continue;
-    const std::string its_inner = parts.variables.back().name.substr(element.size());
-    if (e == 0) inner = its_inner;
-    alike = its_inner == inner;
+    const std::string this_suffix = parts.variables.back().name.substr(element.size());
+    if (e == 0) suffix = this_suffix;
+    alike = this_suffix == suffix;
   }
   const auto same = [&](const MatVariable& v) {
     return !v.is_text && !v.is_complex() && v.size() == parts.variables.front().size();
   };
   if (alike && std::all_of(parts.variables.begin(), parts.variables.end(), same)) {
     const std::size_t rows = parts.variables.size(), length = parts.variables.front().size();
-    MatVariable stacked{.name = name + inner, .shape = {rows, length}};
+    MatVariable stacked{.name = name + suffix, .shape = {rows, length}};
     stacked.real.resize(rows * length);
     for (std::size_t i = 0; i < rows * length; ++i) stacked.real[i] = parts.variables[i % rows].real[i / rows];
     out_.variables.push_back(std::move(stacked));

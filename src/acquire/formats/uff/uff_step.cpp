@@ -53,19 +53,18 @@ double uff_step(const UffFunction& function, bool frequency, std::string& note) 
   const double dx = function.dx;
   if (!(dx > 0) || !std::isfinite(dx)) return dx;
   const double half_unit = 0.5 * std::pow(10.0, -decimals_of(function.dx_text, false));
-  if (!(half_unit / dx < 1e-3)) return dx;  // too few digits to decide
+  if (!(half_unit / dx < 1e-3)) return dx;  // too few digits to choose a rounder step
   const double low = dx - half_unit, high = dx + half_unit;
   const auto stated = uff_annotation(function).dx;
   if (stated && *stated >= low * (1 - kUnchanged) && *stated <= high * (1 + kUnchanged)) return *stated;
-  const double inverse = roundest_between(1 / high, 1 / low), itself = roundest_between(low, high);
-  const bool take_itself = frequency && significant_digits(itself) <= significant_digits(inverse);
-  const double step = take_itself ? itself : 1 / inverse;
+  const double round_inverse = roundest_between(1 / high, 1 / low), round_step = roundest_between(low, high);
+  const bool take_step = frequency && significant_digits(round_step) <= significant_digits(round_inverse);
+  const double step = take_step ? round_step : 1 / round_inverse;
   if (std::abs(step / dx - 1) > kUnchanged) {
-    note = frequency
-               ? fmt::format("spacing {:.10g} Hz: the roundest spacing, or the roundest duration, that agrees with {}",
-                             step, trimmed(function.dx_text))
-               : fmt::format("sampling rate {:.10g} Hz: the roundest rate whose time step rounds to {} s", inverse,
-                             trimmed(function.dx_text));
+    note = frequency ? fmt::format("spacing {:.10g} Hz: it rounds to {} and makes the spacing or the duration roundest",
+                                   step, trimmed(function.dx_text))
+                     : fmt::format("sampling rate {:.10g} Hz: the roundest rate whose time step rounds to {} s",
+                                   round_inverse, trimmed(function.dx_text));
   }
   return step;
 }
