@@ -9,7 +9,8 @@ inline namespace core {
 class TemporaryFile;
 
 /// Bytes as a file in the folder for temporary files (TMPDIR, else /tmp), readable by this user only. The destructor
-/// removes its name; who has opened the file can still read it. A signal that ends the process removes it too.
+/// removes its name; a process that has opened the file can still read it. A signal that ends this process removes it
+/// too.
 /// errors  InputError: the folder cannot be written, the disk is full
 class SpooledFile {
  public:

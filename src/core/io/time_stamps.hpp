@@ -24,7 +24,7 @@ struct TimeStamps {
 struct StampedRate {
   double fs_Hz = 0;
   double lowest_Hz = 0, highest_Hz = 0;  // limits from the rounding of the stamps
-  std::string note;  // says that the stamps are rounded; empty when the rate changes by at most 1e-6 of its value
+  std::string note;  // says that the stamps are rounded; empty if fs_Hz differs from (1) by at most 1e-6 of it
 };
 
 /// The reason why time stamps give no rate, and the place of the worst stamp.
