@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::Index;
 
-// Spacing of the delays, in periods of the highest line, but at least one sample. Real and imaginary part share the
-// noise equally where the squares of the phase factors cancel. Over kDelay periods, the square turns by 4 rad (2 · 2π ·
-// kDelay). Below a full turn, the squares cancel over the delays as well as over all samples. With a spacing of one
-// sample, the delays are the samples themselves.
+// Spacing of the delays, in periods of the highest line, but at least one sample. The noise divides equally between
+// real and imaginary part if the squares of the phase factors sum to zero. From one delay to the next the square turns
+// by 2 · 2π · kDelay = 4 rad. This is less than a full turn, so the squares of the delays cancel like the squares of
+// all samples. With a spacing of one sample, the delays are the samples themselves.
 constexpr double kDelay = 0.32;
 
 constexpr double kNarrow = 0.2;  // half of a band's width over its highest line

@@ -26,8 +26,8 @@ struct NodeOptions {
 /// standard deviations from zero; points between them are not. The node is the root of a polynomial in the position,
 /// fitted to the points around by weighted least squares. Its degree minimises χ²/s² + k ln n. s² is χ² per degree of
 /// freedom of the highest degree, and at least 1. The variance is a sum of two terms. The first is the variance of the
-/// next higher degree's root, scaled by χ² where that is too large. The second is the model error: the squared distance
-/// to that root.
+/// next higher degree's root, times χ² per degree of freedom where this exceeds 1. The second is the model error: the
+/// squared distance to that root.
 /// theory (5.8)
 std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options = {});
 

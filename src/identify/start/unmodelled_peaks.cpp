@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kNear = 3;            // half-power bandwidths, and lines, around a mode
+constexpr double kNear = 3;            // half-power bandwidths around a mode, or spectral lines where these are wider
 constexpr double kUnexplained = 0.25;  // residual energy over a peak's energy: below it the modes explain the peak
 constexpr double kPeakSpan = 6;        // half-widths on either side, for a peak's energy
 
