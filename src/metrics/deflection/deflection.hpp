@@ -46,7 +46,7 @@ struct Deflection {
   // modal only: rigid-body motion is left out, and the record does not show that the structure returns to rest
   bool rigid_motion_left_out = false;
   double forward_m = 0, forward_std_m = 0;  // the peak in the direction of the first motion; signed
-  // The deflection at the last sample that bias and drift cause: for drift_free its standard deviation, for
+  // The deflection that bias and drift cause at the last sample: for drift_free its standard deviation, for
   // small_interval its value; 0 for the other methods.
   double drift_m = 0;
 
@@ -60,8 +60,8 @@ struct Deflection {
 ///   small_interval  first-order sums from the impact on (small_interval_sums), without any correction
 ///   frequency       division in the frequency domain, line by line
 ///   modal           the response of the modes to the force
-///   automatic       modal where force and modes are known and the record does not show the rest before the impact;
-///                   otherwise drift_free
+///   automatic       modal where force and modes are known and the record does not show the structure at rest before
+///                   the impact; otherwise drift_free
 /// Precondition: modal needs force and modes. shapes [samples].
 /// theory (7.4)
 Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& options = {});

@@ -31,8 +31,8 @@ StudyCurve parse_study_curve(std::string_view text, const std::string& where) {
                       point.contains("cor") && point["cor"].is_number();
     const double hoop_Hz = pair ? point["hoop_hz"].get<double>() : std::nan("");
     if (!pair || !(hoop_Hz > (curve.hoop_Hz.empty() ? 0 : curve.hoop_Hz.back()))) {
-      throw InputError("hoop frequencies that do not rise", where, "give the JSON document of a trampoline model",
-                       {"hoop_curve"});
+      throw InputError("a point without hoop_hz and cor, or hoop frequencies that do not rise", where,
+                       "give the JSON document of a trampoline model", {"hoop_curve"});
     }
     curve.hoop_Hz.push_back(hoop_Hz);
     curve.value.push_back(point["cor"].get<double>());

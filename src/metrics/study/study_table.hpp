@@ -40,7 +40,8 @@ using BatProperties = std::map<std::string, std::string>;
 
 /// Rows of tables and documents, joined by id. Rows with one id must agree. Two numbers agree if the one with fewer
 /// decimals is the other number rounded, and if they differ by at most 1 %. A row whose `bat` is the id of another row
-/// takes that row's properties that it does not state: maker, model, length, material, program, MOI, weight and drop.
+/// takes the properties that it does not state from that row: maker, model, length, material, program, MOI, weight and
+/// drop.
 class StudyRows {
  public:
   /// Adds a table (docs/schema/study-table.schema.json, or the same as CSV; also a table of percuss metrics), a

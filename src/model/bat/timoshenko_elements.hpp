@@ -65,8 +65,7 @@ struct BatInertia {
   double inertia_kgm2 = 0;  // about a transverse axis through the centre of mass
 };
 
-/// Exact for constant and for linearly changing dimensions, except in an element in which a
-/// wall reaches the axis.
+/// Exact for constant and for linearly changing dimensions, except in an element in which a wall reaches the axis.
 BatInertia inertia_of(const TimoshenkoBeam& beam);
 
 /// The start of each element, and the end of the beam. shape [elements + 1].

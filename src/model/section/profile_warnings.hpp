@@ -21,8 +21,8 @@ struct ProfileWarning {
 /// The codes of profile warnings, all with the severity warn. docs/reference/warnings.md has a row for each.
 inline constexpr std::string_view kProfileWarningCodes[] = {"long_slices"};
 
-/// A table was read as slices, and reading it as points changes its frequencies: `other_Hz` in place of `freq_Hz`, of
-/// elastic modes, the first numbered `first_mode`. Nothing for a table of points.
+/// The warning long_slices: as points instead of slices, the table would give the elastic modes the frequencies
+/// `other_Hz` instead of `freq_Hz`. The first elastic mode has the number `first_mode`. Nothing for a table of points.
 std::optional<ProfileWarning> profile_warning(const SectionTable& table, const std::vector<double>& freq_Hz,
                                               const std::vector<double>& other_Hz, std::size_t first_mode);
 

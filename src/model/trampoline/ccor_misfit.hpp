@@ -22,7 +22,7 @@ Trampoline with_exponents(Trampoline model, const Exponents& e);
 /// Fits search 0 ≤ a ≤ kMaxStiffnessExponent: a ball's contact stiffens (Hertz: a = 1/2). With a larger a the contact
 /// would act like a hard stop, as no ball does.
 inline constexpr double kMaxStiffnessExponent = 3;
-inline constexpr double kStartMargin = 1e-3;  // of b below 1 + a, where a search starts or ends
+inline constexpr double kStartMargin = 1e-3;  // distance from b to its limit 1 + a at which a search starts or ends
 
 /// The weighted misfit of the model's CCOR to measured values, as a function of the exponents.
 /// theory (10.5)
@@ -50,8 +50,8 @@ class CcorMisfit {
   /// errors  InputError: no convergence.
   Exponents best_with_a(double a, const Exponents& near) const;
 
-  /// The values of exponent `varied` for which no residual exceeds 1, with the other exponent of `at`; none if there
-  /// are none.
+  /// The range of exponent `varied` over which no residual exceeds 1, with the other exponent as in `at`. Nothing where
+  /// some residual always exceeds 1.
   std::optional<std::array<double, 2>> range_within_std(const Exponents& at, int varied) const;
 
   const std::vector<MeasuredCor>& measured() const { return measured_; }
