@@ -11,7 +11,7 @@ namespace percuss::pipeline {
 ///   no_free_decay    no impact can be used
 ///   tone             sinusoids that do not decay
 ///   pair_or_scatter  one mode whose frequency differs between the hits, or two close modes
-///   and the options' known warnings, the reader's notes (input_warnings), and object_warnings
+///   and AnalysisOptions::known, the reader's notes (input_warnings), and object_warnings
 std::vector<Warning> response_warnings(const ResponseTest& test);
 
 }  // namespace percuss::pipeline

@@ -14,7 +14,7 @@ namespace percuss::pipeline {
 std::vector<Warning> pretrigger_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                          const identify::FrfDataset& set);
 
-/// truncated_decay: modes that still rang when the record ended. `force_known`: false for FRFs that were given.
+/// truncated_decay: modes that still rang when the record ended. `force_known`: false where the input is FRFs.
 std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& modes, const acquire::LineRange& lines,
                                          double window_decay_per_s, bool force_known);
 
