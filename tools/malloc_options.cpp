@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21U;
 constexpr std::uintptr_t kThreadHeap = std::uintptr_t{1} << 26U;  // size and alignment of a thread's heap in glibc
-constexpr int kMainHeap = 1 << 29;                                // bytes of addresses; a page takes memory when used
+constexpr int kMainHeap = 1 << 29;                                // bytes reserved; a page takes memory at first use
 constexpr int kSmallestHeap = 1 << 26;                            // below this, large pages do not pay
 
 // Each step of an analysis allocates what the previous one freed. Fetching the pages from the system again would take

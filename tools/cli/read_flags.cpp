@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMilli = 1e-3;
 
-// `pressures`: a pressure will do as well.
+// `pressures`: a unit of pressure is accepted as well.
 void require_unit_or_volts(const std::string& name, Quantity wanted, const OptionId& option, bool pressures = false) {
   const auto unit = parse_unit(name);
   const bool other =
@@ -46,7 +46,7 @@ void set_rate(const std::string& text, acquire::ReadOptions& options) {
   }
 }
 
-// Joins the pieces of a column of a MAT variable, "data(:,2)", which was split at its comma.
+// Joins names of columns of MAT variables, such as "data(:,2)", which the list split at their comma.
 std::vector<std::string> rejoined_names(const std::vector<std::string>& pieces) {
   std::vector<std::string> names;
   bool open = false;

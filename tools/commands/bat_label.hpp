@@ -7,7 +7,7 @@
 
 namespace percuss::tools {
 
-/// The value of --bat-id with those of --bat. None without an id. Throws OptionError.
+/// The id of --bat-id and the properties of --bat as one label; nothing without an id. Throws OptionError.
 std::optional<report::BatLabel> bat_label(const std::string& id, const std::vector<std::string>& properties);
 
 }  // namespace percuss::tools

@@ -143,12 +143,13 @@ void write_outputs(const OutputFlags& output, const std::string& document) {
   outputs.commit();
 }
 
-// Whether the record uses all signals among the columns: no other one may be the force.
+// Whether the record uses all columns that hold signals, so that no other column can be the force.
 bool uses_all_signals(const acquire::Record& record, const acquire::RoleGuess& guess) {
   return record.accel.size() >= guess.accel.size() + (guess.force.empty() ? 0 : 1);
 }
 
-// As analyze, which accepts records without a force. Where another column may be the force, the columns say more.
+// Opens a file as analyze does, which accepts records without a force. Where another column may be the force, it throws
+// AmbiguousColumns: the list of columns tells the user more.
 std::variant<acquire::Record, acquire::FrfRecord> opened_at(const ReadFlags& read, const acquire::ReadOptions& options,
                                                             std::size_t index) {
   try {

@@ -12,8 +12,8 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMaxSamples = std::size_t{1} << 22U;  // of a channel, and
-constexpr std::size_t kMaxInAll = std::size_t{1} << 26U;    // of all channels
+constexpr std::size_t kMaxSamples = std::size_t{1} << 22U;  // of one channel
+constexpr std::size_t kMaxInAll = std::size_t{1} << 26U;    // of all channels together
 constexpr std::size_t kColumns = 48;                        // of the picture
 
 std::size_t max_samples(const acquire::Record& record) {
