@@ -1,7 +1,7 @@
 """Builds the wheel of the Python module with CMake, for pip and other programs that follow PEP 517 and PEP 660.
 
-Needs the standard library, CMake and the libraries of percuss, and no package of an index: `./start needs` lists the packages
-of Debian. The wheel runs in CPython 3.9 and later, since the module uses its stable interface only.
+Needs the standard library, CMake and the libraries of percuss, but no package from PyPI: `./start needs` lists the Debian
+packages. The wheel runs in CPython 3.9 and later, since the module uses its stable interface only.
 """
 
 from __future__ import annotations

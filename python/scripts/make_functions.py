@@ -14,7 +14,7 @@ import sys
 import textwrap
 import types
 
-if "percuss" not in sys.modules:  # only the declarations: the functions may be missing or out of date
+if "percuss" not in sys.modules:  # imports the declarations alone, since the functions may be missing or out of date
     _found = importlib.util.find_spec("percuss")
     sys.modules["percuss"] = types.ModuleType("percuss")
     sys.modules["percuss"].__path__ = _found.submodule_search_locations
@@ -50,7 +50,7 @@ def _call(function: Function, command: Command) -> str:
     pairs = " ".join(f'"{one.keyword}":\xa0{one.keyword},' for one in command.options.values())
     keywords = "\n".join(textwrap.wrap(pairs, _WIDTH - 8, initial_indent=" " * 8, subsequent_indent=" " * 8)).replace("\xa0", " ")
     made = f'{function.call}("{function.name}", "{function.command}", {given}, {{\n{keywords}\n    }})'
-    if function.call in ("of_files", "of_spec"):  # which make the result
+    if function.call in ("of_files", "of_spec"):  # these functions make the result themselves
         return made
     return f"{function.result}({made}{', kind=kind' if function.name == 'frf' else ''})"
 
