@@ -73,7 +73,7 @@ TEST(Journal, StoresFloatsOf4BytesOnlyWhereTheyAreExact) {
   EXPECT_EQ(block_values(*header, std::string_view(wide).substr(kBlockHeader_bytes)), samples(0, 10, 0.1).values);
 }
 
-TEST(Journal, KeepsNumbersThatAreNone) {
+TEST(Journal, KeepsNanAndInfinity) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
   const std::string bytes = sample_bytes({.first_frame = 0, .frames = 1, .values = {kNaN, -kInf}});
   const auto values = block_values(*parse_block_header(bytes), std::string_view(bytes).substr(kBlockHeader_bytes));

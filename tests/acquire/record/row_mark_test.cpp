@@ -84,7 +84,7 @@ TEST(RowMarks, AreAbsentFromFilesWithoutThem) {
   EXPECT_EQ(bytes.find("faults"), std::string::npos);
 }
 
-TEST(RowMarks, AreRefusedWhereNobodyKnowsThem) {
+TEST(RowMarks, AreRefusedIfUnknown) {
   const test::ScratchFolder folder;
   const auto open = [&](const std::vector<double>& rejected, const std::vector<hsize_t>& shape,
                         const std::vector<double>& faults) {

@@ -14,8 +14,8 @@
 
 namespace percuss::identify::line_noise_test {
 
-// Five standard deviations of the median of a few thousand second differences of neighbouring lines. Neighbouring
-// differences share noise.
+// Five standard deviations of the median of a few thousand second-order differences, each of three neighbouring lines.
+// Neighbouring differences share noise.
 constexpr double kTolerance = 0.1;
 constexpr double kPart = 0.01;  // standard deviation of a real part
 constexpr double kWhole = kPart * std::numbers::sqrt2;

@@ -20,8 +20,8 @@ struct Swing {
   double freq_Hz, damping, force_per_kg;
 };
 
-// x'' + 2ζωx' + ω²x = F (1 − cos(2πt/T))/2, started at t = 0, in closed form. The same T later, subtracted, ends the
-// pulse.
+// Adds the closed form of x'' + 2ζωx' + ω²x = F (1 − cos(2πt/T))/2 for a force that starts at t = 0 and continues. The
+// same force with the opposite sign, started T later, ends the pulse.
 void add_started(const Swing& mode, double sign, double t_s, double& x, double& a) {
   if (t_s <= 0) return;
   const double w = kTwoPi * mode.freq_Hz, d = mode.damping * w, wd = std::sqrt(w * w - d * d);

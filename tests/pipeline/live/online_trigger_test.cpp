@@ -46,7 +46,7 @@ std::vector<std::uint64_t> peaks_found_afterwards(const acquire::Record& record)
 TEST(OnlineTrigger, FindsTheHitsThatFindHitsFindsAfterwards) {
   // Six hits in 30 s, one double, one of 6 % of the usual force.
   const acquire::Record bat = synth::synthesise(synth::synth_preset("long-continuous")).record;
-  // Blows of their own in quick succession; the first in the first 10 ms, the last cut by the end.
+  // Separate blows in quick succession; the first in the first 10 ms, the last cut by the end.
   const acquire::Record quick = test::struck_tube("0.008, 0.9, 1.05, 2, 2.14, 2.29, 3.98", 4);
   for (const acquire::Record* record : {&bat, &quick}) {
     const auto expected = peaks_found_afterwards(*record);

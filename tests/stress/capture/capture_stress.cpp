@@ -12,8 +12,8 @@
 #include "support/scratch_folder.hpp"
 #include "synth/simulated_device.hpp"
 
-// Long runs of the capture, on request: ctest -C stress-full -L stress. The ordinary tests are shorter or faster than
-// time.
+// Long runs of the capture, on request: ctest -C stress-full -L stress. The ordinary tests are shorter, or run faster
+// than real time.
 namespace percuss::acquire::capture_stress_test {
 
 using namespace std::chrono_literals;
@@ -22,7 +22,7 @@ using test::ScratchFolder;
 constexpr std::uint64_t kCounterRange = std::uint64_t{1} << 24U;
 constexpr std::uint64_t kSecond = 51200;  // in frames
 
-/// Reads up to a frame. The number of frames that are missing or wrong.
+/// Reads up to the frame `last`. Returns the number of frames that are missing or wrong.
 std::uint64_t faults_until(CaptureStream& stream, std::uint64_t last, std::uint64_t& next) {
   const std::size_t channels = stream.format().channels;
   std::uint64_t faults = 0;
