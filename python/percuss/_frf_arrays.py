@@ -87,7 +87,7 @@ def _within(made: np.ndarray, name: str, lowest: float, highest: float, remedy: 
 def std_given(values: Any, shape: tuple[int, ...]) -> np.ndarray | None:
     if values is None:
         return None
-    made = alike(values, "std", shape)
+    made = of_shape(values, "std", shape)
     _within(made, "std", 0, np.inf, "give standard deviations from 0 up, in the unit of H")
     return made
 
@@ -95,12 +95,13 @@ def std_given(values: Any, shape: tuple[int, ...]) -> np.ndarray | None:
 def coherence_given(values: Any, shape: tuple[int, ...]) -> np.ndarray | None:
     if values is None:
         return None
-    made = alike(values, "coherence", shape)
+    made = of_shape(values, "coherence", shape)
     _within(made, "coherence", 0, 1 + _ROUNDING, "give the ordinary coherence, 0 to 1")
     return np.minimum(made, 1)
 
 
-def alike(values: Any, name: str, shape: tuple[int, ...]) -> np.ndarray:
+def of_shape(values: Any, name: str, shape: tuple[int, ...]) -> np.ndarray:
+    """The values, which must have the shape of H."""
     made = responses_given(values, name, float, shape[-1])
     if made.shape != shape:
         raise InputError(f"{' × '.join(map(str, made.shape))} values for H of {' × '.join(map(str, shape))}", name, "give the shape of H")

@@ -63,7 +63,7 @@ class Record:
 
     @classmethod
     def _from_handle(cls, handle: Any, again: tuple[Any, tuple[Any, ...]] | None = None) -> Record:
-        """`again` makes the record another time: a function and its arguments."""
+        """`again` is the function, with its arguments, from which pickle makes the record again."""
         made = cls.__new__(cls)
         made._given = None
         made._again = again

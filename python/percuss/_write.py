@@ -33,7 +33,7 @@ def write(path: str | bytes | os.PathLike[str], data: Record | Frf | Synthetic |
     Raises
     ------
     InputError
-        The file exists or cannot be written. It is written completely or not at all.
+        The file exists or cannot be written; then no part of it is left.
     UsageError
         An unknown extension.
 

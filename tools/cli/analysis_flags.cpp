@@ -182,6 +182,11 @@ void require_within_band(const std::optional<std::pair<double, double>>& band_Hz
 
 }  // namespace
 
+identify::ObjectKind object_kind_of(const std::string& name) {
+  if (name == "tube") return identify::ObjectKind::tube;
+  return name == "other" ? identify::ObjectKind::other : identify::ObjectKind::automatic;
+}
+
 pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags) {
   pipeline::AnalysisOptions options;
   if (!flags.band.empty()) options.band_Hz = parse_band(flags.band, "band");
@@ -207,9 +212,7 @@ pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags) {
   options.modes = {
       .effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = without_duplicates(flags.start_Hz)};
   options.classes.overlay_dB = flags.overlay_dB;
-  options.classes.object = flags.object == "tube"    ? identify::ObjectKind::tube
-                           : flags.object == "other" ? identify::ObjectKind::other
-                                                     : identify::ObjectKind::automatic;
+  options.classes.object = object_kind_of(flags.object);
   options.threads = flags.threads;
   options.budget = budget_of(flags.budget);
   return options;

@@ -40,6 +40,9 @@ inline constexpr const char* kAnalysisHeading = "Analysis";
 /// Throws UsageError for contradictory values.
 pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags);
 
+/// The value of --object.
+identify::ObjectKind object_kind_of(const std::string& name);
+
 /// Reads "LO:HI" in Hz, the value of `option`. Throws OptionError.
 std::pair<double, double> parse_band(const std::string& text, const OptionId& option);
 

@@ -66,7 +66,7 @@ def abi(
 
     Notes
     -----
-    The keywords are the options of `percuss abi`; docs/theory/theory.md has the equations.
+    The keywords are the options of `percuss abi`; docs/theory/performance.md has the equations.
     """
     return Result(of_documents("metrics.abi", "abi", (log,), {
         "limit": limit, "title": title, "customer": customer, "operator": operator, "specimen": specimen,

@@ -72,7 +72,7 @@ def certify(
 
     Notes
     -----
-    The keywords are the options of `percuss certify`; docs/theory/theory.md has the equations.
+    The keywords are the options of `percuss certify`; docs/theory/performance.md has the equations.
     """
     return Result(of_documents("metrics.certify", "certify", (session,), {
         "metric": metric, "limit": limit, "accept_plateau": accept_plateau, "title": title,

@@ -179,7 +179,7 @@ def performance(
 
     Notes
     -----
-    The keywords are the options of `percuss metrics`; docs/theory/theory.md has the equations.
+    The keywords are the options of `percuss metrics`; docs/theory/performance.md has the equations.
 
     Examples
     --------

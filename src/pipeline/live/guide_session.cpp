@@ -20,7 +20,7 @@ void Guide::resume_from(const std::vector<SessionEvent>& events, const std::vect
       blow = event.frame;
       past_[blow].blow = event;
     } else if (event.kind == Kind::regraded) {
-      past_[event.frame].consequences.push_back(event);  // is written before its blow
+      past_[event.frame].consequences.push_back(event);  // the journal holds it before its blow
     } else if (event.kind == Kind::enough) {
       past_[blow].consequences.push_back(event);
     } else {
@@ -29,7 +29,7 @@ void Guide::resume_from(const std::vector<SessionEvent>& events, const std::vect
   }
 }
 
-// Applies a blow of the interrupted session with what followed from it. False: this blow is new.
+// Applies a blow of the interrupted session and its consequences. False: this blow is new.
 bool Guide::repeat_past(const SessionEvent& blow) {
   const auto past = past_.find(blow.frame);
   if (past == past_.end() || !past->second.blow) return false;
@@ -87,7 +87,7 @@ bool Guide::is_used(std::size_t channel) const {
          std::find(channels_.accel.begin(), channels_.accel.end(), channel) != channels_.accel.end();
 }
 
-// Adds the losses up to a frame, and tells of them. All blows before it have been judged.
+// Adds the losses up to a frame, and reports them. All blows before it have been judged.
 void Guide::note_losses(std::uint64_t frame) {
   if (complete_ || frame <= noted_) return;
   for (SampleLoss loss : history_.losses(noted_, frame)) {

@@ -66,7 +66,7 @@ SessionQuality quality_of(const Analysis& analysis, std::size_t blows) {
     for (const Warning& warning : ranked(analysis.warnings())) {
       if (makes_results_wrong(warning)) out.problems.push_back(warning.message);
     }
-  } catch (const InputError&) {  // too few blows for these options: the next blow may do
+  } catch (const InputError&) {  // too few blows for these options: the next blow may suffice
     out.modes.clear();
   }
   return out;

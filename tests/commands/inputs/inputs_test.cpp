@@ -185,7 +185,7 @@ TEST_F(Inputs, WithAReversedSensorAreNamedWithTheirCure) {
   std::string text = analyze({"rev.h5", "--angle", "0,0"}).out;
   std::replace(text.begin(), text.end(), '\n', ' ');
   EXPECT_THAT(text, HasSubstr("accel 2 moves against accel 1 in each of 5 modes"));
-  EXPECT_THAT(text, HasSubstr("(--accel-scale)"));
+  EXPECT_THAT(text, HasSubstr("(--setup, --accel-scale)"));
   EXPECT_THAT(analyze({"rev.h5", "--angle", "0,0", "--accel-scale", "1,-1"}).out, Not(HasSubstr("moves against")));
 }
 

@@ -98,7 +98,8 @@ TEST_F(SuggestedCommand, NamesTheSignalsOfOneHitOfAUniversalFile) {
   for (int hit = 0; hit < 2; ++hit) {
     for (const auto& [node, samples] : {std::pair{1, &record_.force_N}, std::pair{2, &record_.accel_mps2}}) {
       std::string numbers;
-      for (const double x : *samples) numbers += fmt::format("{:13.5E}\n", x);
+      for (std::size_t i = 0; i < samples->size(); ++i)  // four to a line
+        numbers += fmt::format("{:20.12E}{}", (*samples)[i], i % 4 == 3 || i + 1 == samples->size() ? "\n" : "");
       text += test::UffText{.response_node = node,
                             .ordinate_type = 4,
                             .values = samples->size(),

@@ -45,6 +45,16 @@ TEST(RecordCommand, WritesARecordWithTheSameAnalysis) {
   EXPECT_EQ(std::count(accepted.begin(), accepted.end(), true), 5);
 }
 
+// The last screen, the document and the report are those of an analysis with the same object.
+TEST(RecordCommand, TakesWhatIsStruck) {
+  const Bench bench;
+  const auto tube = bench.record("sim:aluminium-bat", {"--hits", "2"});
+  EXPECT_THAT(tube.out, HasSubstr("bending 1"));
+  const auto other = bench.record("sim:aluminium-bat", {"--hits", "2", "--object", "other", "--force", "--json"});
+  EXPECT_THAT(other.err, Not(HasSubstr("bending 1")));
+  EXPECT_EQ(other.out, bench.run({"analyze", "t.h5", "--object", "other", "--json"}).out);
+}
+
 TEST(RecordCommand, SaysWhatIsWrongWithABlow) {
   const Bench bench;
   const auto recorded = bench.record("sim:aluminium-bat,double=2,weak=4,clipped=6,gap=9.1:0.05,silent=3");

@@ -1,12 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "acquire/live/capture_finding.hpp"
 #include "acquire/live/journal_format.hpp"
+#include "acquire/live/journal_reader.hpp"
+#include "acquire/live/journal_writer.hpp"
 #include "acquire/record/stated_date.hpp"
 #include "support/live/record_bench.hpp"
 
@@ -148,6 +151,34 @@ TEST(RecordEnd, KeepsTheBlowsThatADamagedJournalHasLost) {
   EXPECT_EQ(resumed.code, 6) << resumed.err;
   EXPECT_THAT(resumed.out, HasSubstr("bytes of the journal are not whole and are left out"));
   EXPECT_TRUE(bench.has("t.h5"));
+}
+
+// The journal has the verdicts of all blows, but the samples of the last ones only.
+TEST(RecordEnd, KeepsTheBlowsWhoseSamplesTheJournalLacks) {
+  const Bench bench;
+  ASSERT_EQ(bench.record("sim:aluminium-bat,unplug=8.5").code, 6);
+  ASSERT_EQ(bench.marks().size(), 4U);
+  {
+    const acquire::JournalReader journal(bench.folder.file("t.h5.journal"));
+    acquire::JournalWriter lacking(bench.folder.file("lacking.journal"), journal.format(), false);
+    for (const acquire::JournalEvent& event : journal.events())
+      lacking.append(acquire::journal_block(acquire::JournalBlockType::event, event.json));
+    const std::uint64_t end = journal.end_frame();
+    for (std::uint64_t at = end / 2; at < end; at += 4096) {
+      const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(4096, end - at));
+      std::string block;
+      acquire::make_sample_block({.first_frame = at, .frames = count, .values = journal.read(at, count)},
+                                 journal.format().channels, block);
+      lacking.append(block);
+    }
+  }
+  fs::rename(bench.folder.file("lacking.journal"), bench.folder.file("t.h5.journal"));
+  const std::string whole = bench.bytes("t.h5");
+  const auto refused = bench.run({"record", "--resume", "t.h5"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("the file holds 4 blows, its journal 2"));
+  EXPECT_TRUE(bench.bytes("t.h5") == whole);
+  EXPECT_TRUE(bench.has("t.h5.journal"));
 }
 
 TEST(RecordEnd, KeepsAForeignFileWhenItResumes) {

@@ -175,7 +175,7 @@ void add_model_trampoline(CommandLine& line) {
       .type("HZ");
   command
       .value("--loaded-hoop", flags->loaded_hoop_Hz,
-             "Set the hoop frequency with the extra mass; gives the modal mass from the shift of --free-hoop")
+             "Set the hoop frequency with the extra mass; gives the modal mass from the shift against --free-hoop")
       .above_zero()
       .type("HZ");
   command

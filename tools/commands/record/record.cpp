@@ -92,6 +92,11 @@ void add_record(CommandLine& line) {
              "Analyse this band, and reject blows that do not reach its end (default: what the force reaches)")
       .type("LO:HI");
   command
+      .value("--object", flags->object,
+             "State what is struck. Bending and hoop are judged on a tube only; modes of other objects are numbered")
+      .one_of({"auto", "tube", "other"})
+      .show_default();
+  command
       .value("--until", flags->until,
              "Stop at a point before --hits blows when frequencies are known this well: \"hoop1<0.05Hz\", "
              "\"bending 2 < 0.1 %, mode 3<0.2Hz\"")

@@ -21,6 +21,7 @@ struct RecordFlags {
   std::string geometry;
   std::string roving = "hammer";
   std::string band;
+  std::string object = "auto";
   std::string until;
   std::string report;
   ReadFlags read;    // --setup

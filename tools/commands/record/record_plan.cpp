@@ -63,6 +63,7 @@ pipeline::GuideOptions guide_options(const RecordFlags& flags) {
   }
   options.date = flags.date;
   if (!flags.band.empty()) options.analysis.band_Hz = parse_band(flags.band, "band");
+  options.analysis.classes.object = object_kind_of(flags.object);
   options.until = goals_of(flags);
   options.trigger_N = flags.trigger_N;
   options.pretrigger_s = flags.pretrigger_s;

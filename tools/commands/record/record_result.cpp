@@ -29,6 +29,7 @@ int write_session_report(const RecordFlags& flags) {
   const bool survey = !flags.geometry.empty();
   std::vector<std::string> words{"percuss", survey ? "survey" : "analyze", flags.output, "-o", flags.report};
   if (!flags.band.empty()) words.insert(words.end(), {"--band", flags.band});
+  if (flags.object != "auto") words.insert(words.end(), {"--object", flags.object});
   if (survey) words.insert(words.end(), {"--geometry", flags.geometry, "--roving", flags.roving});
   const std::string later = command_of(words);
   if (flags.replace_report) words.emplace_back("--force");

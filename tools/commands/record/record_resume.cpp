@@ -47,12 +47,22 @@ std::vector<acquire::RowInfo> rows_of(const std::string& path) {
   throw InputError("the file is no record of the session", path, "move it elsewhere, and resume again", options);
 }
 
+// The blows whose samples the journal has from their beginning.
+std::size_t restorable_blows(const Interrupted& interrupted) {
+  const auto& ranges = interrupted.journal->ranges();
+  const std::uint64_t first = ranges.empty() ? std::numeric_limits<std::uint64_t>::max() : ranges.front().first;
+  return static_cast<std::size_t>(
+      std::count_if(interrupted.events.begin(), interrupted.events.end(), [&](const auto& event) {
+        return event.kind == pipeline::SessionEvent::Kind::blow && event.frame >= first;
+      }));
+}
+
 // The end of a session overwrites the file, also with fewer blows where the journal was damaged. The file may have one
 // row more, which the end of the device cut short.
 void refuse_loss(const std::string& path, const Interrupted& interrupted, bool overwrite) {
   if (!fs::exists(path) || (overwrite && !acquire::is_hdf5(path))) return;
   const std::vector<acquire::RowInfo> rows = rows_of(path);
-  const std::size_t blows = blow_count(interrupted.events);
+  const std::size_t blows = restorable_blows(interrupted);
   const bool cut_short = !rows.empty() && rows.back().mark == acquire::RowMark::lost_samples;
   if (rows.size() <= blows + (cut_short ? 1 : 0)) return;
   throw InputError(fmt::format("the file holds {} blows, its journal {}", rows.size(), blows), path,

@@ -26,6 +26,7 @@ void each_setting(Flags& flags, Visit&& visit) {
   visit("geometry", flags.geometry);
   visit("roving", flags.roving);
   visit("band", flags.band);
+  visit("object", flags.object);
   visit("until", flags.until);
   visit("report", flags.report);
   visit("setup", flags.read.setup_path);
@@ -62,6 +63,7 @@ struct Read {
   }
   // A file may be named by another path than in the session.
   void operator()(const char* key, std::string& value) const {
+    if (!in.contains(key)) return;  // an option that is newer than the session
     const auto stored = in.at(key).get<std::string>();
     const std::string option = key, sha256 = in.value(option + "_sha256", "");
     const std::string here = option == "device"                          ? paths.find_device(stored)

@@ -23,7 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMaxLines = 2000, kLine_bytes = 600;
-constexpr std::size_t kPiece_bytes = 512;  // a writable pipe takes as much without waiting
+constexpr std::size_t kPiece_bytes = 512;  // a writable pipe takes so many bytes without waiting
 constexpr auto kPatience = std::chrono::seconds(2);
 constexpr int kPoll_ms = 100;
 constexpr const char* kErase = "\r\x1b[K";
@@ -33,7 +33,7 @@ std::size_t columns_of(int terminal) {
   return ::ioctl(terminal, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-// The characters that fit beside one another.
+// The first characters of the text that fit into so many columns.
 std::string fitting(const std::string& text, std::size_t columns) {
   std::size_t at = 0;
   for (std::size_t used = 0; at < text.size() && used < columns; ++used)
@@ -41,7 +41,7 @@ std::string fitting(const std::string& text, std::size_t columns) {
   return text.substr(0, at);
 }
 
-// A long line as several: the terminal itself would break it within a number.
+// Breaks a long line between words: the terminal itself would break it within a number.
 std::string folded(const std::string& line, std::size_t columns) {
   if (report::text_width(line) <= columns) return line;
   const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
@@ -187,7 +187,7 @@ void RecordTerminal::read_keys() {
   for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i) press(bytes[i]);
 }
 
-// Reading in the background would stop the process, and the prompt would lie about the keys.
+// Reading in the background would stop the process, and no key would do what the prompt says.
 bool RecordTerminal::in_front() const { return interactive_ && input_ >= 0 && in_foreground(input_); }
 
 void RecordTerminal::run() {

@@ -1,4 +1,4 @@
-// The points of a survey as a picture to choose one from: seen along the axis of the smallest extent, a little from above.
+// Draws the points of a survey, to choose one of them: seen along the axis of the smallest extent, a little from above.
 // Returns a function that marks the chosen point.
 const geometryChoice = (parent, places, choose) => {
   const known = places.map((p, i) => ({ p, i })).filter((q) => q.p);
