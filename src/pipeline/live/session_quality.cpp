@@ -64,7 +64,7 @@ SessionQuality quality_of(const Analysis& analysis, std::size_t blows) {
       out.modes.push_back(live_mode(analysis.modes()[m], types[m]));
     out.coherence = lowest_coherence(analysis);
     for (const Warning& warning : ranked(analysis.warnings())) {
-      if (makes_results_wrong(warning)) out.problems.push_back(warning.message);
+      if (makes_results_wrong(warning)) out.problems.push_back({.code = warning.code, .text = warning.message});
     }
   } catch (const InputError&) {  // too few blows for these options: the next blow may suffice
     out.modes.clear();

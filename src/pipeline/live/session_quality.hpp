@@ -22,13 +22,18 @@ struct LiveMode {
 /// "hoop 1", or "mode 3" by `index`, counted from 0.
 std::string name_of(const LiveMode& mode, std::size_t index);
 
+/// What makes the results of a test wrong, as its warning states it.
+struct SessionProblem {
+  std::string code, text;
+};
+
 /// What the test is worth so far.
 struct SessionQuality {
   std::size_t blows = 0;
   std::vector<LiveMode> modes{};      // ascending
   std::optional<double> coherence{};  // median over the band, of the channel where it is lowest
   /// What makes the results wrong, with the remedy: a reversed hammer, exchanged channels, a wrong angle.
-  std::vector<std::string> problems{};
+  std::vector<SessionProblem> problems{};
 };
 
 /// What an analysis of `blows` accepted blows shows. No modes where it is impossible.

@@ -303,6 +303,12 @@ TEST(Guide, MeasuresThePulseAfterALongPretrigger) {
   EXPECT_GT(bench.guide->record().rows[0].samples, 4096U + 1600U);
 }
 
+std::vector<std::string> texts_of(const std::vector<pipeline::SessionProblem>& problems) {
+  std::vector<std::string> out;
+  for (const pipeline::SessionProblem& problem : problems) out.push_back(problem.text);
+  return out;
+}
+
 // A hammer that is connected the wrong way round is told at the bench, not by the report.
 TEST(SessionQuality, NamesWhatMakesResultsWrong) {
   acquire::Record tube = struck_tube("0.4", 1);
@@ -312,7 +318,7 @@ TEST(SessionQuality, NamesWhatMakesResultsWrong) {
       read(row, first, out);
       for (double& value : out) value *= sign;
     };
-    return pipeline::session_quality(std::move(record), {}).problems;
+    return texts_of(pipeline::session_quality(std::move(record), {}).problems);
   };
   EXPECT_THAT(problems(1), testing::IsEmpty());
   EXPECT_THAT(problems(-1), ElementsAre(HasSubstr("wrong sign")));
@@ -322,7 +328,7 @@ TEST(SessionQuality, NamesWhatMakesResultsWrong) {
 TEST(SessionQuality, NamesWhatIsWrongWithTheSetUp) {
   acquire::Record record = struck_tube("0.4", 1);
   for (acquire::SignalInfo& signal : record.accel) signal.angle_rad.reset();
-  EXPECT_THAT(pipeline::session_quality(std::move(record), {}).problems,
+  EXPECT_THAT(texts_of(pipeline::session_quality(std::move(record), {}).problems),
               ElementsAre(HasSubstr("two accelerometers taken as 0° and 90° on a tube")));
 }
 

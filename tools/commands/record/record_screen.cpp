@@ -78,8 +78,8 @@ void RecordScreen::note(const std::string& text) {
 
 // Each once.
 void RecordScreen::show_problems(const pipeline::SessionQuality& quality) {
-  for (const std::string& problem : quality.problems) {
-    if (told_.insert(problem).second) note("! " + problem);
+  for (const pipeline::SessionProblem& problem : quality.problems) {
+    if (told_.insert(problem.code).second) note("! " + problem.text);
   }
 }
 
@@ -161,7 +161,7 @@ void RecordScreen::end(const pipeline::Guide& guide, const SessionResult& result
   terminal_.prompt("");
   note(fmt::format("{}: {}", flags_.output, pipeline::summary_text(guide.session())));
   if (guide.session().accepted() == 0) return;
-  show_problems(result.quality());
+  for (const pipeline::SessionProblem& problem : result.quality().problems) note("! " + problem.text);
   note(pipeline::quality_text(result.quality()));
   if (!goals_.empty()) note(pipeline::goals_text(result.quality(), goals_));
   try {
