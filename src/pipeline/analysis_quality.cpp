@@ -51,8 +51,9 @@ const std::vector<identify::Pole>& Analysis::unmodelled_poles() const {
     if (options_.modes.modes || !options_.modes.start_Hz.empty()) return {};
     const ThreadLimit limit(options_.threads);
     std::vector<identify::Pole> poles = identify::unmodelled_poles(fitted_frfs(), modes());
-    const auto [low_Hz, high_Hz] = band_Hz();
-    std::erase_if(poles, [&](const identify::Pole& pole) { return pole.freq_Hz < low_Hz || pole.freq_Hz > high_Hz; });
+    const auto band = band_Hz();
+    std::erase_if(poles,
+                  [&](const identify::Pole& pole) { return pole.freq_Hz < band.first || pole.freq_Hz > band.second; });
     return poles;
   });
 }

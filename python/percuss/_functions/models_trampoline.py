@@ -55,7 +55,7 @@ def trampoline(
     free_hoop : float in Hz, optional
         Set the hoop frequency without the extra mass; needs `loaded_hoop`.
     loaded_hoop : float in Hz, optional
-        Set the hoop frequency with the extra mass; gives the modal mass from the shift of
+        Set the hoop frequency with the extra mass; gives the modal mass from the shift against
         `free_hoop`.
     fit_ccor : (speed, cor, std) or a list of them, optional
         Fit a and b to measured CCOR first: speed in m/s, COR and its standard deviation; or a file
