@@ -51,10 +51,9 @@ std::vector<acquire::RowInfo> rows_of(const std::string& path) {
 std::size_t restorable_blows(const Interrupted& interrupted) {
   const auto& ranges = interrupted.journal->ranges();
   const std::uint64_t first = ranges.empty() ? std::numeric_limits<std::uint64_t>::max() : ranges.front().first;
-  return static_cast<std::size_t>(
-      std::count_if(interrupted.events.begin(), interrupted.events.end(), [&](const auto& event) {
-        return event.kind == pipeline::SessionEvent::Kind::blow && event.frame >= first;
-      }));
+  return static_cast<std::size_t>(std::count_if(
+      interrupted.events.begin(), interrupted.events.end(),
+      [&](const auto& event) { return event.kind == pipeline::SessionEvent::Kind::blow && event.frame >= first; }));
 }
 
 // The end of a session overwrites the file, also with fewer blows where the journal was damaged. The file may have one
