@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "acquire/live/polled_device.hpp"
@@ -103,12 +104,12 @@ void take_calibration(const SoundCalibration& calibration, bool scaled, DeviceFo
 
 class PipeDevice final : public PolledDevice {
  public:
-  PipeDevice(const WavHeader& header, const DeviceFormat& format, int descriptor)
+  PipeDevice(const WavHeader& header, DeviceFormat format, int descriptor)
       : descriptor_(descriptor),
         encoding_(header.encoding),
         frame_bytes_(pcm_bytes(header.encoding) * header.channels),
         left_bytes_(header.data_bytes),
-        format_(format),
+        format_(std::move(format)),
         buffer_(std::max(kPipePiece_bytes, frame_bytes_)) {}
   ~PipeDevice() override { stop(); }
 
@@ -149,7 +150,7 @@ std::unique_ptr<Device> open_pipe_device(const std::string& description, int des
   DeviceFormat format = pipe_format(header);
   if (header.calibration) take_calibration(*header.calibration, !states_scales(options.setup), format);
   require_rate(format.stream.fs_Hz, options, "standard input");
-  return std::make_unique<PipeDevice>(header, format, descriptor);
+  return std::make_unique<PipeDevice>(header, std::move(format), descriptor);
 }
 
 }  // namespace percuss::acquire

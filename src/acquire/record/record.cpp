@@ -29,9 +29,10 @@ std::vector<TraceLine> trace_lines_of(const std::vector<double>& numbers, std::s
     throw InputError("an odd count of point numbers", where, "give two points for every line");
   std::vector<TraceLine> out;
   out.reserve(numbers.size() / 2);
-  for (std::size_t i = 0; i < numbers.size(); i += 2)
+  for (std::size_t i = 0; i < numbers.size(); i += 2) {
     out.push_back(
         {geometry_point(numbers[i], points, "line", where), geometry_point(numbers[i + 1], points, "line", where)});
+  }
   return out;
 }
 
