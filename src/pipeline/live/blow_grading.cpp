@@ -48,11 +48,13 @@ bool is_silent(std::span<const double> accel, std::size_t quiet) {
 
 Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, const BlowContext& context) {
   if (at.lost_samples) return {RowMark::lost_samples, "samples were lost during the blow", "repeat it"};
-  if (at.row_ended)
+  if (at.row_ended) {
     return {RowMark::lost_samples, "the row of the record ends before the length of the blows",
             "state a shorter length"};
-  if (at.recording_ended && !at.struck_again)
+  }
+  if (at.recording_ended && !at.struck_again) {
     return {RowMark::lost_samples, "the recording ended within the blow", "repeat it"};
+  }
   if (at.no_numbers) {
     const std::size_t signal = *at.no_numbers;
     const std::string name = signal == 0 ? "the force" : name_of_channel(context.channels, signal - 1);

@@ -49,11 +49,12 @@ double stated_step_N(double percent_per_N) {
 std::string amplitude_text(const Mode& mode) {
   const identify::AmplitudeTrend& trend = *mode.amplitude;
   std::string text;
-  if (trend.freq_follows)
+  if (trend.freq_follows) {
     text += fmt::format("{} by {:.2g} ± {:.1g} Hz/N ({}; {:.6g} Hz at zero force)",
                         trend.freq_slope_Hz_per_N < 0 ? "falls" : "rises", std::abs(trend.freq_slope_Hz_per_N),
                         trend.freq_slope_std, trend.freq_slope_Hz_per_N < 0 ? "softening" : "hardening",
                         trend.freq_at_zero_Hz);
+  }
   if (trend.damping_follows) {
     const bool falls = trend.damping_slope_per_N < 0;
     const double slope_percent_per_N = 100 * std::abs(trend.damping_slope_per_N) / mode.pole.damping_ratio;
@@ -93,33 +94,36 @@ double misfit_rank(const Mode& mode) {
 std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
   std::vector<Warning> out;
   const std::string amplitude = named_modes(modes, amplitude_rank, amplitude_text);
-  if (!amplitude.empty())
+  if (!amplitude.empty()) {
     out.push_back(with_remedy({"nonlinear", "nonlinear: these modes depend on the strength of the hits: " + amplitude +
                                                 ". Each value is a mean over the hits, and its ± includes their "
                                                 "scatter"},
                               "quote the force with each value, or hit with equal strength"));
+  }
   const std::string drift = named_modes(
       modes, [](const Mode& mode) { return mode.drift ? std::abs(mode.drift->freq_change_per_hit) : 0; },
       [](const Mode& mode) {
         return fmt::format("{} by {:.2g} ± {:.1g} ppm per hit", mode.drift->freq_change_per_hit < 0 ? "falls" : "rises",
                            kPpm * std::abs(mode.drift->freq_change_per_hit), kPpm * mode.drift->std);
       });
-  if (!drift.empty())
+  if (!drift.empty()) {
     out.push_back(with_remedy(
         {"drifting", "frequencies drift from hit to hit, in the order of the test: " + drift +
                          ". Each value is a mean over the hits, and its ± includes the drift. Possible causes: "
                          "temperature, a support that settles, damage"},
         "wait until temperature and support are steady, and repeat the test"));
+  }
   const std::string rest = named_modes(modes, unexplained_rank, [](const Mode& mode) {
     std::string text;
     if (mode.hit_scatter_Hz > 0)
       text = fmt::format("frequency by {:.2g} ppm", kPpm * mode.hit_scatter_Hz / mode.pole.freq_Hz);
-    if (mode.hit_scatter_damping > 0)
+    if (mode.hit_scatter_damping > 0) {
       text += fmt::format("{}damping by {:.2g} %", text.empty() ? "" : ", ",
                           100 * mode.hit_scatter_damping / mode.pole.damping_ratio);
+    }
     return "(" + text + ")";
   });
-  if (!rest.empty())
+  if (!rest.empty()) {
     out.push_back(with_remedy({"hits_differ",
                                "modes change from hit to hit by more than the noise explains, and neither the force "
                                "nor the order of the hits explains it: " +
@@ -127,9 +131,10 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
                                    ". Each ± includes this scatter. Possible causes: the point or the direction of "
                                    "the hits, a second contact of the hammer, a loose sensor or support"},
                               "fasten sensors and support, and strike one point in one direction"));
+  }
   const std::string misfit = named_modes(
       modes, misfit_rank, [](const Mode& mode) { return fmt::format("({:.2g} times the noise)", misfit_rank(mode)); });
-  if (!misfit.empty())
+  if (!misfit.empty()) {
     out.push_back(with_remedy({"model_misfit",
                                "the residual of the fit has structure that no linear mode explains, and determines "
                                "the ± of: " +
@@ -138,6 +143,7 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
                                    "amplitude or with time), a weak mode beside a strong one, a sensor's or filter's "
                                    "own response"},
                               "compare softer and stronger hits, and look at the fit around these modes"));
+  }
   return out;
 }
 
