@@ -48,7 +48,7 @@ std::string SessionPaths::find(const std::string& path, const std::string& sha25
   if (path.empty() || fs::path(path).is_absolute()) return path;
   std::string first;
   for (const fs::path& base : bases_) {
-    const std::string place = base / path;
+    std::string place = base / path;
     if (!is_file(place)) continue;
     if (sha256.empty() || batch::sha256_of_record(place) == sha256) return place;
     if (first.empty()) first = place;

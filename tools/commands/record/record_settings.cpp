@@ -89,7 +89,7 @@ struct Read {
   bool keep_typed(const std::string& key, const nlohmann::json& stored, const nlohmann::json& value) const {
     if (!typed.is_given(key)) return false;
     if (stored == value || key == "report" || key == "fast") return true;
-    const bool absent = stored.is_null() || stored == "" || stored == nlohmann::json::array();
+    const bool absent = stored.empty() || stored == "";
     throw OptionError({key},
                       absent ? "contradicts the session, which began without it"
                              : "contradicts the session, which began with " + one_line(stored.dump(), 60),
