@@ -61,12 +61,20 @@ std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>&
   return starts;
 }
 
-// Replaces the fit where another gains enough for its additional modes; true where it did.
+// Whether another fit gains enough for its additional modes, of which so many are clear.
+bool is_better(const FrfDataset& set, const JointFit& fit, const JointFit& other, std::size_t clear) {
+  const std::size_t more = other.poles.size() > fit.poles.size() ? other.poles.size() - fit.poles.size() : 1;
+  return likelihood_ratio(set, fit.residual, other.residual) >
+         least_gain_beside(set, more * unknowns_per_mode(set), clear);
+}
+
+std::vector<Pole> clear_modes_beside(const FrfDataset& set, const JointFit& fit, const JointFit& other) {
+  return clear_modes(set, {fit.poles, fit.residual}, other);
+}
+
+// Replaces the fit where another is better; true where it did.
 bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit> other) {
-  if (!other) return false;
-  const std::size_t more = other->poles.size() > fit.poles.size() ? other->poles.size() - fit.poles.size() : 1;
-  const double least = least_gain_over(set, {fit.poles, fit.residual}, *other, more * unknowns_per_mode(set));
-  if (likelihood_ratio(set, fit.residual, other->residual) <= least) return false;
+  if (!other || !is_better(set, fit, *other, clear_modes_beside(set, fit, *other).size())) return false;
   fit = *std::move(other);
   return true;
 }
@@ -74,10 +82,12 @@ bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit
 // As above. Many weak modes may hide that some are clear: then these alone replace the fit.
 bool take_all_or_clear(const FrfDataset& set, JointFit& fit, std::optional<JointFit> other, JointFitBudget& budget) {
   if (!other) return false;
-  const std::vector<Pole> clear = clear_modes(set, {fit.poles, fit.residual}, *other);
-  const std::size_t count = other->poles.size();
-  if (take_if_better(set, fit, std::move(other))) return true;
-  if (clear.empty() || fit.poles.size() + clear.size() >= count) return false;
+  const std::vector<Pole> clear = clear_modes_beside(set, fit, *other);
+  if (is_better(set, fit, *other, clear.size())) {
+    fit = *std::move(other);
+    return true;
+  }
+  if (clear.empty() || fit.poles.size() + clear.size() >= other->poles.size()) return false;
   std::vector<Pole> poles = fit.poles;
   poles.insert(poles.end(), clear.begin(), clear.end());
   return take_if_better(set, fit, settled_fit(set, std::move(poles), budget));

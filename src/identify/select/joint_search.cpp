@@ -94,10 +94,10 @@ void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residua
   std::optional<JointFit> fit = best_joint_fit(shared, before, modes);
   if (fit) fit = without_scatter_partners(shared, modes, *std::move(fit));
   if (!fit) return;
-  const std::size_t unknowns = unknowns_of(set, modes), after = fit->poles.size() * (2 + 2 * set.channels.size());
+  const std::size_t unknowns = unknowns_of(set, modes), after = fit->poles.size() * unknowns_per_mode(set);
   const std::vector<Pole> known = poles_of(modes);
-  const double least =
-      least_gain_over(shared, {known, before}, *fit, after > unknowns ? after - unknowns : unknowns_per_mode(set));
+  const double least = least_gain_beside(set, after > unknowns ? after - unknowns : unknowns_per_mode(set),
+                                         clear_modes(shared, {known, before}, *fit).size());
   if (likelihood_ratio(set, before, fit->residual) < least) return;
   modes = joint_modes(shared, *fit);
 }

@@ -203,9 +203,9 @@ std::vector<Pole> clear_modes(const FrfDataset& set, const KnownModes& known, co
   return clear;
 }
 
-double least_gain_over(const FrfDataset& set, const KnownModes& known, const JointFit& fit, std::size_t unknowns) {
-  const std::size_t clear = clear_modes(set, known, fit).size() * unknowns_per_mode(set);
-  return unknowns > clear ? least_gain(set, unknowns - clear) : 0;
+double least_gain_beside(const FrfDataset& set, std::size_t unknowns, std::size_t clear) {
+  const std::size_t of_clear = clear * unknowns_per_mode(set);
+  return unknowns > of_clear ? least_gain(set, unknowns - of_clear) : 0;
 }
 
 }  // namespace percuss::identify

@@ -68,7 +68,7 @@ struct KnownModes {
 /// band.
 std::vector<Pole> clear_modes(const FrfDataset& set, const KnownModes& known, const JointFit& fit);
 
-/// As least_gain(), for a fit with so many more unknowns than the known modes have; those of clear modes do not count.
-double least_gain_over(const FrfDataset& set, const KnownModes& known, const JointFit& fit, std::size_t unknowns);
+/// As least_gain(), for a fit with so many more unknowns, among them those of `clear` clear modes, which do not count.
+double least_gain_beside(const FrfDataset& set, std::size_t unknowns, std::size_t clear);
 
 }  // namespace percuss::identify
