@@ -74,16 +74,15 @@ std::string file_name(const std::string& path) { return one_line(std::filesystem
 bool is_no_record(const std::exception_ptr& error) {
   try {
     std::rethrow_exception(error);
-  } catch (const InputError& refused) {
-    return refused.problem().starts_with(kNoNumbers);
+  } catch (const NoNumbers&) {
+    return true;
   } catch (...) {
     return false;
   }
 }
 
-// Opens the files in parallel, except sandboxed ones without a fork server. Rethrows the error of the first file that
-// cannot be opened.
-// Leaves out files of folders that are no records.
+// Opens the files in parallel, except sandboxed ones without a fork server. Leaves out files of folders that are no
+// records. Rethrows the error of the first other file that cannot be opened.
 template <class Opened, class Open>
 std::vector<std::optional<Opened>> for_each_file(const FoundFiles& found, bool fork_server, const Open& open) {
   const ReadFlags& flags = found.flags;

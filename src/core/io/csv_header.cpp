@@ -71,7 +71,7 @@ std::vector<HeaderLine> take_header_lines(std::string_view text, const CsvDialec
     if (comment) line.remove_prefix(std::min(line.find_first_not_of("#% \t"), line.size()));
     if (!skipped || comment) lines.push_back({line, comment});
   }
-  throw InputError(std::string(kNoNumbers) + " after the header", file, kRemedy);
+  throw NoNumbers("no lines of numbers after the header", file, kRemedy);
 }
 
 // Cells of a header line in a file with blanks as delimiter. The names may contain single blanks: "Time (s)  Force
@@ -179,7 +179,7 @@ void fill_columns(CsvHeader& header, const std::optional<Cells>& names, const st
 
 CsvHeader read_csv_header(std::string_view text, const CsvDialect& dialect,
                           const std::vector<std::size_t>& number_columns, const std::string& file, CsvContent content) {
-  if (number_columns.empty()) throw InputError(std::string(kNoNumbers) + " found", file, kRemedy);
+  if (number_columns.empty()) throw NoNumbers("no lines of numbers found", file, kRemedy);
   CsvHeader header;
   const auto lines = take_header_lines(text, dialect, number_columns, header, file);
   const std::size_t count = number_columns.back() + 1;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/io/csv_dialect.hpp"
 
 namespace percuss {
@@ -34,12 +35,15 @@ struct CsvHeader {
 /// The possible contents of a text in columns.
 enum class CsvContent { time_record, frf };
 
-/// The beginning of the problem of a text that is no table.
-inline constexpr std::string_view kNoNumbers = "no lines of numbers";
+/// A text that is no table, such as a README.
+class NoNumbers : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 /// Reads the lines before the data. The names are in the last line with text over every column of numbers, the units in
 /// the last line with nothing but units. Comment lines count as well, but ordinary lines take precedence.
-/// errors  InputError: no line of numbers; for a time record, the columns of an FRF or a spectrum
+/// errors  NoNumbers: no line of numbers; InputError: for a time record, the columns of an FRF or a spectrum
 CsvHeader read_csv_header(std::string_view text, const CsvDialect& dialect,
                           const std::vector<std::size_t>& number_columns, const std::string& file,
                           CsvContent content = CsvContent::time_record);
