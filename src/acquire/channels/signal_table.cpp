@@ -160,11 +160,7 @@ Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOp
   record.geometry = std::move(table.geometry);
   record.trace_lines = std::move(table.trace_lines);
   record.trace_faces = std::move(table.trace_faces);
-  for (const DrivingPlace& at : table.driving) {
-    const auto channel = std::find(roles.accel.begin(), roles.accel.end(), at.channel);
-    if (channel != roles.accel.end())
-      record.driving.push_back({at.point, static_cast<std::size_t>(channel - roles.accel.begin())});
-  }
+  record.driving = driving_at(table.driving, roles.accel);
   record.files = table.files;
   record.format = table.format;
   record.rows = table.rows;

@@ -107,12 +107,7 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
     accel.push_back(std::move(signal));
   }
   record.accel = std::move(accel);
-  std::vector<DrivingPlace> driving;
-  for (const DrivingPlace& at : record.driving) {
-    const auto place = std::find(channels.begin(), channels.end(), at.channel);
-    if (place != channels.end()) driving.push_back({at.point, static_cast<std::size_t>(place - channels.begin())});
-  }
-  record.driving = std::move(driving);
+  record.driving = driving_at(record.driving, channels);
   for (StoredFrf& frf : stored.frfs) {
     const auto place = std::find(channels.begin(), channels.end(), frf.channel);
     if (place == channels.end()) continue;

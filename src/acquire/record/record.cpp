@@ -9,6 +9,32 @@
 #include "core/error.hpp"
 
 namespace percuss::acquire {
+namespace {
+
+// The reader of the rows `from` of another reader: samples in memory are viewed, not copied.
+template <class... Place>
+SampleReader<std::size_t, Place...> with_rows(const SampleReader<std::size_t, Place...>& all,
+                                              const std::vector<std::size_t>& from) {
+  using Reader = SampleReader<std::size_t, Place...>;
+  typename Reader::View view;
+  if (all.view())
+    view = [from, seen = all.view()](std::size_t row, Place... place) { return seen(from.at(row), place...); };
+  return Reader([from, all](std::size_t row, Place... place, std::size_t first,
+                            std::span<double> samples) { all(from.at(row), place..., first, samples); },
+                std::move(view));
+}
+
+}  // namespace
+
+std::vector<DrivingPlace> driving_at(const std::vector<DrivingPlace>& driving,
+                                     const std::vector<std::size_t>& channels) {
+  std::vector<DrivingPlace> out;
+  for (const DrivingPlace& at : driving) {
+    const auto channel = std::find(channels.begin(), channels.end(), at.channel);
+    if (channel != channels.end()) out.push_back({at.point, static_cast<std::size_t>(channel - channels.begin())});
+  }
+  return out;
+}
 
 std::set<int> Record::points() const {
   std::set<int> out;
@@ -35,23 +61,6 @@ std::vector<TraceLine> trace_lines_of(const std::vector<double>& numbers, std::s
   }
   return out;
 }
-
-namespace {
-
-// The reader of the rows `from` of another reader: samples in memory are viewed, not copied.
-template <class... Place>
-SampleReader<std::size_t, Place...> with_rows(const SampleReader<std::size_t, Place...>& all,
-                                              const std::vector<std::size_t>& from) {
-  using Reader = SampleReader<std::size_t, Place...>;
-  typename Reader::View view;
-  if (all.view())
-    view = [from, seen = all.view()](std::size_t row, Place... place) { return seen(from.at(row), place...); };
-  return Reader([from, all](std::size_t row, Place... place, std::size_t first,
-                            std::span<double> samples) { all(from.at(row), place..., first, samples); },
-                std::move(view));
-}
-
-}  // namespace
 
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep) {
   Record out = record;

@@ -49,6 +49,10 @@ struct DrivingPlace {
   bool operator==(const DrivingPlace&) const = default;
 };
 
+/// The driving places at the chosen channels, which are numbered anew in the order of `channels`.
+std::vector<DrivingPlace> driving_at(const std::vector<DrivingPlace>& driving,
+                                     const std::vector<std::size_t>& channels);
+
 /// The storage of a signal whose numbers are contiguous in its file: little-endian IEEE floats of 4 or 8 bytes.
 struct ContiguousSignal {
   std::uint64_t offset_bytes = 0;    // of the first number of the first row
