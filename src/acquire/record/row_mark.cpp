@@ -19,7 +19,7 @@ constexpr auto kMarks = std::to_array<MarkText>({
     {RowMark::response_overload, "response_overload", "a response was clipped"},
     {RowMark::weak, "weak", "too weak"},
     {RowMark::low_bandwidth, "low_bandwidth", "the force did not reach the band's end"},
-    {RowMark::silent_channel, "silent_channel", "a channel was silent"},
+    {RowMark::silent_channel, "silent_channel", "a channel was silent or dropped out"},
     {RowMark::still_ringing, "still_ringing", "the structure was still ringing"},
     {RowMark::lost_samples, "lost_samples", "samples were lost"},
     {RowMark::outlier, "outlier", "unlike the other blows at the point"},
