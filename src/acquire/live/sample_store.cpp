@@ -9,7 +9,8 @@ namespace percuss::acquire {
 namespace {
 
 constexpr double kMaxRing_bytes = 32.0 * 1024 * 1024;
-constexpr std::size_t kMinRing = 8192;  // frames
+constexpr std::size_t kMinRing = 1024;      // frames
+constexpr std::size_t kMinSlowRing = 8192;  // frames at a low rate, where 12 s are few, if they fit into the memory
 // Frames that the analysis takes together, whatever the rate, before it knows of the first blow.
 constexpr std::size_t kTakenTogether = 1024;
 constexpr std::size_t kMaxBlock_bytes = std::size_t{4} << 20U;
@@ -24,7 +25,8 @@ std::size_t frames_in(double seconds, double fs_Hz) {
 std::size_t ring_frames(const FrameLayout& layout, const StreamFormat& format, double ring_s) {
   const auto frame_bytes = static_cast<double>(bytes_per_sample(layout.type) * layout.channels.size());
   const double seconds = std::min(ring_s, kMaxRing_bytes / (frame_bytes * format.fs_Hz));
-  return std::max(frames_in(seconds, format.fs_Hz), kMinRing);
+  const std::size_t fitting = std::min(kMinSlowRing, static_cast<std::size_t>(kMaxRing_bytes / frame_bytes));
+  return std::max({frames_in(seconds, format.fs_Hz), fitting, kMinRing});
 }
 
 std::size_t block_frames(const StreamFormat& format, double block_s) {
