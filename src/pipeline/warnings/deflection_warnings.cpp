@@ -94,8 +94,8 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
          "does: late deflections drift, and their ± includes the drift",
          test.has_force ? std::vector<OptionId>{"method", "free_body", "effective_mass"}
                         : std::vector<OptionId>{"free_body", "effective_mass"}},
-        test.has_force ? "choose the method modal if the band holds the lowest modes, or state that the body "
-                         "is free"
+        test.has_force ? "for a held structure, choose the method modal if the band holds the lowest modes; for a free "
+                         "one, say that it is free and state its effective mass at the struck point"
                        : "for a free structure, say that it is free and state its effective mass at the struck point"));
   }
   return ranked(std::move(out));
