@@ -102,12 +102,7 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
       .above_zero()
       .type("DB")
       .show_default();
-  command
-      .value("--object", flags.object,
-             "State what was struck. Bending and hoop are judged on a tube only; modes of other objects are numbered. "
-             "auto: a tube if angles are given, or if the modes fit two accelerometers at 0° and 90°")
-      .one_of({"auto", "tube", "other"})
-      .show_default();
+  add_object_option(command, flags.object);
   command.heading(previous);
 }
 
@@ -181,6 +176,15 @@ void require_within_band(const std::optional<std::pair<double, double>>& band_Hz
 }
 
 }  // namespace
+
+void add_object_option(Command& command, std::string& object) {
+  command
+      .value("--object", object,
+             "State what was struck. Bending and hoop are judged on a tube only; modes of other objects are numbered. "
+             "auto: a tube if angles are given, or if the modes fit two accelerometers at 0° and 90°")
+      .one_of({"auto", "tube", "other"})
+      .show_default();
+}
 
 identify::ObjectKind object_kind_of(const std::string& name) {
   if (name == "tube") return identify::ObjectKind::tube;

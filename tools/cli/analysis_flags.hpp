@@ -32,6 +32,7 @@ struct AnalysisFlags {
 void add_analysis_flags(Command& command, AnalysisFlags& flags);
 /// The options that change the result: all but --threads and --budget.
 void add_analysis_options(Command& command, AnalysisFlags& flags);
+void add_object_option(Command& command, std::string& object);
 void add_budget_option(Command& command, std::vector<double>& budget);
 /// The value of --budget. Throws OptionError.
 std::optional<Budget> budget_of(const std::vector<double>& values);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/analysis_flags.hpp"
 #include "commands/commands.hpp"
 #include "commands/record/channel_list.hpp"
 #include "commands/record/record_flags.hpp"
@@ -91,11 +92,7 @@ void add_record(CommandLine& line) {
       .value("--band", flags->band,
              "Analyse this band, and reject blows that do not reach its end (default: what the force reaches)")
       .type("LO:HI");
-  command
-      .value("--object", flags->object,
-             "State what is struck. Bending and hoop are judged on a tube only; modes of other objects are numbered")
-      .one_of({"auto", "tube", "other"})
-      .show_default();
+  add_object_option(command, flags->object);
   command
       .value("--until", flags->until,
              "Stop at a point before --hits blows when frequencies are known this well: \"hoop1<0.05Hz\", "

@@ -27,8 +27,8 @@ struct RecordFlags {
   ReadFlags read;    // --setup
   std::string date;  // when the session began, for the file; empty for a device that repeats itself
   bool fast = false, json = false, force = false, quiet = false;
-  std::string session_report;      // of the session that goes on
-  bool replace_report = false;     // it was there when the session began, and may be overwritten
+  std::string session_report;      // where the interrupted session would have written its report
+  bool replace_report = false;     // an existing report may be overwritten at the end
   std::vector<std::string> given;  // the options on the command line: "hits"
 
   bool is_given(const std::string& option) const {

@@ -28,7 +28,7 @@ class SessionPaths {
 /// Whether two names mean one device: equal texts, or the same file.
 bool names_same_device(const std::string& a, const std::string& b);
 
-/// Of any spelling: "t.h5", "./t.h5", a link to it.
+/// Whether two paths name one file, such as "t.h5", "./t.h5" and a link to it.
 bool names_same_file(const std::string& a, const std::string& b);
 
 }  // namespace percuss::tools

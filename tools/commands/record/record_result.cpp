@@ -49,7 +49,7 @@ int write_session_report(const RecordFlags& flags) {
   }
   if (code == kOk) return code;
   for (const Message& note : host.outcome.notes) print_note({}, note);
-  print_note({}, {"the report was not written, or is not complete; to write it: " + later, {"report"}});
+  print_note({}, {"the report was not written, or is not complete; to write it: " + later, {}});
   return code;
 }
 

@@ -47,13 +47,10 @@ std::vector<acquire::RowInfo> rows_of(const std::string& path) {
   throw InputError("the file is no record of the session", path, "move it elsewhere, and resume again", options);
 }
 
-// The blows whose samples the journal has from their beginning.
-std::size_t restorable_blows(const Interrupted& interrupted) {
-  const auto& ranges = interrupted.journal->ranges();
-  const std::uint64_t first = ranges.empty() ? std::numeric_limits<std::uint64_t>::max() : ranges.front().first;
-  return static_cast<std::size_t>(std::count_if(
-      interrupted.events.begin(), interrupted.events.end(),
-      [&](const auto& event) { return event.kind == pipeline::SessionEvent::Kind::blow && event.frame >= first; }));
+// The first frame whose samples the journal has.
+std::uint64_t first_frame_of(const acquire::JournalReader& journal) {
+  const auto& ranges = journal.ranges();
+  return ranges.empty() ? std::numeric_limits<std::uint64_t>::max() : ranges.front().first;
 }
 
 // The end of a session overwrites the file, also with fewer blows where the journal was damaged. The file may have one
@@ -61,14 +58,14 @@ std::size_t restorable_blows(const Interrupted& interrupted) {
 void refuse_loss(const std::string& path, const Interrupted& interrupted, bool overwrite) {
   if (!fs::exists(path) || (overwrite && !acquire::is_hdf5(path))) return;
   const std::vector<acquire::RowInfo> rows = rows_of(path);
-  const std::size_t blows = restorable_blows(interrupted);
+  const std::size_t blows = blow_count(interrupted.events, first_frame_of(*interrupted.journal));
   const bool cut_short = !rows.empty() && rows.back().mark == acquire::RowMark::lost_samples;
   if (rows.size() <= blows + (cut_short ? 1 : 0)) return;
   throw InputError(fmt::format("the file holds {} blows, its journal {}", rows.size(), blows), path,
                    "keep the file: move it elsewhere, and resume again");
 }
 
-// The journal is what a shell completes after a kill.
+// After a kill, a shell completes the name to that of the journal, the only file that is there.
 void take_journal_as_output(std::string& path) {
   const std::string suffix = journal_of("");
   if (path.ends_with(suffix)) path.resize(path.size() - suffix.size());
@@ -84,9 +81,9 @@ std::vector<pipeline::SessionEvent> session_events(const acquire::JournalReader&
   return events;
 }
 
-std::size_t blow_count(const std::vector<pipeline::SessionEvent>& events) {
-  return static_cast<std::size_t>(std::count_if(events.begin(), events.end(), [](const auto& event) {
-    return event.kind == pipeline::SessionEvent::Kind::blow;
+std::size_t blow_count(const std::vector<pipeline::SessionEvent>& events, std::uint64_t first_frame) {
+  return static_cast<std::size_t>(std::count_if(events.begin(), events.end(), [&](const auto& event) {
+    return event.kind == pipeline::SessionEvent::Kind::blow && event.frame >= first_frame;
   }));
 }
 
@@ -135,11 +132,9 @@ bool repeats_itself(const std::string& device) { return device.starts_with("sim:
 
 void replay(const Interrupted& interrupted, bool seamless, pipeline::Guide& guide) {
   const acquire::JournalReader& journal = *interrupted.journal;
-  const auto& ranges = journal.ranges();
-  guide.resume_from(interrupted.events, journal.findings(),
-                    ranges.empty() ? std::numeric_limits<std::uint64_t>::max() : ranges.front().first);
+  guide.resume_from(interrupted.events, journal.findings(), first_frame_of(journal));
   replay_samples(journal, guide);
-  if (!seamless && !ranges.empty())
+  if (!seamless && journal.frames() > 0)
     guide.add_finding({.fault = acquire::CaptureFault::resumed, .frame = journal.end_frame()});
 }
 

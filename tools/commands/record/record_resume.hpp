@@ -19,7 +19,8 @@ struct Interrupted {
 /// The events of the guidance in a journal.
 /// errors  InputError: a damaged event
 std::vector<pipeline::SessionEvent> session_events(const acquire::JournalReader& journal);
-std::size_t blow_count(const std::vector<pipeline::SessionEvent>& events);
+/// The blows among the events whose samples begin at this frame or later.
+std::size_t blow_count(const std::vector<pipeline::SessionEvent>& events, std::uint64_t first_frame = 0);
 
 /// Opens the session that was recording the file of --resume, and takes over its options. The journal may be named in
 /// place of the file. errors  InputError: no journal, or a damaged one; the file exists and is no record of the

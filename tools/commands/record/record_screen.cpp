@@ -95,7 +95,7 @@ void RecordScreen::show_quality(const pipeline::SessionQuality& quality) {
   show_missing_goals(quality);
   if (!terminal_.interactive()) return;
   show_problems(quality);
-  const bool newest = guide_ == nullptr || quality.blows == guide_->session().accepted();
+  const bool newest = quality.blows == guide_->session().accepted();
   const std::string after =
       newest ? "" : fmt::format("after {} blow{}: ", quality.blows, quality.blows == 1 ? "" : "s");
   note("  " + after + pipeline::quality_text(quality));

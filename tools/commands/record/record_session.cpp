@@ -117,7 +117,7 @@ Ending record_blows(acquire::CaptureStream& stream, pipeline::Guide& guide, Reco
   return ending;
 }
 
-// Where a blow cannot be kept, the journal holds the session.
+// Names the way to go on where a blow cannot be stored: the journal holds the session.
 Ending record_or_name_resume(const RecordFlags& flags, acquire::CaptureStream& stream, pipeline::Guide& guide,
                              RecordTerminal& terminal, RecordScreen& screen) {
   try {
