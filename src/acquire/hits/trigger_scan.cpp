@@ -14,18 +14,16 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples per task
 constexpr std::size_t kPart = std::size_t{1} << 15;   // samples per read: 256 KiB stay in the cache
-// Samples per value of the envelope: 10 ms, so that a pulse and its neighbours stay apart at low rates.
-constexpr std::size_t kBlock = 64, kMinBlock = 8;
-constexpr double kBlock_s = 0.01;
+// The samples per value of the envelope last 10 ms, within these limits: at low rates, neighbouring hits stay apart.
+constexpr double kBlock_s = 0.01, kMinBlock = 8, kMaxBlock = 64;
 constexpr std::size_t kNoiseSamples = 1024;  // per chunk: give a standard deviation to 4 %
 
-std::size_t block_at(double fs_Hz) {
-  const auto samples = static_cast<std::size_t>(std::clamp(kBlock_s * fs_Hz, 1.0, static_cast<double>(kBlock)));
-  return std::max(kMinBlock, std::bit_floor(samples));
+std::size_t samples_per_block(double fs_Hz) {
+  return std::bit_floor(static_cast<std::size_t>(std::clamp(kBlock_s * fs_Hz, kMinBlock, kMaxBlock)));
 }
 
 struct Envelope {
-  std::size_t block = kBlock;  // samples
+  std::size_t block = 0;  // samples
   std::vector<Extremes> blocks;
   std::vector<double> chunk_median, chunk_noise;
 };
@@ -33,7 +31,7 @@ struct Envelope {
 Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, std::size_t last) {
   // Chunks of equal size: a short last chunk would count as much as the others in the median over chunks.
   const std::size_t chunks = (last - first + kChunk - 1) / kChunk;
-  const std::size_t block = block_at(record.fs_Hz);
+  const std::size_t block = samples_per_block(record.fs_Hz);
   const std::size_t size = ((last - first) / chunks / block + 1) * block;
   const std::size_t used = (last - first + size - 1) / size;
   std::vector<std::vector<Extremes>> blocks(used);
