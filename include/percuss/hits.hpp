@@ -50,7 +50,7 @@ struct Hit {
 
 struct HitOptions {
   std::optional<double> trigger_N{};                    // default: from the noise
-  std::optional<double> pretrigger_s{};                 // default: 128 samples or 5 ms, whichever is longer
+  std::optional<double> pretrigger_s{};                 // default: 128 samples, 5 ms or twice the rise of the pulse
   std::optional<double> length_s{};                     // of the samples of a hit, pre-trigger included
   double from_s = 0;                                    // find only hits after this time of each row
   std::optional<double> to_s{};                         // find only hits before this time

@@ -108,52 +108,63 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
   return hit;
 }
 
-// The samples of event e in a continuous record: from its pre-trigger to the pre-trigger of the next event.
-SampleRange range_of_event(const TriggerScan& trigger_scan, std::size_t e, const SampleRange& part,
-                           std::size_t pretrigger, std::optional<std::size_t> length) {
-  const auto begin = [&](std::size_t event) {
-    return std::max(part.first, event > pretrigger + part.first ? event - pretrigger : part.first);
-  };
-  const std::size_t first =
-      e > 0 ? std::max(begin(trigger_scan.events[e]), trigger_scan.events[e - 1] + 1) : begin(trigger_scan.events[e]);
-  std::size_t last = e + 1 < trigger_scan.events.size() ? begin(trigger_scan.events[e + 1]) : part.last;
-  if (length) last = std::min(last, first + *length);
-  return {first, std::max(last, trigger_scan.events[e] + 1)};
-}
+// A contact in a continuous record.
+struct Contact {
+  std::size_t peak = 0;        // sample of the row
+  std::size_t pretrigger = 0;  // samples before it
+};
 
-// The start of the search for a smaller hit before event e. It leaves out the search range of the previous event.
-std::size_t scan_begin(const TriggerScan& trigger_scan, std::size_t e, const SampleRange& part, std::size_t scan) {
-  const std::size_t free = e > 0 ? trigger_scan.events[e - 1] + scan : part.first;
-  return std::max({part.first, free, trigger_scan.events[e] > scan ? trigger_scan.events[e] - scan : 0});
-}
-
-// Only a contact is an event: a hump or drift of the force does not end the samples of the hit before it.
-void keep_contacts(TriggerScan& scan, const Record& record, std::size_t row, const SampleRange& part) {
+// Only a contact is a hit: a hump or drift of the force does not end the samples of the hit before it.
+std::vector<Contact> contacts_of(const TriggerScan& scan, const Record& record, std::size_t row,
+                                 const SampleRange& part, const HitOptions& options) {
   const auto reach = static_cast<std::size_t>(kLongestPulse_s * record.fs_Hz) + kLongestPulse;
-  std::erase_if(scan.events, [&](std::size_t event) {
+  std::vector<Contact> contacts;
+  for (const std::size_t event : scan.events) {
     const std::size_t begin = std::max(part.first, event > reach ? event - reach : 0);
     const auto x = force_between(record, row, begin, std::min(part.last, event + reach + 1), scan.baseline_N);
-    return !is_hammer_pulse(x, event - begin, scan.noise_N, record.fs_Hz);
-  });
+    if (!is_hammer_pulse(x, event - begin, scan.noise_N, record.fs_Hz)) continue;
+    const std::size_t rise = rise_samples(shape_of_pulse(x, event - begin));
+    contacts.push_back({.peak = event, .pretrigger = pretrigger_samples(record, options, rise)});
+  }
+  return contacts;
+}
+
+// The samples of contact c: from its pre-trigger to the pre-trigger of the next contact.
+SampleRange range_of_contact(const std::vector<Contact>& contacts, std::size_t c, const SampleRange& part,
+                             std::optional<std::size_t> length) {
+  const auto begin = [&](const Contact& contact) {
+    return contact.peak > contact.pretrigger + part.first ? contact.peak - contact.pretrigger : part.first;
+  };
+  const std::size_t own = begin(contacts[c]);
+  const std::size_t first = c > 0 ? std::max(own, contacts[c - 1].peak + 1) : own;
+  std::size_t last = c + 1 < contacts.size() ? begin(contacts[c + 1]) : part.last;
+  if (length) last = std::min(last, first + *length);
+  return {first, std::max(last, contacts[c].peak + 1)};
+}
+
+// The start of the search for a smaller hit before contact c. It leaves out the search range of the previous contact.
+std::size_t scan_begin(const std::vector<Contact>& contacts, std::size_t c, const SampleRange& part,
+                       std::size_t scan) {
+  const std::size_t free = c > 0 ? contacts[c - 1].peak + scan : part.first;
+  return std::max({part.first, free, contacts[c].peak > scan ? contacts[c].peak - scan : 0});
 }
 
 std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOptions& options) {
   const SampleRange part = select_time_range(record, row, options);
-  TriggerScan trigger_scan =
+  const TriggerScan trigger_scan =
       scan_for_triggers(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
-  keep_contacts(trigger_scan, record, row, part);
+  const std::vector<Contact> contacts = contacts_of(trigger_scan, record, row, part, options);
   const auto length = selected_length(record, options);
   std::vector<Hit> hits;
-  for (std::size_t e = 0; e < trigger_scan.events.size(); ++e) {
-    const SampleRange range = range_of_event(trigger_scan, e, part, pretrigger_samples(record, options), length);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const SampleRange range = range_of_contact(contacts, c, part, length);
     const std::size_t scan = samples_to_scan(record.fs_Hz);
-    const std::size_t begin = std::min(range.first, scan_begin(trigger_scan, e, part, scan));
+    const std::size_t begin = std::min(range.first, scan_begin(contacts, c, part, scan));
     const std::size_t end =
-        options.gate_force ? std::min(range.last, trigger_scan.events[e] + samples_to_read(record.fs_Hz)) : range.last;
+        options.gate_force ? std::min(range.last, contacts[c].peak + samples_to_read(record.fs_Hz)) : range.last;
     const auto all = force_between(record, row, begin, end, trigger_scan.baseline_N);
     const auto x = std::span(all).subspan(range.first - begin);
-    const std::size_t peak = trigger_scan.events[e] - range.first;
-    if (!is_hammer_pulse(x, peak, trigger_scan.noise_N, record.fs_Hz)) continue;
+    const std::size_t peak = contacts[c].peak - range.first;
     Hit hit = unmeasured_hit(row, range, trigger_scan);
     measure_and_grade_pulse(hit, all, range.first - begin, peak, record.fs_Hz, options);
     hits.push_back(std::move(hit));

@@ -32,7 +32,7 @@ struct Hit {
 
 struct HitOptions {
   std::optional<double> trigger_N;
-  std::optional<double> pretrigger_s;  // default: 128 samples or 5 ms, whichever is longer
+  std::optional<double> pretrigger_s;  // default: 128 samples, 5 ms or twice the rise of the pulse
   std::optional<double> length_s;      // of the samples of a hit, with the pre-trigger
   double from_s = 0;                   // search only from here to `to_s` in each row
   std::optional<double> to_s;

@@ -42,6 +42,10 @@ PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak) {
   return pulse;
 }
 
+std::size_t rise_samples(const PulseShape& pulse) {
+  return static_cast<std::size_t>(std::ceil(static_cast<double>(pulse.peak) - pulse.rise));
+}
+
 bool is_hammer_pulse(std::span<const double> force_N, std::size_t peak, double noise_N, double fs_Hz) {
   if (!(std::abs(force_N[peak]) > kPulseToNoise * noise_N)) return false;
   const PulseShape pulse = shape_of_pulse(force_N, peak);

@@ -17,6 +17,8 @@ struct PulseShape {
 /// Crossings of 5 % of the value at `peak` on either side of it.
 /// theory (1.3)
 PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak);
+/// Samples from the first crossing to the peak, rounded up.
+std::size_t rise_samples(const PulseShape& pulse);
 
 /// No hammer tip makes a longer pulse: longer is drift. At low rates a pulse may take some samples.
 inline constexpr double kLongestPulse_s = 0.05;

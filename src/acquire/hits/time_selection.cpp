@@ -33,9 +33,9 @@ SampleRange select_time_range(const Record& record, std::size_t row, const HitOp
                    "choose an earlier start or a later end", {"from", "to"});
 }
 
-std::size_t pretrigger_samples(const Record& record, const HitOptions& options) {
+std::size_t pretrigger_samples(const Record& record, const HitOptions& options, std::size_t rise) {
   if (options.pretrigger_s) return samples_in(*options.pretrigger_s, record.fs_Hz);
-  return std::max(kPretriggerSamples, static_cast<std::size_t>(kPretrigger_s * record.fs_Hz));
+  return std::max({kPretriggerSamples, static_cast<std::size_t>(kPretrigger_s * record.fs_Hz), 2 * rise});
 }
 
 std::optional<std::size_t> selected_length(const Record& record, const HitOptions& options) {

@@ -21,7 +21,7 @@ using acquire::Finding, acquire::FindingCode, acquire::RowMark, acquire::Severit
 constexpr double kFullScale = 0.999;   // of the range: the converter's last step may not be used
 constexpr double kWeak = 0.2;          // of the typical peak, as acquire::grade_weak
 constexpr double kLowBandwidth = 0.5;  // of the typical bandwidth
-constexpr double kSilent = 8;          // standard deviations of the noise before the blow; Gaussian noise has 5
+constexpr double kSilent = 8;          // standard deviations of the noise; Gaussian noise has 5
 constexpr std::size_t kMinQuiet = 12;  // samples that give a noise level
 constexpr double kMoving = 4;          // times the noise before a blow: the structure still moves
 constexpr double kRinging = 0.0025;    // of the response: −52 dB, as acquire's response grade
@@ -42,8 +42,10 @@ bool is_silent(std::span<const double> accel, std::size_t quiet) {
   const Extremes all = extremes_of(accel);
   if (all.low == all.high) return true;
   if (quiet < kMinQuiet) return false;
-  const Spread before = spread_of({accel.begin(), accel.begin() + static_cast<std::ptrdiff_t>(quiet)});
-  return before.robust_std > 0 && all.max_distance_from(before.median) < kSilent * before.robust_std;
+  const auto first = accel.first(quiet), last = accel.last(std::max(kMinQuiet, accel.size() / 20));
+  const Spread before = spread_of({first.begin(), first.end()}), after = spread_of({last.begin(), last.end()});
+  const double noise = std::min(before.robust_std, after.robust_std);  // the samples may begin in a slow pulse
+  return noise > 0 && all.max_distance_from(before.median) < kSilent * noise;
 }
 
 Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, const BlowContext& context) {
@@ -99,6 +101,8 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
     const Finding* const finding = find(hit, code);
     return finding != nullptr && finding->severity == Severity::reject ? finding : nullptr;
   };
+  if (rejected(FindingCode::late_trigger) != nullptr)
+    return {RowMark::no_pulse, "the samples begin within the pulse", "state a longer pre-trigger"};
   if (rejected(FindingCode::overload) != nullptr || rejected(FindingCode::force_clipped) != nullptr)
     return {RowMark::force_overload, "the force is clipped", "lower the gain of the hammer, or hit softer"};
   if (const Finding* const second = rejected(FindingCode::double_hit)) {
@@ -214,6 +218,13 @@ std::vector<AnalysedHit> analysed(acquire::Record record, const AnalysisOptions&
   }
 }
 
+// A single row is searched for hits: its hit has all its samples.
+AnalysisOptions options_of(const BlowCircumstances& at, const BlowContext& context) {
+  AnalysisOptions options = context.options;
+  options.hits.pretrigger_s = static_cast<double>(at.pretrigger) / context.channels.description.fs_Hz;
+  return options;
+}
+
 void note_range(const BlowCircumstances& at, BlowGrade& grade) {
   if (at.range.empty()) return;
   grade.force_range = at.range.front();
@@ -241,7 +252,7 @@ BlowGrade grade_blow(const BlowSamples& samples, const BlowCircumstances& circum
   if (reason.mark == RowMark::none) reason = judge_range(circumstances, context);
   if (reason.mark == RowMark::none) reason = judge_force(hit, circumstances, context);
   if (reason.mark == RowMark::none) {
-    const std::vector<AnalysedHit> hits = analysed(rows_with_blow(samples, context), context.options);
+    const std::vector<AnalysedHit> hits = analysed(rows_with_blow(samples, context), options_of(circumstances, context));
     const auto blow = std::find_if(hits.rbegin(), hits.rend(),
                                    [&](const AnalysedHit& h) { return h.hit.row == context.rows.size(); });
     if (blow != hits.rend()) {

@@ -160,7 +160,7 @@ std::string left_out_text(double time_s) {
 
 std::string long_push_text(const LongPush& push, double time_s) {
   return fmt::format(
-      "a push of {:.3g} N and {:.0f} ms, {:.1f} s after the start, is no blow: a hammer's contact lasts "
+      "a push of {:.3g} N and {:.3g} ms, {:.1f} s after the start, is no blow: a hammer's contact lasts "
       "{:.0f} ms at most; strike shorter, or use a harder tip",
       std::abs(push.peak_N), 1e3 * push.length_s, time_s, 1e3 * acquire::kLongestPulse_s);
 }

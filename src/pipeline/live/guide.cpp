@@ -14,12 +14,8 @@ using Kind = SessionEvent::Kind;
 constexpr std::size_t kCompared = 20;  // blows of the point: time and memory of a verdict stay bounded
 constexpr double kLongGap_s = 1;       // after a longer one the trigger begins anew
 constexpr std::size_t kFeed = 4096;    // samples
-constexpr double kStrongPush = 0.2;    // of the usual blow: a weaker push was no attempt to strike
+constexpr double kStrongPush = 0.2;    // of the usual blow, or of the last push: a weaker one was no attempt to strike
 constexpr double kRest_s = 0.2;        // before a blow, where the structure should be at rest
-
-std::size_t pretrigger_of(const LiveChannels& channels, const GuideOptions& options) {
-  return acquire::pretrigger_samples(channels.description, {.pretrigger_s = options.pretrigger_s});
-}
 
 // The frames of a block before `frame`, and the rest.
 std::pair<acquire::SampleBlock, acquire::SampleBlock> split(acquire::SampleBlock block, std::uint64_t frame) {
@@ -44,7 +40,7 @@ Guide::Guide(const acquire::StreamFormat& format, LiveChannels channels, GuideOp
       format_(format),
       fs_Hz_(format.fs_Hz),
       full_scales_(format.full_scales.empty() ? std::vector(format.channels, format.full_scale) : format.full_scales),
-      pretrigger_(pretrigger_of(channels_, options_)),
+      pretrigger_(pretrigger_of(0)),
       session_(options_.plan),
       history_(format.channels),
       rest_frames_(std::max(pretrigger_, static_cast<std::size_t>(kRest_s * fs_Hz_))),
@@ -125,13 +121,20 @@ void Guide::feed_trigger(std::uint64_t from) {
 void Guide::collect_events() {
   while (const auto event = trigger_->next()) {
     windows_.push_back({.event = *event, .first = window_start(*event)});
-    told_long_push_ = false;
   }
-  const auto push = trigger_->take_long_push();
-  if (!push) return;
-  watch_.reset();  // the hammer is not silent
-  const bool as_strong = std::abs(push->peak_N) > kStrongPush * typical(&Session::Blow::peak_N);
-  if (as_strong && !std::exchange(told_long_push_, true)) observer_.on_long_push(*push);
+  while (const auto push = trigger_->next_long_push()) {
+    watch_.reset();  // the hammer is not silent
+    if (is_attempt(*push)) observer_.on_long_push(*push);
+  }
+}
+
+bool Guide::is_attempt(const LongPush& push) {
+  const double size_N = std::abs(push.peak_N), usual_N = typical(&Session::Blow::peak_N);
+  const bool strong = size_N >= kStrongPush * (usual_N > 0 ? usual_N : std::abs(told_push_.peak_N));
+  const bool handling = told_push_.peak > 0 && push.peak < told_push_.peak + static_cast<std::uint64_t>(fs_Hz_);
+  if (!strong || handling) return false;
+  told_push_ = push;
+  return true;
 }
 
 void Guide::watch_hammer(std::uint64_t from) {

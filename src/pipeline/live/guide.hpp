@@ -87,7 +87,10 @@ class Guide {
   void take_whole(acquire::SampleBlock block);
   void feed_trigger(std::uint64_t from);
   void collect_events();
+  /// Whether a push was meant as a blow. Pushes within a second are one handling of the hammer.
+  bool is_attempt(const LongPush& push);
   void watch_hammer(std::uint64_t from);
+  std::size_t pretrigger_of(std::size_t rise) const;
   std::uint64_t window_start(const BlowEvent& event) const;
   void advance(bool last);
   bool is_complete(const Window& window, bool last) const;
@@ -120,7 +123,7 @@ class Guide {
   const acquire::StreamFormat format_;
   double fs_Hz_;
   std::vector<double> full_scales_;  // [channels of the device]; 0: not known
-  std::size_t pretrigger_;
+  std::size_t pretrigger_;  // of a short pulse
   Session session_;
   SampleHistory history_;
   std::unique_ptr<OnlineTrigger> trigger_;
@@ -140,8 +143,8 @@ class Guide {
   std::deque<SessionEvent> past_commands_;
   SessionFaults faults_;
   std::uint64_t noted_ = 0;      // losses before this frame are in faults_
-  bool told_long_push_ = false;  // since the last blow
-  bool complete_ = false;        // what happens after the last blow does not concern the session
+  LongPush told_push_;     // the last one that was told
+  bool complete_ = false;  // what happens after the last blow does not concern the session
 };
 
 }  // namespace percuss::pipeline

@@ -38,7 +38,7 @@ class GuideObserver {
   virtual void on_left_out(std::uint64_t /*frame*/) {}
   /// A response moves as after a blow, but the force does not; once, before the first blow.
   virtual void on_silent_hammer() {}
-  /// A push of the force was too long for a blow; the first one since the last blow.
+  /// A push of the force was too long for a blow, but as strong as one.
   virtual void on_long_push(const LongPush& /*push*/) {}
   /// A fault of the capture, after the verdicts on the blows before it. `frame` is the first lost one; a count of
   /// samples that are no numbers may still grow.

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "acquire/hits/time_selection.hpp"
 #include "core/math/fft.hpp"
 #include "core/math/statistics.hpp"
 #include "pipeline/live/guide.hpp"
@@ -38,9 +39,14 @@ bool Guide::is_pause(const SampleLoss& loss) const {
   return !loss.channel && format_.is_pause(loss.frames, loss.overrun);
 }
 
+std::size_t Guide::pretrigger_of(std::size_t rise) const {
+  return acquire::pretrigger_samples(channels_.description, {.pretrigger_s = options_.pretrigger_s}, rise);
+}
+
 // The row of a replayed record may begin later than a pretrigger before its pulse.
 std::uint64_t Guide::window_start(const BlowEvent& event) const {
-  std::uint64_t start = std::max(event.peak - std::min<std::uint64_t>(event.peak, pretrigger_), history_.first_frame());
+  const std::uint64_t pretrigger = pretrigger_of(event.rise);
+  std::uint64_t start = std::max(event.peak - std::min(event.peak, pretrigger), history_.first_frame());
   for (const SampleLoss& loss : history_.losses(start, event.peak)) {
     if (is_pause(loss)) start = std::max(start, loss.frame + loss.frames);
   }
@@ -64,15 +70,16 @@ std::vector<SampleLoss> Guide::force_losses(std::uint64_t first, std::uint64_t l
 bool Guide::choose_length(Window& window, bool last) {
   const std::uint64_t end = undisturbed_end(window);
   const bool next_known = last || windows_.size() > 1, cut = next_known || end < history_.end_frame();
+  const std::size_t pretrigger = window.event.peak - window.first;
   // The next window begins before its blow.
   const auto known_before = [&](std::uint64_t frame) { return next_known || all_known_before(frame + pretrigger_); };
   for (; window.horizon < kHorizons; ++window.horizon) {
     auto samples = static_cast<std::size_t>(std::ldexp(kFirstHorizon_s, static_cast<int>(window.horizon)) * fs_Hz_);
-    if (pretrigger_ > samples / 8) samples += pretrigger_;  // a long one comes before the decay
+    if (pretrigger > samples / 8) samples += pretrigger;  // a long one comes before the decay
     if (window.first + samples > end) break;
     if (!known_before(window.first + samples)) return false;  // the next blow may lie within
     const auto decayed =
-        decayed_samples(channels_.description, read_blow(history_, channels_, window.first, samples), pretrigger_);
+        decayed_samples(channels_.description, read_blow(history_, channels_, window.first, samples), pretrigger);
     if (!decayed && window.horizon + 1 < kHorizons) continue;
     length_ = fast_length_at_least(decayed.value_or(samples));
     observer_.on_length(*length_);

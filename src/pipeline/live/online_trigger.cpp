@@ -1,8 +1,9 @@
 #include "pipeline/live/online_trigger.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "acquire/hits/pulse_shape.hpp"
@@ -12,29 +13,44 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kStep = 512;        // samples: 10 ms at 51.2 kHz
-constexpr std::size_t kNoiseSteps = 256;  // about 2.6 s at 51.2 kHz
-constexpr double kArming_s = 0.25;        // of noise before the first search; a pulse in it does not matter
+// The noise is measured in steps. A pulse is in few of them, whatever the rate.
+constexpr double kStep_s = 0.04, kMinStep = 32, kMaxStep = 512;  // samples; 10 ms at 51.2 kHz
+constexpr std::size_t kNoiseSteps = 256;                         // 2.6 s at 51.2 kHz
+constexpr double kArming_s = 0.25;                               // of noise before the first search
+constexpr std::size_t kArmingSteps = 8;
 constexpr std::size_t kRecentPeaks = 9, kMinPeaks = 3;
 
 std::uint64_t frames_in(double time_s, double fs_Hz) { return static_cast<std::uint64_t>(time_s * fs_Hz) + 1; }
 
-double std_of(const std::vector<double>& x) {
-  double sum = 0, squares = 0;
-  for (const double value : x) sum += value;
-  const double mean = sum / static_cast<double>(x.size());
-  for (const double value : x) squares += (value - mean) * (value - mean);
-  return std::sqrt(squares / static_cast<double>(x.size()));
+std::size_t step_samples(double fs_Hz) {
+  return std::bit_floor(static_cast<std::size_t>(std::clamp(kStep_s * fs_Hz, kMinStep, kMaxStep)));
+}
+
+// The root of the mean of the smaller half.
+double root_of_smaller_half(std::vector<double> variances) {
+  const std::size_t half = (variances.size() + 1) / 2;
+  const auto end = variances.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(variances.begin(), end - 1, variances.end());
+  return std::sqrt(std::accumulate(variances.begin(), end, 0.0) / static_cast<double>(half));
+}
+
+template <class Item>
+std::optional<Item> take_first(std::deque<Item>& queue) {
+  if (queue.empty()) return {};
+  const Item first = queue.front();
+  queue.pop_front();
+  return first;
 }
 
 }  // namespace
 
 OnlineTrigger::OnlineTrigger(const OnlineTriggerOptions& options, std::uint64_t first_frame)
     : options_(options),
+      step_(step_samples(options.fs_Hz)),
       apart_(frames_in(acquire::kTriggerSeparation_s, options.fs_Hz)),
       own_(std::min(apart_, frames_in(acquire::kOwnHit_s, options.fs_Hz))),
       reach_(static_cast<std::uint64_t>(acquire::kLongestPulse_s * options.fs_Hz) + acquire::kLongestPulse),
-      armed_after_(frames_in(kArming_s, options.fs_Hz)),
+      armed_after_(std::max<std::uint64_t>(frames_in(kArming_s, options.fs_Hz), kArmingSteps * step_)),
       base_(first_frame),
       stepped_(first_frame),
       at_(first_frame) {}
@@ -61,7 +77,7 @@ void OnlineTrigger::add(std::span<const double> force_N, bool lost) {
     lost_to_ = end + force_N.size();
   }
   force_.insert(force_.end(), force_N.begin(), force_N.end());
-  while (base_ + force_.size() - stepped_ >= kStep) step(kStep);
+  while (base_ + force_.size() - stepped_ >= step_) step(step_);
 }
 
 void OnlineTrigger::finish() {
@@ -95,21 +111,20 @@ void OnlineTrigger::measure_noise(std::size_t samples) {
   if (lost) return;  // constant values would look like silence
   const auto begin = force_.begin() + static_cast<std::ptrdiff_t>(stepped_ - base_);
   std::vector<double> x(begin, begin + static_cast<std::ptrdiff_t>(samples));
-  const double deviation = std_of(x);
+  const double deviation = rms_about_mean(x);
   const Spread spread = spread_of(std::move(x));
-  steps_.push_back({.median = spread.median, .robust_std = spread.robust_std, .std = deviation});
+  steps_.push_back({.median = spread.median, .robust_std = spread.robust_std, .variance = deviation * deviation});
   if (steps_.size() > kNoiseSteps) steps_.pop_front();
   measured_ += samples;
-  std::vector<double> medians, robust;
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<double> medians, robust, variances;
   for (const NoiseStep& one : steps_) {
     medians.push_back(one.median);
     robust.push_back(one.robust_std);
-    least = std::min(least, one.std);
+    variances.push_back(one.variance);
   }
   baseline_N_ = median(std::move(medians));
   // A coarse converter toggles between few values: its robust deviation is 0, its deviation is not.
-  noise_N_ = std::max(median(std::move(robust)), least);
+  noise_N_ = std::max(median(std::move(robust)), root_of_smaller_half(std::move(variances)));
 }
 
 std::optional<std::uint64_t> OnlineTrigger::first_above() const {
@@ -149,22 +164,23 @@ void OnlineTrigger::search() {
   }
 }
 
-void OnlineTrigger::take_event(std::uint64_t first, std::uint64_t best, std::uint64_t end) {
-  const std::uint64_t from = std::max(base_, best > reach_ ? best - reach_ : 0),
-                      to = std::min(best + reach_ + 1, stepped_);
+std::vector<double> OnlineTrigger::force_between(std::uint64_t first, std::uint64_t last) const {
   std::vector<double> x;
-  for (std::uint64_t frame = from; frame < to; ++frame) x.push_back(force_[frame - base_] - baseline_N_);
+  for (std::uint64_t frame = first; frame < last; ++frame) x.push_back(force_[frame - base_] - baseline_N_);
+  return x;
+}
+
+void OnlineTrigger::take_event(std::uint64_t first, std::uint64_t best, std::uint64_t end) {
+  const std::uint64_t from = std::max(base_, best > reach_ ? best - reach_ : 0);
+  const std::vector<double> x = force_between(from, std::min(best + reach_ + 1, stepped_));
   const double peak_N = x[best - from];
   if (acquire::is_hammer_pulse(x, best - from, noise_N_, options_.fs_Hz)) {
-    events_.push_back({.first = first, .peak = best});
+    const std::size_t rise = acquire::rise_samples(acquire::shape_of_pulse(x, best - from));
+    events_.push_back({.first = first, .peak = best, .rise = rise});
     peaks_N_.push_back(std::abs(peak_N));
     if (peaks_N_.size() > kRecentPeaks) peaks_N_.pop_front();
   } else {
-    const acquire::PulseShape shape = acquire::shape_of_pulse(x, best - from);
-    const bool ends = shape.has_rise && shape.fall + 1 < static_cast<double>(x.size());
-    const double length_s = (shape.fall - shape.rise) / options_.fs_Hz;
-    if (ends && length_s > acquire::kLongestPulse_s)
-      long_push_ = {.peak = best, .peak_N = peak_N, .length_s = length_s};
+    note_long_push(best);
   }
   own_level_N_ = acquire::kOwnHitFraction * std::abs(peak_N);
   quiet_until_ = std::max(best + apart_, end);
@@ -172,11 +188,17 @@ void OnlineTrigger::take_event(std::uint64_t first, std::uint64_t best, std::uin
   waiting_ = false;
 }
 
-std::optional<BlowEvent> OnlineTrigger::next() {
-  if (events_.empty()) return {};
-  const BlowEvent event = events_.front();
-  events_.pop_front();
-  return event;
+void OnlineTrigger::note_long_push(std::uint64_t peak) {
+  const std::vector<double> x = force_between(base_, stepped_);
+  const acquire::PulseShape shape = acquire::shape_of_pulse(x, peak - base_);
+  const bool ends = shape.has_rise && shape.fall + 1 < static_cast<double>(x.size());
+  const double length_s = (shape.fall - shape.rise) / options_.fs_Hz;
+  if (ends && length_s > acquire::kLongestPulse_s)
+    long_pushes_.push_back({.peak = peak, .peak_N = x[peak - base_], .length_s = length_s});
 }
+
+std::optional<BlowEvent> OnlineTrigger::next() { return take_first(events_); }
+
+std::optional<LongPush> OnlineTrigger::next_long_push() { return take_first(long_pushes_); }
 
 }  // namespace percuss::pipeline

@@ -4,7 +4,6 @@
 #include <deque>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace percuss::pipeline {
@@ -13,9 +12,10 @@ namespace percuss::pipeline {
 struct BlowEvent {
   std::uint64_t first = 0;  // frame of the first sample above the threshold
   std::uint64_t peak = 0;   // frame of the largest |force − baseline|
+  std::size_t rise = 0;     // frames from 5 % of the peak to the peak
 };
 
-/// A push of the force that lasts too long for a blow of a hammer.
+/// A push of the force that lasts too long for a blow of a hammer, but begins and ends as one does.
 struct LongPush {
   std::uint64_t peak = 0;  // frame
   double peak_N = 0;       // signed, baseline removed
@@ -40,9 +40,8 @@ class OnlineTrigger {
   void finish();
   /// The next blow, in order.
   std::optional<BlowEvent> next();
-  /// The newest push since the last call that was too long for a blow, but began and ended as one does. Slower changes
-  /// of the force are drift.
-  std::optional<LongPush> take_long_push() { return std::exchange(long_push_, std::nullopt); }
+  /// The next long push, in order. Slower changes of the force are drift.
+  std::optional<LongPush> next_long_push();
 
   /// All blows that begin before this frame have been found. It stays at the first sample of an excursion until the
   /// samples that decide whether it is a blow have arrived.
@@ -56,9 +55,13 @@ class OnlineTrigger {
   std::optional<std::uint64_t> first_above() const;
   std::uint64_t largest_in(std::uint64_t first, std::uint64_t last) const;
   double distance(std::uint64_t frame) const;
+  /// Force minus baseline.
+  std::vector<double> force_between(std::uint64_t first, std::uint64_t last) const;
   void take_event(std::uint64_t first, std::uint64_t best, std::uint64_t end);
+  void note_long_push(std::uint64_t peak);
 
   OnlineTriggerOptions options_;
+  std::size_t step_;  // frames
   std::uint64_t apart_, own_, reach_, armed_after_;
   std::uint64_t base_;     // frame of force_.front()
   std::uint64_t stepped_;  // frames before it are measured and may be searched
@@ -67,7 +70,7 @@ class OnlineTrigger {
   bool finished_ = false;
   std::deque<double> force_;
   struct NoiseStep {
-    double median, robust_std, std;
+    double median, robust_std, variance;
   };
   std::deque<NoiseStep> steps_;
   std::deque<double> peaks_N_;  // of the recent blows
@@ -77,7 +80,7 @@ class OnlineTrigger {
   double own_level_N_ = 0;
   std::uint64_t measured_ = 0;  // frames
   std::deque<BlowEvent> events_;
-  std::optional<LongPush> long_push_;
+  std::deque<LongPush> long_pushes_;
 };
 
 }  // namespace percuss::pipeline

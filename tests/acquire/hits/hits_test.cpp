@@ -55,6 +55,21 @@ TEST(FindHits, CutsALongRecordFromEachPretriggerToTheNext) {
   for (const Hit& hit : hits) EXPECT_FALSE(rejects(hit.findings));
 }
 
+// A slow pulse has rest before it, too: twice its rise from 5 % of the peak, 85.6 % of half a haversine.
+TEST(FindHits, BeginsALongPulseAtRest) {
+  std::vector<double> x(100'000);
+  test::add_haversine(x, 20'000, 512, 200);  // 20 ms
+  test::add_haversine(x, 60'000, 512, 200);
+  const auto hits = hits_in({x});
+  ASSERT_EQ(hits.size(), 2U);
+  const double rise = 0.856 * 256;
+  EXPECT_NEAR(static_cast<double>(hits[0].first), 20'256 - 2 * rise, 2);
+  EXPECT_EQ(hits[0].first + hits[0].samples, hits[1].first);
+  for (const Hit& hit : hits) EXPECT_TRUE(hit.findings.empty());
+  const auto stated = hits_in({x}, {.pretrigger_s = 0.02});
+  EXPECT_EQ(stated[0].first, 20'256U - 512U);
+}
+
 TEST(FindHits, TakesEachRowAsOneHitUnlessTheRecordIsContinuous) {
   Rows rows = {with_pulses(50000, {300, 30000}), with_pulses(40000, {500})};
   const auto one_each = hits_in(rows);

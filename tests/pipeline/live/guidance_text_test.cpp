@@ -46,7 +46,7 @@ TEST(GuidanceText, SetsTheRangeByTheFirstBlows) {
 
 TEST(GuidanceText, SaysWhyAPushIsNoBlow) {
   EXPECT_EQ(pipeline::long_push_text({.peak = 1, .peak_N = -226.6, .length_s = 0.0562}, 61.04),
-            "a push of 227 N and 56 ms, 61.0 s after the start, is no blow: a hammer's contact lasts 50 ms at most; "
+            "a push of 227 N and 56.2 ms, 61.0 s after the start, is no blow: a hammer's contact lasts 50 ms at most; "
             "strike shorter, or use a harder tip");
 }
 

@@ -101,7 +101,7 @@ TEST(Guide, RejectsBlowsInTheDecayOfTheLast) {
   EXPECT_EQ(bench.witness.blows[1].grade.reason, "struck again before the decay ended");
 }
 
-// A push that is too long for a hammer is told, once until the next blow; the hammer is not silent then.
+// Pushes that are too long for a hammer are told, once a second; the hammer is not silent then.
 TEST(Guide, TellsOfPushesThatAreTooLong) {
   Bench bench(struck_tube("2.9, 4.4", 7));
   const auto push = [&](double at_s, double length_s, double peak_N) {
@@ -113,14 +113,16 @@ TEST(Guide, TellsOfPushesThatAreTooLong) {
     }
   };
   push(0.5, 0.08, 300);
-  push(1.2, 0.07, 200);
+  push(1.2, 0.07, 200);  // of the same handling
   push(2.0, 0.6, 250);  // a hand that leans on the hammer
-  push(6.0, 0.08, 9);   // weak: no attempt to strike
+  push(5.4, 0.08, 9);   // weak: no attempt to strike
+  push(6.2, 0.15, 300);
   bench.play_all();
-  ASSERT_EQ(bench.witness.long_pushes.size(), 1U);
+  ASSERT_EQ(bench.witness.long_pushes.size(), 2U);
   EXPECT_NEAR(bench.witness.long_pushes[0].peak_N, 300, 1);
   // sin² exceeds 5 % on 86 % of its length
   EXPECT_NEAR(bench.witness.long_pushes[0].length_s, 0.86 * 0.08, 0.002);
+  EXPECT_NEAR(bench.witness.long_pushes[1].length_s, 0.86 * 0.15, 0.002);
   EXPECT_EQ(bench.witness.silent_hammers, 0U);
   EXPECT_EQ(bench.guide->session().accepted(), 2U);
 }

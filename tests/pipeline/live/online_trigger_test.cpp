@@ -97,6 +97,52 @@ TEST(OnlineTrigger, FindsBlowsAfterAnAccident) {
   EXPECT_EQ(peaks(force, 25600, 512).size(), 4U);
 }
 
+// Force at rest with one sin² push.
+std::vector<double> one_push(double fs_Hz, double at_s, double length_s, double end_s) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal(0, 1e-4);
+  std::vector<double> force(static_cast<std::size_t>(end_s * fs_Hz));
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const double phase = (static_cast<double>(i) / fs_Hz - at_s) / length_s;
+    const double root = phase > 0 && phase < 1 ? std::sin(3.14159265358979 * phase) : 0;
+    force[i] = normal(random) + 300 * root * root;
+  }
+  return force;
+}
+
+// The noise is learnt from samples that hold the blow.
+TEST(OnlineTrigger, FindsABlowThatComesEarly) {
+  for (const double fs_Hz : {100.0, 200.0, 256.0, 500.0, 640.0, 900.0, 4096.0, 51200.0}) {
+    for (const double at_s : {0.02, 0.3, 0.5, 0.85, 1.0, 1.9})
+      EXPECT_EQ(peaks(one_push(fs_Hz, at_s, 0.04, 5), fs_Hz, 4096).size(), 1U) << fs_Hz << " Hz, " << at_s << " s";
+  }
+}
+
+TEST(OnlineTrigger, TellsOfEachPushThatIsTooLong) {
+  for (const double length_s : {0.07, 0.12, 0.25}) {
+    OnlineTrigger trigger({.fs_Hz = 1000, .trigger_N = {}}, 0);
+    for (int push = 0; push < 3; ++push) trigger.add(one_push(1000, 1, length_s, 4));
+    trigger.finish();
+    EXPECT_FALSE(trigger.next().has_value());
+    for (int push = 0; push < 3; ++push) {
+      const auto told = trigger.next_long_push();
+      ASSERT_TRUE(told.has_value()) << length_s;
+      EXPECT_NEAR(told->peak_N, 300, 1);
+      EXPECT_NEAR(told->length_s, 0.856 * length_s, 0.001);  // sin² exceeds 5 % on 85.6 % of its length
+    }
+    EXPECT_FALSE(trigger.next_long_push().has_value());
+  }
+}
+
+TEST(OnlineTrigger, MeasuresTheRise) {
+  OnlineTrigger trigger({.fs_Hz = 12800, .trigger_N = {}}, 0);
+  trigger.add(one_push(12800, 1, 0.02, 4));
+  trigger.finish();
+  const auto event = trigger.next();
+  ASSERT_TRUE(event.has_value());
+  EXPECT_NEAR(static_cast<double>(event->rise), 0.856 * 128, 1);
+}
+
 TEST(OnlineTrigger, TellsWhatIsSearched) {
   OnlineTrigger trigger({.fs_Hz = 4096}, 0);
   std::vector<double> quiet(4096);
