@@ -44,6 +44,7 @@ StreamFormat format_of(const StreamFormat& device, const std::vector<std::size_t
   choose(device.units, format.units);
   choose(device.full_scales, format.full_scales);
   if (!format.full_scales.empty()) format.full_scale = format.full_scales.front();
+  for (const std::size_t channel : channels) format.numbers.push_back(channel + 1);
   return format;
 }
 
@@ -72,7 +73,7 @@ std::vector<ChannelSetup> stream_setup(const DeviceFormat& device, const std::ve
   if (device.setup.empty()) return out;
   for (const std::size_t channel : channels_kept(device, channels)) {
     out.push_back(device.setup[channel]);
-    out.back().name = std::to_string(out.size());
+    out.back().name = std::to_string(channel + 1);
   }
   return out;
 }

@@ -17,8 +17,11 @@ struct StreamFormat {
   std::vector<std::string> units;   // [channels], of the delivered numbers: "V", "N", "m/s^2"; empty: full scale is 1
   double full_scale = 0;            // the largest |value| that the device can deliver; 0: not known
   std::vector<double> full_scales;  // [channels], where they differ; `full_scale` is then the first channel's
+  std::vector<std::size_t> numbers{};  // [channels], of the device, from 1; empty: 1, 2, …
   std::uint64_t pause_frames = 0;   // from row to row of a replayed record; no frame exists there
 
+  /// The device's number of a channel, for people.
+  std::size_t number_of(std::size_t channel) const { return numbers.empty() ? channel + 1 : numbers.at(channel); }
   /// Whether a jump by so many frames is the pause between two rows, and no loss.
   bool is_pause(std::uint64_t frames, bool overrun) const { return !overrun && frames > 0 && frames == pause_frames; }
 };

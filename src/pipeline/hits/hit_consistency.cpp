@@ -12,7 +12,6 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMinHits = 4;      // fewer hits cannot outvote an outlier
 constexpr double kOutlierRatio = 25;     // outlier's error over the others' median (five times in amplitude)
 constexpr double kOutlierEnergy = 0.05;  // least error of an outlier, of its energy: smaller errors are harmless
 constexpr std::size_t kFlopsPerHit = 50'000;
@@ -56,7 +55,7 @@ std::string disagreement(double explained) {
 void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra,
                  std::vector<std::size_t> members) {
   std::vector<double> errors = unexplained(spectra, members);
-  while (members.size() >= kMinHits) {
+  while (members.size() >= kMinHitsToVote) {
     // The worst hit distorts the FRFs that explain the others: their errors are computed without it.
     const auto worst = static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
     if (errors[worst] <= kOutlierEnergy) break;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,9 @@
 #include "pipeline/hits/hit_spectra.hpp"
 
 namespace percuss::pipeline {
+
+/// Fewer hits of a point cannot outvote an outlier.
+inline constexpr std::size_t kMinHitsToVote = 4;
 
 /// Spectra of one hit, [lines]; empty for hits that are not compared.
 struct HitSpectra {

@@ -114,7 +114,7 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
   if (at.struck_again) return {RowMark::still_ringing, "struck again before the decay ended", "wait between blows"};
   if (hit.gated_N.empty() || acquire::rejects(hit.findings)) {
     std::string remedy = "strike freely and once";
-    if (at.first_blows) remedy += fmt::format(". Is the hammer on channel {}?", context.channels.force + 1);
+    if (at.first_blows) remedy += fmt::format(". Is the hammer on channel {}?", context.channels.force_number);
     return {RowMark::no_pulse, "no clean pulse", remedy};
   }
   const double peak_N = std::abs(hit.peak_N);

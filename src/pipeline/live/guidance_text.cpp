@@ -72,7 +72,7 @@ std::string prompt_text(const Session& session, RovingPart roving) {
 std::string range_advice(const BlowGrade& grade, const LiveChannels& channels, bool first) {
   if (grade.force_range && *grade.force_range > kNearFullScale)
     return fmt::format("hit a little softer (force at {:.0f} % of range)", *grade.force_range * 100);
-  const auto accel = [&] { return fmt::format("channel {}", channels.accel.at(grade.accel_channel) + 1); };
+  const auto accel = [&] { return fmt::format("channel {}", channels.accel_numbers.at(grade.accel_channel)); };
   if (grade.accel_range && *grade.accel_range > kNearFullScale)
     return fmt::format("hit a little softer ({} at {:.0f} % of range)", accel(), *grade.accel_range * 100);
   if (!first) return {};
@@ -87,6 +87,7 @@ std::string blow_text(const BlowReport& blow, const LiveChannels& channels, cons
   const BlowGrade& grade = blow.grade;
   std::string place = place_text(plan, blow.point, blow.blow);
   place.front() = place.front() == 'p' ? 'P' : 'B';
+  if (blow.row + 1 != blow.blow) place += fmt::format(" (hit {})", blow.row + 1);
   if (!grade.accepted())
     return fmt::format("{}: rejected: {}{}{}", place, grade.reason, grade.remedy.empty() ? "" : "; ", grade.remedy);
   std::string text =
@@ -95,6 +96,7 @@ std::string blow_text(const BlowReport& blow, const LiveChannels& channels, cons
   if (!advice.empty()) text += "; " + advice;
   if (grade.moved_before) text += "; it had not come to rest: wait a little longer between blows";
   if (grade.unlike_others) text += "; little like the other blows: was it the same place?";
+  if (blow.one_more) text += " One more blow at this point helps to decide";
   if (grade.rings_at_end) text += "; still ringing at the end: a longer window keeps the whole decay";
   return text;
 }
@@ -146,7 +148,7 @@ std::string fault_text(const acquire::CaptureFinding& fault, const LiveChannels&
   if (fault.fault != acquire::CaptureFault::not_a_number) return acquire::finding_text(fault);
   const auto accel = std::find(channels.accel.begin(), channels.accel.end(), fault.channel);
   const std::string name = accel == channels.accel.end()
-                               ? fmt::format("channel {} (the force)", fault.channel.value_or(0) + 1)
+                               ? fmt::format("channel {} (the force)", channels.force_number)
                                : name_of_channel(channels, static_cast<std::size_t>(accel - channels.accel.begin()));
   return name + " delivers values that are no numbers; check its cable and its input";
 }
@@ -168,7 +170,7 @@ std::string long_push_text(const LongPush& push, double time_s) {
 std::string silent_hammer_text(const LiveChannels& channels) {
   return fmt::format(
       "{} moves, but the hammer on channel {} is silent: if you have struck, check its cable and its input",
-      name_of_channel(channels, 0), channels.force + 1);
+      name_of_channel(channels, 0), channels.force_number);
 }
 
 std::string summary_text(const Session& session) {

@@ -185,7 +185,7 @@ void Guide::judge(const Window& window) {
   const bool cut = length_by_end_ || history_.end_frame() < window.first + *length_;  // by the end of the recording
   note_rest(window);
   const BlowGrade graded = grade(samples, window);
-  const BlowReport report{.row = session_.blows().size(),
+  BlowReport report{.row = session_.blows().size(),
                           .end_frame = window.first + *length_,
                           .point = session_.point(),
                           .blow = session_.accepted_at(session_.point()) + 1,
@@ -198,7 +198,8 @@ void Guide::judge(const Window& window) {
                            .point = session_.point(),
                            .message = graded.accepted() ? "accepted" : graded.reason + "; " + graded.remedy,
                            .peak_N = graded.peak_N,
-                           .bandwidth_Hz = graded.bandwidth_Hz};
+                           .bandwidth_Hz = graded.bandwidth_Hz,
+                           .doubtful = graded.unlike_others};
   if (repeat_past(event)) return observer_.on_blow(report);
   if (cut) {  // not in the journal: a resumed session judges it again, with the samples that follow
     session_.apply(event);
@@ -209,6 +210,8 @@ void Guide::judge(const Window& window) {
     observer_.on_regraded(row, mark);
   }
   log_and_apply(event);
+  report.one_more = graded.accepted() && !session_.finished() && session_.point() == report.point &&
+                    session_.accepted_at(report.point) >= session_.plan().hits;
   observer_.on_blow(report);
   if (graded.accepted()) check_goals();
 }
@@ -218,7 +221,11 @@ BlowGrade Guide::grade(const BlowSamples& samples, const Window& window) const {
   const bool whole = force_losses(window.first, window.first + *length_).empty();
   if (past != past_.end() && past->second.blow && whole) {
     const SessionEvent& blow = *past->second.blow;
-    return {.mark = blow.mark, .reason = blow.message, .peak_N = blow.peak_N, .bandwidth_Hz = blow.bandwidth_Hz};
+    return {.mark = blow.mark,
+            .reason = blow.message,
+            .peak_N = blow.peak_N,
+            .bandwidth_Hz = blow.bandwidth_Hz,
+            .unlike_others = blow.doubtful};
   }
   std::vector<std::size_t> rows = session_.accepted_rows(session_.point());
   if (rows.size() > kCompared) rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kCompared));

@@ -71,8 +71,6 @@ class Guide {
 
   /// The session as a record: one row per blow, rejected ones marked. Its samples stay available after the guide.
   acquire::Record record() const;
-  /// The accepted blows alone.
-  acquire::Record accepted_record() const;
 
  private:
   struct Window {
@@ -114,7 +112,6 @@ class Guide {
   void check_goals();
   void forget();
   double typical(double Session::Blow::*value) const;
-  acquire::Record record_of(std::vector<std::size_t> rows) const;
 
   LiveChannels channels_;
   GuideOptions options_;

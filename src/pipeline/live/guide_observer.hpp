@@ -17,6 +17,7 @@ struct BlowReport {
   int point = 0;
   std::size_t blow = 1;  // of `hits`: its number among the accepted blows of its point, if it counts
   BlowGrade grade;
+  bool one_more = false;  // the point has its blows, but this one is doubtful
 };
 
 /// Is told what happens, on the thread of the guide. It must not wait.
@@ -32,7 +33,8 @@ class GuideObserver {
   virtual void on_regraded(std::size_t /*row*/, acquire::RowMark /*mark*/) {}
   /// A command was applied; `undone` accepted blows do not count any longer.
   virtual void on_command(const SessionEvent& /*command*/, std::size_t /*undone*/) {}
-  virtual void on_length(std::size_t /*samples*/) {}
+  /// The length of all blows was chosen. `cut_short`: by the next blow or lost samples, before the decay had ended.
+  virtual void on_length(std::size_t /*samples*/, bool /*cut_short*/) {}
   /// A blow, first above the threshold at this frame, is too short to choose the length of all blows by it: the next
   /// one, or lost samples, came too early. It is not recorded.
   virtual void on_left_out(std::uint64_t /*frame*/) {}

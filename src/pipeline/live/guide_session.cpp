@@ -70,7 +70,7 @@ void Guide::log_and_apply(const SessionEvent& event) {
 
 void Guide::check_goals() {
   if (options_.until.empty() || session_.finished()) return;
-  if (!all_met(options_.until, session_quality(accepted_record(), options_.analysis))) return;
+  if (!all_met(options_.until, session_quality(record(), options_.analysis))) return;
   observer_.on_goals_met();
   log_and_apply({.kind = Kind::enough, .frame = history_.end_frame()});
 }
@@ -103,25 +103,16 @@ void Guide::note_losses(std::uint64_t frame) {
   noted_ = frame;
 }
 
-acquire::Record Guide::record_of(std::vector<std::size_t> rows) const {
-  acquire::Record record = channels_.description;
-  for (const std::size_t row : rows) {
-    const Session::Blow& blow = session_.blows()[row];
-    record.rows.push_back({.samples = store_->samples(), .point = blow.point, .mark = blow.mark});
-  }
-  read_from(store_, std::move(rows), record);
-  return record;
-}
-
-acquire::Record Guide::accepted_record() const { return record_of(session_.accepted_rows()); }
-
 acquire::Record Guide::record() const {
+  acquire::Record record = channels_.description;
   std::vector<std::size_t> rows(session_.blows().size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
-  acquire::Record record = record_of(std::move(rows));
+  read_from(store_, std::move(rows), record);
   std::vector<SessionFaults::Row> places;
-  for (const Session::Blow& blow : session_.blows())
+  for (const Session::Blow& blow : session_.blows()) {
+    record.rows.push_back({.samples = store_->samples(), .point = blow.point, .mark = blow.mark});
     places.push_back({.frame = blow.frame, .samples = store_->samples()});
+  }
   record.faults = faults_.for_record(places);
   if (!options_.date.empty()) record.files = {{.path = format_.device, .date = options_.date}};
   return record;

@@ -82,7 +82,7 @@ bool Guide::choose_length(Window& window, bool last) {
         decayed_samples(channels_.description, read_blow(history_, channels_, window.first, samples), pretrigger);
     if (!decayed && window.horizon + 1 < kHorizons) continue;
     length_ = fast_length_at_least(decayed.value_or(samples));
-    observer_.on_length(*length_);
+    observer_.on_length(*length_, false);
     return true;
   }
   if (!cut || !known_before(end)) return false;
@@ -92,7 +92,7 @@ bool Guide::choose_length(Window& window, bool last) {
   if (static_cast<double>(whole) >= (row_ends ? kShortestRow_s : kShortestCut_s) * fs_Hz_) {
     length_ = fast_length_at_most(static_cast<std::size_t>(kSpareAtCut * static_cast<double>(whole)));
     length_by_end_ = last && end == history_.end_frame();
-    observer_.on_length(*length_);
+    observer_.on_length(*length_, !row_ends);
   }
   return true;
 }

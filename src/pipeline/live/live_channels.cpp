@@ -22,7 +22,7 @@ acquire::SignalTable table_of(const StreamFormat& format) {
   acquire::SignalTable table{.format = "stream", .fs_Hz = format.fs_Hz};
   const bool named = format.names.size() == format.channels;
   for (std::size_t c = 0; c < format.channels; ++c) {
-    table.signals.push_back({.name = named ? format.names[c] : "channel " + std::to_string(c + 1),
+    table.signals.push_back({.name = named ? format.names[c] : "channel " + std::to_string(format.number_of(c)),
                              .unit = c < format.units.size() ? format.units[c] : ""});
   }
   table.rows.push_back({.samples = 2});
@@ -30,6 +30,22 @@ acquire::SignalTable table_of(const StreamFormat& format) {
     std::fill(out.begin(), out.end(), 0);
   };
   return table;
+}
+
+// The entries with the places of their channels in the stream in place of the device's numbers.
+std::vector<acquire::ChannelSetup> recorded_entries(std::vector<acquire::ChannelSetup> setup,
+                                                    const StreamFormat& format) {
+  if (format.numbers.empty()) return setup;
+  std::vector<acquire::ChannelSetup> out;
+  for (acquire::ChannelSetup& entry : setup) {
+    const bool number = !entry.name.empty() && entry.name.find_first_not_of("0123456789") == std::string::npos;
+    const auto at = std::find_if(format.numbers.begin(), format.numbers.end(),
+                                 [&](std::size_t other) { return std::to_string(other) == entry.name; });
+    if (number && at == format.numbers.end()) continue;
+    if (number) entry.name = std::to_string(at - format.numbers.begin() + 1);
+    out.push_back(std::move(entry));
+  }
+  return out;
 }
 
 bool names_channel(const acquire::ChannelSetup& entry, const acquire::SignalTable& table, std::size_t channel) {
@@ -107,20 +123,26 @@ acquire::SignalInfo as_stored(const acquire::SignalInfo& signal, const std::stri
 }  // namespace
 
 std::string name_of_channel(const LiveChannels& channels, std::size_t accel) {
-  const std::string number = fmt::format("channel {}", channels.accel[accel] + 1);
+  const std::string number = fmt::format("channel {}", channels.accel_numbers[accel]);
   const std::string& name = channels.accel_names[accel];
   return name == number ? number : fmt::format("{} ({})", number, one_line(name, 40));
 }
 
-LiveChannels live_channels(const StreamFormat& format, const acquire::ReadOptions& options,
+LiveChannels live_channels(const StreamFormat& format, const acquire::ReadOptions& stated,
                            std::vector<Message> device_notes) {
+  acquire::ReadOptions options = stated;
+  options.setup = recorded_entries(std::move(options.setup), format);
   acquire::SignalTable table = table_of(format);
   const acquire::SignalRoles roles = roles_of(table, options, format.device);
   LiveChannels out{.force = roles.force, .accel = roles.accel};
   if (!roles.has_force)
     throw InputError("no channel is a force", format.device, "name the hammer's channel in the set-up", {"setup"});
   out.force_name = table.signals[roles.force].name;
-  for (const std::size_t c : roles.accel) out.accel_names.push_back(table.signals[c].name);
+  out.force_number = format.number_of(roles.force);
+  for (const std::size_t c : roles.accel) {
+    out.accel_names.push_back(table.signals[c].name);
+    out.accel_numbers.push_back(format.number_of(c));
+  }
   const acquire::Record described = acquire::record_of_table(std::move(table), roles, options);
   out.force_to_N = described.force.to_SI;
   out.notes = std::move(device_notes);

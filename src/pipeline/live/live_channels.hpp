@@ -15,20 +15,23 @@ struct LiveChannels {
   std::vector<std::size_t> accel;  // likewise
   double force_to_N = 1;
   std::vector<double> accel_to_mps2;
-  std::string force_name;                // for people
-  std::vector<std::string> accel_names;  // likewise
+  std::string force_name;                  // for people
+  std::vector<std::string> accel_names;    // likewise
+  std::size_t force_number = 1;            // of the device's channel, from 1
+  std::vector<std::size_t> accel_numbers;  // likewise
   std::vector<Message> notes;            // assumptions about units
   /// The record that the file will hold, without rows: signals as a reader of the file finds them.
   acquire::Record description;
 };
 
-/// "channel 3 (accel 2)": a response, for people.
+/// "channel 3 (accel 2)": a response, for people, by the number of the device.
 std::string name_of_channel(const LiveChannels& channels, std::size_t accel);
 
 /// Finds the roles by the rules of record files: the set-up, units, words in the names. Without any of these, the first
-/// channel is the force. The notes begin with those of the device; notes on units that are taken alike become one.
+/// channel is the force. Numbers in the set-up are those of the device; entries of channels that are not recorded are
+/// left out. The notes begin with those of the device; notes on units that are taken alike become one.
 /// errors  InputError: fewer than two channels, unknown or contradictory units.
-LiveChannels live_channels(const acquire::StreamFormat& format, const acquire::ReadOptions& options,
+LiveChannels live_channels(const acquire::StreamFormat& format, const acquire::ReadOptions& stated,
                            std::vector<Message> device_notes = {});
 
 }  // namespace percuss::pipeline

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/hits/hit_consistency.hpp"
+
 namespace percuss::pipeline {
 
 namespace {
@@ -65,7 +67,24 @@ bool Session::go_on() {
   return false;
 }
 
+bool Session::in_doubt(std::size_t index) const {
+  const auto doubtful = [this](int point) {
+    const auto rows = accepted_rows(point);
+    return !rows.empty() && blows_[rows.back()].doubtful;
+  };
+  const int point = plan_.points[index];
+  if (!doubtful(point) || accepted_at(point) >= std::max(kMinHitsToVote, plan_.hits + 1)) return false;
+  std::size_t others = 0, others_in_doubt = 0;
+  for (const int other : plan_.points) {
+    if (other == point || accepted_at(other) == 0) continue;
+    ++others;
+    others_in_doubt += doubtful(other) ? 1U : 0U;
+  }
+  return 2 * others_in_doubt <= others;
+}
+
 void Session::advance() {
+  if (done_at(current_) && !enough_[current_] && in_doubt(current_)) return;
   if (done_at(current_) && !go_on()) finished_ = true;
 }
 
@@ -97,7 +116,8 @@ void Session::apply(const SessionEvent& event) {
                         .point = point(),
                         .mark = event.mark,
                         .peak_N = event.peak_N,
-                        .bandwidth_Hz = event.bandwidth_Hz});
+                        .bandwidth_Hz = event.bandwidth_Hz,
+                        .doubtful = event.doubtful});
       break;
     case Kind::regraded:
       if (event.row < blows_.size() && blows_[event.row].accepted()) blows_[event.row].mark = event.mark;

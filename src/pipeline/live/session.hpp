@@ -25,6 +25,7 @@ struct SessionEvent {
   int point = 0;                                   // go_to, redo; blow: where it was
   std::string message{};                           // blow: the verdict for people
   double peak_N = 0, bandwidth_Hz = 0;             // blow
+  bool doubtful = false;                           // blow: accepted, but little like the others of its point
   bool operator==(const SessionEvent&) const = default;
 };
 
@@ -42,6 +43,7 @@ class Session {
     int point = 0;
     acquire::RowMark mark = acquire::RowMark::none;
     double peak_N = 0, bandwidth_Hz = 0;
+    bool doubtful = false;
     bool accepted() const { return mark == acquire::RowMark::none; }
   };
 
@@ -68,6 +70,9 @@ class Session {
 
  private:
   bool done_at(std::size_t index) const;
+  /// Whether the last accepted blow of a point that has its blows is doubtful, so that further ones are needed to tell
+  /// which blow is wrong. Where other points are in doubt, too, the noise is to blame.
+  bool in_doubt(std::size_t index) const;
   bool go_on();
   void advance();
   void undo();

@@ -73,7 +73,8 @@ SessionQuality quality_of(const Analysis& analysis, std::size_t blows) {
 }
 
 SessionQuality session_quality(acquire::Record record, const AnalysisOptions& options) {
-  const std::size_t blows = record.rows.size();
+  const auto blows = static_cast<std::size_t>(std::count_if(
+      record.rows.begin(), record.rows.end(), [](const auto& row) { return row.mark == acquire::RowMark::none; }));
   if (blows == 0) return {};
   std::vector<acquire::Record> records;
   records.push_back(std::move(record));

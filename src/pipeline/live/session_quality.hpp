@@ -38,7 +38,8 @@ struct SessionQuality {
 
 /// What an analysis of `blows` accepted blows shows. No modes where it is impossible.
 SessionQuality quality_of(const Analysis& analysis, std::size_t blows);
-/// Analyses the rows of `record`, which hold accepted blows only. No modes where the analysis is impossible.
+/// Analyses a session's rows, of which those without a mark count. Hits have the numbers of the finished file. No modes
+/// where the analysis is impossible.
 SessionQuality session_quality(acquire::Record record, const AnalysisOptions& options);
 
 /// The further blows that bring the mode's ± to `target_Hz`, when its falling part falls as 1/√n; nothing where no

@@ -97,7 +97,7 @@ TEST(RecordCommand, GuidesThroughAGeometry) {
   const auto recorded =
       bench.record("sim:aluminium-bat,hits=6", {"--geometry", "g.csv", "--hits", "2", "--report", "r.html"});
   ASSERT_EQ(recorded.code, 0) << recorded.err;
-  EXPECT_THAT(recorded.out, HasSubstr("Point 1 (2 of 3), blow 1 of 2: accepted"));
+  EXPECT_THAT(recorded.out, HasSubstr("Point 1 (2 of 3), blow 1 of 2 (hit 3): accepted"));
   const auto record = acquire::open_hdf5(bench.folder.file("t.h5"), {});
   std::vector<int> points;
   for (const auto& row : record.rows) points.push_back(row.point);

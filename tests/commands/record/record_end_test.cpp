@@ -91,7 +91,7 @@ TEST(RecordEnd, EndsEarlyWithItsOwnCode) {
   EXPECT_EQ(bench.run({"record", "--resume", "t.h5"}).code, 6);  // still unplugged
   const auto ended = bench.record("sim:aluminium-bat,end=5", {"--force"});
   EXPECT_EQ(ended.code, 6);
-  EXPECT_THAT(ended.out, HasSubstr("percuss record --resume t.h5"));
+  EXPECT_THAT(ended.out, HasSubstr("the device has no more of them"));
   EXPECT_TRUE(bench.has("t.h5.journal"));
   const auto silent = bench.record("sim:aluminium-bat,first=50,end=2", {"--force"});
   EXPECT_EQ(silent.code, 4);

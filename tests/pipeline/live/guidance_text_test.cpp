@@ -13,23 +13,24 @@ LiveChannels two_responses() {
   LiveChannels channels;
   channels.accel = {1, 2};
   channels.accel_names = {"accel 1", "accel 2"};
+  channels.accel_numbers = {2, 3};
   return channels;
 }
 
 TEST(GuidanceText, SaysWhereAndWhatAndWhatToDo) {
   const pipeline::SessionPlan many{.points = {3, 5, 9}, .hits = 5}, one{.hits = 5};
   BlowReport blow{.row = 7, .point = 5, .blow = 3, .grade = {.peak_N = -312.4, .bandwidth_Hz = 4210}};
-  EXPECT_EQ(blow_text(blow, two_responses(), many), "Point 5 (2 of 3), blow 3 of 5: accepted, 312 N up to 4.21 kHz");
+  EXPECT_EQ(blow_text(blow, two_responses(), many), "Point 5 (2 of 3), blow 3 of 5 (hit 8): accepted, 312 N up to 4.21 kHz");
   blow.point = 0;
-  EXPECT_EQ(blow_text(blow, two_responses(), one), "Blow 3 of 5: accepted, 312 N up to 4.21 kHz");
+  EXPECT_EQ(blow_text(blow, two_responses(), one), "Blow 3 of 5 (hit 8): accepted, 312 N up to 4.21 kHz");
   blow.grade.force_range = 0.94;
   EXPECT_EQ(blow_text(blow, two_responses(), one),
-            "Blow 3 of 5: accepted, 312 N up to 4.21 kHz; hit a little softer (force at 94 % of range)");
+            "Blow 3 of 5 (hit 8): accepted, 312 N up to 4.21 kHz; hit a little softer (force at 94 % of range)");
   blow.grade.mark = RowMark::silent_channel;
   blow.grade.reason = "channel 3 is silent";
   blow.grade.remedy = "check its cable and its input";
   EXPECT_EQ(blow_text(blow, two_responses(), one),
-            "Blow 3 of 5: rejected: channel 3 is silent; check its cable and its input");
+            "Blow 3 of 5 (hit 8): rejected: channel 3 is silent; check its cable and its input");
 }
 
 TEST(GuidanceText, SetsTheRangeByTheFirstBlows) {

@@ -37,4 +37,20 @@ TEST(LiveChannels, BeginWithTheNotesOfTheDevice) {
                           "the unit of channel 2 is not stated; taken as m/s^2"));
 }
 
+// The device has more channels than the session records: its numbers are those on its sockets.
+TEST(LiveChannels, HaveTheNumbersOfTheDevice) {
+  const acquire::StreamFormat format{.device = "eight", .fs_Hz = 1000, .channels = 3, .numbers = {5, 2, 8}};
+  const LiveChannels by_place = live_channels(format, {});
+  EXPECT_EQ(by_place.force_number, 5U);
+  EXPECT_THAT(by_place.accel_numbers, ElementsAre(2, 8));
+  EXPECT_EQ(name_of_channel(by_place, 1), "channel 8");
+  acquire::ReadOptions options;
+  options.setup = {{.name = "2", .role = "force"}, {.name = "8"}, {.name = "1"}};
+  const LiveChannels stated = live_channels(format, options);
+  EXPECT_EQ(stated.force, 1U);
+  EXPECT_EQ(stated.force_number, 2U);
+  EXPECT_THAT(stated.accel, ElementsAre(2));
+  EXPECT_THAT(stated.accel_numbers, ElementsAre(8));
+}
+
 }  // namespace percuss::pipeline::live_channels_test

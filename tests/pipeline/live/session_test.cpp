@@ -49,6 +49,44 @@ TEST(Session, ReturnsToPointsThatWereSkipped) {
   EXPECT_TRUE(session.finished());
 }
 
+void strike_doubtfully(Session& session) { session.apply({.kind = Kind::blow, .doubtful = true}); }
+
+// The last blow of a point is little like the others: four blows can tell which is wrong.
+TEST(Session, StaysAtAPointInDoubt) {
+  Session session({.points = {0, 1, 2}, .hits = 3});
+  strike(session, 2);
+  strike_doubtfully(session);
+  EXPECT_EQ(session.point(), 0);
+  EXPECT_EQ(session.complete_points(), 1U);
+  session.apply({.kind = Kind::regraded, .mark = RowMark::outlier, .row = 2});
+  strike(session, 1);
+  EXPECT_EQ(session.point(), 1);
+  strike(session, 2);
+  strike_doubtfully(session);
+  EXPECT_EQ(session.point(), 1);
+  strike_doubtfully(session);  // four are enough, whatever they tell
+  EXPECT_EQ(session.point(), 2);
+  strike(session, 2);
+  strike_doubtfully(session);
+  EXPECT_FALSE(session.finished());
+  session.apply({.kind = Kind::next});
+  EXPECT_EQ(session.point(), 2);  // the other points have their blows
+  session.apply({.kind = Kind::undo});
+  strike(session, 1);
+  EXPECT_TRUE(session.finished());
+}
+
+// Where blows differ at other points, too, noise makes them differ.
+TEST(Session, DoesNotStayWhereNoiseMakesBlowsDiffer) {
+  Session session({.points = {0, 1}, .hits = 2});
+  strike(session, 1);
+  for (int i = 0; i < 3; ++i) strike_doubtfully(session);
+  EXPECT_EQ(session.point(), 1);
+  strike(session, 1);
+  strike_doubtfully(session);
+  EXPECT_TRUE(session.finished());
+}
+
 TEST(Session, SkipsToAPointThatLacksBlows) {
   Session session({.points = {0, 1, 2}, .hits = 1});
   strike(session, 1);
@@ -116,6 +154,7 @@ TEST(SessionEvents, AreTheSameAfterJson) {
       event.message = "channel \"3\" is silent";
       event.peak_N = 0.1 + 0.2;
       event.bandwidth_Hz = 1e4 / 3;
+      event.doubtful = true;
     }
     const std::string json = pipeline::json_of(event);
     EXPECT_EQ(json.find('\n'), std::string::npos);

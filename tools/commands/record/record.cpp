@@ -63,7 +63,7 @@ void add_record(CommandLine& line) {
       .show_default();
   command
       .list("--channels", flags->channel_list,
-            "Record only these channels, counted from 1, in this order: numbers or ranges, such as 1,3-5")
+            "Record only these channels of the device, in this order: numbers from 1 or ranges, such as 1,3-5")
       .type("N,...")
       .add_check(kChannelsRequirement, names_channels);
   command.value("--fs", flags->fs_Hz, "Choose the sampling rate (default: the device's own)").type("HZ").above_zero();

@@ -59,10 +59,9 @@ void RecordScreen::begin(const acquire::StreamFormat& format, const pipeline::Gu
   guide_ = &guide;
   fs_Hz_ = format.fs_Hz;
   const pipeline::LiveChannels& channels = guide.channels();
-  std::vector<std::size_t> responses;
-  for (const std::size_t channel : channels.accel) responses.push_back(channel + 1);
   note(fmt::format("{}: {:.6g} Hz, hammer on channel {}, response{} on {}", format.device, format.fs_Hz,
-                   channels.force + 1, responses.size() == 1 ? "" : "s", fmt::join(responses, ", ")));
+                   channels.force_number, channels.accel.size() == 1 ? "" : "s",
+                   fmt::join(channels.accel_numbers, ", ")));
   for (const Message& message : channels.notes) note(message.text);
   silent_ = !flags_.resume.empty();
 }
@@ -106,7 +105,7 @@ void RecordScreen::show_quality(const pipeline::SessionQuality& quality) {
 void RecordScreen::update(const pipeline::Guide& guide) {
   if (!worker_) return;
   if (std::exchange(discard_, false)) worker_->discard();
-  if (std::exchange(ask_, false)) worker_->ask(guide.accepted_record());
+  if (std::exchange(ask_, false)) worker_->ask(guide.record());
   if (const auto quality = worker_->take()) show_quality(*quality);
   const std::string state =
       guide.collecting() ? "listening to the decay" : pipeline::prompt_text(guide.session(), roving_);
@@ -123,7 +122,7 @@ void RecordScreen::on_blow(const pipeline::BlowReport& blow) {
 void RecordScreen::on_regraded(std::size_t row, acquire::RowMark mark) {
   if (silent_) return;
   ask_ = discard_ = true;
-  note(fmt::format("  row {} of the record does not count any longer: {}", row + 1, acquire::reason_of(mark)));
+  note(fmt::format("  hit {} does not count any longer: {}", row + 1, acquire::reason_of(mark)));
 }
 
 void RecordScreen::on_command(const pipeline::SessionEvent& command, std::size_t undone) {
@@ -133,8 +132,13 @@ void RecordScreen::on_command(const pipeline::SessionEvent& command, std::size_t
   ask_ = ask_ || discard_;
 }
 
-void RecordScreen::on_length(std::size_t samples) {
-  if (!silent_) note(fmt::format("  each blow takes {:.2f} s", static_cast<double>(samples) / fs_Hz_));
+void RecordScreen::on_length(std::size_t samples, bool cut_short) {
+  if (silent_) return;
+  const std::string length = fmt::format("  each blow takes {:.2f} s", static_cast<double>(samples) / fs_Hz_);
+  note(cut_short ? length +
+                       ": the first blow was cut short before its decay had ended; for longer ones, begin anew and "
+                       "wait after it, or state the length"
+                 : length);
 }
 
 void RecordScreen::on_left_out(std::uint64_t frame) {
@@ -168,7 +172,7 @@ void RecordScreen::end(const pipeline::Guide& guide, const SessionResult& result
     for (const pipeline::AnalysedHit& hit : result.analysis().hits()) {
       const bool counted = guide.session().blows()[hit.hit.row].accepted();
       if (hit.accepted || !counted || hit.hit.findings.empty()) continue;
-      note(fmt::format("  the analysis of all blows leaves out row {}: {}", hit.hit.row + 1,
+      note(fmt::format("  the analysis of all blows leaves out hit {}: {}", hit.hit.row + 1,
                        hit.hit.findings.front().message));
     }
   } catch (const InputError&) {  // the report of the analysis says why

@@ -112,7 +112,8 @@ Ending record_blows(acquire::CaptureStream& stream, pipeline::Guide& guide, Reco
   take_findings(stream, guide, screen, ending.missing_frames);
   guide.finish();
   const bool signal = SessionSignals::arrived() != 0;
-  ending.early = (ending.device != StreamEnd::none || signal) && !guide.session().finished();
+  const bool done = guide.session().finished() || guide.session().complete();
+  ending.early = (ending.device != StreamEnd::none || signal) && !done;
   ending.broken = ending.early && (signal || ending.device != StreamEnd::finished);
   return ending;
 }
@@ -167,6 +168,8 @@ void keep_session(const RecordFlags& flags, const acquire::Record& record, const
     return;
   }
   if (ending.missing_frames > 0) screen.note(missing_text(ending.missing_frames, record.fs_Hz));
+  if (ending.device == StreamEnd::finished && repeats_itself(flags.device))
+    return screen.note("the file holds the blows so far; the device has no more of them");
   screen.note("the file holds the blows so far; go on with: " + resume_command(flags.output));
 }
 
