@@ -1,5 +1,7 @@
 #include "synth/simulated_session.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -110,7 +112,7 @@ class SessionOptions {
   static double number_in(const char* name, std::string_view text, double low, double high) {
     const ParsedNumber parsed = parse_number(text, false);
     if (parsed.problem != NumberProblem::none || parsed.value < low || parsed.value > high)
-      fail(name, "is out of range, or no number");
+      fail(name, fmt::format("is no number from {:.6g} to {:.6g}", low, high).c_str());
     return parsed.value;
   }
 

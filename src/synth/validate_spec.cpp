@@ -107,7 +107,7 @@ void Checker::places() const {
 
 void Checker::hits() const {
   const double duration_s = static_cast<double>(spec.samples) / spec.fs_Hz;
-  in_range(spec.pulse.width_s, 0.01 / spec.fs_Hz, 512 / spec.fs_Hz, "pulse.width_s");
+  in_range(spec.pulse.width_s, 0.01 / spec.fs_Hz, 4096 / spec.fs_Hz, "pulse.width_s");
   in_range(spec.pulse.peak_N, 1e-9, 1e9, "pulse.peak_n");
   in_range(spec.pulse.width_spread, 0, 0.9, "pulse.width_spread");
   in_range(spec.pulse.peak_spread, 0, 0.9, "pulse.peak_spread");

@@ -54,6 +54,14 @@ class Entry {
     return found->get<std::string>();
   }
 
+  // A name, or the number of a channel.
+  std::string name() const {
+    const auto found = json_.find("name");
+    if (found == json_.end())
+      throw InputError("no name", where(), "give the column's name or number as \"name\"");
+    return found->is_number_unsigned() ? found->dump() : *text("name");
+  }
+
   std::optional<double> number(const char* key, double lowest, double highest) const {
     const auto found = json_.find(key);
     if (found == json_.end()) return std::nullopt;
@@ -146,9 +154,7 @@ ChannelSetup read_entry(const Json& json, std::size_t index, const std::string& 
   const Entry entry(json, index, file);
   require_known_keys(json, entry);
   ChannelSetup setup;
-  const auto name = entry.text("name");
-  if (!name) throw InputError("no name", entry.where(), "give the column's name or number as \"name\"");
-  setup.name = *name;
+  setup.name = entry.name();
   setup.role = read_role(entry);
   setup.sign = read_sign(entry);
   if (const auto angle_deg = entry.number("angle_deg", -360, 360)) setup.angle_rad = *angle_deg * kDegree_rad;
@@ -196,10 +202,9 @@ std::vector<ChannelSetup> read_channel_setup(const std::string& path) {
 std::vector<ChannelInstrument> instruments_of_setup(const std::string& path) {
   const Json document = entries_of(read_input(path, kMaxSetup_bytes).view(), input_name(path));
   std::vector<ChannelInstrument> instruments;
-  for (const Json& entry : document) {
-    const auto instrument = entry.find("instrument");
-    if (instrument != entry.end())
-      instruments.push_back({entry.at("name").get<std::string>(), instrument->get<std::string>()});
+  for (std::size_t i = 0; i < document.size(); ++i) {
+    const Entry entry(document[i], i, path);
+    if (const auto instrument = entry.text("instrument")) instruments.push_back({entry.name(), *instrument});
   }
   return instruments;
 }

@@ -53,7 +53,8 @@ std::string goal_text(const PrecisionGoal& goal, const SessionQuality& quality) 
 }  // namespace
 
 std::string place_text(const SessionPlan& plan, int point, std::size_t blow) {
-  std::string blows = fmt::format("blow {} of {}", blow, plan.hits);
+  std::string blows =
+      blow <= plan.hits ? fmt::format("blow {} of {}", blow, plan.hits) : fmt::format("a further blow ({})", blow);
   if (plan.points.size() == 1) return blows;
   return point_text(plan, point) + ", " + blows;
 }
@@ -63,7 +64,7 @@ std::string prompt_text(const Session& session, RovingPart roving) {
   if (session.paused()) return "paused; press space to go on";
   const SessionPlan& plan = session.plan();
   const std::size_t accepted = session.accepted_at(session.point());
-  std::string strike = "strike: " + place_text(plan, session.point(), std::min(accepted + 1, plan.hits));
+  std::string strike = "strike: " + place_text(plan, session.point(), accepted + 1);
   if (plan.points.size() == 1 || accepted > 0) return strike;
   return fmt::format("move the {} to {}, then strike", roving == RovingPart::hammer ? "hammer" : "sensor",
                      point_text(plan, session.point()));

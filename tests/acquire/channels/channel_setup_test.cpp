@@ -46,6 +46,11 @@ TEST(ChannelSetup, LeavesMissingKeysEmpty) {
   EXPECT_FALSE(setup.at(0).angle_rad || setup.at(0).position_m || setup.at(0).sensitivity_V_per_SI || setup.at(0).unit);
 }
 
+TEST(ChannelSetup, TakesNumbersForNames) {
+  EXPECT_EQ(parse_channel_setup(R"([{"name": 2}])", "s.json").at(0).name, "2");
+  EXPECT_EQ(rejection_of(R"([{"name": 2}, {"name": "2"}])").find("two entries"), 0U);
+}
+
 TEST(ChannelSetup, TurnsADirectionIntoASign) {
   EXPECT_EQ(parse_channel_setup(R"([{"name": "a", "direction": "-z"}])", "s").at(0).sign, -1);
   EXPECT_EQ(parse_channel_setup(R"([{"name": "a", "direction": "+x"}])", "s").at(0).sign, 1);
@@ -90,7 +95,7 @@ TEST(ChannelSetup, NamesTheWrongKey) {
   EXPECT_THAT(rejection_of(R"([{"name": "a"}, {"name": "b", "angel_deg": 3}])"),
               HasSubstr("unknown key (s.json: [1].angel_deg); use one of name,"));
   EXPECT_THAT(rejection_of(R"([{"role": "force"}])"), HasSubstr("no name (s.json: [0])"));
-  EXPECT_THAT(rejection_of(R"([{"name": 3}])"), HasSubstr("no text (s.json: [0].name)"));
+  EXPECT_THAT(rejection_of(R"([{"name": 3.5}])"), HasSubstr("no text (s.json: [0].name)"));
   EXPECT_THAT(rejection_of(R"([{"name": "a", "angle_deg": "90"}])"), HasSubstr("not a number (s.json: [0].angle_deg)"));
   EXPECT_THAT(rejection_of(R"([{"name": "a", "angle_deg": 4000}])"), HasSubstr("out of range"));
   EXPECT_THAT(rejection_of(R"([{"name": "a", "position_m": 1e300}])"), HasSubstr("out of range"));
