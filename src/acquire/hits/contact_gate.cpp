@@ -10,8 +10,6 @@
 namespace percuss::acquire {
 namespace {
 
-// Ratio of the second pulse to the main pulse. The second pulse lowers the spectrum by at most this fraction.
-constexpr double kMaxSecondRatio = 0.05;
 // A hammer rings for some milliseconds, a structure for longer.
 constexpr double kRingsFrom_s = 0.025, kRingsTo_s = 0.05;
 constexpr double kRingsOn = 0.03;        // median of |force| over the peak
@@ -47,11 +45,12 @@ void grade_second_pulse(Hit& hit, const std::vector<SecondPulse>& contacts, doub
                                                      : fmt::format("after {:.2f} ms", delay_s * 1e3);
   const char* what = second->spike ? "spike or short second hit" : "second hit";
   hit.findings.push_back({.code = FindingCode::double_hit,
-                          .severity = second->ratio > kMaxSecondRatio ? Severity::reject : Severity::info,
+                          .severity = second->ratio > kMaxSecondContact ? Severity::reject : Severity::info,
                           .value = second->ratio,
                           .message = fmt::format("{} {}, {:.{}f} % of the main one", what, when, second->ratio * 100,
-                                                 second->ratio < kMaxSecondRatio ? 2 : 1),
-                          .delay_s = delay_s});
+                                                 second->ratio < kMaxSecondContact ? 2 : 1),
+                          .delay_s = delay_s,
+                          .before_main = second->delay_samples < 0});
 }
 
 void grade_lasting_force(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz) {

@@ -13,6 +13,9 @@ namespace percuss::acquire {
 void gate_force(Hit& hit, std::span<const double> x, const Gate& pulse, const FurtherForce& further,
                 std::size_t offset);
 
+/// Ratio of the second contact to the main one. The second contact lowers the spectrum by at most this fraction.
+inline constexpr double kMaxSecondContact = 0.05;
+
 /// Adds `double_hit` for the largest of the contacts.
 void grade_second_pulse(Hit& hit, const std::vector<SecondPulse>& contacts, double fs_Hz);
 

@@ -31,6 +31,7 @@ struct Finding {
   std::string message;              // one sentence, with units
   std::vector<OptionId> options{};  // that the message concerns
   std::optional<double> delay_s{};  // double_hit: from the first pulse to the second
+  bool before_main = false;         // double_hit: the smaller pulse came first
 };
 
 /// The code's name in JSON: "double_hit", …

@@ -96,6 +96,8 @@ DeviceFormat replay_format(const Record& record, bool fast, bool set_up) {
   DeviceFormat format{.type = SampleType::float64, .pace = fast ? DevicePace::reader : DevicePace::clock};
   if (set_up) format.setup = applied_setup(record);
   format.notes = record.notes;
+  if (record.points().size() > 1)
+    format.notes.emplace_back("the points of the record's rows are not used: blows go to the points of the session");
   format.stream.device = "file:" + record.source();
   format.stream.fs_Hz = record.fs_Hz;
   format.stream.pause_frames = static_cast<std::uint64_t>(std::ceil(record.fs_Hz));

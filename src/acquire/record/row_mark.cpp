@@ -26,6 +26,9 @@ constexpr auto kMarks = std::to_array<MarkText>({
     {RowMark::no_pulse, "no_pulse", "no clean pulse"},
     {RowMark::undone, "undone", "undone by the operator"},
     {RowMark::redone, "redone", "the operator repeated the point"},
+    {RowMark::no_numbers, "no_numbers", "a channel had values that are no numbers"},
+    {RowMark::struck_again, "struck_again", "struck again before the decay ended"},
+    {RowMark::ended, "ended", "the recording, or its row, ended within the blow"},
 });
 
 }  // namespace

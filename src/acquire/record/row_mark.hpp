@@ -20,7 +20,10 @@ enum class RowMark {
   outlier = 9,
   no_pulse = 10,
   undone = 11,
-  redone = 12
+  redone = 12,
+  no_numbers = 13,
+  struck_again = 14,
+  ended = 15
 };
 
 /// The mark with this number; nothing for an unknown one.

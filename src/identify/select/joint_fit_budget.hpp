@@ -9,7 +9,8 @@ namespace percuss::identify {
 /// fits of hundreds of modes, or of misfitting ones, would take minutes.
 class JointFitBudget {
  public:
-  explicit JointFitBudget(const FrfDataset& set);
+  /// `part` of the usual work.
+  JointFitBudget(const FrfDataset& set, double part);
 
   /// Whether one more fit of these modes is affordable.
   bool allows(const std::vector<Pole>& poles) const;

@@ -19,7 +19,6 @@ namespace {
 using acquire::Finding, acquire::FindingCode, acquire::RowMark, acquire::Severity;
 
 constexpr double kFullScale = 0.999;   // of the range: the converter's last step may not be used
-constexpr double kWeak = 0.2;          // of the typical peak, as acquire::grade_weak
 constexpr double kLowBandwidth = 0.5;  // of the typical bandwidth
 constexpr double kSilent = 8;          // standard deviations of the noise; Gaussian noise has 5
 constexpr std::size_t kMinQuiet = 12;  // samples that give a noise level
@@ -31,6 +30,10 @@ struct Reason {
   RowMark mark = RowMark::none;
   std::string reason, remedy;
 };
+
+Reason struck_again() {
+  return {RowMark::struck_again, "struck again before the decay ended", "wait between blows"};
+}
 
 const Finding* find(const acquire::Hit& hit, FindingCode code) {
   const auto it = std::find_if(hit.findings.begin(), hit.findings.end(),
@@ -51,16 +54,17 @@ bool is_silent(std::span<const double> accel, std::size_t quiet) {
 Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, const BlowContext& context) {
   if (at.lost_samples) return {RowMark::lost_samples, "samples were lost during the blow", "repeat it"};
   if (at.row_ended) {
-    return {RowMark::lost_samples, "the row of the record ends before the length of the blows",
-            "state a shorter length"};
+    return {RowMark::ended, "the row of the record ends before the length of the blows", "state a shorter length"};
   }
-  if (at.recording_ended && !at.struck_again) {
-    return {RowMark::lost_samples, "the recording ended within the blow", "repeat it"};
+  // Beyond the end, samples repeat the last one.
+  if (at.recording_ended) {
+    if (at.struck_again) return struck_again();
+    return {RowMark::ended, "the recording ended within the blow", "repeat it"};
   }
   if (at.no_numbers) {
     const std::size_t signal = *at.no_numbers;
     const std::string name = signal == 0 ? "the force" : name_of_channel(context.channels, signal - 1);
-    return {RowMark::lost_samples, name + " has values that are no numbers", "check its cable and its input"};
+    return {RowMark::no_numbers, name + " has values that are no numbers", "check its cable and its input"};
   }
   const std::size_t quiet = at.pretrigger / 2;
   for (std::size_t c = 0; c + 1 < samples.size(); ++c) {
@@ -96,6 +100,15 @@ Reason judge_range(const BlowCircumstances& at, const BlowContext& context) {
   return {};
 }
 
+Reason two_contacts(double ratio, double apart_s, bool smaller_first) {
+  const std::string what =
+      smaller_first
+          ? fmt::format("two contacts, the first {:.0f} % of the second and {:.0f} ms before it", ratio * 100,
+                        apart_s * 1e3)
+          : fmt::format("two contacts, the second {:.0f} % of the first and {:.0f} ms later", ratio * 100, apart_s * 1e3);
+  return {RowMark::double_hit, what, "strike shorter: let the hammer bounce off"};
+}
+
 Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const BlowContext& context) {
   const auto rejected = [&](FindingCode code) {
     const Finding* const finding = find(hit, code);
@@ -106,19 +119,17 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
   if (rejected(FindingCode::overload) != nullptr || rejected(FindingCode::force_clipped) != nullptr)
     return {RowMark::force_overload, "the force is clipped", "lower the gain of the hammer, or hit softer"};
   if (const Finding* const second = rejected(FindingCode::double_hit)) {
-    return {RowMark::double_hit,
-            fmt::format("two contacts, the second {:.0f} % of the first and {:.0f} ms later", second->value * 100,
-                        second->delay_s.value_or(0) * 1e3),
-            "strike shorter: let the hammer bounce off"};
+    return two_contacts(second->value, second->delay_s.value_or(0), second->before_main);
   }
-  if (at.struck_again) return {RowMark::still_ringing, "struck again before the decay ended", "wait between blows"};
+  if (at.contact_before > 0) return two_contacts(at.contact_before, at.contact_before_s, true);
+  if (at.struck_again) return struck_again();
   if (hit.gated_N.empty() || acquire::rejects(hit.findings)) {
     std::string remedy = "strike freely and once";
     if (at.first_blows) remedy += fmt::format(". Is the hammer on channel {}?", context.channels.force_number);
     return {RowMark::no_pulse, "no clean pulse", remedy};
   }
   const double peak_N = std::abs(hit.peak_N);
-  if (at.typical_peak_N > 0 && peak_N < kWeak * at.typical_peak_N) {
+  if (at.typical_peak_N > 0 && peak_N < kWeakBlow * at.typical_peak_N) {
     return {RowMark::weak, fmt::format("too weak, {:.0f} % of the usual force", 100 * peak_N / at.typical_peak_N),
             "hit harder"};
   }

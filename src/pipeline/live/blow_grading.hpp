@@ -13,6 +13,9 @@
 
 namespace percuss::pipeline {
 
+/// Of the median of the accepted blows: a smaller blow is weak, as for acquire::find_hits.
+inline constexpr double kWeakBlow = 0.2;
+
 /// What is known of a blow before its analysis.
 struct BlowCircumstances {
   /// The strongest sinusoid of a response before the blow (rms), and the smallest one before any blow: its noise.
@@ -25,6 +28,8 @@ struct BlowCircumstances {
   std::optional<std::size_t> no_numbers{};  // the first signal with samples that are no numbers: 0 for the force
   bool struck_again = false;                // the next blow begins within its samples
   bool during_previous = false;             // it begins within the samples of the blow before
+  double contact_before = 0;                // a contact before the samples, as part of the peak; 0: none
+  double contact_before_s = 0;              // its time before the peak
   std::vector<double> range;  // [1 + channels], largest |value| over the device's full scale; empty: not known
   double typical_peak_N = 0;  // median of the accepted blows; 0: too few
   double typical_bandwidth_Hz = 0;

@@ -93,11 +93,11 @@ std::string blow_text(const BlowReport& blow, const LiveChannels& channels, cons
     return fmt::format("{}: rejected: {}{}{}", place, grade.reason, grade.remedy.empty() ? "" : "; ", grade.remedy);
   std::string text =
       fmt::format("{}: accepted, {} up to {}", place, force_text(grade.peak_N), frequency_text(grade.bandwidth_Hz));
-  const std::string advice = range_advice(grade, channels, blow.row < 2);
+  const std::string advice = range_advice(grade, channels, blow.sets_range);
   if (!advice.empty()) text += "; " + advice;
   if (grade.moved_before) text += "; it had not come to rest: wait a little longer between blows";
-  if (grade.unlike_others) text += "; little like the other blows: was it the same place?";
-  if (blow.one_more) text += " One more blow at this point helps to decide";
+  if (grade.unlike_others) text += "; little like the other blows: another place, or noise?";
+  if (blow.one_more) text += "; one more blow at this point helps to decide";
   if (grade.rings_at_end) text += "; still ringing at the end: a longer window keeps the whole decay";
   return text;
 }
@@ -139,7 +139,9 @@ std::string goals_text(const SessionQuality& quality, const std::vector<Precisio
     if (!m) {
       text += ": no such mode was found";
     } else if (quality.modes[*m].freq_std_Hz > 0) {
-      text += fmt::format(", ± {:.2g} Hz", quality.modes[*m].freq_std_Hz);
+      const LiveMode& mode = quality.modes[*m];
+      text += goal.relative ? fmt::format(", ± {:.2g} %", 100 * mode.freq_std_Hz / mode.freq_Hz)
+                            : fmt::format(", ± {:.2g} Hz", mode.freq_std_Hz);
     }
   }
   return text;
@@ -154,7 +156,13 @@ std::string fault_text(const acquire::CaptureFinding& fault, const LiveChannels&
   return name + " delivers values that are no numbers; check its cable and its input";
 }
 
-std::string left_out_text(double time_s) {
+std::string left_out_text(double time_s, bool too_early) {
+  if (too_early) {
+    return fmt::format(
+        "the blow at {:.2f} s is not recorded: there was no time to measure the noise before it; wait a second before "
+        "the first blow",
+        time_s);
+  }
   return fmt::format(
       "the blow at {:.1f} s is not recorded: another blow, lost samples or the end of the recording came before its "
       "decay could be measured; wait longer between blows, or state the length",
@@ -168,7 +176,12 @@ std::string long_push_text(const LongPush& push, double time_s) {
       std::abs(push.peak_N), 1e3 * push.length_s, time_s, 1e3 * acquire::kLongestPulse_s);
 }
 
-std::string silent_hammer_text(const LiveChannels& channels) {
+std::string silent_hammer_text(const LiveChannels& channels, std::optional<double> trigger_N) {
+  if (trigger_N) {
+    return fmt::format("{} moves, but the force stays below the trigger level of {:.6g} N: if you have struck, state a "
+                       "lower one, or check the hammer on channel {}",
+                       name_of_channel(channels, 0), *trigger_N, channels.force_number);
+  }
   return fmt::format(
       "{} moves, but the hammer on channel {} is silent: if you have struck, check its cable and its input",
       name_of_channel(channels, 0), channels.force_number);

@@ -32,9 +32,9 @@ std::string goals_text(const SessionQuality& quality, const std::vector<Precisio
 /// A fault of the capture, between the blows: "a gap of 200 frames".
 std::string fault_text(const acquire::CaptureFinding& fault, const LiveChannels& channels);
 /// A blow that is not recorded (GuideObserver::on_left_out).
-std::string left_out_text(double time_s);
+std::string left_out_text(double time_s, bool too_early);
 /// Why no blow is seen (GuideObserver::on_silent_hammer).
-std::string silent_hammer_text(const LiveChannels& channels);
+std::string silent_hammer_text(const LiveChannels& channels, std::optional<double> trigger_N);
 /// A push at this time was too long for a blow.
 std::string long_push_text(const LongPush& push, double time_s);
 /// The end: "22 of 24 points are complete; 113 blows count, 9 rejected, 2 undone".

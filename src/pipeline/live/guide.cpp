@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "acquire/hits/time_selection.hpp"
+#include "core/math/statistics.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -15,6 +16,9 @@ constexpr std::size_t kCompared = 20;  // blows of the point: time and memory of
 constexpr double kLongGap_s = 1;       // after a longer one the trigger begins anew
 constexpr std::size_t kFeed = 4096;    // samples
 constexpr double kStrongPush = 0.2;    // of the usual blow, or of the last push: a weaker one was no attempt to strike
+constexpr std::size_t kSetTheRange = 2;   // blows
+constexpr double kMuchWeaker = 0.5;       // than an earlier blow: no reason to raise a gain
+constexpr std::size_t kMinToCompare = 3;  // blows: two do not tell which is weak
 constexpr double kRest_s = 0.2;        // before a blow, where the structure should be at rest
 
 // The frames of a block before `frame`, and the rest.
@@ -173,7 +177,7 @@ void Guide::advance(bool last) {
         complete_ = true;
       }
     } else if (!session_.paused()) {
-      observer_.on_left_out(window.event.first);
+      observer_.on_left_out(window.event.first, too_early(window));
     }
     windows_.pop_front();
   }
@@ -184,12 +188,14 @@ void Guide::judge(const Window& window) {
   const BlowSamples samples = read_blow(history_, channels_, window.first, *length_);
   const bool cut = length_by_end_ || history_.end_frame() < window.first + *length_;  // by the end of the recording
   note_rest(window);
-  const BlowGrade graded = grade(samples, window);
+  BlowGrade graded = grade(samples, window);
+  regrade_weak(graded);
   BlowReport report{.row = session_.blows().size(),
                           .end_frame = window.first + *length_,
                           .point = session_.point(),
                           .blow = session_.accepted_at(session_.point()) + 1,
-                          .grade = graded};
+                          .grade = graded,
+                          .sets_range = sets_range(graded)};
   store_->append(samples);
   previous_end_ = report.end_frame;
   const SessionEvent event{.kind = Kind::blow,
@@ -205,15 +211,36 @@ void Guide::judge(const Window& window) {
     session_.apply(event);
     return observer_.on_blow(report);
   }
-  for (const auto& [row, mark] : graded.regraded) {
+  for (const auto& [row, mark] : graded.regraded)
     log_and_apply({.kind = Kind::regraded, .frame = window.first, .mark = mark, .row = row});
-    observer_.on_regraded(row, mark);
-  }
   log_and_apply(event);
   report.one_more = graded.accepted() && !session_.finished() && session_.point() == report.point &&
                     session_.accepted_at(report.point) >= session_.plan().hits;
   observer_.on_blow(report);
+  for (const auto& [row, mark] : graded.regraded) observer_.on_regraded(row, mark);
   if (graded.accepted()) check_goals();
+}
+
+bool Guide::sets_range(const BlowGrade& grade) const {
+  const auto& blows = session_.blows();
+  return blows.size() < kSetTheRange && std::all_of(blows.begin(), blows.end(), [&](const Session::Blow& blow) {
+    return kMuchWeaker * std::abs(blow.peak_N) <= std::abs(grade.peak_N);
+  });
+}
+
+void Guide::regrade_weak(BlowGrade& grade) const {
+  if (!grade.accepted()) return;
+  std::vector<double> peaks_N{std::abs(grade.peak_N)};
+  const std::vector<std::size_t> rows = session_.accepted_rows();
+  for (const std::size_t row : rows) peaks_N.push_back(std::abs(session_.blows()[row].peak_N));
+  if (peaks_N.size() < kMinToCompare) return;
+  const double least_N = kWeakBlow * median(std::move(peaks_N));
+  for (const std::size_t row : rows) {
+    const bool known = std::any_of(grade.regraded.begin(), grade.regraded.end(),
+                                   [row](const BlowGrade::Regraded& other) { return other.row == row; });
+    if (!known && std::abs(session_.blows()[row].peak_N) < least_N)
+      grade.regraded.push_back({.row = row, .mark = acquire::RowMark::weak});
+  }
 }
 
 BlowGrade Guide::grade(const BlowSamples& samples, const Window& window) const {

@@ -95,6 +95,8 @@ class Guide {
   bool all_known_before(std::uint64_t frame) const;
   /// False: more samples are needed. True with no length: the window is of no use.
   bool choose_length(Window& window, bool last);
+  bool too_early(const Window& window) const;
+  std::size_t missing_pretrigger(const Window& window) const;
   std::uint64_t undisturbed_end(const Window& window) const;
   bool is_pause(const SampleLoss& loss) const;
   /// Lost frames, and samples of the force that are no numbers.
@@ -102,6 +104,9 @@ class Guide {
   void note_losses(std::uint64_t frame);
   bool is_used(std::size_t channel) const;
   void judge(const Window& window);
+  bool sets_range(const BlowGrade& grade) const;
+  /// Adds the accepted blows that are weak beside the others, now that there are enough to tell.
+  void regrade_weak(BlowGrade& grade) const;
   BlowGrade grade(const BlowSamples& samples, const Window& window) const;
   BlowCircumstances circumstances(const Window& window) const;
   /// Measures the motion before a blow, and keeps the smallest of each response: its noise.

@@ -17,6 +17,7 @@ struct BlowReport {
   int point = 0;
   std::size_t blow = 1;  // of `hits`: its number among the accepted blows of its point, if it counts
   BlowGrade grade;
+  bool sets_range = false;  // among the first blows, and the strongest so far
   bool one_more = false;  // the point has its blows, but this one is doubtful
 };
 
@@ -36,8 +37,8 @@ class GuideObserver {
   /// The length of all blows was chosen. `cut_short`: by the next blow or lost samples, before the decay had ended.
   virtual void on_length(std::size_t /*samples*/, bool /*cut_short*/) {}
   /// A blow, first above the threshold at this frame, is too short to choose the length of all blows by it: the next
-  /// one, or lost samples, came too early. It is not recorded.
-  virtual void on_left_out(std::uint64_t /*frame*/) {}
+  /// one, or lost samples, came too early. Or it came itself too early to know the noise before it. It is not recorded.
+  virtual void on_left_out(std::uint64_t /*frame*/, bool /*too_early*/) {}
   /// A response moves as after a blow, but the force does not; once, before the first blow.
   virtual void on_silent_hammer() {}
   /// A push of the force was too long for a blow, but as strong as one.

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "acquire/hits/contact_gate.hpp"
 #include "acquire/hits/time_selection.hpp"
 #include "core/math/fft.hpp"
 #include "core/math/statistics.hpp"
@@ -67,10 +68,25 @@ std::vector<SampleLoss> Guide::force_losses(std::uint64_t first, std::uint64_t l
   return losses;
 }
 
+// The samples by which a blow at the very beginning lacks its pre-trigger. The others of its length have it.
+std::size_t Guide::missing_pretrigger(const Window& window) const {
+  if (window.first != start_frame_ || format_.pause_frames > 0) return 0;
+  const std::size_t whole = pretrigger_of(window.event.rise), own = window.event.peak - window.first;
+  return whole > own ? whole - own : 0;
+}
+
+// The decay of such a blow would be judged without its noise.
+bool Guide::too_early(const Window& window) const {
+  const std::size_t usual = std::min(pretrigger_of(0), acquire::pretrigger_samples(channels_.description, {}));
+  return missing_pretrigger(window) > 0 && 2 * (window.event.peak - window.first) < usual;
+}
+
 bool Guide::choose_length(Window& window, bool last) {
+  if (too_early(window)) return true;
   const std::uint64_t end = undisturbed_end(window);
   const bool next_known = last || windows_.size() > 1, cut = next_known || end < history_.end_frame();
   const std::size_t pretrigger = window.event.peak - window.first;
+  const std::size_t missing = missing_pretrigger(window);
   // The next window begins before its blow.
   const auto known_before = [&](std::uint64_t frame) { return next_known || all_known_before(frame + pretrigger_); };
   for (; window.horizon < kHorizons; ++window.horizon) {
@@ -81,7 +97,7 @@ bool Guide::choose_length(Window& window, bool last) {
     const auto decayed =
         decayed_samples(channels_.description, read_blow(history_, channels_, window.first, samples), pretrigger);
     if (!decayed && window.horizon + 1 < kHorizons) continue;
-    length_ = fast_length_at_least(decayed.value_or(samples));
+    length_ = fast_length_at_least(decayed.value_or(samples) + missing);
     observer_.on_length(*length_, false);
     return true;
   }
@@ -90,7 +106,7 @@ bool Guide::choose_length(Window& window, bool last) {
   const auto after = history_.losses(end, end + 1);
   const bool row_ends = std::any_of(after.begin(), after.end(), [&](const SampleLoss& loss) { return is_pause(loss); });
   if (static_cast<double>(whole) >= (row_ends ? kShortestRow_s : kShortestCut_s) * fs_Hz_) {
-    length_ = fast_length_at_most(static_cast<std::size_t>(kSpareAtCut * static_cast<double>(whole)));
+    length_ = fast_length_at_most(static_cast<std::size_t>(kSpareAtCut * static_cast<double>(whole)) + missing);
     length_by_end_ = last && end == history_.end_frame();
     observer_.on_length(*length_, !row_ends);
   }
@@ -142,6 +158,13 @@ BlowCircumstances Guide::circumstances(const Window& window) const {
                        .pretrigger = static_cast<std::size_t>(window.event.peak - window.first),
                        .rest = rest_,
                        .first_blows = session_.accepted() == 0 && !session_.blows().empty()};
+  // The analysis sees contacts within the samples.
+  if (const auto& earlier = window.event.earlier; earlier && earlier->peak < window.first) {
+    if (earlier->ratio > acquire::kMaxSecondContact) {
+      at.contact_before = earlier->ratio;
+      at.contact_before_s = static_cast<double>(window.event.peak - earlier->peak) / fs_Hz_;
+    }
+  }
   for (std::size_t s = 0; s <= channels_.accel.size() && !at.no_numbers; ++s) {
     const std::size_t channel = s == 0 ? channels_.force : channels_.accel[s - 1];
     if (any([&](const SampleLoss& loss) { return loss.channel == channel; })) at.no_numbers = s;

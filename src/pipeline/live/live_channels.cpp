@@ -125,7 +125,9 @@ acquire::SignalInfo as_stored(const acquire::SignalInfo& signal, const std::stri
 std::string name_of_channel(const LiveChannels& channels, std::size_t accel) {
   const std::string number = fmt::format("channel {}", channels.accel_numbers[accel]);
   const std::string& name = channels.accel_names[accel];
-  return name == number ? number : fmt::format("{} ({})", number, one_line(name, 40));
+  const std::string in_file = acquire::channel_name(accel);
+  if (name == number || name.starts_with("accel")) return fmt::format("{} ({})", number, in_file);
+  return fmt::format("{} ({}, {})", number, one_line(name, 40), in_file);
 }
 
 LiveChannels live_channels(const StreamFormat& format, const acquire::ReadOptions& stated,

@@ -24,7 +24,8 @@ struct LiveChannels {
   acquire::Record description;
 };
 
-/// "channel 3 (accel 2)": a response, for people, by the number of the device.
+/// "channel 3 (accel 2)": a response, for people, by the number of the device and the name in the file; with its own
+/// name, if it has one.
 std::string name_of_channel(const LiveChannels& channels, std::size_t accel);
 
 /// Finds the roles by the rules of record files: the set-up, units, words in the names. Without any of these, the first

@@ -18,6 +18,7 @@ constexpr double kStep_s = 0.04, kMinStep = 32, kMaxStep = 512;  // samples; 10 
 constexpr std::size_t kNoiseSteps = 256;                         // 2.6 s at 51.2 kHz
 constexpr double kArming_s = 0.25;                               // of noise before the first search
 constexpr std::size_t kArmingSteps = 8;
+constexpr std::uint64_t kFlank = 3;  // times the rise from 5 % of a peak: the peak's own flank
 constexpr std::size_t kRecentPeaks = 9, kMinPeaks = 3;
 
 std::uint64_t frames_in(double time_s, double fs_Hz) { return static_cast<std::uint64_t>(time_s * fs_Hz) + 1; }
@@ -176,7 +177,8 @@ void OnlineTrigger::take_event(std::uint64_t first, std::uint64_t best, std::uin
   const double peak_N = x[best - from];
   if (acquire::is_hammer_pulse(x, best - from, noise_N_, options_.fs_Hz)) {
     const std::size_t rise = acquire::rise_samples(acquire::shape_of_pulse(x, best - from));
-    events_.push_back({.first = first, .peak = best, .rise = rise});
+    events_.push_back(
+        {.first = first, .peak = best, .rise = rise, .earlier = earlier_contact(first, best, rise)});
     peaks_N_.push_back(std::abs(peak_N));
     if (peaks_N_.size() > kRecentPeaks) peaks_N_.pop_front();
   } else {
@@ -186,6 +188,14 @@ void OnlineTrigger::take_event(std::uint64_t first, std::uint64_t best, std::uin
   quiet_until_ = std::max(best + apart_, end);
   at_ = std::min(best + own_, quiet_until_);
   waiting_ = false;
+}
+
+std::optional<BlowEvent::Earlier> OnlineTrigger::earlier_contact(std::uint64_t first, std::uint64_t peak,
+                                                                 std::size_t rise) const {
+  const std::uint64_t guard = kFlank * rise;  // the flank of the largest one
+  if (first + guard >= peak) return {};
+  const std::uint64_t before = largest_in(first, peak - guard);
+  return BlowEvent::Earlier{.peak = before, .ratio = distance(before) / distance(peak)};
 }
 
 void OnlineTrigger::note_long_push(std::uint64_t peak) {

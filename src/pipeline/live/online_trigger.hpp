@@ -13,6 +13,12 @@ struct BlowEvent {
   std::uint64_t first = 0;  // frame of the first sample above the threshold
   std::uint64_t peak = 0;   // frame of the largest |force − baseline|
   std::size_t rise = 0;     // frames from 5 % of the peak to the peak
+  /// A contact before the largest one: its frame, and its part of the largest force.
+  struct Earlier {
+    std::uint64_t peak = 0;
+    double ratio = 0;
+  };
+  std::optional<Earlier> earlier{};
 };
 
 /// A push of the force that lasts too long for a blow of a hammer, but begins and ends as one does.
@@ -58,6 +64,7 @@ class OnlineTrigger {
   /// Force minus baseline.
   std::vector<double> force_between(std::uint64_t first, std::uint64_t last) const;
   void take_event(std::uint64_t first, std::uint64_t best, std::uint64_t end);
+  std::optional<BlowEvent::Earlier> earlier_contact(std::uint64_t first, std::uint64_t peak, std::size_t rise) const;
   void note_long_push(std::uint64_t peak);
 
   OnlineTriggerOptions options_;

@@ -12,6 +12,8 @@ namespace {
 using acquire::RowMark;
 using Kind = SessionEvent::Kind;
 
+constexpr std::size_t kNoisyPoints = 3;  // so many points in doubt are no accident
+
 }  // namespace
 
 Session::Session(SessionPlan plan) : plan_(std::move(plan)), enough_(plan_.points.size()) {}
@@ -70,22 +72,34 @@ bool Session::go_on() {
 bool Session::in_doubt(std::size_t index) const {
   const auto doubtful = [this](int point) {
     const auto rows = accepted_rows(point);
-    return !rows.empty() && blows_[rows.back()].doubtful;
+    return std::any_of(rows.begin(), rows.end(), [this](std::size_t row) { return blows_[row].doubtful; });
   };
   const int point = plan_.points[index];
-  if (!doubtful(point) || accepted_at(point) >= std::max(kMinHitsToVote, plan_.hits + 1)) return false;
+  const auto rows = accepted_rows(point);
+  if (!doubtful(point)) return false;
+  const bool newest = blows_[rows.back()].doubtful;
+  if (rows.size() >= (newest ? std::max(kMinHitsToVote, plan_.hits + 1) : kMinHitsToVote)) return false;
   std::size_t others = 0, others_in_doubt = 0;
   for (const int other : plan_.points) {
     if (other == point || accepted_at(other) == 0) continue;
     ++others;
     others_in_doubt += doubtful(other) ? 1U : 0U;
   }
-  return 2 * others_in_doubt <= others;
+  return others_in_doubt < kNoisyPoints || 2 * others_in_doubt <= others;
 }
 
 void Session::advance() {
   if (done_at(current_) && !enough_[current_] && in_doubt(current_)) return;
   if (done_at(current_) && !go_on()) finished_ = true;
+}
+
+void Session::regrade(const SessionEvent& event) {
+  if (event.row >= blows_.size() || !blows_[event.row].accepted()) return;
+  blows_[event.row].mark = event.mark;
+  if (event.mark != RowMark::outlier) return;
+  for (Blow& blow : blows_) {  // it was the wrong one
+    if (blow.point == blows_[event.row].point) blow.doubtful = false;
+  }
 }
 
 void Session::undo() {
@@ -120,7 +134,7 @@ void Session::apply(const SessionEvent& event) {
                         .doubtful = event.doubtful});
       break;
     case Kind::regraded:
-      if (event.row < blows_.size() && blows_[event.row].accepted()) blows_[event.row].mark = event.mark;
+      regrade(event);
       return;  // the blow that caused it follows, or has been counted
     case Kind::undo:
       return undo();

@@ -70,11 +70,12 @@ class Session {
 
  private:
   bool done_at(std::size_t index) const;
-  /// Whether the last accepted blow of a point that has its blows is doubtful, so that further ones are needed to tell
-  /// which blow is wrong. Where other points are in doubt, too, the noise is to blame.
+  /// Whether further blows are needed at a point that has its blows, to tell which of them is wrong. Where most other
+  /// points are in doubt, too, the noise is to blame.
   bool in_doubt(std::size_t index) const;
   bool go_on();
   void advance();
+  void regrade(const SessionEvent& event);
   void undo();
   void redo(int point);
   void go_to(int point);

@@ -95,7 +95,7 @@ TEST(GuideFaults, NamesAChannelThatDeliversNoNumbers) {
   Bench bench(struck_tube(kFiveTimes, 8));
   for (std::size_t i = 2; i < bench.source.values.size(); i += 3) bench.source.values[i] = std::nan("");
   bench.play_all();
-  for (const RowMark mark : bench.marks()) EXPECT_EQ(mark, RowMark::lost_samples);
+  for (const RowMark mark : bench.marks()) EXPECT_EQ(mark, RowMark::no_numbers);
   ASSERT_EQ(bench.witness.blows.size(), 5U);
   EXPECT_EQ(bench.witness.blows[0].grade.reason, "channel 3 (accel 2) has values that are no numbers");
   ASSERT_EQ(bench.witness.faults.size(), 1U);
@@ -140,7 +140,7 @@ TEST(GuideFaults, TellsTheEndOfTheRecordingFromALoss) {
   Bench bench(struck_tube(kFiveTimes, 8));
   bench.play(0, 8000);  // the second blow rings on
   bench.guide->finish();
-  EXPECT_THAT(bench.marks(), ElementsAre(RowMark::none, RowMark::lost_samples));
+  EXPECT_THAT(bench.marks(), ElementsAre(RowMark::none, RowMark::ended));
   EXPECT_EQ(bench.witness.blows[1].grade.reason, "the recording ended within the blow");
 }
 

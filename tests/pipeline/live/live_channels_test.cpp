@@ -43,7 +43,7 @@ TEST(LiveChannels, HaveTheNumbersOfTheDevice) {
   const LiveChannels by_place = live_channels(format, {});
   EXPECT_EQ(by_place.force_number, 5U);
   EXPECT_THAT(by_place.accel_numbers, ElementsAre(2, 8));
-  EXPECT_EQ(name_of_channel(by_place, 1), "channel 8");
+  EXPECT_EQ(name_of_channel(by_place, 1), "channel 8 (accel 2)");
   acquire::ReadOptions options;
   options.setup = {{.name = "2", .role = "force"}, {.name = "8"}, {.name = "1"}};
   const LiveChannels stated = live_channels(format, options);

@@ -76,12 +76,28 @@ TEST(Session, StaysAtAPointInDoubt) {
   EXPECT_TRUE(session.finished());
 }
 
-// Where blows differ at other points, too, noise makes them differ.
-TEST(Session, DoesNotStayWhereNoiseMakesBlowsDiffer) {
+// The first blow of a point was the wrong one: the next are told to be unlike it, until four can vote.
+TEST(Session, StaysUntilFourBlowsTellThatTheFirstWasWrong) {
   Session session({.points = {0, 1}, .hits = 2});
   strike(session, 1);
-  for (int i = 0; i < 3; ++i) strike_doubtfully(session);
+  strike_doubtfully(session);
+  strike(session, 1);
+  EXPECT_EQ(session.point(), 0);
+  session.apply({.kind = Kind::regraded, .mark = RowMark::outlier, .row = 0});
+  strike(session, 1);
   EXPECT_EQ(session.point(), 1);
+  EXPECT_FALSE(session.blows()[1].doubtful);  // the first was the wrong one
+}
+
+// Where blows differ at most points, noise makes them differ.
+TEST(Session, DoesNotStayWhereNoiseMakesBlowsDiffer) {
+  Session session({.points = {0, 1, 2, 3}, .hits = 2});
+  for (int point = 0; point < 3; ++point) {
+    EXPECT_EQ(session.point(), point);
+    strike(session, 1);
+    for (int i = 0; i < 3; ++i) strike_doubtfully(session);
+  }
+  EXPECT_EQ(session.point(), 3);
   strike(session, 1);
   strike_doubtfully(session);
   EXPECT_TRUE(session.finished());

@@ -35,7 +35,7 @@ struct GuideWitness : pipeline::GuideObserver {
     faults.push_back(fault);
     order.emplace_back(acquire::fault_name(fault.fault));
   }
-  void on_left_out(std::uint64_t /*frame*/) override { ++left_out; }
+  void on_left_out(std::uint64_t /*frame*/, bool /*too_early*/) override { ++left_out; }
   void on_goals_met() override { ++goals; }
 };
 

@@ -17,6 +17,7 @@ namespace percuss::tools {
 namespace {
 
 constexpr int kMaxPoint = 99'999;
+constexpr double kLowestRate_Hz = 100;
 
 // The rows of a record's geometry: row i is point i, NaN for points that the file does not list.
 std::vector<std::vector<double>> geometry_rows(const acquire::Geometry& geometry, const std::string& path) {
@@ -75,6 +76,10 @@ pipeline::GuideOptions guide_options(const RecordFlags& flags) {
 
 void check_window(const acquire::Record& description, const RecordFlags& flags) {
   const double fs_Hz = description.fs_Hz;
+  if (fs_Hz < kLowestRate_Hz) {
+    throw InputError(fmt::format("{:.6g} Hz is too low a sampling rate: a pulse has too few samples", fs_Hz), flags.device,
+                     fmt::format("choose {:.6g} Hz or more", kLowestRate_Hz), {"fs"});
+  }
   if (!flags.band.empty()) {
     const auto band_Hz = parse_band(flags.band, "band");
     if (band_Hz.second >= fs_Hz / 2) {

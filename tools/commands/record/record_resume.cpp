@@ -59,7 +59,7 @@ void refuse_loss(const std::string& path, const Interrupted& interrupted, bool o
   if (!fs::exists(path) || (overwrite && !acquire::is_hdf5(path))) return;
   const std::vector<acquire::RowInfo> rows = rows_of(path);
   const std::size_t blows = blow_count(interrupted.events, first_frame_of(*interrupted.journal));
-  const bool cut_short = !rows.empty() && rows.back().mark == acquire::RowMark::lost_samples;
+  const bool cut_short = !rows.empty() && rows.back().mark == acquire::RowMark::ended;
   if (rows.size() <= blows + (cut_short ? 1 : 0)) return;
   throw InputError(fmt::format("the file holds {} blows, its journal {}", rows.size(), blows), path,
                    "keep the file: move it elsewhere, and resume again");

@@ -141,12 +141,12 @@ void RecordScreen::on_length(std::size_t samples, bool cut_short) {
                  : length);
 }
 
-void RecordScreen::on_left_out(std::uint64_t frame) {
-  if (!silent_) note(pipeline::left_out_text(static_cast<double>(frame) / fs_Hz_));
+void RecordScreen::on_left_out(std::uint64_t frame, bool too_early) {
+  if (!silent_) note(pipeline::left_out_text(static_cast<double>(frame) / fs_Hz_, too_early));
 }
 
 void RecordScreen::on_silent_hammer() {
-  if (!silent_) note(pipeline::silent_hammer_text(guide_->channels()));
+  if (!silent_) note(pipeline::silent_hammer_text(guide_->channels(), flags_.trigger_N));
 }
 
 void RecordScreen::on_long_push(const pipeline::LongPush& push) {

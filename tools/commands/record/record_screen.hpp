@@ -31,7 +31,7 @@ class RecordScreen : public pipeline::GuideObserver {
   void on_regraded(std::size_t row, acquire::RowMark mark) override;
   void on_command(const pipeline::SessionEvent& command, std::size_t undone) override;
   void on_length(std::size_t samples, bool cut_short) override;
-  void on_left_out(std::uint64_t frame) override;
+  void on_left_out(std::uint64_t frame, bool too_early) override;
   void on_silent_hammer() override;
   void on_long_push(const pipeline::LongPush& push) override;
   void on_fault(const acquire::CaptureFinding& fault) override;
