@@ -14,6 +14,16 @@ namespace {
 constexpr double kRingsFrom_s = 0.025, kRingsTo_s = 0.05;
 constexpr double kRingsOn = 0.03;        // median of |force| over the peak
 constexpr std::size_t kMinRinging = 16;  // samples
+// Of the peak. A coupling of 1.6 Hz swings back by 5 % after 10 ms, and by 20 % after 40 ms.
+constexpr double kMaxUndershoot = 0.25;
+
+// An AC-coupled channel swings back after a long pulse: against the pulse, and ever less.
+bool is_undershoot(std::span<const double> after, double peak_N) {
+  const auto half = static_cast<std::ptrdiff_t>(after.size() / 2);
+  const double early = median({after.begin(), after.begin() + half}), late = median({after.begin() + half, after.end()});
+  const bool against = std::all_of(after.begin(), after.end(), [&](double value) { return value * peak_N < 0; });
+  return against && std::abs(early) <= kMaxUndershoot * std::abs(peak_N) && std::abs(late) <= std::abs(early);
+}
 
 }  // namespace
 
@@ -60,7 +70,7 @@ void grade_lasting_force(Hit& hit, std::span<const double> x, std::size_t peak, 
   std::vector<double> sizes;
   for (const double value : x.subspan(begin, end - begin)) sizes.push_back(std::abs(value));
   const double ratio = median(sizes) / std::abs(x[peak]);
-  if (ratio < kRingsOn) return;
+  if (ratio < kRingsOn || is_undershoot(x.subspan(begin, end - begin), x[peak])) return;
   hit.findings.push_back(
       {.code = FindingCode::no_pulse,
        .severity = Severity::reject,

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "acquire/hits/contact_gate.hpp"
 #include "acquire/hits/hits.hpp"
 #include "core/error.hpp"
 #include "core/math/statistics.hpp"
@@ -30,6 +31,11 @@ struct Reason {
   RowMark mark = RowMark::none;
   std::string reason, remedy;
 };
+
+// The response moves more than before the first blow.
+bool rings_before(const BlowCircumstances& at, std::size_t channel) {
+  return channel < at.rest.size() && at.rest[channel].before_mps2 > kMoving * at.rest[channel].noise_mps2;
+}
 
 Reason struck_again() {
   return {RowMark::struck_again, "struck again before the decay ended", "wait between blows"};
@@ -68,7 +74,7 @@ Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, co
   }
   const std::size_t quiet = at.pretrigger / 2;
   for (std::size_t c = 0; c + 1 < samples.size(); ++c) {
-    if (is_silent(samples[c + 1], quiet)) {
+    if (!rings_before(at, c) && is_silent(samples[c + 1], quiet)) {
       return {RowMark::silent_channel, name_of_channel(context.channels, c) + " is silent",
               "check its cable and its input"};
     }
@@ -109,6 +115,12 @@ Reason two_contacts(double ratio, double apart_s, bool smaller_first) {
   return {RowMark::double_hit, what, "strike shorter: let the hammer bounce off"};
 }
 
+// By the last blow, or by an earlier contact of this one.
+Reason ringing(const BlowCircumstances& at) {
+  if (at.contact_before > 0) return two_contacts(at.contact_before, at.contact_before_s, true);
+  return {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
+}
+
 Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const BlowContext& context) {
   const auto rejected = [&](FindingCode code) {
     const Finding* const finding = find(hit, code);
@@ -121,8 +133,14 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
   if (const Finding* const second = rejected(FindingCode::double_hit)) {
     return two_contacts(second->value, second->delay_s.value_or(0), second->before_main);
   }
-  if (at.contact_before > 0) return two_contacts(at.contact_before, at.contact_before_s, true);
+  if (at.contact_before > acquire::kMaxSecondContact) return two_contacts(at.contact_before, at.contact_before_s, true);
   if (at.struck_again) return struck_again();
+  if (const Finding* const lasting = rejected(FindingCode::no_pulse); lasting != nullptr && !hit.gated_N.empty()) {
+    return {RowMark::no_pulse,
+            fmt::format("no clean pulse: the force is still at {:.0f} % of its peak 25 ms later", lasting->value * 100),
+            fmt::format("look for hum, an offset or a loose part in the force, and check that the hammer is on channel {}",
+                        context.channels.force_number)};
+  }
   if (hit.gated_N.empty() || acquire::rejects(hit.findings)) {
     std::string remedy = "strike freely and once";
     if (at.first_blows) remedy += fmt::format(". Is the hammer on channel {}?", context.channels.force_number);
@@ -160,12 +178,11 @@ RowMark mark_of(const AnalysedHit& hit) {
 double motion_before(const BlowSamples& samples, const BlowCircumstances& at) {
   double largest = 0;
   for (std::size_t c = 0; c < at.rest.size(); ++c) {
-    const auto& [before_mps2, noise_mps2] = at.rest[c];
-    if (!(before_mps2 > kMoving * noise_mps2)) continue;
+    if (!rings_before(at, c)) continue;
     const std::span<const double> accel(samples[c + 1]);
     const std::size_t first = std::min(at.pretrigger, accel.size());
     const double start_mps2 = rms_about_mean(accel.subspan(first, std::min(accel.size() / 20, accel.size() - first)));
-    if (start_mps2 > 0) largest = std::max(largest, before_mps2 / start_mps2);
+    if (start_mps2 > 0) largest = std::max(largest, at.rest[c].before_mps2 / start_mps2);
   }
   return largest;
 }
@@ -181,10 +198,9 @@ Reason judge_responses(const AnalysedHit& hit, const BlowCircumstances& at, cons
       return {RowMark::silent_channel, name_of_channel(context.channels, c) + " is silent",
               "check its cable and its input"};
     }
-    if (grade.rings_before)
-      return {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
+    if (grade.rings_before) return ringing(at);
   }
-  if (at.during_previous) return {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
+  if (at.during_previous) return ringing(at);
   switch (mark_of(hit)) {
     case RowMark::none:
       return {};
@@ -270,7 +286,7 @@ BlowGrade grade_blow(const BlowSamples& samples, const BlowCircumstances& circum
       reason = judge_responses(*blow, circumstances, context);
       const double motion = motion_before(samples, circumstances);
       if (reason.mark == RowMark::none && motion > kRinging)
-        reason = {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
+        reason = ringing(circumstances);
       grade.moved_before = motion > kMoved;
       grade.unlike_others = find(blow->hit, FindingCode::low_coherence) != nullptr;
       grade.rings_at_end = std::any_of(blow->responses.begin(), blow->responses.end(),

@@ -1,8 +1,10 @@
 #include "pipeline/live/guidance_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "acquire/hits/pulse_shape.hpp"
@@ -15,6 +17,7 @@ namespace {
 constexpr double kNearFullScale = 0.9;  // of the range: the next harder blow is clipped
 constexpr double kLowForce = 0.2, kLowAccel = 0.03;
 constexpr double kLowCoherence = 0.9;
+constexpr std::size_t kMaxShownPoints = 8;
 constexpr std::size_t kMaxOutlook = 30;  // blows
 constexpr double kTarget = 0.5;          // without goals: the blows that halve the ±
 
@@ -65,7 +68,13 @@ std::string prompt_text(const Session& session, RovingPart roving) {
   const SessionPlan& plan = session.plan();
   const std::size_t accepted = session.accepted_at(session.point());
   std::string strike = "strike: " + place_text(plan, session.point(), accepted + 1);
-  if (plan.points.size() == 1 || accepted > 0) return strike;
+  const auto& blows = session.blows();
+  const bool here = accepted > 0 && blows.back().point == session.point();
+  if (plan.points.size() == 1 || here) return strike;
+  if (accepted > 0) {
+    return fmt::format("move the {} to {}", roving == RovingPart::hammer ? "hammer" : "sensor",
+                       place_text(plan, session.point(), accepted + 1));
+  }
   return fmt::format("move the {} to {}, then strike", roving == RovingPart::hammer ? "hammer" : "sensor",
                      point_text(plan, session.point()));
 }
@@ -87,7 +96,7 @@ std::string range_advice(const BlowGrade& grade, const LiveChannels& channels, b
 std::string blow_text(const BlowReport& blow, const LiveChannels& channels, const SessionPlan& plan) {
   const BlowGrade& grade = blow.grade;
   std::string place = place_text(plan, blow.point, blow.blow);
-  place.front() = place.front() == 'p' ? 'P' : 'B';
+  place.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(place.front())));
   if (blow.row + 1 != blow.blow) place += fmt::format(" (hit {})", blow.row + 1);
   if (!grade.accepted())
     return fmt::format("{}: rejected: {}{}{}", place, grade.reason, grade.remedy.empty() ? "" : "; ", grade.remedy);
@@ -183,7 +192,7 @@ std::string silent_hammer_text(const LiveChannels& channels, std::optional<doubl
                        name_of_channel(channels, 0), *trigger_N, channels.force_number);
   }
   return fmt::format(
-      "{} moves, but the hammer on channel {} is silent: if you have struck, check its cable and its input",
+      "{} moves, but the hammer on channel {} is silent: if you have struck, check its cable, its input and its noise",
       name_of_channel(channels, 0), channels.force_number);
 }
 
@@ -196,7 +205,14 @@ std::string summary_text(const Session& session) {
       fmt::format("{} blow{} count{}, {} rejected", accepted, plural(accepted), accepted == 1 ? "s" : "", rejected);
   if (undone > 0) text += fmt::format(", {} undone", undone);
   if (plan.points.size() > 1) text = fmt::format("{} of {} points complete; {}", complete, plan.points.size(), text);
-  return text;
+  const std::vector<int> doubtful = session.doubtful_points();
+  if (doubtful.empty()) return text;
+  if (plan.points.size() == 1) return text + "; they differ: another place, or noise?";
+  const auto shown = static_cast<std::ptrdiff_t>(std::min<std::size_t>(doubtful.size(), kMaxShownPoints));
+  text += fmt::format("; the blows of point{} {} differ", plural(doubtful.size()),
+                      fmt::join(doubtful.begin(), doubtful.begin() + shown, ", "));
+  if (doubtful.size() > kMaxShownPoints) text += fmt::format(" and of {} more", doubtful.size() - kMaxShownPoints);
+  return text + ": another place, or noise?";
 }
 
 }  // namespace percuss::pipeline

@@ -3,7 +3,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "acquire/hits/contact_gate.hpp"
 #include "acquire/hits/time_selection.hpp"
 #include "core/math/fft.hpp"
 #include "core/math/statistics.hpp"
@@ -18,6 +17,7 @@ constexpr double kShortestCut_s = 0.5;  // of a window that the next blow or a g
 constexpr double kShortestRow_s = 0.1;  // of one that ends with the row of a replayed record: all rows may be short
 constexpr double kSpareAtCut = 0.98;    // the next blows come a little later in their windows
 constexpr std::size_t kMinTypical = 2;  // blows
+constexpr double kSmallContact = 0.01;  // of the peak: a smaller one lets nothing ring
 
 // The rms of the strongest sinusoid, from a spectrum with a Hann window: a mode that rings stands out from the noise
 // long after its rms is below that of the noise.
@@ -159,11 +159,10 @@ BlowCircumstances Guide::circumstances(const Window& window) const {
                        .rest = rest_,
                        .first_blows = session_.accepted() == 0 && !session_.blows().empty()};
   // The analysis sees contacts within the samples.
-  if (const auto& earlier = window.event.earlier; earlier && earlier->peak < window.first) {
-    if (earlier->ratio > acquire::kMaxSecondContact) {
-      at.contact_before = earlier->ratio;
-      at.contact_before_s = static_cast<double>(window.event.peak - earlier->peak) / fs_Hz_;
-    }
+  const auto& earlier = window.event.earlier;
+  if (earlier && earlier->peak < window.first && earlier->ratio > kSmallContact) {
+    at.contact_before = earlier->ratio;
+    at.contact_before_s = static_cast<double>(window.event.peak - earlier->peak) / fs_Hz_;
   }
   for (std::size_t s = 0; s <= channels_.accel.size() && !at.no_numbers; ++s) {
     const std::size_t channel = s == 0 ? channels_.force : channels_.accel[s - 1];

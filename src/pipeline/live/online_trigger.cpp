@@ -16,6 +16,7 @@ namespace {
 // The noise is measured in steps. A pulse is in few of them, whatever the rate.
 constexpr double kStep_s = 0.04, kMinStep = 32, kMaxStep = 512;  // samples; 10 ms at 51.2 kHz
 constexpr std::size_t kNoiseSteps = 256;                         // 2.6 s at 51.2 kHz
+constexpr double kBaseline_s = 1;
 constexpr double kArming_s = 0.25;                               // of noise before the first search
 constexpr std::size_t kArmingSteps = 8;
 constexpr std::uint64_t kFlank = 3;  // times the rise from 5 % of a peak: the peak's own flank
@@ -117,13 +118,16 @@ void OnlineTrigger::measure_noise(std::size_t samples) {
   steps_.push_back({.median = spread.median, .robust_std = spread.robust_std, .variance = deviation * deviation});
   if (steps_.size() > kNoiseSteps) steps_.pop_front();
   measured_ += samples;
-  std::vector<double> medians, robust, variances;
+  std::vector<double> recent, robust, variances;
   for (const NoiseStep& one : steps_) {
-    medians.push_back(one.median);
     robust.push_back(one.robust_std);
     variances.push_back(one.variance);
   }
-  baseline_N_ = median(std::move(medians));
+  // The force may drift: its rest is that of the last second, the steps around the event that waits for its end.
+  const auto count = std::clamp<std::size_t>(frames_in(kBaseline_s, options_.fs_Hz) / step_, 1, steps_.size());
+  for (auto step = steps_.end() - static_cast<std::ptrdiff_t>(count); step != steps_.end(); ++step)
+    recent.push_back(step->median);
+  baseline_N_ = median(std::move(recent));
   // A coarse converter toggles between few values: its robust deviation is 0, its deviation is not.
   noise_N_ = std::max(median(std::move(robust)), root_of_smaller_half(std::move(variances)));
 }
@@ -161,6 +165,7 @@ void OnlineTrigger::search() {
       if (distance(before) < acquire::kOwnHitFraction * distance(best)) break;
       best = before;
     }
+    while (best + 1 < std::min(end + reach_, stepped_) && distance(best + 1) > distance(best)) ++best;  // a cut flank
     take_event(*first, best, end);
   }
 }
@@ -181,12 +186,13 @@ void OnlineTrigger::take_event(std::uint64_t first, std::uint64_t best, std::uin
         {.first = first, .peak = best, .rise = rise, .earlier = earlier_contact(first, best, rise)});
     peaks_N_.push_back(std::abs(peak_N));
     if (peaks_N_.size() > kRecentPeaks) peaks_N_.pop_front();
-  } else {
+    own_level_N_ = acquire::kOwnHitFraction * std::abs(peak_N);
+    quiet_until_ = std::max(best + apart_, end);
+    at_ = std::min(best + own_, quiet_until_);
+  } else {  // a drift goes on, and a blow may follow at once
     note_long_push(best);
+    quiet_until_ = at_ = std::max(best + 1, end);
   }
-  own_level_N_ = acquire::kOwnHitFraction * std::abs(peak_N);
-  quiet_until_ = std::max(best + apart_, end);
-  at_ = std::min(best + own_, quiet_until_);
   waiting_ = false;
 }
 
@@ -195,6 +201,10 @@ std::optional<BlowEvent::Earlier> OnlineTrigger::earlier_contact(std::uint64_t f
   const std::uint64_t guard = kFlank * rise;  // the flank of the largest one
   if (first + guard >= peak) return {};
   const std::uint64_t before = largest_in(first, peak - guard);
+  // A drift does not come back before the blow.
+  bool apart = false;
+  for (std::uint64_t frame = before; frame < peak - guard; ++frame) apart = apart || 2 * distance(frame) < distance(before);
+  if (!apart) return {};
   return BlowEvent::Earlier{.peak = before, .ratio = distance(before) / distance(peak)};
 }
 

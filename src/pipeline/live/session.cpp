@@ -1,6 +1,7 @@
 #include "pipeline/live/session.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "pipeline/hits/hit_consistency.hpp"
@@ -54,7 +55,7 @@ bool Session::done_at(std::size_t index) const {
 
 std::size_t Session::complete_points() const {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < plan_.points.size(); ++i) count += done_at(i) ? 1U : 0U;
+  for (std::size_t i = 0; i < plan_.points.size(); ++i) count += settled(i) ? 1U : 0U;
   return count;
 }
 
@@ -62,35 +63,46 @@ std::size_t Session::complete_points() const {
 bool Session::go_on() {
   for (std::size_t step = 1; step < plan_.points.size(); ++step) {
     const std::size_t index = (current_ + step) % plan_.points.size();
-    if (done_at(index)) continue;
+    if (settled(index)) continue;
     current_ = index;
     return true;
   }
   return false;
 }
 
+bool Session::settled(std::size_t index) const { return done_at(index) && (enough_[index] || !in_doubt(index)); }
+
+bool Session::is_doubtful(int point) const {
+  const auto rows = accepted_rows(point);
+  return std::any_of(rows.begin(), rows.end(), [this](std::size_t row) { return blows_[row].doubtful; });
+}
+
+bool Session::awaits_vote() const { return is_doubtful(point()) && accepted_at(point()) < kMinHitsToVote; }
+
+std::vector<int> Session::doubtful_points() const {
+  std::vector<int> out;
+  std::copy_if(plan_.points.begin(), plan_.points.end(), std::back_inserter(out),
+               [this](int point) { return is_doubtful(point); });
+  return out;
+}
+
 bool Session::in_doubt(std::size_t index) const {
-  const auto doubtful = [this](int point) {
-    const auto rows = accepted_rows(point);
-    return std::any_of(rows.begin(), rows.end(), [this](std::size_t row) { return blows_[row].doubtful; });
-  };
   const int point = plan_.points[index];
   const auto rows = accepted_rows(point);
-  if (!doubtful(point)) return false;
+  if (!is_doubtful(point)) return false;
   const bool newest = blows_[rows.back()].doubtful;
   if (rows.size() >= (newest ? std::max(kMinHitsToVote, plan_.hits + 1) : kMinHitsToVote)) return false;
   std::size_t others = 0, others_in_doubt = 0;
   for (const int other : plan_.points) {
     if (other == point || accepted_at(other) == 0) continue;
     ++others;
-    others_in_doubt += doubtful(other) ? 1U : 0U;
+    others_in_doubt += is_doubtful(other) ? 1U : 0U;
   }
   return others_in_doubt < kNoisyPoints || 2 * others_in_doubt <= others;
 }
 
 void Session::advance() {
-  if (done_at(current_) && !enough_[current_] && in_doubt(current_)) return;
-  if (done_at(current_) && !go_on()) finished_ = true;
+  if (settled(current_) && !go_on()) finished_ = true;
 }
 
 void Session::regrade(const SessionEvent& event) {

@@ -67,9 +67,16 @@ class Session {
   std::vector<std::size_t> accepted_rows(int point) const;
   std::vector<std::size_t> accepted_rows() const;
   bool has_point(int point) const;
+  /// Whether a blow at this point is doubtful, and there are too few others to tell which is wrong.
+  bool awaits_vote() const;
+  /// Points with accepted blows that are little like the others there.
+  std::vector<int> doubtful_points() const;
 
  private:
   bool done_at(std::size_t index) const;
+  /// Has its blows, and is not in doubt.
+  bool settled(std::size_t index) const;
+  bool is_doubtful(int point) const;
   /// Whether further blows are needed at a point that has its blows, to tell which of them is wrong. Where most other
   /// points are in doubt, too, the noise is to blame.
   bool in_doubt(std::size_t index) const;

@@ -70,6 +70,20 @@ TEST(FindHits, BeginsALongPulseAtRest) {
   EXPECT_EQ(stated[0].first, 20'256U - 512U);
 }
 
+// An AC-coupled channel swings back after a long pulse, by 4 % of its peak; a response in its place rings.
+TEST(FindHits, TellsAnUndershootFromARingingForce) {
+  std::vector<double> coupled(60'000), ringing(60'000);
+  test::add_haversine(coupled, 20'000, 256, 200);
+  ringing = coupled;
+  for (std::size_t i = 20'256; i < coupled.size(); ++i) {
+    const double t_s = static_cast<double>(i - 20'256) / kFs_Hz;
+    coupled[i] -= 0.05 * 200 * std::exp(-t_s / 0.1);
+    ringing[i] += 0.3 * 200 * std::sin(2 * std::numbers::pi * 300 * t_s) * std::exp(-t_s / 0.1);
+  }
+  EXPECT_FALSE(rejects(hits_in({coupled})[0].findings));
+  EXPECT_TRUE(has(hits_in({ringing})[0], FindingCode::no_pulse));
+}
+
 TEST(FindHits, TakesEachRowAsOneHitUnlessTheRecordIsContinuous) {
   Rows rows = {with_pulses(50000, {300, 30000}), with_pulses(40000, {500})};
   const auto one_each = hits_in(rows);

@@ -128,6 +128,18 @@ TEST(Guide, TakesOutWeakFirstBlowsOnceThereAreThree) {
   }
 }
 
+// An undamped structure rings before the next blow: its channel is alive.
+TEST(Guide, TellsRingingFromASilentChannel) {
+  Bench bench(struck_tube("0.4, 2, 3.6", 6));
+  for (std::size_t i = 1640; i < bench.source.frames(); ++i) {
+    for (std::size_t c = 1; c < 3; ++c)
+      bench.source.values[3 * i + c] += 50 * std::sin(2 * 3.14159265358979 * 151.37 * static_cast<double>(i) / 4096);
+  }
+  bench.play_all();
+  for (std::size_t blow = 1; blow < bench.marks().size(); ++blow)
+    EXPECT_EQ(bench.marks()[blow], RowMark::still_ringing) << bench.witness.blows[blow].grade.reason;
+}
+
 // A light contact before the samples of the blow: the hammer touched first.
 TEST(Guide, SeesContactsBeforeTheSamples) {
   Bench bench(struck_tube("0.4, 1.9, 3.4", 5));

@@ -118,6 +118,30 @@ TEST(OnlineTrigger, FindsABlowThatComesEarly) {
   }
 }
 
+// A hammer whose amplifier settles: its rest moves by much more than the noise.
+TEST(OnlineTrigger, FindsBlowsWhileTheForceDrifts) {
+  for (const double drift_Nps : {-20.0, -3.0, 3.0, 20.0}) {
+    for (const double fs_Hz : {1000.0, 12800.0, 51200.0}) {
+      std::vector<double> force;
+      for (int blow = 0; blow < 4; ++blow) {
+        const std::vector<double> one = one_push(fs_Hz, 1.2, 0.004, 3);
+        force.insert(force.end(), one.begin(), one.end());
+      }
+      for (std::size_t i = 0; i < force.size(); ++i) force[i] += drift_Nps * static_cast<double>(i) / fs_Hz;
+      OnlineTrigger trigger({.fs_Hz = fs_Hz, .trigger_N = {}}, 0);
+      trigger.add(force);
+      trigger.finish();
+      for (int blow = 0; blow < 4; ++blow) {
+        const auto event = trigger.next();
+        ASSERT_TRUE(event.has_value()) << drift_Nps << " N/s, " << fs_Hz << " Hz";
+        EXPECT_NEAR(static_cast<double>(event->peak) / fs_Hz, 3 * blow + 1.202, 0.0015);
+        EXPECT_FALSE(event->earlier && event->earlier->ratio > 0.05);
+      }
+      EXPECT_FALSE(trigger.next().has_value());
+    }
+  }
+}
+
 TEST(OnlineTrigger, TellsOfEachPushThatIsTooLong) {
   for (const double length_s : {0.07, 0.12, 0.25}) {
     OnlineTrigger trigger({.fs_Hz = 1000, .trigger_N = {}}, 0);

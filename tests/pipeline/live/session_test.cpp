@@ -57,7 +57,7 @@ TEST(Session, StaysAtAPointInDoubt) {
   strike(session, 2);
   strike_doubtfully(session);
   EXPECT_EQ(session.point(), 0);
-  EXPECT_EQ(session.complete_points(), 1U);
+  EXPECT_EQ(session.complete_points(), 0U);
   session.apply({.kind = Kind::regraded, .mark = RowMark::outlier, .row = 2});
   strike(session, 1);
   EXPECT_EQ(session.point(), 1);
@@ -87,6 +87,21 @@ TEST(Session, StaysUntilFourBlowsTellThatTheFirstWasWrong) {
   strike(session, 1);
   EXPECT_EQ(session.point(), 1);
   EXPECT_FALSE(session.blows()[1].doubtful);  // the first was the wrong one
+}
+
+TEST(Session, KeepsAPointInDoubtOpen) {
+  Session session({.points = {0, 1}, .hits = 2});
+  strike(session, 1);
+  strike_doubtfully(session);
+  EXPECT_TRUE(session.awaits_vote());
+  session.apply({.kind = Kind::next});
+  strike(session, 2);
+  EXPECT_EQ(session.point(), 0);  // comes again
+  EXPECT_EQ(session.complete_points(), 1U);
+  EXPECT_FALSE(session.finished());
+  strike(session, 2);
+  EXPECT_TRUE(session.finished());
+  EXPECT_THAT(session.doubtful_points(), ElementsAre(0));
 }
 
 // Where blows differ at most points, noise makes them differ.

@@ -33,6 +33,14 @@ std::size_t columns_of(int terminal) {
   return ::ioctl(terminal, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
+// The terminal as a file of its own that never waits: one that nobody reads would hold up the end of the session. The
+// standard output stays as other programs share it. −1: not possible.
+int open_again(int terminal) {
+  std::array<char, 256> name{};
+  if (::ttyname_r(terminal, name.data(), name.size()) != 0) return -1;
+  return ::open(name.data(), O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+}
+
 // The first characters of the text that fit into so many columns.
 std::string fitting(const std::string& text, std::size_t columns) {
   std::size_t at = 0;
@@ -54,7 +62,11 @@ RecordTerminal::RecordTerminal(int input, int output, bool quiet)
     : input_(input), output_(output), quiet_(quiet), interactive_(::isatty(input) == 1 && ::isatty(output) == 1) {
   if (::pipe2(wake_.data(), O_CLOEXEC | O_NONBLOCK) != 0)
     throw_system_error("cannot watch the terminal", errno, "the session", "close other programs");
-  if (interactive_) enter_raw_mode(input_);
+  if (interactive_) {
+    enter_raw_mode(input_);
+    opened_ = open_again(output);
+    if (opened_ >= 0) output_ = opened_;
+  }
   thread_ = std::thread([this] { run(); });
 }
 
@@ -64,6 +76,7 @@ RecordTerminal::~RecordTerminal() {
   wake();
   thread_.join();
   if (interactive_) leave_raw_mode();
+  if (opened_ >= 0) ::close(opened_);
   ::close(wake_[0]);
   ::close(wake_[1]);
 }

@@ -46,6 +46,7 @@ class RecordTerminal {
   std::string next_bytes();
 
   int input_, output_;
+  int opened_ = -1;  // the terminal, opened again
   bool quiet_, interactive_;
   std::array<int, 2> wake_{-1, -1};
   std::mutex mutex_;
