@@ -26,7 +26,7 @@ std::vector<Mode> fit_all_channels(const FrfDataset& set, const IdentifyOptions&
   std::vector<FittedMode> found = fit_sequentially(set, sequential_fit_options(options.effort));
   std::vector<Eigen::VectorXcd> residual;
   if (options.effort == Effort::best && !found.empty()) residual = refine_jointly(set, found);
-  if (options.effort != Effort::quick) search_jointly(set, residual, found, options.joint_work);
+  if (options.effort != Effort::quick) search_jointly(set, residual, found);
   return with_force_noise(set, std::move(found));
 }
 

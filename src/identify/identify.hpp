@@ -13,7 +13,6 @@ struct IdentifyOptions {
   Effort effort = Effort::best;
   std::optional<std::size_t> modes;  // largest number of modes, see keep_clearest()
   std::vector<double> start_Hz;      // fit at most one mode from each of these frequencies, and no others
-  double joint_work = 1;             // part of the work that joint fits may take (JointFitBudget)
 };
 
 /// The modes of a set of FRFs in ascending frequency, with one standard deviation of each value.

@@ -18,9 +18,6 @@ constexpr double kAwayFromModes = 1.5;  // half-power bandwidths, and lines
 // and its neighbours.
 constexpr double kMinLines = 40, kPartOfFrequency = 0.01, kWidths = 7;
 
-// Where nonlinear motion leaves dozens of wide resonances, each of their bands holds most of the test's modes.
-constexpr double kJointWork = 0.1;
-
 constexpr double kNearLines = 1.5;  // a peak is the line nearest to its mode, or its neighbour
 
 bool describes(const Mode& mode, double freq_Hz, double line_Hz) {
@@ -76,7 +73,7 @@ std::vector<Mode> modes_at_frequencies(const FrfDataset& set, const std::vector<
     if (std::any_of(added.begin(), added.end(), is_there)) continue;
     const double reach_Hz = std::max(kPartOfFrequency * at_Hz, kWidths * resonances[r].half_power_Hz);
     const ModeWindow window = window_around(set, modes, at_Hz, std::max(kMinLines, reach_Hz / line_Hz));
-    for (Mode& mode : identify_modes(frfs_within(set, modes, window), {.effort = effort, .joint_work = kJointWork})) {
+    for (Mode& mode : identify_modes(frfs_within(set, modes, window), {.effort = effort})) {
       if (is_there(mode) && !is_among(modes, mode, line_Hz) && !is_among(added, mode, line_Hz))
         added.push_back(std::move(mode));
     }

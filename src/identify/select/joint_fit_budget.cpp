@@ -16,10 +16,10 @@ constexpr double kSurveyProducts = 3 * kProducts;
 
 }  // namespace
 
-JointFitBudget::JointFitBudget(const FrfDataset& set, double part)
+JointFitBudget::JointFitBudget(const FrfDataset& set)
     : set_(set),
-      left_(part * ((set.points.size() < kSurveyPoints ? kProducts : kSurveyProducts) +
-                    kProductsPerFrf * static_cast<double>(set.channels.size()))) {}
+      left_((set.points.size() < kSurveyPoints ? kProducts : kSurveyProducts) +
+            kProductsPerFrf * static_cast<double>(set.channels.size())) {}
 
 bool JointFitBudget::allows(const std::vector<Pole>& poles) const {
   return left_ >= kFixedEvaluations * products(poles);

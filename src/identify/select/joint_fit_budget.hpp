@@ -9,8 +9,7 @@ namespace percuss::identify {
 /// fits of hundreds of modes, or of misfitting ones, would take minutes.
 class JointFitBudget {
  public:
-  /// `part` of the usual work.
-  JointFitBudget(const FrfDataset& set, double part);
+  explicit JointFitBudget(const FrfDataset& set);
 
   /// Whether one more fit of these modes is affordable.
   bool allows(const std::vector<Pole>& poles) const;

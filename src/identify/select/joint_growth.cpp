@@ -207,10 +207,10 @@ JointFit without_misfit_modes(const FrfDataset& set, JointFit fit, JointFitBudge
 }  // namespace
 
 std::optional<JointFit> best_joint_fit(const FrfDataset& set, const std::vector<VectorXcd>& residual,
-                                       const std::vector<FittedMode>& modes, double work) {
+                                       const std::vector<FittedMode>& modes) {
   std::vector<Pole> starts = starts_of(set, residual, modes);
   if (starts.empty() || starts.size() > kMaxJointModes) return std::nullopt;
-  JointFitBudget budget(set, work);
+  JointFitBudget budget(set);
   std::optional<JointFit> fit = settled_fit(set, poles_of(modes), budget);
   if (starts.size() > modes.size()) {
     std::optional<JointFit> after = settled_fit(set, significant_starts(set, std::move(starts), {}), budget);

@@ -70,7 +70,7 @@ std::optional<FrfDataset> with_shared_columns(const FrfDataset& set, const std::
 // The fit without the partners that only describe a frequency's scatter; nothing where it then has no more modes than
 // were known.
 std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const std::vector<FittedMode>& known,
-                                                 JointFit fit, double work) {
+                                                 JointFit fit) {
   const std::vector<std::size_t> partners = scatter_partners(set, known, fit);
   if (partners.empty()) return fit;
   if (fit.poles.size() - partners.size() <= known.size()) return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const st
   for (std::size_t m = 0; m < fit.poles.size(); ++m) {
     if (!std::binary_search(partners.begin(), partners.end(), m)) kept.push_back(fit.poles[m]);
   }
-  JointFitBudget budget(set, work);
+  JointFitBudget budget(set);
   std::optional<JointFit> fewer = settled_fit(set, std::move(kept), budget);
   if (!fewer || fewer->poles.size() <= known.size()) return std::nullopt;
   return with_tested_residues(set, *fewer);
@@ -86,14 +86,13 @@ std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const st
 
 }  // namespace
 
-void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residual, std::vector<FittedMode>& modes,
-                    double work) {
+void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residual, std::vector<FittedMode>& modes) {
   const std::vector<VectorXcd> before = residual_before(set, modes, residual);
   if (!must_search(set, before, modes)) return;
   const std::optional<FrfDataset> completed = with_shared_columns(set, modes);
   const FrfDataset& shared = completed ? *completed : set;
-  std::optional<JointFit> fit = best_joint_fit(shared, before, modes, work);
-  if (fit) fit = without_scatter_partners(shared, modes, *std::move(fit), work);
+  std::optional<JointFit> fit = best_joint_fit(shared, before, modes);
+  if (fit) fit = without_scatter_partners(shared, modes, *std::move(fit));
   if (!fit) return;
   const std::size_t unknowns = unknowns_of(set, modes), after = fit->poles.size() * unknowns_per_mode(set);
   const std::vector<Pole> known = poles_of(modes);

@@ -12,10 +12,9 @@ namespace percuss::identify {
 /// must be large enough to disturb a mode (is_material). The search fits all modes together (best_joint_fit), so that
 /// crowded and heavily damped modes need no windows of their own. Replaces `modes` only where the new modes explain
 /// significantly more (least_gain).
-/// `residual` belongs to a fit of all `modes` together, [channels][lines]; empty: unknown. `work`: part of the work that
-/// joint fits may take.
+/// `residual` belongs to a fit of all `modes` together, [channels][lines]; empty: unknown.
 /// theory (4.21)
 void search_jointly(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual,
-                    std::vector<FittedMode>& modes, double work = 1);
+                    std::vector<FittedMode>& modes);
 
 }  // namespace percuss::identify

@@ -99,7 +99,7 @@ TEST(ReplayDevice, ReadsAFileByTheSetUpThatNamesItsForce) {
   EXPECT_THAT(device->format().stream.units, ElementsAre("N", "m/s^2"));
   const auto setup = stream_setup(device->format(), {1, 0});
   ASSERT_EQ(setup.size(), 2U);
-  EXPECT_EQ(setup[0].name, "1");
+  EXPECT_EQ(setup[0].name, "2");
   EXPECT_EQ(setup[0].role, "acceleration");
   EXPECT_EQ(setup[0].angle_rad, 1.5);
   EXPECT_EQ(setup[0].sign, 1);  // applied

@@ -37,7 +37,7 @@ acquire::Record marked_record() {
 
 TEST(RowMarks, HaveNumbersNamesAndReasons) {
   std::set<std::string> names, reasons;
-  for (int number = 0; number <= 12; ++number) {
+  for (int number = 0; number <= 15; ++number) {
     const auto mark = acquire::row_mark(number);
     ASSERT_TRUE(mark.has_value()) << number;
     EXPECT_EQ(static_cast<int>(*mark), number);
@@ -45,9 +45,9 @@ TEST(RowMarks, HaveNumbersNamesAndReasons) {
     names.insert(acquire::name_of(*mark));
     reasons.insert(acquire::reason_of(*mark));
   }
-  EXPECT_EQ(names.size(), 13U);
-  EXPECT_EQ(reasons.size(), 13U);
-  for (const double wrong : {-1.0, 0.5, 13.0, std::numeric_limits<double>::quiet_NaN()})
+  EXPECT_EQ(names.size(), 16U);
+  EXPECT_EQ(reasons.size(), 16U);
+  for (const double wrong : {-1.0, 0.5, 16.0, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_FALSE(acquire::row_mark(wrong).has_value()) << wrong;
 }
 
@@ -99,7 +99,7 @@ TEST(RowMarks, AreRefusedIfUnknown) {
   const auto error = [&](auto... values) { return test::input_error_of([&] { open(values...); }); };
   using List = std::vector<double>;
   using Shape = std::vector<hsize_t>;
-  EXPECT_NE(error(List{0, 13}, Shape{1, 4}, List{1, 0, 0, 5}).find("13 is not the number of a reason"),
+  EXPECT_NE(error(List{0, 16}, Shape{1, 4}, List{1, 0, 0, 5}).find("16 is not the number of a reason"),
             std::string::npos);
   EXPECT_NE(error(List{0, 0, 0}, Shape{1, 4}, List{1, 0, 0, 5}).find("/rejected"), std::string::npos);
   EXPECT_NE(error(List{0, 0}, Shape{2, 2}, List{1, 0, 0, 5}).find("store [faults, 4]"), std::string::npos);
