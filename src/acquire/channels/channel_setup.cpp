@@ -57,8 +57,7 @@ class Entry {
   // A name, or the number of a channel.
   std::string name() const {
     const auto found = json_.find("name");
-    if (found == json_.end())
-      throw InputError("no name", where(), "give the column's name or number as \"name\"");
+    if (found == json_.end()) throw InputError("no name", where(), "give the column's name or number as \"name\"");
     return found->is_number_unsigned() ? found->dump() : *text("name");
   }
 

@@ -143,8 +143,7 @@ SampleRange range_of_contact(const std::vector<Contact>& contacts, std::size_t c
 }
 
 // The start of the search for a smaller hit before contact c. It leaves out the search range of the previous contact.
-std::size_t scan_begin(const std::vector<Contact>& contacts, std::size_t c, const SampleRange& part,
-                       std::size_t scan) {
+std::size_t scan_begin(const std::vector<Contact>& contacts, std::size_t c, const SampleRange& part, std::size_t scan) {
   const std::size_t free = c > 0 ? contacts[c - 1].peak + scan : part.first;
   return std::max({part.first, free, contacts[c].peak > scan ? contacts[c].peak - scan : 0});
 }

@@ -18,7 +18,7 @@ struct StreamFormat {
   double full_scale = 0;            // the largest |value| that the device can deliver; 0: not known
   std::vector<double> full_scales;  // [channels], where they differ; `full_scale` is then the first channel's
   std::vector<std::size_t> numbers{};  // [channels], of the device, from 1; empty: 1, 2, …
-  std::uint64_t pause_frames = 0;   // from row to row of a replayed record; no frame exists there
+  std::uint64_t pause_frames = 0;      // from row to row of a replayed record; no frame exists there
 
   /// The device's number of a channel, for people.
   std::size_t number_of(std::size_t channel) const { return numbers.empty() ? channel + 1 : numbers.at(channel); }

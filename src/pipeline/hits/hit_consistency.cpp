@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <numeric>
 
 #include "core/math/statistics.hpp"
 #include "core/parallel/parallel.hpp"
@@ -12,8 +14,9 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kOutlierRatio = 25;     // outlier's error over the others' median (five times in amplitude)
-constexpr double kOutlierEnergy = 0.05;  // least error of an outlier, of its energy: smaller errors are harmless
+constexpr double kOutlierRatio = 25;           // outlier's error over the others' median (five times in amplitude)
+constexpr double kOutlierEnergy = 0.05;        // least error of an outlier, of its energy: smaller errors are harmless
+constexpr std::size_t kMaxHitsToCompare = 30;  // each with all others
 constexpr std::size_t kFlopsPerHit = 50'000;
 constexpr double kLowCoherence = 0.9;
 constexpr double kMaxDissent = 0.2;  // of the hits: above it the direction of the first motion is undecided
@@ -52,20 +55,41 @@ std::string disagreement(double explained) {
   return "the other hits " + how_far + ": did the point or the direction change?";
 }
 
+bool is_outlier(double error, double typical) { return error > std::max(kOutlierRatio * typical, kOutlierEnergy); }
+
+// The member without which the others agree best. A strong hit dominates the FRFs that explain the others, and may not
+// be the worst itself.
+std::size_t odd_one(const std::vector<HitSpectra>& spectra, const std::vector<std::size_t>& members) {
+  std::size_t odd = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const std::vector<double> left = unexplained(spectra, without(members, i));
+    const double sum = std::accumulate(left.begin(), left.end(), 0.0);
+    if (sum < least) odd = i;
+    least = std::min(least, sum);
+  }
+  return odd;
+}
+
 void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra,
                  std::vector<std::size_t> members) {
   std::vector<double> errors = unexplained(spectra, members);
   while (members.size() >= kMinHitsToVote) {
-    // The worst hit distorts the FRFs that explain the others: their errors are computed without it.
     const auto worst = static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
     if (errors[worst] <= kOutlierEnergy) break;
-    auto others = without(members, worst);
-    auto among_others = unexplained(spectra, others);
-    const double typical = median(among_others);
-    if (errors[worst] <= std::max(kOutlierRatio * typical, kOutlierEnergy)) break;
-    reject_outlier(hits[members[worst]], errors[worst], typical);
-    members = std::move(others);
-    errors = std::move(among_others);
+    // A wrong hit distorts the FRFs that explain the others: their errors are computed without it.
+    const auto try_out = [&](std::size_t i) {
+      std::vector<std::size_t> others = without(members, i);
+      std::vector<double> among_others = unexplained(spectra, others);
+      const double typical = median(among_others);
+      if (!is_outlier(errors[i], typical)) return false;
+      reject_outlier(hits[members[i]], errors[i], typical);
+      members = std::move(others);
+      errors = std::move(among_others);
+      return true;
+    };
+    if (try_out(worst)) continue;
+    if (members.size() > kMaxHitsToCompare || !try_out(odd_one(spectra, members))) break;
   }
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (1 - errors[i] >= kLowCoherence) continue;

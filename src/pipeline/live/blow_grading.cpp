@@ -37,9 +37,7 @@ bool rings_before(const BlowCircumstances& at, std::size_t channel) {
   return channel < at.rest.size() && at.rest[channel].before_mps2 > kMoving * at.rest[channel].noise_mps2;
 }
 
-Reason struck_again() {
-  return {RowMark::struck_again, "struck again before the decay ended", "wait between blows"};
-}
+Reason struck_again() { return {RowMark::struck_again, "struck again before the decay ended", "wait between blows"}; }
 
 const Finding* find(const acquire::Hit& hit, FindingCode code) {
   const auto it = std::find_if(hit.findings.begin(), hit.findings.end(),
@@ -107,11 +105,11 @@ Reason judge_range(const BlowCircumstances& at, const BlowContext& context) {
 }
 
 Reason two_contacts(double ratio, double apart_s, bool smaller_first) {
-  const std::string what =
-      smaller_first
-          ? fmt::format("two contacts, the first {:.0f} % of the second and {:.0f} ms before it", ratio * 100,
-                        apart_s * 1e3)
-          : fmt::format("two contacts, the second {:.0f} % of the first and {:.0f} ms later", ratio * 100, apart_s * 1e3);
+  const std::string what = smaller_first
+                               ? fmt::format("two contacts, the first {:.0f} % of the second and {:.0f} ms before it",
+                                             ratio * 100, apart_s * 1e3)
+                               : fmt::format("two contacts, the second {:.0f} % of the first and {:.0f} ms later",
+                                             ratio * 100, apart_s * 1e3);
   return {RowMark::double_hit, what, "strike shorter: let the hammer bounce off"};
 }
 
@@ -136,10 +134,11 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
   if (at.contact_before > acquire::kMaxSecondContact) return two_contacts(at.contact_before, at.contact_before_s, true);
   if (at.struck_again) return struck_again();
   if (const Finding* const lasting = rejected(FindingCode::no_pulse); lasting != nullptr && !hit.gated_N.empty()) {
-    return {RowMark::no_pulse,
-            fmt::format("no clean pulse: the force is still at {:.0f} % of its peak 25 ms later", lasting->value * 100),
-            fmt::format("look for hum, an offset or a loose part in the force, and check that the hammer is on channel {}",
-                        context.channels.force_number)};
+    return {
+        RowMark::no_pulse,
+        fmt::format("no clean pulse: the force is still at {:.0f} % of its peak 25 ms later", lasting->value * 100),
+        fmt::format("look for hum, an offset or a loose part in the force, and check that the hammer is on channel {}",
+                    context.channels.force_number)};
   }
   if (hit.gated_N.empty() || acquire::rejects(hit.findings)) {
     std::string remedy = "strike freely and once";
@@ -279,16 +278,19 @@ BlowGrade grade_blow(const BlowSamples& samples, const BlowCircumstances& circum
   if (reason.mark == RowMark::none) reason = judge_range(circumstances, context);
   if (reason.mark == RowMark::none) reason = judge_force(hit, circumstances, context);
   if (reason.mark == RowMark::none) {
-    const std::vector<AnalysedHit> hits = analysed(rows_with_blow(samples, context), options_of(circumstances, context));
+    const std::vector<AnalysedHit> hits =
+        analysed(rows_with_blow(samples, context), options_of(circumstances, context));
     const auto blow = std::find_if(hits.rbegin(), hits.rend(),
                                    [&](const AnalysedHit& h) { return h.hit.row == context.rows.size(); });
     if (blow != hits.rend()) {
       reason = judge_responses(*blow, circumstances, context);
       const double motion = motion_before(samples, circumstances);
-      if (reason.mark == RowMark::none && motion > kRinging)
-        reason = ringing(circumstances);
+      if (reason.mark == RowMark::none && motion > kRinging) reason = ringing(circumstances);
       grade.moved_before = motion > kMoved;
       grade.unlike_others = find(blow->hit, FindingCode::low_coherence) != nullptr;
+      grade.blows_differ = std::any_of(hits.begin(), hits.end(), [](const AnalysedHit& other) {
+        return other.accepted && find(other.hit, FindingCode::low_coherence) != nullptr;
+      });
       grade.rings_at_end = std::any_of(blow->responses.begin(), blow->responses.end(),
                                        [](const acquire::ResponseGrade& response) { return response.truncated; });
     }

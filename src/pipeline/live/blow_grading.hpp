@@ -49,6 +49,7 @@ struct BlowGrade {
   bool rings_at_end = false;                           // the window is too short
   bool moved_before = false;                           // a little: the structure had not come to rest
   bool unlike_others = false;                          // the other blows explain little of it: low_coherence
+  std::optional<bool> blows_differ{};                  // so of any accepted blow of the point; nothing: not compared
   /// Accepted rows of the same point that do not count any longer, now that there is this blow to compare with: an
   /// outlier, or a force that was clipped at the same level.
   struct Regraded {

@@ -72,7 +72,7 @@ std::string prompt_text(const Session& session, RovingPart roving) {
   const bool here = accepted > 0 && blows.back().point == session.point();
   if (plan.points.size() == 1 || here) return strike;
   if (accepted > 0) {
-    return fmt::format("move the {} to {}", roving == RovingPart::hammer ? "hammer" : "sensor",
+    return fmt::format("move the {}, then strike: {}", roving == RovingPart::hammer ? "hammer" : "sensor",
                        place_text(plan, session.point(), accepted + 1));
   }
   return fmt::format("move the {} to {}, then strike", roving == RovingPart::hammer ? "hammer" : "sensor",
@@ -187,9 +187,10 @@ std::string long_push_text(const LongPush& push, double time_s) {
 
 std::string silent_hammer_text(const LiveChannels& channels, std::optional<double> trigger_N) {
   if (trigger_N) {
-    return fmt::format("{} moves, but the force stays below the trigger level of {:.6g} N: if you have struck, state a "
-                       "lower one, or check the hammer on channel {}",
-                       name_of_channel(channels, 0), *trigger_N, channels.force_number);
+    return fmt::format(
+        "{} moves, but the force stays below the trigger level of {:.6g} N: if you have struck, state a "
+        "lower one, or check the hammer on channel {}",
+        name_of_channel(channels, 0), *trigger_N, channels.force_number);
   }
   return fmt::format(
       "{} moves, but the hammer on channel {} is silent: if you have struck, check its cable, its input and its noise",

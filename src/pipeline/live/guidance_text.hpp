@@ -18,7 +18,8 @@ enum class RovingPart { hammer, sensor };
 std::string place_text(const SessionPlan& plan, int point, std::size_t blow);
 /// What to do next: "strike: blow 3 of 5", "move the hammer to point 8 of 24", "paused".
 std::string prompt_text(const Session& session, RovingPart roving);
-/// One line: place, number of the hit in the file where that is another, verdict, reason and remedy, or what the blow reached and advice about the range.
+/// One line: place, number of the hit in the file where that is another, verdict, reason and remedy, or what the blow
+/// reached and advice about the range.
 std::string blow_text(const BlowReport& blow, const LiveChannels& channels, const SessionPlan& plan);
 /// Advice on an accepted blow: "hit a little softer (force at 94 % of range)"; empty: none. `first`: among the first
 /// blows, which set the range.

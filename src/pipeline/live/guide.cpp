@@ -19,7 +19,7 @@ constexpr double kStrongPush = 0.2;    // of the usual blow, or of the last push
 constexpr std::size_t kSetTheRange = 2;   // blows
 constexpr double kMuchWeaker = 0.5;       // than an earlier blow: no reason to raise a gain
 constexpr std::size_t kMinToCompare = 3;  // blows: two do not tell which is weak
-constexpr double kRest_s = 0.2;        // before a blow, where the structure should be at rest
+constexpr double kRest_s = 0.2;           // before a blow, where the structure should be at rest
 
 // The frames of a block before `frame`, and the rest.
 std::pair<acquire::SampleBlock, acquire::SampleBlock> split(acquire::SampleBlock block, std::uint64_t frame) {
@@ -191,11 +191,11 @@ void Guide::judge(const Window& window) {
   BlowGrade graded = grade(samples, window);
   regrade_weak(graded);
   BlowReport report{.row = session_.blows().size(),
-                          .end_frame = window.first + *length_,
-                          .point = session_.point(),
-                          .blow = session_.accepted_at(session_.point()) + 1,
-                          .grade = graded,
-                          .sets_range = sets_range(graded)};
+                    .end_frame = window.first + *length_,
+                    .point = session_.point(),
+                    .blow = session_.accepted_at(session_.point()) + 1,
+                    .grade = graded,
+                    .sets_range = sets_range(graded)};
   store_->append(samples);
   previous_end_ = report.end_frame;
   const SessionEvent event{.kind = Kind::blow,
@@ -205,7 +205,7 @@ void Guide::judge(const Window& window) {
                            .message = graded.accepted() ? "accepted" : graded.reason + "; " + graded.remedy,
                            .peak_N = graded.peak_N,
                            .bandwidth_Hz = graded.bandwidth_Hz,
-                           .doubtful = graded.unlike_others};
+                           .differ = graded.blows_differ};
   if (repeat_past(event)) return observer_.on_blow(report);
   if (cut) {  // not in the journal: a resumed session judges it again, with the samples that follow
     session_.apply(event);
@@ -224,8 +224,8 @@ void Guide::judge(const Window& window) {
 bool Guide::sets_range(const BlowGrade& grade) const {
   const auto& blows = session_.blows();
   return blows.size() < kSetTheRange && std::all_of(blows.begin(), blows.end(), [&](const Session::Blow& blow) {
-    return kMuchWeaker * std::abs(blow.peak_N) <= std::abs(grade.peak_N);
-  });
+           return kMuchWeaker * std::abs(blow.peak_N) <= std::abs(grade.peak_N);
+         });
 }
 
 void Guide::regrade_weak(BlowGrade& grade) const {
@@ -252,7 +252,7 @@ BlowGrade Guide::grade(const BlowSamples& samples, const Window& window) const {
             .reason = blow.message,
             .peak_N = blow.peak_N,
             .bandwidth_Hz = blow.bandwidth_Hz,
-            .unlike_others = blow.doubtful};
+            .blows_differ = blow.differ};
   }
   std::vector<std::size_t> rows = session_.accepted_rows(session_.point());
   if (rows.size() > kCompared) rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kCompared));

@@ -125,7 +125,7 @@ class Guide {
   const acquire::StreamFormat format_;
   double fs_Hz_;
   std::vector<double> full_scales_;  // [channels of the device]; 0: not known
-  std::size_t pretrigger_;  // of a short pulse
+  std::size_t pretrigger_;           // of a short pulse
   Session session_;
   SampleHistory history_;
   std::unique_ptr<OnlineTrigger> trigger_;
@@ -144,9 +144,9 @@ class Guide {
   std::map<std::uint64_t, PastBlow> past_;  // by frame
   std::deque<SessionEvent> past_commands_;
   SessionFaults faults_;
-  std::uint64_t noted_ = 0;      // losses before this frame are in faults_
-  LongPush told_push_;     // the last one that was told
-  bool complete_ = false;  // what happens after the last blow does not concern the session
+  std::uint64_t noted_ = 0;  // losses before this frame are in faults_
+  LongPush told_push_;       // the last one that was told
+  bool complete_ = false;    // what happens after the last blow does not concern the session
 };
 
 }  // namespace percuss::pipeline

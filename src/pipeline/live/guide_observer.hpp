@@ -18,7 +18,7 @@ struct BlowReport {
   std::size_t blow = 1;  // of `hits`: its number among the accepted blows of its point, if it counts
   BlowGrade grade;
   bool sets_range = false;  // among the first blows, and the strongest so far
-  bool one_more = false;  // the point has its blows, but this one is doubtful
+  bool one_more = false;    // the point has its blows, but this one is doubtful
 };
 
 /// Is told what happens, on the thread of the guide. It must not wait.

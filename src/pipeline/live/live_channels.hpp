@@ -19,7 +19,7 @@ struct LiveChannels {
   std::vector<std::string> accel_names;    // likewise
   std::size_t force_number = 1;            // of the device's channel, from 1
   std::vector<std::size_t> accel_numbers;  // likewise
-  std::vector<Message> notes;            // assumptions about units
+  std::vector<Message> notes;              // assumptions about units
   /// The record that the file will hold, without rows: signals as a reader of the file finds them.
   acquire::Record description;
 };

@@ -1,8 +1,10 @@
 #include "pipeline/live/online_trigger.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -17,7 +19,7 @@ namespace {
 constexpr double kStep_s = 0.04, kMinStep = 32, kMaxStep = 512;  // samples; 10 ms at 51.2 kHz
 constexpr std::size_t kNoiseSteps = 256;                         // 2.6 s at 51.2 kHz
 constexpr double kBaseline_s = 1;
-constexpr double kArming_s = 0.25;                               // of noise before the first search
+constexpr double kArming_s = 0.25;  // of noise before the first search
 constexpr std::size_t kArmingSteps = 8;
 constexpr std::uint64_t kFlank = 3;  // times the rise from 5 % of a peak: the peak's own flank
 constexpr std::size_t kRecentPeaks = 9, kMinPeaks = 3;
@@ -57,7 +59,11 @@ OnlineTrigger::OnlineTrigger(const OnlineTriggerOptions& options, std::uint64_t 
       stepped_(first_frame),
       at_(first_frame) {}
 
-double OnlineTrigger::distance(std::uint64_t frame) const { return std::abs(force_[frame - base_] - baseline_N_); }
+double OnlineTrigger::above_rest_N(std::uint64_t frame) const {
+  return force_[frame - base_] - baseline_N_ - drift_N_ * (static_cast<double>(frame) - baseline_at_);
+}
+
+double OnlineTrigger::distance(std::uint64_t frame) const { return std::abs(above_rest_N(frame)); }
 
 double OnlineTrigger::threshold_N() const {
   if (options_.trigger_N) return *options_.trigger_N;
@@ -127,9 +133,31 @@ void OnlineTrigger::measure_noise(std::size_t samples) {
   const auto count = std::clamp<std::size_t>(frames_in(kBaseline_s, options_.fs_Hz) / step_, 1, steps_.size());
   for (auto step = steps_.end() - static_cast<std::ptrdiff_t>(count); step != steps_.end(); ++step)
     recent.push_back(step->median);
+  measure_drift(recent);
   baseline_N_ = median(std::move(recent));
+  baseline_at_ = static_cast<double>(stepped_ + samples) - static_cast<double>(count * step_) / 2;
   // A coarse converter toggles between few values: its robust deviation is 0, its deviation is not.
   noise_N_ = std::max(median(std::move(robust)), root_of_smaller_half(std::move(variances)));
+}
+
+// From quarter to quarter of the steps, in N per frame. A drift goes one way for the whole second; a push does not, and
+// the smallest of the three changes is free of it.
+void OnlineTrigger::measure_drift(const std::vector<double>& medians_N) {
+  drift_N_ = 0;
+  const std::size_t quarter = medians_N.size() / 4;
+  if (quarter == 0) return;
+  std::array<double, 4> rest_N{};
+  for (std::size_t q = 0; q < rest_N.size(); ++q) {
+    const auto begin = medians_N.begin() + static_cast<std::ptrdiff_t>(q * quarter);
+    rest_N.at(q) = median({begin, begin + static_cast<std::ptrdiff_t>(quarter)});
+  }
+  double least_N = std::numeric_limits<double>::infinity();
+  for (std::size_t q = 1; q < rest_N.size(); ++q) {
+    const double change_N = rest_N.at(q) - rest_N.at(q - 1);
+    if (change_N * (rest_N[1] - rest_N[0]) <= 0) return;
+    if (std::abs(change_N) < std::abs(least_N)) least_N = change_N;
+  }
+  drift_N_ = least_N / static_cast<double>(quarter * step_);
 }
 
 std::optional<std::uint64_t> OnlineTrigger::first_above() const {
@@ -172,7 +200,7 @@ void OnlineTrigger::search() {
 
 std::vector<double> OnlineTrigger::force_between(std::uint64_t first, std::uint64_t last) const {
   std::vector<double> x;
-  for (std::uint64_t frame = first; frame < last; ++frame) x.push_back(force_[frame - base_] - baseline_N_);
+  for (std::uint64_t frame = first; frame < last; ++frame) x.push_back(above_rest_N(frame));
   return x;
 }
 
@@ -182,8 +210,7 @@ void OnlineTrigger::take_event(std::uint64_t first, std::uint64_t best, std::uin
   const double peak_N = x[best - from];
   if (acquire::is_hammer_pulse(x, best - from, noise_N_, options_.fs_Hz)) {
     const std::size_t rise = acquire::rise_samples(acquire::shape_of_pulse(x, best - from));
-    events_.push_back(
-        {.first = first, .peak = best, .rise = rise, .earlier = earlier_contact(first, best, rise)});
+    events_.push_back({.first = first, .peak = best, .rise = rise, .earlier = earlier_contact(first, best, rise)});
     peaks_N_.push_back(std::abs(peak_N));
     if (peaks_N_.size() > kRecentPeaks) peaks_N_.pop_front();
     own_level_N_ = acquire::kOwnHitFraction * std::abs(peak_N);
@@ -203,7 +230,8 @@ std::optional<BlowEvent::Earlier> OnlineTrigger::earlier_contact(std::uint64_t f
   const std::uint64_t before = largest_in(first, peak - guard);
   // A drift does not come back before the blow.
   bool apart = false;
-  for (std::uint64_t frame = before; frame < peak - guard; ++frame) apart = apart || 2 * distance(frame) < distance(before);
+  for (std::uint64_t frame = before; frame < peak - guard; ++frame)
+    apart = apart || 2 * distance(frame) < distance(before);
   if (!apart) return {};
   return BlowEvent::Earlier{.peak = before, .ratio = distance(before) / distance(peak)};
 }

@@ -57,9 +57,11 @@ class OnlineTrigger {
   double threshold_N() const;
   void step(std::size_t samples);
   void measure_noise(std::size_t samples);
+  void measure_drift(const std::vector<double>& medians_N);
   void search();
   std::optional<std::uint64_t> first_above() const;
   std::uint64_t largest_in(std::uint64_t first, std::uint64_t last) const;
+  double above_rest_N(std::uint64_t frame) const;
   double distance(std::uint64_t frame) const;
   /// Force minus baseline.
   std::vector<double> force_between(std::uint64_t first, std::uint64_t last) const;
@@ -82,7 +84,9 @@ class OnlineTrigger {
   std::deque<NoiseStep> steps_;
   std::deque<double> peaks_N_;  // of the recent blows
   std::uint64_t lost_from_ = 0, lost_to_ = 0;
-  double baseline_N_ = 0, noise_N_ = 0;
+  double baseline_N_ = 0, baseline_at_ = 0;  // at this frame
+  double drift_N_ = 0;                       // per frame
+  double noise_N_ = 0;
   std::uint64_t quiet_until_ = 0;  // a pulse before it must exceed own_level_N_
   double own_level_N_ = 0;
   std::uint64_t measured_ = 0;  // frames

@@ -72,10 +72,7 @@ bool Session::go_on() {
 
 bool Session::settled(std::size_t index) const { return done_at(index) && (enough_[index] || !in_doubt(index)); }
 
-bool Session::is_doubtful(int point) const {
-  const auto rows = accepted_rows(point);
-  return std::any_of(rows.begin(), rows.end(), [this](std::size_t row) { return blows_[row].doubtful; });
-}
+bool Session::is_doubtful(int point) const { return differing_.contains(point) && accepted_at(point) > 0; }
 
 bool Session::awaits_vote() const { return is_doubtful(point()) && accepted_at(point()) < kMinHitsToVote; }
 
@@ -88,10 +85,7 @@ std::vector<int> Session::doubtful_points() const {
 
 bool Session::in_doubt(std::size_t index) const {
   const int point = plan_.points[index];
-  const auto rows = accepted_rows(point);
-  if (!is_doubtful(point)) return false;
-  const bool newest = blows_[rows.back()].doubtful;
-  if (rows.size() >= (newest ? std::max(kMinHitsToVote, plan_.hits + 1) : kMinHitsToVote)) return false;
+  if (!is_doubtful(point) || accepted_at(point) >= std::max(kMinHitsToVote, plan_.hits + 1)) return false;
   std::size_t others = 0, others_in_doubt = 0;
   for (const int other : plan_.points) {
     if (other == point || accepted_at(other) == 0) continue;
@@ -103,15 +97,6 @@ bool Session::in_doubt(std::size_t index) const {
 
 void Session::advance() {
   if (settled(current_) && !go_on()) finished_ = true;
-}
-
-void Session::regrade(const SessionEvent& event) {
-  if (event.row >= blows_.size() || !blows_[event.row].accepted()) return;
-  blows_[event.row].mark = event.mark;
-  if (event.mark != RowMark::outlier) return;
-  for (Blow& blow : blows_) {  // it was the wrong one
-    if (blow.point == blows_[event.row].point) blow.doubtful = false;
-  }
 }
 
 void Session::undo() {
@@ -142,11 +127,12 @@ void Session::apply(const SessionEvent& event) {
                         .point = point(),
                         .mark = event.mark,
                         .peak_N = event.peak_N,
-                        .bandwidth_Hz = event.bandwidth_Hz,
-                        .doubtful = event.doubtful});
+                        .bandwidth_Hz = event.bandwidth_Hz});
+      if (event.differ && *event.differ) differing_.insert(point());
+      if (event.differ && !*event.differ) differing_.erase(point());
       break;
     case Kind::regraded:
-      regrade(event);
+      if (event.row < blows_.size() && blows_[event.row].accepted()) blows_[event.row].mark = event.mark;
       return;  // the blow that caused it follows, or has been counted
     case Kind::undo:
       return undo();

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct SessionEvent {
   int point = 0;                                   // go_to, redo; blow: where it was
   std::string message{};                           // blow: the verdict for people
   double peak_N = 0, bandwidth_Hz = 0;             // blow
-  bool doubtful = false;                           // blow: accepted, but little like the others of its point
+  std::optional<bool> differ{};                    // blow: whether blows of its point differ, if compared
   bool operator==(const SessionEvent&) const = default;
 };
 
@@ -43,7 +44,6 @@ class Session {
     int point = 0;
     acquire::RowMark mark = acquire::RowMark::none;
     double peak_N = 0, bandwidth_Hz = 0;
-    bool doubtful = false;
     bool accepted() const { return mark == acquire::RowMark::none; }
   };
 
@@ -67,9 +67,9 @@ class Session {
   std::vector<std::size_t> accepted_rows(int point) const;
   std::vector<std::size_t> accepted_rows() const;
   bool has_point(int point) const;
-  /// Whether a blow at this point is doubtful, and there are too few others to tell which is wrong.
+  /// Whether the blows at this point differ, and are too few to tell which is wrong.
   bool awaits_vote() const;
-  /// Points with accepted blows that are little like the others there.
+  /// Points whose accepted blows differ.
   std::vector<int> doubtful_points() const;
 
  private:
@@ -82,7 +82,6 @@ class Session {
   bool in_doubt(std::size_t index) const;
   bool go_on();
   void advance();
-  void regrade(const SessionEvent& event);
   void undo();
   void redo(int point);
   void go_to(int point);
@@ -90,6 +89,7 @@ class Session {
   SessionPlan plan_;
   std::vector<Blow> blows_;
   std::vector<bool> enough_;  // [points]: fewer blows than planned suffice
+  std::set<int> differing_;   // points
   std::size_t current_ = 0;
   bool paused_ = false, finished_ = false;
 };

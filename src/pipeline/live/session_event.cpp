@@ -40,7 +40,7 @@ std::string json_of(const SessionEvent& event) {
     out["message"] = event.message;
     out["peak_n"] = event.peak_N;
     out["bandwidth_hz"] = event.bandwidth_Hz;
-    if (event.doubtful) out["doubtful"] = true;
+    if (event.differ) out["differ"] = *event.differ;
   }
   return out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -65,7 +65,7 @@ SessionEvent parse_session_event(const std::string& json, const std::string& whe
     event.message = in.value("message", "");
     event.peak_N = in.value("peak_n", 0.0);
     event.bandwidth_Hz = in.value("bandwidth_hz", 0.0);
-    event.doubtful = in.value("doubtful", false);
+    if (in.contains("differ")) event.differ = in["differ"].get<bool>();
     return event;
   } catch (const nlohmann::json::exception&) {
     refuse("an event that is not readable");

@@ -67,6 +67,20 @@ TEST_F(HitAgreement, RejectsOneOutlier) {
   }
 }
 
+// A strong hit at another place dominates the FRFs that explain the others: these, too, are explained badly.
+TEST_F(HitAgreement, RejectsTheOddHitThoughItIsNotTheWorst) {
+  for (const std::size_t odd : {0U, 1U, 3U}) {
+    hits_.clear(), force_.clear(), accel_.clear();
+    make(4, 0.001);
+    for (std::size_t k = 0; k < kLines; ++k) {
+      force_[odd][k] *= 3;
+      accel_[odd][k] = force_[odd][k] * Complex(1.5, 1) * frf(k);
+    }
+    grade();
+    for (std::size_t h = 0; h < hits_.size(); ++h) EXPECT_EQ(hits_[h].accepted, h != odd) << odd << ", hit " << h;
+  }
+}
+
 TEST_F(HitAgreement, RejectsSeveralOutliers) {
   make(7, 0.01);
   for (const std::size_t h : {1U, 4U}) {

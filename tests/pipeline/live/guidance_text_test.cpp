@@ -20,7 +20,8 @@ LiveChannels two_responses() {
 TEST(GuidanceText, SaysWhereAndWhatAndWhatToDo) {
   const pipeline::SessionPlan many{.points = {3, 5, 9}, .hits = 5}, one{.hits = 5};
   BlowReport blow{.row = 7, .point = 5, .blow = 3, .grade = {.peak_N = -312.4, .bandwidth_Hz = 4210}};
-  EXPECT_EQ(blow_text(blow, two_responses(), many), "Point 5 (2 of 3), blow 3 of 5 (hit 8): accepted, 312 N up to 4.21 kHz");
+  EXPECT_EQ(blow_text(blow, two_responses(), many),
+            "Point 5 (2 of 3), blow 3 of 5 (hit 8): accepted, 312 N up to 4.21 kHz");
   blow.point = 0;
   EXPECT_EQ(blow_text(blow, two_responses(), one), "Blow 3 of 5 (hit 8): accepted, 312 N up to 4.21 kHz");
   blow.grade.force_range = 0.94;

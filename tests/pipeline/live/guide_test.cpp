@@ -166,8 +166,8 @@ TEST(Guide, TellsOfPushesThatAreTooLong) {
   };
   push(0.5, 0.08, 300);
   push(1.2, 0.07, 200);  // of the same handling
-  push(2.0, 0.6, 250);  // a hand that leans on the hammer
-  push(5.4, 0.08, 9);   // weak: no attempt to strike
+  push(2.0, 0.6, 250);   // a hand that leans on the hammer
+  push(5.4, 0.08, 9);    // weak: no attempt to strike
   push(6.2, 0.15, 300);
   bench.play_all();
   ASSERT_EQ(bench.witness.long_pushes.size(), 2U);

@@ -15,16 +15,15 @@ using Bench = test::GuideBench;
 
 // A floor of 20 Hz, struck three times with a soft tip: pulses of this length.
 acquire::Record floor_at(double fs_Hz, double width_s) {
-  return synth::synthesise(synth::parse_synth_spec(
-                               fmt::format(
-                                   R"({{"schema": "percuss/synth/1", "name": "floor", "fs_hz": {},
+  return synth::synthesise(synth::parse_synth_spec(fmt::format(
+                                                       R"({{"schema": "percuss/synth/1", "name": "floor", "fs_hz": {},
       "duration_s": 11, "layout": "continuous", "hits": 3, "hit_times_s": [1, 4, 7], "band_hz": [5, 45],
       "structure": {{"rigid_line_per_kg": [0]}},
       "modes": [{{"frequency_hz": 20, "damping_ratio": 0.04, "residue_per_kg": [0.02]}}],
       "sensors": [{{"position_m": 0}}], "impact": {{"position_m": 0}},
       "pulse": {{"kind": "haversine", "width_s": {}, "peak_n": 300}}, "noise": {{"force": 1e-4, "accel": 1e-4}}}})",
-                                   fs_Hz, width_s),
-                               "test"))
+                                                       fs_Hz, width_s),
+                                                   "test"))
       .record;
 }
 
@@ -41,7 +40,8 @@ TEST_P(SoftTip, GivesCleanBlows) {
   for (const auto& blow : bench.witness.blows) EXPECT_TRUE(blow.grade.accepted()) << blow.grade.reason;
   // The mode falls by 52 dB in 1.2 s, and rings above its noise a little longer.
   EXPECT_GT(static_cast<double>(bench.guide->length().value_or(0)), 1.2 * GetParam().fs_Hz);
-  for (const acquire::Hit& hit : acquire::find_hits(bench.guide->record())) EXPECT_FALSE(acquire::rejects(hit.findings));
+  for (const acquire::Hit& hit : acquire::find_hits(bench.guide->record()))
+    EXPECT_FALSE(acquire::rejects(hit.findings));
 }
 
 INSTANTIATE_TEST_SUITE_P(LengthsAndRates, SoftTip,

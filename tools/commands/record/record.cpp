@@ -73,7 +73,8 @@ void add_record(CommandLine& line) {
       .above_zero();
   command
       .value("--pretrigger", flags->pretrigger_s,
-             "Keep this time before the peak of a blow (default: 128 samples, 5 ms or twice its rise, whichever is longest)")
+             "Keep this time before the peak of a blow (default: 128 samples, 5 ms or twice its rise, whichever is "
+             "longest)")
       .type("S")
       .not_negative();
   command

@@ -77,8 +77,8 @@ pipeline::GuideOptions guide_options(const RecordFlags& flags) {
 void check_window(const acquire::Record& description, const RecordFlags& flags) {
   const double fs_Hz = description.fs_Hz;
   if (fs_Hz < kLowestRate_Hz) {
-    throw InputError(fmt::format("{:.6g} Hz is too low a sampling rate: a pulse has too few samples", fs_Hz), flags.device,
-                     fmt::format("choose {:.6g} Hz or more", kLowestRate_Hz), {"fs"});
+    throw InputError(fmt::format("{:.6g} Hz is too low a sampling rate: a pulse has too few samples", fs_Hz),
+                     flags.device, fmt::format("choose {:.6g} Hz or more", kLowestRate_Hz), {"fs"});
   }
   if (!flags.band.empty()) {
     const auto band_Hz = parse_band(flags.band, "band");
