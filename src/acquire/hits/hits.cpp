@@ -162,7 +162,6 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
     const std::size_t end =
         options.gate_force ? std::min(range.last, contacts[c].peak + samples_to_read(record.fs_Hz)) : range.last;
     const auto all = force_between(record, row, begin, end, trigger_scan.baseline_N);
-    const auto x = std::span(all).subspan(range.first - begin);
     const std::size_t peak = contacts[c].peak - range.first;
     Hit hit = unmeasured_hit(row, range, trigger_scan);
     measure_and_grade_pulse(hit, all, range.first - begin, peak, record.fs_Hz, options);

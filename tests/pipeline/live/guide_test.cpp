@@ -359,6 +359,7 @@ TEST(Guide, MeasuresThePulseAfterALongPretrigger) {
 
 std::vector<std::string> texts_of(const std::vector<pipeline::SessionProblem>& problems) {
   std::vector<std::string> out;
+  out.reserve(problems.size());
   for (const pipeline::SessionProblem& problem : problems) out.push_back(problem.text);
   return out;
 }

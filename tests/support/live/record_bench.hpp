@@ -15,7 +15,7 @@ namespace percuss::test {
 /// percuss record with simulated devices, in an empty folder.
 struct RecordBench {
   ScratchFolder folder;
-  ProcessOutcome run(std::vector<std::string> arguments) const {
+  ProcessOutcome run(const std::vector<std::string>& arguments) const {
     return run_percuss(arguments, {.folder = folder.path()});
   }
   ProcessOutcome record(const std::string& device, std::vector<std::string> more = {}) const {
