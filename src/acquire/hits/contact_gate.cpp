@@ -12,7 +12,7 @@ namespace {
 
 // A hammer rings for some milliseconds, a structure for longer.
 constexpr double kRingsFrom_s = 0.025, kRingsTo_s = 0.05;
-constexpr double kRingsOn = 0.03;        // median of |force| over the peak
+constexpr double kRingsOn = 0.03;        // median of |force − its median| over the peak
 constexpr std::size_t kMinRinging = 16;  // samples
 // Of the peak. A hammer that leans on the structure stays; a drift of the channel changes little.
 constexpr double kStays = 0.1;

@@ -228,11 +228,11 @@ std::optional<BlowEvent::Earlier> OnlineTrigger::earlier_contact(std::uint64_t f
   const std::uint64_t guard = kFlank * rise;  // the flank of the largest one
   if (first + guard >= peak) return {};
   const std::uint64_t before = largest_in(first, peak - guard);
-  // A drift does not come back before the blow.
-  bool apart = false;
-  for (std::uint64_t frame = before; frame < peak - guard; ++frame)
-    apart = apart || 2 * distance(frame) < distance(before);
-  if (!apart) return {};
+  // A contact ends before the next one; a drift stays.
+  const double half_N = distance(before) / 2;
+  std::uint64_t frame = before;
+  while (frame < peak - guard && distance(frame) >= half_N) ++frame;
+  if (frame == peak - guard) return {};
   return BlowEvent::Earlier{.peak = before, .ratio = distance(before) / distance(peak)};
 }
 

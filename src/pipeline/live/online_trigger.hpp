@@ -63,7 +63,7 @@ class OnlineTrigger {
   std::uint64_t largest_in(std::uint64_t first, std::uint64_t last) const;
   double above_rest_N(std::uint64_t frame) const;
   double distance(std::uint64_t frame) const;
-  /// Force minus baseline.
+  /// Force minus its rest, which may drift.
   std::vector<double> force_between(std::uint64_t first, std::uint64_t last) const;
   void take_event(std::uint64_t first, std::uint64_t best, std::uint64_t end);
   std::optional<BlowEvent::Earlier> earlier_contact(std::uint64_t first, std::uint64_t peak, std::size_t rise) const;
@@ -84,8 +84,8 @@ class OnlineTrigger {
   std::deque<NoiseStep> steps_;
   std::deque<double> peaks_N_;  // of the recent blows
   std::uint64_t lost_from_ = 0, lost_to_ = 0;
-  double baseline_N_ = 0, baseline_at_ = 0;  // at this frame
-  double drift_N_ = 0;                       // per frame
+  double baseline_N_ = 0, baseline_at_ = 0;  // the rest of the force at the frame baseline_at_
+  double drift_N_ = 0;                       // of the rest, per frame
   double noise_N_ = 0;
   std::uint64_t quiet_until_ = 0;  // a pulse before it must exceed own_level_N_
   double own_level_N_ = 0;
