@@ -71,12 +71,10 @@ std::string prompt_text(const Session& session, RovingPart roving) {
   const auto& blows = session.blows();
   const bool here = accepted > 0 && blows.back().point == session.point();
   if (plan.points.size() == 1 || here) return strike;
-  if (accepted > 0) {
-    return fmt::format("move the {}, then strike: {}", roving == RovingPart::hammer ? "hammer" : "sensor",
-                       place_text(plan, session.point(), accepted + 1));
-  }
-  return fmt::format("move the {} to {}, then strike", roving == RovingPart::hammer ? "hammer" : "sensor",
-                     point_text(plan, session.point()));
+  const char* const moves = roving == RovingPart::hammer ? "hammer" : "sensor";
+  if (accepted > 0)
+    return fmt::format("move the {}, then strike: {}", moves, place_text(plan, session.point(), accepted + 1));
+  return fmt::format("move the {} to {}, then strike", moves, point_text(plan, session.point()));
 }
 
 std::string range_advice(const BlowGrade& grade, const LiveChannels& channels, bool first) {

@@ -108,7 +108,7 @@ bool Guide::choose_length(Window& window, bool last) {
   if (static_cast<double>(whole) >= (row_ends ? kShortestRow_s : kShortestCut_s) * fs_Hz_) {
     length_ = fast_length_at_most(static_cast<std::size_t>(kSpareAtCut * static_cast<double>(whole)) + missing);
     length_by_end_ = last && end == history_.end_frame();
-    observer_.on_length(*length_, !row_ends);
+    observer_.on_length(*length_, !row_ends && !length_by_end_);
   }
   return true;
 }

@@ -32,7 +32,7 @@ acquire::SignalTable table_of(const StreamFormat& format) {
   return table;
 }
 
-// The entries with the places of their channels in the stream in place of the device's numbers.
+// The set-up for the recorded channels: each number of the device becomes the channel's place in the stream.
 std::vector<acquire::ChannelSetup> recorded_entries(std::vector<acquire::ChannelSetup> setup,
                                                     const StreamFormat& format) {
   if (format.numbers.empty()) return setup;
