@@ -20,8 +20,8 @@ inline constexpr double kMaxSecondContact = 0.05;
 void grade_second_pulse(Hit& hit, const std::vector<SecondPulse>& contacts, double fs_Hz);
 
 /// Adds `no_pulse` where the force still rings 25 to 50 ms after its peak, or is farther from its rest than the
-/// undershoot of an AC-coupled channel: a response in the place of the force. `x` are the samples of the hit, `peak` the
-/// index of its peak.
+/// undershoot of an AC-coupled channel: a response in the place of the force. `x` are the samples of the hit, `peak`
+/// the index of its peak.
 void grade_lasting_force(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz);
 
 }  // namespace percuss::acquire
