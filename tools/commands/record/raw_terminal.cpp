@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -18,17 +19,19 @@ namespace {
 
 // Set before the handlers that read them.
 termios saved_mode;
-volatile std::sig_atomic_t mode_is_saved = 0;
-volatile std::sig_atomic_t raw_terminal = -1;
-volatile std::sig_atomic_t arrived_signal = 0;
+std::atomic<int> mode_is_saved = 0;
+std::atomic<int> raw_terminal = -1;
+std::atomic<int> arrived_signal = 0;
 
 constexpr std::array kFinishing{SIGINT, SIGTERM, SIGHUP};
 constexpr std::array kFatal{SIGQUIT, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL};
 std::array<struct sigaction, kFinishing.size()> before_finishing;
 std::array<struct sigaction, kFatal.size()> before_fatal;
 struct sigaction before_pipe, before_stop, before_continue;
-volatile std::sig_atomic_t continued = 0;
-volatile double arrived_s = 0;
+std::atomic<bool> continued = false;
+std::atomic<double> arrived_s = 0;
+// Handlers run in any thread, and may not wait for a lock.
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<double>::is_always_lock_free);
 
 // Handlers call the functions of this namespace: tcgetpgrp, tcsetattr, sigaction and clock_gettime are safe there.
 // Setting the mode from the background would stop the process with SIGTTOU.
@@ -98,7 +101,7 @@ extern "C" void stop_process(int signal) {
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   install(signal, stop_process, nullptr);
   apply_raw_mode();
-  continued = 1;
+  continued = true;
   errno = kept_errno;
 }
 
@@ -106,7 +109,7 @@ extern "C" void stop_process(int signal) {
 extern "C" void continue_raw(int /*signal*/) {
   const int kept_errno = errno;
   apply_raw_mode();
-  continued = 1;
+  continued = true;
   errno = kept_errno;
 }
 
@@ -144,11 +147,7 @@ void leave_raw_mode() {
   ::sigaction(SIGCONT, &before_continue, nullptr);
 }
 
-bool has_continued() {
-  const bool was = continued != 0;
-  continued = 0;
-  return was;
-}
+bool has_continued() { return continued.exchange(false); }
 
 SessionSignals::SessionSignals() {
   arrived_signal = 0;
