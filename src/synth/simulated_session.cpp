@@ -168,14 +168,21 @@ void plan_blows(SessionOptions& options, SimulatedSession& session) {
   session.end_s = options.number("end", 0, kMaxTime_s).value_or(next_s - every_s + std::max(kAfterLast_s, every_s));
 }
 
+/// The band of a spec tells its truth alone; at a lower rate it ends where the samples do.
+void change_rate(SynthSpec& spec, double fs_Hz) {
+  if (fs_Hz == spec.fs_Hz) return;
+  spec.fs_Hz = fs_Hz;
+  spec.band_high_Hz = std::min(spec.band_high_Hz, fs_Hz / 2);
+}
+
 }  // namespace
 
 SimulatedSession parse_simulated_session(std::string_view text, const acquire::DeviceOptions& device) {
   SessionOptions options(text);
   SimulatedSession session{.spec = spec_of(options.spec())};
   if (const auto seed = options.number("seed", 0, 1e15)) session.spec.seed = static_cast<std::uint64_t>(*seed);
-  if (const auto rate = options.number("fs", 100, 1e6)) session.spec.fs_Hz = *rate;
-  if (device.fs_Hz) session.spec.fs_Hz = *device.fs_Hz;
+  const auto rate_Hz = options.number("fs", 100, 1e6);
+  change_rate(session.spec, device.fs_Hz.value_or(rate_Hz.value_or(session.spec.fs_Hz)));
   check(session.spec, "sim");
   plan_blows(options, session);
   session.gaps = options.periods("gap", 2);

@@ -1,0 +1,24 @@
+#include "synth/simulated_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+
+namespace percuss::synth::simulated_session_test {
+
+// The band of the preset ends at 3200 Hz.
+TEST(SimulatedSession, RunsBelowTwiceTheBandOfItsSpec) {
+  EXPECT_EQ(parse_simulated_session("wood-bat,fs=2000").spec.band_high_Hz, 1000);
+  EXPECT_EQ(parse_simulated_session("wood-bat", {.fs_Hz = 2000}).spec.fs_Hz, 2000);
+  EXPECT_EQ(parse_simulated_session("wood-bat,fs=51200").spec.band_high_Hz, 3200);
+  const SynthSpec changed_back = parse_simulated_session("wood-bat,fs=2000", {.fs_Hz = 51200}).spec;
+  EXPECT_EQ(changed_back.fs_Hz, 51200);
+  EXPECT_EQ(changed_back.band_high_Hz, 3200);
+}
+
+TEST(SimulatedSession, RefusesARateWithoutAnswer) {
+  EXPECT_THROW(parse_simulated_session("wood-bat,fs=50"), InputError);
+  EXPECT_THROW(parse_simulated_session("wood-bat,fs=2e6"), InputError);
+}
+
+}  // namespace percuss::synth::simulated_session_test
