@@ -86,11 +86,15 @@ class Search {
       }
       const bool lower = *cost <= problem_.cost();
       if (lower) {
+        const bool is_small = problem_.cost() - *cost < options_.cost_tolerance * problem_.cost();
+        small_decreases_ = is_small ? small_decreases_ + 1 : 0;
         problem_.accept();
         ++summary_.steps;
       }
       if (size < options_.step_tolerance) return lower ? Stop::small_step : Stop::rounding_limit;
       damping_ *= lower ? options_.damping_decrease : options_.damping_increase;
+      if (lower && options_.max_small_decreases > 0 && small_decreases_ >= options_.max_small_decreases)
+        return Stop::small_decrease;
       if (lower) return std::nullopt;
     }
     return Stop::no_decrease;
@@ -112,6 +116,7 @@ class Search {
   LeastSquaresProblem& problem_;
   const LevenbergMarquardtOptions& options_;
   double damping_;
+  int small_decreases_ = 0;  // in a row
   LevenbergMarquardtSummary summary_;
 };
 

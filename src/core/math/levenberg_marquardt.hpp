@@ -43,13 +43,15 @@ struct LevenbergMarquardtOptions {
   double step_tolerance = 1e-12;                                   // a step below this size ends the search
   // While the damping is at most initial_damping, an expected decrease below this fraction of the cost ends the search.
   double cost_tolerance = 0;
+  // So many steps in a row that each lower the cost by less than cost_tolerance end the search; 0: none do.
+  int max_small_decreases = 0;
 };
 
 /// Why the search ended.
 enum class LevenbergMarquardtStop {
   small_step,      // an accepted step was smaller than step_tolerance
   rounding_limit,  // a step smaller than step_tolerance did not lower the cost
-  small_decrease,  // the expected decrease of the cost was below cost_tolerance
+  small_decrease,  // the decrease of the cost, expected or in several steps, was below cost_tolerance
   no_decrease,     // max_rejections or max_damping was reached
   max_steps,
 };

@@ -6,20 +6,21 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kCore = 2;      // half-power bandwidths on either side of a pole; bins there are single lines
+constexpr double kCore = 2;      // half-power bandwidths on either side of a pole; bins there are narrow
 constexpr double kGrowth = 0.1;  // lines of a bin per line of distance from these single lines
 constexpr double kMaxLinesPerBin = 64;
 constexpr double kMinCore = 4;  // lines
 
 }  // namespace
 
-FrequencyBins::FrequencyBins(const acquire::LineRange& lines, const std::vector<Pole>& poles) {
+FrequencyBins::FrequencyBins(const acquire::LineRange& lines, const std::vector<Pole>& poles, double core_share) {
   std::vector<double> widest(lines.count, kMaxLinesPerBin);
   for (const Pole& pole : poles) {
     const double at = lines.position(pole.freq_Hz);
     const double core = std::max(kCore * pole.half_power_Hz() / lines.df_Hz(), kMinCore);
+    const double least = core_share * pole.half_power_Hz() / lines.df_Hz();
     for (std::size_t k = 0; k < lines.count; ++k)
-      widest[k] = std::min(widest[k], kGrowth * (std::abs(static_cast<double>(k) - at) - core));
+      widest[k] = std::min(widest[k], std::max(least, kGrowth * (std::abs(static_cast<double>(k) - at) - core)));
   }
   begin_.push_back(0);
   while (begin_.back() < lines.count) {

@@ -7,12 +7,12 @@
 
 namespace percuss::identify {
 
-/// Bins of neighbouring spectral lines: single lines around the poles, and wider bins farther away, where an FRF is
-/// smooth. Data and model are summed over the same bins, so that the model stays exact. The poles' information falls by
-/// only 0.3 %, at a fraction of the work.
+/// Bins of neighbouring spectral lines: single lines around the poles (or bins of `core_share` half-power bandwidths,
+/// where that is more), and wider bins farther away, where an FRF is smooth. Data and model are summed over the same
+/// bins, so that the model stays exact. The poles' information falls by only 0.3 %, at a fraction of the work.
 class FrequencyBins {
  public:
-  FrequencyBins(const acquire::LineRange& lines, const std::vector<Pole>& poles);
+  FrequencyBins(const acquire::LineRange& lines, const std::vector<Pole>& poles, double core_share = 0);
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(begin_.size()) - 1; }
   /// The middle line of each bin.

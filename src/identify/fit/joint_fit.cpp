@@ -56,13 +56,14 @@ LevenbergMarquardtSummary descend(const JointProjection& projection, JointState&
   search.max_steps = options.max_steps;
   search.step_tolerance = options.tolerance;
   search.cost_tolerance = options.cost_tolerance;
+  search.max_small_decreases = options.max_small_decreases;
   return levenberg_marquardt(problem, search);
 }
 
 class JointFitter {
  public:
   JointFitter(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options)
-      : set_(set), options_(options), projection_(set, start) {
+      : set_(set), options_(options), projection_(set, start, options.core_share) {
     const std::size_t modes = start.size();
     state_ = projection_.evaluate({.poles = std::move(start), .real = std::vector<char>(modes, 0)});
   }

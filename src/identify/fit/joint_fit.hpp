@@ -25,9 +25,11 @@ struct JointFitOptions {
   /// ends as not converged.
   std::function<bool(const std::vector<Eigen::VectorXcd>& residual)> worth_continuing;
   int max_steps = 20;
-  double tolerance = 1e-7;    // of a step, see normalised_step
-  double cost_tolerance = 0;  // relative: a smaller expected decrease of the squares ends the fit too
-  bool test_real = true;      // false: all residues stay complex, at a fraction of the work
+  double tolerance = 1e-7;      // of a step, see normalised_step
+  double cost_tolerance = 0;    // relative: a smaller expected decrease of the squares ends the fit too
+  double core_share = 0;        // see FrequencyBins
+  int max_small_decreases = 0;  // see LevenbergMarquardtOptions
+  bool test_real = true;        // false: all residues stay complex, at a fraction of the work
 };
 
 /// Maximum likelihood fit of H1 estimates with noise on the response. Poles are found by Levenberg–Marquardt with an

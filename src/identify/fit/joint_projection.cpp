@@ -32,9 +32,9 @@ bool JointModel::all_real() const {
   return std::all_of(real.begin(), real.end(), [](char r) { return r != 0; });
 }
 
-JointProjection::JointProjection(const FrfDataset& set, const std::vector<Pole>& poles)
+JointProjection::JointProjection(const FrfDataset& set, const std::vector<Pole>& poles, double core_share)
     : set_(set),
-      bins_(set.lines, poles),
+      bins_(set.lines, poles, core_share),
       background_(out_of_band_terms(set.lines)),
       noise_(VectorXd::Ones(static_cast<Index>(set.channels.size()))) {
   const bool together = std::all_of(set.points.begin(), set.points.end(), [&](const PointForce& force) {

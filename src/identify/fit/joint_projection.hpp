@@ -39,8 +39,8 @@ struct JointState {
 /// (out_of_band_terms).
 class JointProjection {
  public:
-  /// set must outlive this object.
-  JointProjection(const FrfDataset& set, const std::vector<Pole>& poles);
+  /// set must outlive this object. `core_share`: see FrequencyBins.
+  JointProjection(const FrfDataset& set, const std::vector<Pole>& poles, double core_share = 0);
 
   JointState evaluate(JointModel model) const;
   /// Normal equations for a step of the poles, unknowns in the order frequency, damping ratio per mode. Their matrix is

@@ -29,6 +29,7 @@ constexpr double kMaxGain = 25, kMinGain = 8;
 // unknowns of three FRFs, noise reaches it once in 10^4.
 constexpr double kClearSignificance = 2 * kJointSignificance, kClearPeakToResidual = 10, kClearWidths = 1;
 constexpr double kClearGain = 4;
+constexpr int kLinearRounds = 4;
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
 double noise_part(const VectorXcd& residual) {
@@ -154,6 +155,20 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
     if (keep) kept.push_back(fit.poles[m]);
   }
   return kept;
+}
+
+std::vector<Pole> significant_poles(const FrfDataset& set, std::vector<Pole> starts, const std::vector<Pole>& known) {
+  for (int round = 0; round < kLinearRounds && !starts.empty(); ++round) {
+    std::vector<Pole> poles = starts;
+    poles.insert(poles.end(), known.begin(), known.end());
+    const auto unknowns = static_cast<Index>(2 * poles.size());
+    const std::vector<Pole> kept =
+        without_weakest(set, fit_residues(set, poles, Eigen::MatrixXd::Zero(unknowns, unknowns)), Misfit::counted);
+    const auto dropped = std::erase_if(
+        starts, [&](const Pole& start) { return std::find(kept.begin(), kept.end(), start) == kept.end(); });
+    if (dropped == 0) break;
+  }
+  return starts;
 }
 
 double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole) {

@@ -33,6 +33,11 @@ Standing standing_of(const FrfDataset& set, const JointFit& fit, std::size_t mod
 /// modes without it.
 std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Misfit misfit);
 
+/// The starts with significant residues beside the `known` poles, by linear fits at these poles: a small part of the
+/// work. Starts without them would cost a joint fit all its evaluations.
+std::vector<Pole> significant_poles(const FrfDataset& set, std::vector<Pole> starts,
+                                    const std::vector<Pole>& known = {});
+
 /// How far the residual around a mode is from noise, in standard deviations of its roughness; the worst FRF.
 double misfit_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole);
 

@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "core/io/significant_digits.hpp"
+#include "identify/select/crowded_fit.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
+constexpr double kVague = 0.5;                // half-power bandwidths: the ± of a mode that is hardly known
 constexpr double kMinJointResidual = 0.01;    // relative: below, the model's own approximations may cause it
 constexpr double kWorthNaming = 10;           // residual energy of the joint fit over the local fit's
 constexpr std::size_t kMaxListedEntries = 8;  // modes, peaks or poles in one warning
@@ -115,6 +117,25 @@ std::vector<Warning> unmodelled_pole_warnings(std::vector<identify::Pole> poles,
                            list + ". Modes may be missing there, and their neighbours may be off by more than their ±",
                        {"band", "start"}},
                       "analyse a narrower band around them, or state a starting frequency for each mode")};
+}
+
+std::vector<Warning> crowd_warnings(const std::vector<identify::Mode>& modes, std::pair<double, double> band_Hz) {
+  std::vector<identify::Pole> poles;
+  std::string vague;
+  std::size_t count = 0;
+  for (const identify::Mode& mode : modes) {
+    poles.push_back(mode.pole);
+    if (mode.freq_std_Hz < kVague * mode.pole.half_power_Hz() || ++count > kMaxListedEntries) continue;
+    vague += fmt::format("{}{:.6g} Hz", separator(vague), mode.pole.freq_Hz);
+  }
+  const double width_Hz = band_Hz.second - band_Hz.first;
+  if (!identify::are_crowded(poles, width_Hz)) return {};
+  std::string text = fmt::format(
+      "{} modes overlap: together their half-power bandwidths are {:.2g} times as wide as the band. How many there are "
+      "was chosen by likelihood, and each ± holds for this number; a mode more or less moves its neighbours",
+      modes.size(), identify::overlap_of(poles, width_Hz));
+  if (count > 0) text += ". Known to hardly better than their bandwidth: " + vague + and_more(count);
+  return {with_remedy({"crowded", std::move(text), {}}, "measure at more points: their shapes separate close modes")};
 }
 
 std::vector<Warning> refused_start_warnings(const std::vector<identify::RefusedStart>& refused) {

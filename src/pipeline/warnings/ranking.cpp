@@ -66,6 +66,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"reciprocity", Severity::warn},
     {"unclaimed_peaks", Severity::warn},
     {"unmodelled_poles", Severity::warn},
+    {"crowded", Severity::warn},
     {"local_fits", Severity::warn},
     {"model_misfit", Severity::warn},
     {"frac", Severity::warn},

@@ -99,6 +99,7 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"model_misfit", PagePart::fit},
     {"unclaimed_peaks", PagePart::fit},
     {"local_fits", PagePart::fit},
+    {"crowded", PagePart::fit},
     {"pair_or_scatter", PagePart::fit},
     {"unmodelled_poles", PagePart::stabilisation},
     {"start_refused", PagePart::stabilisation},

@@ -1,0 +1,160 @@
+#include "identify/select/crowded_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "identify/select/joint_selection.hpp"
+#include "identify/start/vector_fitting.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr std::size_t kLeastCrowd = 15;  // modes
+constexpr double kLeastOverlap = 0.2;
+constexpr double kFirstCount = 1.5;   // times the modes known: pairs of poles at first
+constexpr double kCountGrowth = 1.3;  // … and in each further trial
+constexpr std::size_t kMaxCount = 150;
+constexpr double kCoreShare = 0.1;     // bins around the poles, of a bandwidth
+constexpr double kResolution = 0.2;    // of a bandwidth
+constexpr double kGainPerUnknown = 5;  // half the logarithm of the number of lines
+constexpr double kNeeded = 6;          // standard deviations of a residue
+constexpr double kKnownMode = 3;       // … of a mode that is known
+constexpr double kCoinciding = 0.05;   // bandwidths between two poles that the fit has merged
+constexpr int kCrowdFits = 12;
+constexpr int kTrialSteps = 8, kCrowdSteps = 150;  // while poles are dropped; of the last fit
+constexpr int kSmallDecreases = 5;                 // steps in a row
+constexpr double kCrowdCost = 1e-5;                // relative decrease of the squares: some poles are hardly known
+
+// A fraction of a narrow bandwidth. A few of the known poles may follow noise.
+double resolution_Hz(const std::vector<Pole>& known) {
+  std::vector<double> widths_Hz;
+  for (const Pole& pole : known) widths_Hz.push_back(pole.half_power_Hz());
+  std::sort(widths_Hz.begin(), widths_Hz.end());
+  return kResolution * widths_Hz[widths_Hz.size() / 4];
+}
+
+JointFit linear_fit(const FrfDataset& set, const std::vector<Pole>& poles) {
+  const auto unknowns = static_cast<Index>(2 * poles.size());
+  return fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns));
+}
+
+// The largest |residue| of mode m over its standard deviation.
+double significance_of(const JointFit& fit, std::size_t m) {
+  const auto at = static_cast<Index>(m);
+  return (fit.residues.col(at).cwiseAbs().array() / fit.residue_std.col(at).array()).maxCoeff();
+}
+
+// Two poles at one place have residues that cancel.
+bool coincide(const Pole& a, const Pole& b) {
+  return std::abs(a.freq_Hz - b.freq_Hz) < kCoinciding * std::min(a.half_power_Hz(), b.half_power_Hz());
+}
+
+// The poles whose residues differ from zero, at these poles. Of the many poles, every one that is needed counts: it
+// need not stand out of its neighbours.
+std::vector<Pole> needed_poles(const JointFit& linear) {
+  std::vector<Pole> needed;
+  for (std::size_t m = 0; m < linear.poles.size(); ++m) {
+    const Pole& pole = linear.poles[m];
+    const bool repeated = std::any_of(needed.begin(), needed.end(), [&](const Pole& k) { return coincide(k, pole); });
+    if (!repeated && significance_of(linear, m) > kNeeded) needed.push_back(pole);
+  }
+  return needed;
+}
+
+double likelihood_per_unknown(const FrfDataset& set, const JointFit& fewer, const JointFit& more) {
+  const std::size_t modes = more.poles.size() > fewer.poles.size() ? more.poles.size() - fewer.poles.size() : 1;
+  return likelihood_ratio(set, fewer.residual, more.residual) / static_cast<double>(modes * unknowns_per_mode(set));
+}
+
+// The residues at the poles of vector fitting, of the number of poles that the FRFs ask for.
+std::optional<JointFit> start_of(const FrfDataset& set, const std::vector<Pole>& known) {
+  std::optional<JointFit> best;
+  for (double count = kFirstCount * static_cast<double>(known.size()); count <= static_cast<double>(kMaxCount);
+       count *= kCountGrowth) {
+    const std::vector<Pole> poles = vector_fitting_poles(set, static_cast<std::size_t>(count), resolution_Hz(known));
+    if (poles.empty()) break;
+    JointFit fit = linear_fit(set, poles);
+    if (best && likelihood_per_unknown(set, *best, fit) < kGainPerUnknown) break;
+    best = std::move(fit);
+  }
+  return best;
+}
+
+// The fit from these poles. Those that are not needed are dropped on the way, while the fit is still rough.
+std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> poles) {
+  int steps = kTrialSteps;
+  std::optional<JointFit> converged;
+  for (int round = 0; round < kCrowdFits && !poles.empty(); ++round) {
+    JointFit fit = fit_jointly(set, poles,
+                               {.max_steps = steps,
+                                .cost_tolerance = kCrowdCost,
+                                .core_share = kCoreShare,
+                                .max_small_decreases = kSmallDecreases,
+                                .test_real = false});
+    poles = needed_poles(linear_fit(set, fit.poles));
+    const bool complete = poles.size() == fit.poles.size();
+    const bool is_last = fit.converged ? complete : steps == kCrowdSteps;
+    if (fit.converged) converged = std::move(fit);
+    if (is_last) break;
+    if (complete) steps = kCrowdSteps;
+  }
+  return converged;
+}
+
+// Known to within its own bandwidth.
+bool is_known(const JointFit& fit, std::size_t m) {
+  const auto at = static_cast<Index>(m);
+  return fit.freq_std_Hz(at) < fit.poles[m].half_power_Hz() && fit.damping_std(at) < fit.poles[m].damping_ratio &&
+         significance_of(fit, m) > kKnownMode;
+}
+
+// Without the modes that are hardly known, where the FRFs are as likely without them: all of them, or else the weakest.
+JointFit without_unknown(const FrfDataset& set, JointFit fit) {
+  for (bool all = true;;) {
+    std::vector<Pole> kept;
+    std::size_t weakest = fit.poles.size();
+    for (std::size_t m = 0; m < fit.poles.size(); ++m) {
+      if (is_known(fit, m)) {
+        kept.push_back(fit.poles[m]);
+      } else if (weakest == fit.poles.size() || significance_of(fit, m) < significance_of(fit, weakest)) {
+        weakest = m;
+      }
+    }
+    if (weakest == fit.poles.size()) return fit;
+    if (!all) {
+      kept = fit.poles;
+      kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(weakest));
+    }
+    std::optional<JointFit> fewer = converged_fit(set, std::move(kept));
+    const bool as_likely = fewer && likelihood_per_unknown(set, *fewer, fit) < kGainPerUnknown;
+    if (!as_likely && !all) return fit;
+    if (as_likely) fit = *std::move(fewer);
+    all = false;
+  }
+}
+
+}  // namespace
+
+double overlap_of(const std::vector<Pole>& poles, double band_width_Hz) {
+  double widths_Hz = 0;
+  for (const Pole& pole : poles) widths_Hz += pole.half_power_Hz();
+  return widths_Hz / band_width_Hz;
+}
+
+bool are_crowded(const std::vector<Pole>& poles, double band_width_Hz) {
+  return poles.size() >= kLeastCrowd && overlap_of(poles, band_width_Hz) > kLeastOverlap;
+}
+
+std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& known) {
+  const std::optional<JointFit> start = start_of(set, known);
+  if (!start) return std::nullopt;
+  std::optional<JointFit> fit = converged_fit(set, needed_poles(*start));
+  if (!fit) return std::nullopt;
+  return without_unknown(set, *std::move(fit));
+}
+
+}  // namespace percuss::identify

@@ -1,0 +1,21 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "identify/fit/joint_fit.hpp"
+
+namespace percuss::identify {
+
+/// Half-power bandwidths of all modes over the width of the band.
+double overlap_of(const std::vector<Pole>& poles, double band_width_Hz);
+
+/// True for so many modes that overlap so far that peaks and stabilisation diagrams show only some of them.
+bool are_crowded(const std::vector<Pole>& poles, double band_width_Hz);
+
+/// The fit of all modes of a crowd together, from start values by vector fitting. Their number grows as long as the
+/// likelihood does. A mode stays where the FRFs are less likely without it, however wide its ± is: without it, its
+/// neighbours would be wrong. Nothing where no such fit converges.
+/// theory (4.26)
+std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& known);
+
+}  // namespace percuss::identify
