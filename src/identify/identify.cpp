@@ -9,6 +9,7 @@
 #include "identify/select/joint_refinement.hpp"
 #include "identify/select/joint_search.hpp"
 #include "identify/select/local_force_noise.hpp"
+#include "identify/select/satellite_modes.hpp"
 #include "identify/select/sequential_fit.hpp"
 
 namespace percuss::identify {
@@ -26,6 +27,7 @@ std::vector<Mode> fit_all_channels(const FrfDataset& set, const IdentifyOptions&
   std::vector<FittedMode> found = fit_sequentially(set, sequential_fit_options(options.effort));
   std::vector<Eigen::VectorXcd> residual;
   if (options.effort == Effort::best && !found.empty()) residual = refine_jointly(set, found);
+  if (options.effort != Effort::quick && residual.empty()) residual = refine_without_satellites(set, found);
   if (options.effort != Effort::quick) search_jointly(set, residual, found);
   return with_force_noise(set, std::move(found));
 }
