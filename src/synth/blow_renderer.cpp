@@ -137,9 +137,14 @@ void BlowRenderer::render(std::uint64_t first, std::span<double> out) {
     if (noise_[c] > 0) RandomStream{session_.spec.seed, kSessionNoiseStream, first, c}.add_normal(noise_[c], noise);
     const bool silent = std::find(session_.silent_channels.begin(), session_.silent_channels.end(), c) !=
                         session_.silent_channels.end();
+    const SynthRecorder& recorder = session_.spec.recorder;
+    const auto clip = c == 0 ? recorder.force_clip_N : recorder.accel_clip_mps2;
+    const double limit = std::min(full_scales_[c], clip.value_or(full_scales_[c]));
+    const double step = recorder.bits > 0 ? std::ldexp(full_scales_[c], 1 - recorder.bits) : 0;
     for (std::size_t i = 0; i < count; ++i) {
       double& value = out[i * channels() + c];
-      value = std::clamp(silent ? noise[i] : value + noise[i], -full_scales_[c], full_scales_[c]);
+      value = std::clamp(silent ? noise[i] : value + noise[i], -limit, limit);
+      if (step > 0) value = step * std::nearbyint(value / step);
     }
   }
 }
