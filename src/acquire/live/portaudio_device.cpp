@@ -22,16 +22,7 @@ constexpr double kMaxRateError = 1e-3;
 constexpr std::chrono::seconds kSilence{2};  // without a callback: the device is gone
 
 [[noreturn]] void fail_to_open(PaError error, const PortAudioInput& input) {
-  const auto card = card_in_name(input.name);
-  for (const SoundCardInput& known : sound_card_inputs()) {
-    if (card != known.card) continue;
-    if (!known.permitted) {
-      throw InputError("no permission to record", input.name, "add the user to the group audio, and log in again",
-                       {"device"});
-    }
-    if (known.busy)
-      throw InputError("the device is busy", input.name, "end the program that records from it", {"device"});
-  }
+  check_card_is_free(sound_card_inputs(), input.name);
   if (error == paInvalidSampleRate) {
     throw InputError("the device does not offer this sampling rate", input.name, "percuss devices lists its rates",
                      {"fs"});

@@ -205,6 +205,16 @@ TEST(ListDevices, SaysWhyACardCannotRecord) {
   EXPECT_THAT(advice_without_devices({}), HasSubstr("plug one in"));
 }
 
+TEST(SoundCards, SayWhyTheyCannotBeOpened) {
+  const std::vector<SoundCardInput> cards{{.card = 0, .device = 0, .name = "A"},
+                                          {.card = 1, .device = 0, .name = "B", .permitted = false},
+                                          {.card = 1, .device = 2, .name = "C", .busy = true}};
+  const auto said = [&](const char* name) { return input_error_of([&] { check_card_is_free(cards, name); }); };
+  for (const char* free : {"hw:0,0", "hw:2,0", "default"}) EXPECT_NO_THROW(check_card_is_free(cards, free)) << free;
+  EXPECT_THAT(said("hw:1,0"), HasSubstr("no permission to record (hw:1,0)"));
+  EXPECT_THAT(said("USB Audio: - (hw:1,2)"), HasSubstr("the device is busy (USB Audio: - (hw:1,2))"));
+}
+
 TEST(ListDevices, KnowsCardsByPortAudiosNames) {
   EXPECT_EQ(card_in_name("485B39 x: USB Audio (hw:12,0)"), 12);
   EXPECT_FALSE(card_in_name("default"));

@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdio>
 
+#include "acquire/live/sound_cards/sound_cards.hpp"
 #include "core/error.hpp"
 
 // Functions of the address sanitizer; null in builds without it.
@@ -134,6 +135,7 @@ PortAudioInput find_input(const std::vector<PortAudioInput>& inputs, const std::
     return *address;
   const PortAudioInput* const found = first_where([&](const auto& input) { return part(input, name); });
   if (found == nullptr) {
+    check_card_is_free(sound_card_inputs(), name);  // PortAudio leaves out what it cannot open
     throw InputError("there is no such recording device", one_line(name), "percuss devices lists what can record",
                      {"device"});
   }

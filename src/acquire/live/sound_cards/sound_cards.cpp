@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "core/error.hpp"
 #include "core/io/parse_number.hpp"
 
 namespace percuss::acquire {
@@ -44,6 +45,19 @@ std::vector<SoundCardInput> sound_card_inputs(const std::string& proc_asound, co
     return std::pair(a.card, a.device) < std::pair(b.card, b.device);
   });
   return inputs;
+}
+
+void check_card_is_free(const std::vector<SoundCardInput>& cards, const std::string& name) {
+  for (const SoundCardInput& known : cards) {
+    const std::string address = fmt::format("hw:{},{}", known.card, known.device);
+    if (name != address && name.find("(" + address + ")") == std::string::npos) continue;
+    if (!known.permitted) {
+      throw InputError("no permission to record", one_line(name), "add the user to the group audio, and log in again",
+                       {"device"});
+    }
+    if (known.busy)
+      throw InputError("the device is busy", one_line(name), "end the program that records from it", {"device"});
+  }
 }
 
 }  // namespace percuss::acquire

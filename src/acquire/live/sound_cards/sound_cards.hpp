@@ -16,4 +16,8 @@ struct SoundCardInput {
 std::vector<SoundCardInput> sound_card_inputs(const std::string& proc_asound = "/proc/asound",
                                               const std::string& dev_snd = "/dev/snd");
 
+/// Why the card that a name means cannot be opened: "hw:1,0", alone or in brackets after other words.
+/// errors  InputError: no permission; busy
+void check_card_is_free(const std::vector<SoundCardInput>& cards, const std::string& name);
+
 }  // namespace percuss::acquire
