@@ -5,6 +5,10 @@
 # DEVICE is a name that "percuss devices" lists; sim:aluminium-bat tries it. TESTS is a number; without it, there is one
 # test. Options go to percuss record; the analysis has the same --band.
 set -u
+if [ $# -lt 2 ]; then
+  echo "usage: record_unattended.sh DEVICE FOLDER [TESTS] [OPTION]..." >&2
+  exit 2
+fi
 device=$1
 folder=$2
 shift 2

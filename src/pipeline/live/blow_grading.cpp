@@ -26,6 +26,9 @@ constexpr std::size_t kMinQuiet = 12;  // samples that give a noise level
 constexpr double kMoving = 4;          // times the noise before a blow: the structure still moves
 constexpr double kRinging = 0.0025;    // of the response: −52 dB, as acquire's response grade
 constexpr double kMoved = 1e-4;        // of the response
+constexpr double kSameLevel = 0.01;    // of the force: blows clipped at one level
+// Of the force of a hammer, from a pencil's to a sledge's, and of a shock accelerometer.
+constexpr double kLeastForce_N = 0.5, kLargestForce_N = 3e4, kLargestAccel_mps2 = 3e5;
 
 struct Reason {
   RowMark mark = RowMark::none;
@@ -37,7 +40,16 @@ bool rings_before(const BlowCircumstances& at, std::size_t channel) {
   return channel < at.rest.size() && at.rest[channel].before_mps2 > kMoving * at.rest[channel].noise_mps2;
 }
 
-Reason struck_again() { return {RowMark::struck_again, "struck again before the decay ended", "wait between blows"}; }
+Reason struck_again(const BlowCircumstances& at) {
+  if (at.length_stated)
+    return {RowMark::struck_again, "struck again within the stated length",
+            "wait between blows, or shorten the length"};
+  return {RowMark::struck_again, "struck again before the decay ended", "wait between blows"};
+}
+
+std::string is_hammer_there(const BlowContext& context) {
+  return fmt::format(". Is the hammer on channel {}?", context.channels.force_number);
+}
 
 const Finding* find(const acquire::Hit& hit, FindingCode code) {
   const auto it = std::find_if(hit.findings.begin(), hit.findings.end(),
@@ -62,7 +74,7 @@ Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, co
   }
   // Beyond the end, samples repeat the last one.
   if (at.recording_ended) {
-    if (at.struck_again) return struck_again();
+    if (at.struck_again) return struck_again(at);
     return {RowMark::ended, "the recording ended within the blow", "repeat it"};
   }
   if (at.no_numbers) {
@@ -74,7 +86,7 @@ Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, co
   for (std::size_t c = 0; c + 1 < samples.size(); ++c) {
     if (!rings_before(at, c) && is_silent(samples[c + 1], quiet)) {
       return {RowMark::silent_channel, name_of_channel(context.channels, c) + " is silent",
-              "check its cable and its input"};
+              "check its cable and its input" + (at.none_accepted ? is_hammer_there(context) : "")};
     }
   }
   return {};
@@ -119,6 +131,14 @@ Reason ringing(const BlowCircumstances& at) {
   return {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
 }
 
+// A recorder's filter takes the highest frequencies, whatever the tip.
+std::string band_remedy(const BlowContext& context) {
+  const double end_Hz = context.options.band_Hz->second;
+  if (context.channels.description.fs_Hz < kRateOverBand * end_Hz)
+    return fmt::format("record at {:.0f} Hz or more, or end the band lower", kRateOverBand * end_Hz);
+  return "use a harder tip, or end the band lower";
+}
+
 Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const BlowContext& context) {
   const auto rejected = [&](FindingCode code) {
     const Finding* const finding = find(hit, code);
@@ -126,13 +146,15 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
   };
   if (rejected(FindingCode::late_trigger) != nullptr)
     return {RowMark::no_pulse, "the samples begin within the pulse", "state a longer pre-trigger"};
-  if (rejected(FindingCode::overload) != nullptr || rejected(FindingCode::force_clipped) != nullptr)
+  const bool clipped_as_before = std::abs(std::abs(hit.peak_N) - at.clipped_at_N) < kSameLevel * at.clipped_at_N;
+  if (rejected(FindingCode::overload) != nullptr || rejected(FindingCode::force_clipped) != nullptr ||
+      clipped_as_before)
     return {RowMark::force_overload, "the force is clipped", "lower the gain of the hammer, or hit softer"};
   if (const Finding* const second = rejected(FindingCode::double_hit)) {
     return two_contacts(second->value, second->delay_s.value_or(0), second->before_main);
   }
   if (at.contact_before > acquire::kMaxSecondContact) return two_contacts(at.contact_before, at.contact_before_s, true);
-  if (at.struck_again) return struck_again();
+  if (at.struck_again) return struck_again(at);
   if (const Finding* const lasting = rejected(FindingCode::no_pulse); lasting != nullptr && !hit.gated_N.empty()) {
     return {
         RowMark::no_pulse,
@@ -142,7 +164,7 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
   }
   if (hit.gated_N.empty() || acquire::rejects(hit.findings)) {
     std::string remedy = "strike freely and once";
-    if (at.first_blows) remedy += fmt::format(". Is the hammer on channel {}?", context.channels.force_number);
+    if (at.first_blows) remedy += is_hammer_there(context);
     return {RowMark::no_pulse, "no clean pulse", remedy};
   }
   const double peak_N = std::abs(hit.peak_N);
@@ -154,7 +176,7 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
     return {RowMark::low_bandwidth,
             fmt::format("the force reaches {:.0f} Hz, the band ends at {:.0f} Hz", hit.bandwidth_Hz,
                         context.options.band_Hz->second),
-            "use a harder tip"};
+            band_remedy(context)};
   }
   if (hit.bandwidth_Hz < kLowBandwidth * at.typical_bandwidth_Hz) {
     return {RowMark::low_bandwidth,
@@ -259,6 +281,23 @@ void note_range(const BlowCircumstances& at, BlowGrade& grade) {
   grade.accel_channel = static_cast<std::size_t>(largest - at.range.begin()) - 1;
 }
 
+void note_implausible(const BlowSamples& samples, const BlowContext& context, BlowGrade& grade) {
+  const double force_N = std::abs(grade.peak_N);
+  if (force_N < kLeastForce_N || force_N > kLargestForce_N) {
+    grade.implausible = fmt::format("{:.3g} N is {} for a hammer: check its sensitivity and unit", force_N,
+                                    force_N < kLeastForce_N ? "little" : "much");
+    return;
+  }
+  for (std::size_t c = 0; c + 1 < samples.size(); ++c) {
+    const Extremes all = extremes_of(samples[c + 1]);
+    const double largest_mps2 = std::max(std::abs(all.low), std::abs(all.high));
+    if (largest_mps2 < kLargestAccel_mps2) continue;
+    grade.implausible = fmt::format("{:.3g} m/s² on {} is much: check its sensitivity and unit", largest_mps2,
+                                    name_of_channel(context.channels, c));
+    return;
+  }
+}
+
 void note_regraded(const std::vector<AnalysedHit>& hits, const BlowContext& context, BlowGrade& grade) {
   for (const AnalysedHit& hit : hits) {
     if (hit.hit.row < context.rows.size() && !hit.accepted)
@@ -273,6 +312,7 @@ BlowGrade grade_blow(const BlowSamples& samples, const BlowCircumstances& circum
   const acquire::Hit hit = largest_hit(own, circumstances.pretrigger);
   BlowGrade grade{.peak_N = hit.peak_N, .pulse_s = hit.pulse_s, .bandwidth_Hz = hit.bandwidth_Hz};
   note_range(circumstances, grade);
+  note_implausible(samples, context, grade);
   Reason reason = judge_capture(samples, circumstances, context);
   if (reason.mark == RowMark::none) reason = judge_dropouts(hit, samples, context);
   if (reason.mark == RowMark::none) reason = judge_range(circumstances, context);

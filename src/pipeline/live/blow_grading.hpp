@@ -35,7 +35,10 @@ struct BlowCircumstances {
   double typical_bandwidth_Hz = 0;
   std::size_t pretrigger = 0;  // samples
   std::vector<Rest> rest{};    // [responses]
-  bool first_blows = false;    // there were blows, and none was accepted yet
+  bool none_accepted = false;  // up to now
+  bool first_blows = false;    // … although there were blows
+  bool length_stated = false;  // by the user, not by the decay of the first blow
+  double clipped_at_N = 0;     // the force at which blows were clipped before; 0: none was, or at different ones
 };
 
 /// The verdict on a blow. Accepted: no mark.
@@ -48,6 +51,7 @@ struct BlowGrade {
   std::size_t accel_channel = 0;                       // that has accel_range
   bool rings_at_end = false;                           // the window is too short
   bool moved_before = false;                           // a little: the structure had not come to rest
+  std::string implausible{};                           // what no hammer test has: a sensitivity is wrong
   bool unlike_others = false;                          // the other blows explain little of it: low_coherence
   std::optional<bool> blows_differ{};                  // so of any accepted blow of the point; nothing: not compared
   /// Accepted rows of the same point that do not count any longer, now that there is this blow to compare with: an

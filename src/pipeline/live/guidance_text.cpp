@@ -79,15 +79,15 @@ std::string prompt_text(const Session& session, RovingPart roving) {
 
 std::string range_advice(const BlowGrade& grade, const LiveChannels& channels, bool first) {
   if (grade.force_range && *grade.force_range > kNearFullScale)
-    return fmt::format("hit a little softer (force at {:.0f} % of range)", *grade.force_range * 100);
+    return fmt::format("hit a little softer (force at {:.3g} % of range)", *grade.force_range * 100);
   const auto accel = [&] { return fmt::format("channel {}", channels.accel_numbers.at(grade.accel_channel)); };
   if (grade.accel_range && *grade.accel_range > kNearFullScale)
-    return fmt::format("hit a little softer ({} at {:.0f} % of range)", accel(), *grade.accel_range * 100);
+    return fmt::format("hit a little softer ({} at {:.3g} % of range)", accel(), *grade.accel_range * 100);
   if (!first) return {};
   if (grade.force_range && *grade.force_range < kLowForce)
-    return fmt::format("force peak at {:.0f} % of full scale: raise the gain", *grade.force_range * 100);
+    return fmt::format("force peak at {:.2g} % of full scale: raise the gain", *grade.force_range * 100);
   if (grade.accel_range && *grade.accel_range < kLowAccel)
-    return fmt::format("{} at {:.1f} % of full scale: raise the gain", accel(), *grade.accel_range * 100);
+    return fmt::format("{} at {:.2g} % of full scale: raise the gain", accel(), *grade.accel_range * 100);
   return {};
 }
 
@@ -102,10 +102,11 @@ std::string blow_text(const BlowReport& blow, const LiveChannels& channels, cons
       fmt::format("{}: accepted, {} up to {}", place, force_text(grade.peak_N), frequency_text(grade.bandwidth_Hz));
   const std::string advice = range_advice(grade, channels, blow.sets_range);
   if (!advice.empty()) text += "; " + advice;
+  if (blow.sets_range && !grade.implausible.empty()) text += "; " + grade.implausible;
   if (grade.moved_before) text += "; it had not come to rest: wait a little longer between blows";
   if (grade.unlike_others) text += "; little like the other blows: another place, or noise?";
   if (blow.one_more) text += "; one more blow at this point helps to decide";
-  if (grade.rings_at_end) text += "; still ringing at the end: a longer window keeps the whole decay";
+  if (grade.rings_at_end) text += "; still ringing at the end: state a longer length to keep the whole decay";
   return text;
 }
 
@@ -150,6 +151,7 @@ std::string goals_text(const SessionQuality& quality, const std::vector<Precisio
       text += goal.relative ? fmt::format(", ± {:.2g} %", 100 * mode.freq_std_Hz / mode.freq_Hz)
                             : fmt::format(", ± {:.2g} Hz", mode.freq_std_Hz);
     }
+    if (m && quality.blows < kMinBlowsForGoals) text += fmt::format(": {} blows must count", kMinBlowsForGoals);
   }
   return text;
 }
@@ -183,7 +185,14 @@ std::string long_push_text(const LongPush& push, double time_s) {
       std::abs(push.peak_N), 1e3 * push.length_s, time_s, 1e3 * acquire::kLongestPulse_s);
 }
 
-std::string silent_hammer_text(const LiveChannels& channels, std::optional<double> trigger_N) {
+std::string silent_hammer_text(const LiveChannels& channels, std::optional<double> trigger_N, bool later) {
+  if (later) {
+    return fmt::format(
+        "{} moved as after a blow, but the force on channel {} stayed below the trigger level: if you have struck, "
+        "check the hammer and its cable{}",
+        name_of_channel(channels, 0), channels.force_number,
+        trigger_N ? fmt::format(", or state a level below {:.6g} N", *trigger_N) : "");
+  }
   if (trigger_N) {
     return fmt::format(
         "{} moves, but the force stays below the trigger level of {:.6g} N: if you have struck, state a "

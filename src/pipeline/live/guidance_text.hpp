@@ -34,8 +34,8 @@ std::string goals_text(const SessionQuality& quality, const std::vector<Precisio
 std::string fault_text(const acquire::CaptureFinding& fault, const LiveChannels& channels);
 /// A blow that is not recorded (GuideObserver::on_left_out).
 std::string left_out_text(double time_s, bool too_early);
-/// Why no blow is seen (GuideObserver::on_silent_hammer).
-std::string silent_hammer_text(const LiveChannels& channels, std::optional<double> trigger_N);
+/// Why no blow is seen (GuideObserver::on_silent_hammer); `later`: after others.
+std::string silent_hammer_text(const LiveChannels& channels, std::optional<double> trigger_N, bool later);
 /// A push at this time was too long for a blow.
 std::string long_push_text(const LongPush& push, double time_s);
 /// The end: "22 of 24 points are complete; 113 blows count, 9 rejected, 2 undone".

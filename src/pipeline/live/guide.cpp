@@ -12,14 +12,16 @@ namespace {
 
 using Kind = SessionEvent::Kind;
 
-constexpr std::size_t kCompared = 20;  // blows of the point: time and memory of a verdict stay bounded
-constexpr double kLongGap_s = 1;       // after a longer one the trigger begins anew
-constexpr std::size_t kFeed = 4096;    // samples
-constexpr double kStrongPush = 0.2;    // of the usual blow, or of the last push: a weaker one was no attempt to strike
+constexpr std::size_t kCompared = 8;  // blows of the point: time and memory of a verdict stay bounded
+constexpr double kLongGap_s = 1;      // after a longer one the trigger begins anew
+constexpr std::size_t kFeed = 4096;   // samples
+constexpr double kStrongPush = 0.2;   // of the usual blow, or of the last push: a weaker one was no attempt to strike
 constexpr std::size_t kSetTheRange = 2;   // blows
 constexpr double kMuchWeaker = 0.5;       // than an earlier blow: no reason to raise a gain
 constexpr std::size_t kMinToCompare = 3;  // blows: two do not tell which is weak
 constexpr double kRest_s = 0.2;           // before a blow, where the structure should be at rest
+constexpr double kMissedResponse = 0.3;   // of the usual response: no such motion comes without a blow
+constexpr std::size_t kResponses = 20;    // blows whose responses are usual
 
 // The frames of a block before `frame`, and the rest.
 std::pair<acquire::SampleBlock, acquire::SampleBlock> split(acquire::SampleBlock block, std::uint64_t frame) {
@@ -141,8 +143,17 @@ bool Guide::is_attempt(const LongPush& push) {
   return true;
 }
 
+// A sensor that is moved shakes more than a blow shakes it.
+void Guide::watch_on(std::uint64_t from) {
+  const bool moving = options_.sensor_moves && session_.accepted_at(session_.point()) == 0;
+  if (moving || response_peaks_.empty()) return watch_.reset();
+  watch_.emplace(fs_Hz_, kMissedResponse * median(response_peaks_));
+  watch_from_ = from;
+}
+
 void Guide::watch_hammer(std::uint64_t from) {
-  if (!watch_ || from >= history_.end_frame()) return;
+  from = std::max(from, watch_from_);
+  if (!watch_ || session_.paused() || from >= history_.end_frame()) return;
   if (!windows_.empty()) return watch_.reset();
   std::vector<double> x(history_.end_frame() - from);
   history_.read(channels_.accel.front(), from, x);
@@ -150,6 +161,7 @@ void Guide::watch_hammer(std::uint64_t from) {
   if (!watch_->is_silent(trigger_->searched_to())) return;
   watch_.reset();
   observer_.on_silent_hammer();
+  if (length_) watch_on(history_.end_frame() + *length_);
 }
 
 bool Guide::all_known_before(std::uint64_t frame) const { return trigger_->searched_to() >= frame; }
@@ -180,6 +192,7 @@ void Guide::advance(bool last) {
       observer_.on_left_out(window.event.first, too_early(window));
     }
     windows_.pop_front();
+    if (windows_.empty() && length_) watch_on(previous_end_);
   }
 }
 
@@ -198,6 +211,7 @@ void Guide::judge(const Window& window) {
                     .sets_range = sets_range(graded)};
   store_->append(samples);
   previous_end_ = report.end_frame;
+  note_response(samples, graded);
   const SessionEvent event{.kind = Kind::blow,
                            .frame = window.first,
                            .mark = graded.mark,
@@ -206,7 +220,8 @@ void Guide::judge(const Window& window) {
                            .peak_N = graded.peak_N,
                            .bandwidth_Hz = graded.bandwidth_Hz,
                            .differ = graded.blows_differ};
-  if (repeat_past(event)) return observer_.on_blow(report);
+  report.repeated = repeat_past(event);
+  if (report.repeated) return observer_.on_blow(report);
   if (cut) {  // not in the journal: a resumed session judges it again, with the samples that follow
     session_.apply(event);
     return observer_.on_blow(report);
@@ -219,6 +234,15 @@ void Guide::judge(const Window& window) {
   observer_.on_blow(report);
   for (const auto& [row, mark] : graded.regraded) observer_.on_regraded(row, mark);
   if (graded.accepted()) check_goals();
+}
+
+void Guide::note_response(const BlowSamples& samples, const BlowGrade& grade) {
+  if (grade.accepted()) {
+    const Extremes all = extremes_of(samples[1]);
+    const double to_mps2 = std::abs(channels_.accel_to_mps2.front());
+    response_peaks_.push_back(std::max(std::abs(all.low), std::abs(all.high)) / to_mps2);
+    if (response_peaks_.size() > kResponses) response_peaks_.erase(response_peaks_.begin());
+  }
 }
 
 bool Guide::sets_range(const BlowGrade& grade) const {

@@ -34,6 +34,7 @@ struct GuideOptions {
   std::vector<acquire::TraceLine> trace_lines{};  // likewise
   std::vector<acquire::TraceFace> trace_faces{};  // likewise
   std::string date{};                             // of the test; empty: unknown
+  bool sensor_moves = false;                      // from point to point, instead of the hammer
 };
 
 /// Guides a session: finds blows in the stream of samples, judges each, keeps its samples and counts it. The state
@@ -117,6 +118,11 @@ class Guide {
   void check_goals();
   void forget();
   double typical(double Session::Blow::*value) const;
+  /// The force at which blows were clipped, if it was one level; otherwise 0.
+  double clipped_at_N() const;
+  /// After a blow: watches for responses like those of blows.
+  void watch_on(std::uint64_t from);
+  void note_response(const BlowSamples& samples, const BlowGrade& grade);
 
   LiveChannels channels_;
   GuideOptions options_;
@@ -129,8 +135,10 @@ class Guide {
   Session session_;
   SampleHistory history_;
   std::unique_ptr<OnlineTrigger> trigger_;
-  std::optional<HammerWatch> watch_;  // until the first blow
-  std::uint64_t fed_ = 0;             // frames before it were given to the trigger
+  std::optional<HammerWatch> watch_;
+  std::uint64_t watch_from_ = 0;        // the decay of a blow is over
+  std::vector<double> response_peaks_;  // of accepted blows, as the device delivers the first response
+  std::uint64_t fed_ = 0;               // frames before it were given to the trigger
   const std::size_t rest_frames_;
   std::vector<BlowCircumstances::Rest> rest_;  // [responses], before the newest blow
   std::shared_ptr<RowStore> store_;

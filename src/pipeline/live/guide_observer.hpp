@@ -18,6 +18,7 @@ struct BlowReport {
   std::size_t blow = 1;  // of `hits`: its number among the accepted blows of its point, if it counts
   BlowGrade grade;
   bool sets_range = false;  // among the first blows, and the strongest so far
+  bool repeated = false;    // its verdict was given in the interrupted session
   bool one_more = false;    // the point has its blows, but this one is doubtful
 };
 
@@ -39,7 +40,7 @@ class GuideObserver {
   /// A blow, first above the threshold at this frame, is too short to choose the length of all blows by it: the next
   /// one, or lost samples, came too early. Or it came itself too early to know the noise before it. It is not recorded.
   virtual void on_left_out(std::uint64_t /*frame*/, bool /*too_early*/) {}
-  /// A response moves as after a blow, but the force does not; once, before the first blow.
+  /// A response moves as after a blow, but the force does not: before the first blow, or between two.
   virtual void on_silent_hammer() {}
   /// A push of the force was too long for a blow, but as strong as one.
   virtual void on_long_push(const LongPush& /*push*/) {}

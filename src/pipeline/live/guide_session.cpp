@@ -47,15 +47,18 @@ bool Guide::repeat_past(const SessionEvent& blow) {
 void Guide::command(SessionEvent::Kind kind, int point) {
   const SessionEvent event{.kind = kind, .frame = history_.end_frame(), .point = point};
   log_.append_event(json_of(event));
+  // A device that delivers nothing must not hold up the end: asked for twice, it comes at once.
+  const bool asked_before = std::any_of(commands_.begin(), commands_.end(),
+                                        [](const SessionEvent& other) { return other.kind == Kind::finish; });
   commands_.push_back(event);
-  apply_commands(!started_ || kind == Kind::finish);
+  apply_commands(!started_ || (kind == Kind::finish && asked_before));
 }
 
 void Guide::apply_commands(bool last) {
   while (!commands_.empty()) {
     const SessionEvent event = commands_.front();
     const bool blow_before = !windows_.empty() && windows_.front().event.first < event.frame;
-    if (!last && event.kind != Kind::finish && (blow_before || !all_known_before(event.frame))) return;
+    if (!last && (blow_before || !all_known_before(event.frame))) return;
     commands_.pop_front();
     const std::size_t before = session_.accepted();
     session_.apply(event);

@@ -121,6 +121,18 @@ double Guide::typical(double Session::Blow::*value) const {
   return values.size() < kMinTypical ? 0 : median(std::move(values));
 }
 
+double Guide::clipped_at_N() const {
+  constexpr std::size_t kMinClipped = 2;  // blows
+  constexpr double kSpread = 1.01;        // largest over smallest of one level
+  std::vector<double> peaks_N;
+  for (const Session::Blow& blow : session_.blows()) {
+    if (blow.mark == acquire::RowMark::force_overload) peaks_N.push_back(std::abs(blow.peak_N));
+  }
+  if (peaks_N.size() < kMinClipped) return 0;
+  const auto [least, most] = std::minmax_element(peaks_N.begin(), peaks_N.end());
+  return *most < kSpread * *least ? *most : 0;
+}
+
 void Guide::note_rest(const Window& window) {
   const std::size_t guard = pretrigger_ / 8;  // a filter may let the response begin a little early
   std::uint64_t first = window.event.first - std::min<std::uint64_t>(window.event.first, rest_frames_);
@@ -157,7 +169,10 @@ BlowCircumstances Guide::circumstances(const Window& window) const {
                        .typical_bandwidth_Hz = typical(&Session::Blow::bandwidth_Hz),
                        .pretrigger = static_cast<std::size_t>(window.event.peak - window.first),
                        .rest = rest_,
-                       .first_blows = session_.accepted() == 0 && !session_.blows().empty()};
+                       .none_accepted = session_.accepted() == 0,
+                       .first_blows = session_.accepted() == 0 && !session_.blows().empty(),
+                       .length_stated = options_.length_s.has_value(),
+                       .clipped_at_N = clipped_at_N()};
   // The analysis sees contacts within the samples.
   const auto& earlier = window.event.earlier;
   if (earlier && earlier->peak < window.first && earlier->ratio > kSmallContact) {

@@ -4,7 +4,7 @@ namespace percuss::pipeline {
 
 void HammerWatch::add(std::uint64_t first_frame, std::span<const double> response) {
   if (!trigger_ || first_frame != end_frame_)
-    trigger_ = std::make_unique<OnlineTrigger>(OnlineTriggerOptions{.fs_Hz = fs_Hz_, .trigger_N = {}}, first_frame);
+    trigger_ = std::make_unique<OnlineTrigger>(OnlineTriggerOptions{.fs_Hz = fs_Hz_, .trigger_N = level_}, first_frame);
   end_frame_ = first_frame + response.size();
   trigger_->add(response);
   while (const auto event = trigger_->next()) {

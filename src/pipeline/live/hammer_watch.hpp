@@ -8,10 +8,11 @@
 
 namespace percuss::pipeline {
 
-/// Watches a response until the first blow: where it is struck and the force stays at rest, the hammer is silent.
+/// Watches a response between blows: where it is struck and the force stays at rest, the hammer is silent.
 class HammerWatch {
  public:
-  explicit HammerWatch(double fs_Hz) : fs_Hz_(fs_Hz) {}
+  /// `level`: motion that only a blow causes, in the unit of the response; default: above its noise.
+  explicit HammerWatch(double fs_Hz, std::optional<double> level = {}) : fs_Hz_(fs_Hz), level_(level) {}
 
   /// Samples of the response that begin at this frame. After a gap, the search begins anew.
   void add(std::uint64_t first_frame, std::span<const double> response);
@@ -20,6 +21,7 @@ class HammerWatch {
 
  private:
   double fs_Hz_;
+  std::optional<double> level_;
   std::unique_ptr<OnlineTrigger> trigger_;
   std::uint64_t end_frame_ = 0;
   std::optional<std::uint64_t> struck_;

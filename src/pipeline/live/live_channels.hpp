@@ -9,6 +9,9 @@
 
 namespace percuss::pipeline {
 
+/// The sampling rate over the highest frequency that a recorder's anti-alias filter usually passes.
+inline constexpr double kRateOverBand = 2.56;
+
 /// Which channels of a device are the force and the responses, and their units.
 struct LiveChannels {
   std::size_t force = 0;           // index into a frame

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
@@ -32,8 +33,8 @@ std::string absolute_folder(const std::string& folder) {
 
 }  // namespace
 
-RowStore::RowStore(const std::string& folder, std::size_t channels)
-    : file_(open_unnamed(folder)), signals_(channels + 1) {
+RowStore::RowStore(const std::string& folder, std::size_t channels, std::size_t max_waiting_bytes)
+    : file_(open_unnamed(folder)), signals_(channels + 1), max_waiting_bytes_(max_waiting_bytes) {
   const int error = errno;
   folder_ = absolute_folder(folder);
   if (file_ < 0) throw_system_error("cannot keep rows", error, folder_, "write the record into another folder");
@@ -43,24 +44,65 @@ RowStore::~RowStore() { ::close(file_); }
 
 void RowStore::append(const std::vector<std::vector<double>>& signals) {
   if (samples_ == 0) samples_ = signals.front().size();
-  auto at = static_cast<off_t>(rows_ * signals_ * samples_ * sizeof(double));
-  for (const std::vector<double>& signal : signals) {
-    const char* from = reinterpret_cast<const char*>(signal.data());
-    std::size_t left = samples_ * sizeof(double);
-    while (left > 0) {
-      const auto written = ::pwrite(file_, from, left, at);
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0)
-        throw_system_error("cannot keep a row", errno, folder_, "free some room, and resume the session");
-      from += written;
-      at += written;
-      left -= static_cast<std::size_t>(written);
+  std::vector<double> row;
+  row.reserve(signals_ * samples_);
+  for (const std::vector<double>& signal : signals) row.insert(row.end(), signal.begin(), signal.end());
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back(std::move(row));
+    ++rows_;
+  }
+  write_waiting();
+}
+
+// The rows that wait are the last ones.
+void RowStore::write_waiting() {
+  for (;;) {
+    std::vector<double> row;
+    std::size_t at = 0;
+    {
+      const std::lock_guard lock(mutex_);
+      if (waiting_.empty()) return;
+      row = waiting_.front();
+      at = rows_ - waiting_.size();
+    }
+    const int error = write_row(row, at);
+    const std::lock_guard lock(mutex_);
+    if (error == 0) {
+      waiting_.pop_front();
+    } else if (waiting_.size() * signals_ * samples_ * sizeof(double) > max_waiting_bytes_) {
+      throw_system_error("cannot keep a row", error, folder_, "free some room, and resume the session");
+    } else {
+      return;
     }
   }
-  ++rows_;
+}
+
+int RowStore::write_row(const std::vector<double>& row, std::size_t number) const {
+  auto at = static_cast<off_t>(number * row.size() * sizeof(double));
+  const char* from = reinterpret_cast<const char*>(row.data());
+  std::size_t left = row.size() * sizeof(double);
+  while (left > 0) {
+    const auto written = ::pwrite(file_, from, left, at);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return written < 0 ? errno : ENOSPC;
+    from += written;
+    at += written;
+    left -= static_cast<std::size_t>(written);
+  }
+  return 0;
+}
+
+bool RowStore::read_waiting(std::size_t row, std::size_t first, std::span<double> out) const {
+  const std::lock_guard lock(mutex_);
+  const std::size_t written = rows_ - waiting_.size();
+  if (row < written) return false;
+  std::copy_n(waiting_.at(row - written).begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+  return true;
 }
 
 void RowStore::read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) const {
+  if (read_waiting(row, signal * samples_ + first, out)) return;
   auto at = static_cast<off_t>(((row * signals_ + signal) * samples_ + first) * sizeof(double));
   char* to = reinterpret_cast<char*>(out.data());
   std::size_t left = out.size_bytes();

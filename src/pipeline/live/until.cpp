@@ -16,7 +16,6 @@ using identify::ModeType;
 
 constexpr double kPercent = 0.01;
 constexpr int kMaxNumber = 999;
-constexpr std::size_t kMinBlows = 3;  // fewer do not show the scatter between hits
 
 [[noreturn]] void refuse(std::string_view goal, const std::string& problem) {
   throw InputError(fmt::format("'{}': {}", one_line(goal, 60), problem), "the goal",
@@ -112,7 +111,7 @@ double limit_Hz(const PrecisionGoal& goal, const LiveMode& mode) {
 
 bool is_met(const PrecisionGoal& goal, const SessionQuality& quality) {
   const auto m = mode_of(goal, quality);
-  if (quality.blows < kMinBlows || !m) return false;
+  if (quality.blows < kMinBlowsForGoals || !m) return false;
   const LiveMode& mode = quality.modes[*m];
   return mode.freq_std_Hz > 0 && mode.freq_std_Hz < limit_Hz(goal, mode);
 }

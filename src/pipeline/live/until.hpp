@@ -28,6 +28,8 @@ std::vector<PrecisionGoal> parse_goals(std::string_view text);
 /// while none is found.
 std::optional<std::size_t> mode_of(const PrecisionGoal& goal, const SessionQuality& quality);
 double limit_Hz(const PrecisionGoal& goal, const LiveMode& mode);
+/// Fewer do not show the scatter between blows.
+inline constexpr std::size_t kMinBlowsForGoals = 3;
 /// Whether a goal is met by all modes that it names, and by three blows or more.
 bool is_met(const PrecisionGoal& goal, const SessionQuality& quality);
 bool all_met(const std::vector<PrecisionGoal>& goals, const SessionQuality& quality);

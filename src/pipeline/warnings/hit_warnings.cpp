@@ -60,7 +60,8 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
                                            "have the wrong sign",
                                            hit_list(negative.hits), negative.least),
                                {"setup", "force_scale"}},
-                              R"(state "sign": -1 for the force in the set-up, or a negative scale of the force)"));
+                              R"(state "sign": -1 for the force in the set-up, or remove it where it is stated; or )"
+                              "give the scale of the force the other sign"));
   }
   if (const auto low = accepted_hits_with(hits, acquire::FindingCode::low_bandwidth); !low.hits.empty()) {
     out.push_back(with_remedy(

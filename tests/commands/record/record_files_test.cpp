@@ -87,16 +87,30 @@ TEST(RecordFiles, SaysHowToSaveBlowsThatCannotBeWritten) {
   }
 }
 
-// No file may grow beyond a limit, as on a full disk: the row of a blow has no room.
+// No file may grow beyond a limit, as on a full disk: the rows wait in memory, but the record has no room at the end.
 TEST(RecordFiles, SayHowToGoOnWhenTheDiskIsFull) {
   const Bench bench;
   constexpr std::size_t kLess_bytes = 200'000;  // than a row: 9600 samples of 3 channels
   const auto full = test::run_percuss({"record", "-o", "t.h5", "--device", "sim:aluminium-bat", "--fast"},
                                       {.folder = bench.folder.path(), .limits = {{RLIMIT_FSIZE, kLess_bytes}}});
   EXPECT_EQ(full.code, 3);
-  EXPECT_THAT(full.err, HasSubstr("free some room, and resume the session (percuss record --resume t.h5)"));
+  EXPECT_THAT(full.err, HasSubstr("percuss record --resume t.h5"));
   EXPECT_EQ(bench.run({"record", "--resume", "t.h5"}).code, 0);
   EXPECT_EQ(bench.marks().size(), 5U);
+}
+
+// The disk is full from the second blow to the fourth, in real time: the file is that of a session with enough room.
+TEST(RecordFiles, LoseNothingWhileTheDiskIsFull) {
+  const std::string record = "percuss record -o t.h5 --device sim:aluminium-bat,speed=4,end=12";
+  const Bench whole, bench;
+  ASSERT_EQ(whole.shell(record + " >out 2>err"), 0);
+  EXPECT_EQ(bench.meanwhile("(" + record + ")", "grep -q 'Blow 1' out",
+                            "prlimit --pid $! --fsize=300000:; for i in $(seq 500); do grep -q 'Blow 4' out && break; "
+                            "sleep 0.02; done; prlimit --pid $! --fsize=unlimited:"),
+            0)
+      << bench.bytes("err");
+  EXPECT_THAT(bench.bytes("out"), HasSubstr("the journal cannot be written"));
+  EXPECT_TRUE(bench.bytes("t.h5") == whole.bytes("t.h5"));
 }
 
 TEST(RecordFiles, NamesAnUnfinishedSessionBeforeItIsOverwritten) {

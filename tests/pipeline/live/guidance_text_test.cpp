@@ -40,7 +40,7 @@ TEST(GuidanceText, SetsTheRangeByTheFirstBlows) {
             "force peak at 12 % of full scale: raise the gain");
   EXPECT_EQ(pipeline::range_advice({.force_range = 0.12}, channels, false), "");
   EXPECT_EQ(pipeline::range_advice({.force_range = 0.5, .accel_range = 0.01, .accel_channel = 1}, channels, true),
-            "channel 3 at 1.0 % of full scale: raise the gain");
+            "channel 3 at 1 % of full scale: raise the gain");
   EXPECT_EQ(pipeline::range_advice({.force_range = 0.5, .accel_range = 0.95, .accel_channel = 0}, channels, false),
             "hit a little softer (channel 2 at 95 % of range)");
   EXPECT_EQ(pipeline::range_advice({}, channels, true), "");

@@ -26,16 +26,19 @@ constexpr double kAllowed_s = 0.1 * kSlower;
 constexpr double kFs_Hz = 51'200;
 constexpr std::size_t kBlock = 512;
 
-// A hammer and seven accelerometers.
-acquire::Record eight_channels() {
-  std::string sensors;
+// A hammer and seven accelerometers, a blow every 1.5 s.
+acquire::Record eight_channels(int blows) {
+  std::string sensors, times;
+  for (int blow = 0; blow < blows; ++blow)
+    times += (blow > 0 ? ", " : "") + std::to_string(0.4 + 1.5 * static_cast<double>(blow));
   for (int s = 0; s < 7; ++s)
     sensors +=
         (s > 0 ? ", " : "") + std::string(R"({"position_m": 0.)") + std::to_string(s + 1) + R"(, "angle_deg": 0})";
   return synth::synthesise(
              synth::parse_synth_spec(
-                 R"({"schema": "percuss/synth/1", "fs_hz": 51200, "duration_s": 8, "layout": "continuous", "hits": 5,
-                 "hit_times_s": [0.4, 1.9, 3.4, 4.9, 6.4], "band_hz": [60, 5000],
+                 R"({"schema": "percuss/synth/1", "fs_hz": 51200, "layout": "continuous", "duration_s": )" +
+                     std::to_string(0.5 + 1.5 * static_cast<double>(blows)) + R"(, "hits": )" + std::to_string(blows) +
+                     R"(, "hit_times_s": [)" + times + R"(], "band_hz": [60, 5000],
                  "modes": [{"frequency_hz": 205, "damping_ratio": 0.008, "family": "bending", "order": 1},
                            {"frequency_hz": 690, "damping_ratio": 0.005, "family": "bending", "order": 2},
                            {"frequency_hz": 1390, "damping_ratio": 0.004, "family": "bending", "order": 3},
@@ -58,27 +61,29 @@ struct Latencies : pipeline::GuideObserver {
   }
 };
 
-// The median over the blows, because other programs may interrupt one of them.
+// Each blow is compared with those before it: the last ones take longest. Their median counts, because other programs
+// may interrupt one of them.
 TEST(GuideLatency, IsBelow100MsForEightChannelsAt51200Hz) {
-  const test::LiveSource source(eight_channels());
+  constexpr int kBlows = 20;
+  const test::LiveSource source(eight_channels(kBlows));
   test::MemoryLog log;
   Latencies latencies;
   pipeline::Guide guide(source.format, pipeline::live_channels(source.format, {}),
-                        {.length_s = 1, .folder = testing::TempDir()}, log, latencies);
+                        {.plan = {.hits = kBlows}, .length_s = 1, .folder = testing::TempDir()}, log, latencies);
   latencies.guide = &guide;
   for (std::size_t at = 0; at < source.frames(); at += kBlock) {
     latencies.began = Clock::now();
     guide.take(source.block(at, kBlock));
   }
-  ASSERT_EQ(guide.session().accepted(), 5U);
-  const double median_s = median(latencies.latency_s);
+  ASSERT_EQ(guide.session().accepted(), static_cast<std::size_t>(kBlows));
+  const double median_s = median({latencies.latency_s.begin() + kBlows / 2, latencies.latency_s.end()});
   RecordProperty("median_ms", std::to_string(median_s * 1000));
   EXPECT_LE(median_s, kAllowed_s);
 }
 
 // Watching costs far less than real time: an analysis that has stalled catches up.
 TEST(GuideLatency, IsNoBacklog) {
-  const test::LiveSource source(eight_channels());
+  const test::LiveSource source(eight_channels(5));
   test::MemoryLog log;
   Latencies latencies;
   pipeline::Guide guide(source.format, pipeline::live_channels(source.format, {}), {.folder = testing::TempDir()}, log,

@@ -69,6 +69,7 @@ pipeline::GuideOptions guide_options(const RecordFlags& flags) {
   options.trigger_N = flags.trigger_N;
   options.pretrigger_s = flags.pretrigger_s;
   options.length_s = flags.length_s;
+  options.sensor_moves = flags.roving == "sensor";
   const auto folder = std::filesystem::path(flags.output).parent_path();
   options.folder = folder.empty() ? "." : folder.string();
   return options;
@@ -78,7 +79,10 @@ void check_window(const acquire::Record& description, const RecordFlags& flags) 
   const double fs_Hz = description.fs_Hz;
   if (fs_Hz < kLowestRate_Hz) {
     throw InputError(fmt::format("{:.6g} Hz is too low a sampling rate: a pulse has too few samples", fs_Hz),
-                     flags.device, fmt::format("choose {:.6g} Hz or more", kLowestRate_Hz), {"fs"});
+                     flags.device,
+                     flags.device.starts_with("file:") ? "analyse the file: percuss analyze or percuss info"
+                                                       : fmt::format("choose {:.6g} Hz or more", kLowestRate_Hz),
+                     {"fs"});
   }
   if (!flags.band.empty()) {
     const auto band_Hz = parse_band(flags.band, "band");

@@ -1,5 +1,6 @@
 #include "commands/record/record_result.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -23,14 +24,23 @@ std::string command_of(const std::vector<std::string>& words) {
   return command;
 }
 
-}  // namespace
-
-int write_session_report(const RecordFlags& flags) {
+std::vector<std::string> analysis_words(const RecordFlags& flags, const std::string& output) {
   const bool survey = !flags.geometry.empty();
-  std::vector<std::string> words{"percuss", survey ? "survey" : "analyze", flags.output, "-o", flags.report};
+  std::vector<std::string> words{std::string("percuss"), survey ? "survey" : "analyze", flags.output};
+  if (!output.empty()) words.insert(words.end(), {"-o", output});
   if (!flags.band.empty()) words.insert(words.end(), {"--band", flags.band});
   if (flags.object != "auto") words.insert(words.end(), {"--object", flags.object});
   if (survey) words.insert(words.end(), {"--geometry", flags.geometry, "--roving", flags.roving});
+  return words;
+}
+
+}  // namespace
+
+std::string analysis_command(const RecordFlags& flags) { return command_of(analysis_words(flags, {})); }
+
+int write_session_report(const RecordFlags& flags) {
+  const bool survey = !flags.geometry.empty();
+  std::vector<std::string> words = analysis_words(flags, flags.report);
   const std::string later = command_of(words);
   if (flags.replace_report) words.emplace_back("--force");
   if (flags.quiet) words.emplace_back("--quiet");
@@ -60,6 +70,17 @@ SessionResult::SessionResult(acquire::Record record, const std::string& path, co
   records.push_back(std::move(record));
   runs_ = pipeline::analyses_of_runs(std::move(records), options);
   if (accepted > 0) quality_ = pipeline::quality_of(analysis(), accepted);
+}
+
+std::size_t SessionResult::further_warnings() const {
+  std::size_t further = 0;
+  for (const pipeline::Warning& warning : analysis().warnings()) {
+    const bool shown =
+        std::any_of(quality_.problems.begin(), quality_.problems.end(),
+                    [&](const pipeline::SessionProblem& problem) { return problem.code == warning.code; });
+    further += warning.severity != acquire::Severity::info && !shown ? 1U : 0U;
+  }
+  return further;
 }
 
 std::string SessionResult::document() const {

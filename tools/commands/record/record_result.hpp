@@ -19,6 +19,8 @@ class SessionResult {
 
   const pipeline::Analysis& analysis() const { return *runs_.front().analysis; }
   const pipeline::SessionQuality& quality() const { return quality_; }
+  /// Warnings of the analysis beside the problems that `quality` names.
+  std::size_t further_warnings() const;
   /// The document that `percuss analyze FILE --json` prints.
   std::string document() const;
 
@@ -26,6 +28,9 @@ class SessionResult {
   std::vector<pipeline::RunAnalysis> runs_;
   pipeline::SessionQuality quality_;
 };
+
+/// The command that analyses the written file: analyze, or survey with a geometry.
+std::string analysis_command(const RecordFlags& flags);
 
 /// Writes the report by the same command that makes it from the file later: analyze, or survey with a geometry. A
 /// file that appeared during the session is kept, unless --force is given. Returns the command's exit code. Prints why

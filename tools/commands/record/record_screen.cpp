@@ -23,7 +23,8 @@ std::string command_text(Kind kind, std::size_t undone, const pipeline::Session&
     case Kind::undo:
       return (undone > 0 ? "the last accepted blow is undone; next: " : "no blow counts yet; next: ") + place;
     case Kind::redo:
-      return (undone > 0 ? "the blows of this point are undone; next: " : "no blow counts at this point; next: ") +
+      return (undone > 0 ? "the blows of this point are undone; next: "
+                         : "no blow counts at this point (u undoes the last one of all); next: ") +
              place;
     case Kind::next:
     case Kind::go_to:
@@ -51,6 +52,7 @@ RecordScreen::RecordScreen(RecordTerminal& terminal, const RecordFlags& flags, c
       flags_(flags),
       plan_(options.plan),
       goals_(options.until),
+      band_Hz_(options.analysis.band_Hz),
       roving_(flags.roving == "sensor" ? pipeline::RovingPart::sensor : pipeline::RovingPart::hammer) {
   if (terminal.interactive() || (!goals_.empty() && !flags.quiet)) worker_.emplace(options.analysis);
 }
@@ -63,6 +65,12 @@ void RecordScreen::begin(const acquire::StreamFormat& format, const pipeline::Gu
                    channels.force_number, channels.accel.size() == 1 ? "" : "s",
                    fmt::join(channels.accel_numbers, ", ")));
   for (const Message& message : channels.notes) note(message.text);
+  if (band_Hz_ && format.fs_Hz < pipeline::kRateOverBand * band_Hz_->second) {
+    note(fmt::format(
+        "! the band ends at {:.6g} Hz, where a recorder's filter may end at {:.0f} Hz: record at {:.0f} Hz or "
+        "more, or end the band lower",
+        band_Hz_->second, format.fs_Hz / pipeline::kRateOverBand, pipeline::kRateOverBand * band_Hz_->second));
+  }
   silent_ = !flags_.resume.empty();
 }
 
@@ -113,8 +121,9 @@ void RecordScreen::update(const pipeline::Guide& guide) {
 }
 
 void RecordScreen::on_blow(const pipeline::BlowReport& blow) {
-  if (silent_) return;
+  if (blow.repeated) return;
   note(pipeline::blow_text(blow, guide_->channels(), plan_));
+  if (silent_) return;  // of the journal
   terminal_.bell();
   ask_ = ask_ || blow.grade.accepted();
 }
@@ -142,11 +151,16 @@ void RecordScreen::on_length(std::size_t samples, bool cut_short) {
 }
 
 void RecordScreen::on_left_out(std::uint64_t frame, bool too_early) {
-  if (!silent_) note(pipeline::left_out_text(static_cast<double>(frame) / fs_Hz_, too_early));
+  if (silent_) return;
+  const bool first = guide_->session().blows().empty() && !too_early;
+  note(pipeline::left_out_text(static_cast<double>(frame) / fs_Hz_, too_early) +
+       (first ? fmt::format(". Is the hammer on channel {}?", guide_->channels().force_number) : ""));
 }
 
 void RecordScreen::on_silent_hammer() {
-  if (!silent_) note(pipeline::silent_hammer_text(guide_->channels(), flags_.trigger_N));
+  if (silent_) return;
+  note(pipeline::silent_hammer_text(guide_->channels(), flags_.trigger_N, !guide_->session().blows().empty()));
+  terminal_.bell();
 }
 
 void RecordScreen::on_long_push(const pipeline::LongPush& push) {
@@ -168,6 +182,9 @@ void RecordScreen::end(const pipeline::Guide& guide, const SessionResult& result
   for (const pipeline::SessionProblem& problem : result.quality().problems) note("! " + problem.text);
   note(pipeline::quality_text(result.quality()));
   if (!goals_.empty()) note(pipeline::goals_text(result.quality(), goals_));
+  if (const std::size_t more = result.further_warnings(); more > 0)
+    note(fmt::format("  the analysis has {} further warning{}: {}", more, more == 1 ? "" : "s",
+                     analysis_command(flags_)));
   try {
     for (const pipeline::AnalysedHit& hit : result.analysis().hits()) {
       const bool counted = guide.session().blows()[hit.hit.row].accepted();

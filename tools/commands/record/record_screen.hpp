@@ -46,6 +46,7 @@ class RecordScreen : public pipeline::GuideObserver {
   const RecordFlags& flags_;
   pipeline::SessionPlan plan_;
   std::vector<pipeline::PrecisionGoal> goals_;
+  std::optional<std::pair<double, double>> band_Hz_;
   pipeline::RovingPart roving_;
   const pipeline::Guide* guide_ = nullptr;
   double fs_Hz_ = 0;

@@ -73,14 +73,17 @@ void press(const PressedKey& key, pipeline::Guide& guide, RecordScreen& screen) 
       guide.command(Kind::next);
       break;
     case RecordKey::finish:
-      return guide.command(Kind::finish);
+      guide.command(Kind::finish);
+      break;
     case RecordKey::go_to:
       if (!session.has_point(number)) return screen.note(missing_point_text(key.number, session.plan().points));
       guide.command(Kind::go_to, number);
       break;
   }
   if (guide.collecting() && guide.has_waiting_command())
-    screen.note("  the key applies after the blow that is being recorded");
+    screen.note(key.key == RecordKey::finish
+                    ? "  the session ends after the blow that is being recorded; q again ends it at once"
+                    : "  the key applies after the blow that is being recorded");
 }
 
 struct Ending {
