@@ -32,6 +32,7 @@ constexpr double kCrowdCost = 1e-5;                // relative decrease of the s
 // A fraction of a narrow bandwidth. A few of the known poles may follow noise.
 double resolution_Hz(const std::vector<Pole>& known) {
   std::vector<double> widths_Hz;
+  widths_Hz.reserve(known.size());
   for (const Pole& pole : known) widths_Hz.push_back(pole.half_power_Hz());
   std::sort(widths_Hz.begin(), widths_Hz.end());
   return kResolution * widths_Hz[widths_Hz.size() / 4];

@@ -144,7 +144,7 @@ class PoleRelocation {
     columns.rightCols(1) = -weighted;
     MatrixXd rows(2 * weight.size(), columns.cols());
     rows << columns.real(), columns.imag();
-    const Eigen::HouseholderQR<MatrixXd> factors(std::move(rows));
+    const Eigen::HouseholderQR<Eigen::Ref<MatrixXd>> factors(rows);  // in place
     return MatrixXd(factors.matrixQR().block(own, own, unknowns, unknowns).triangularView<Eigen::Upper>());
   }
 

@@ -41,9 +41,10 @@ bool rings_before(const BlowCircumstances& at, std::size_t channel) {
 }
 
 Reason struck_again(const BlowCircumstances& at) {
-  if (at.length_stated)
+  if (at.length_stated) {
     return {RowMark::struck_again, "struck again within the stated length",
             "wait between blows, or shorten the length"};
+  }
   return {RowMark::struck_again, "struck again before the decay ended", "wait between blows"};
 }
 

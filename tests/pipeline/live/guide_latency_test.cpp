@@ -31,9 +31,10 @@ acquire::Record eight_channels(int blows) {
   std::string sensors, times;
   for (int blow = 0; blow < blows; ++blow)
     times += (blow > 0 ? ", " : "") + std::to_string(0.4 + 1.5 * static_cast<double>(blow));
-  for (int s = 0; s < 7; ++s)
+  for (int s = 0; s < 7; ++s) {
     sensors +=
         (s > 0 ? ", " : "") + std::string(R"({"position_m": 0.)") + std::to_string(s + 1) + R"(, "angle_deg": 0})";
+  }
   return synth::synthesise(
              synth::parse_synth_spec(
                  R"({"schema": "percuss/synth/1", "fs_hz": 51200, "layout": "continuous", "duration_s": )" +

@@ -182,9 +182,10 @@ void RecordScreen::end(const pipeline::Guide& guide, const SessionResult& result
   for (const pipeline::SessionProblem& problem : result.quality().problems) note("! " + problem.text);
   note(pipeline::quality_text(result.quality()));
   if (!goals_.empty()) note(pipeline::goals_text(result.quality(), goals_));
-  if (const std::size_t more = result.further_warnings(); more > 0)
+  if (const std::size_t more = result.further_warnings(); more > 0) {
     note(fmt::format("  the analysis has {} further warning{}: {}", more, more == 1 ? "" : "s",
                      analysis_command(flags_)));
+  }
   try {
     for (const pipeline::AnalysedHit& hit : result.analysis().hits()) {
       const bool counted = guide.session().blows()[hit.hit.row].accepted();

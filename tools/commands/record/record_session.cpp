@@ -80,10 +80,11 @@ void press(const PressedKey& key, pipeline::Guide& guide, RecordScreen& screen) 
       guide.command(Kind::go_to, number);
       break;
   }
-  if (guide.collecting() && guide.has_waiting_command())
+  if (guide.collecting() && guide.has_waiting_command()) {
     screen.note(key.key == RecordKey::finish
                     ? "  the session ends after the blow that is being recorded; q again ends it at once"
                     : "  the key applies after the blow that is being recorded");
+  }
 }
 
 struct Ending {
