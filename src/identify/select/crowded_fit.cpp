@@ -18,10 +18,14 @@ constexpr double kLeastOverlap = 0.2;
 constexpr double kFirstCount = 1.5;   // times the modes known: pairs of poles at first
 constexpr double kCountGrowth = 1.3;  // … and in each further trial
 constexpr std::size_t kMaxCount = 150;
+// Of two accelerometers on a bat. The work grows with the FRFs; the shapes of more points separate close modes.
+constexpr std::size_t kMaxFrfs = 2;
+constexpr double kMaxProducts = 2e10;  // of all fits together: about 20 s
 constexpr double kCoreShare = 0.1;     // bins around the poles, of a bandwidth
 constexpr double kResolution = 0.2;    // of a bandwidth
 constexpr double kGainPerUnknown = 5;  // half the logarithm of the number of lines
 constexpr double kNeeded = 6;          // standard deviations of a residue
+constexpr double kLossPerUnknown = 3;  // of a mode that is hardly known: noise alone gains about 1
 constexpr double kKnownMode = 3;       // … of a mode that is known
 constexpr double kCoinciding = 0.05;   // bandwidths between two poles that the fit has merged
 constexpr int kCrowdFits = 12;
@@ -86,7 +90,7 @@ std::optional<JointFit> start_of(const FrfDataset& set, const std::vector<Pole>&
 }
 
 // The fit from these poles. Those that are not needed are dropped on the way, while the fit is still rough.
-std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> poles) {
+std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> poles, double& products_left) {
   int steps = kTrialSteps;
   std::optional<JointFit> converged;
   for (int round = 0; round < kCrowdFits && !poles.empty(); ++round) {
@@ -96,6 +100,9 @@ std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> p
                                 .core_share = kCoreShare,
                                 .max_small_decreases = kSmallDecreases,
                                 .test_real = false});
+    const auto columns = static_cast<double>(2 * fit.poles.size() + 10);
+    products_left -= fit.trials * 2 * static_cast<double>(set.lines.count) * columns * columns;
+    if (products_left < 0) return std::nullopt;
     poles = needed_poles(linear_fit(set, fit.poles));
     const bool complete = poles.size() == fit.poles.size();
     const bool is_last = fit.converged ? complete : steps == kCrowdSteps;
@@ -114,7 +121,7 @@ bool is_known(const JointFit& fit, std::size_t m) {
 }
 
 // Without the modes that are hardly known, where the FRFs are as likely without them: all of them, or else the weakest.
-JointFit without_unknown(const FrfDataset& set, JointFit fit) {
+JointFit without_unknown(const FrfDataset& set, JointFit fit, double& products_left) {
   for (bool all = true;;) {
     std::vector<Pole> kept;
     std::size_t weakest = fit.poles.size();
@@ -130,8 +137,8 @@ JointFit without_unknown(const FrfDataset& set, JointFit fit) {
       kept = fit.poles;
       kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(weakest));
     }
-    std::optional<JointFit> fewer = converged_fit(set, std::move(kept));
-    const bool as_likely = fewer && likelihood_per_unknown(set, *fewer, fit) < kGainPerUnknown;
+    std::optional<JointFit> fewer = converged_fit(set, std::move(kept), products_left);
+    const bool as_likely = fewer && likelihood_per_unknown(set, *fewer, fit) < kLossPerUnknown;
     if (!as_likely && !all) return fit;
     if (as_likely) fit = *std::move(fewer);
     all = false;
@@ -151,11 +158,13 @@ bool are_crowded(const std::vector<Pole>& poles, double band_width_Hz) {
 }
 
 std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& known) {
+  if (set.channels.size() > kMaxFrfs) return std::nullopt;
   const std::optional<JointFit> start = start_of(set, known);
   if (!start) return std::nullopt;
-  std::optional<JointFit> fit = converged_fit(set, needed_poles(*start));
+  double products_left = kMaxProducts;
+  std::optional<JointFit> fit = converged_fit(set, needed_poles(*start), products_left);
   if (!fit) return std::nullopt;
-  return without_unknown(set, *std::move(fit));
+  return without_unknown(set, *std::move(fit), products_left);
 }
 
 }  // namespace percuss::identify
