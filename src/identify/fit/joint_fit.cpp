@@ -218,6 +218,11 @@ JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles, con
   return JointFitter(set, poles, {}).residues_at_start(covariance);
 }
 
+JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles) {
+  const auto unknowns = static_cast<Index>(2 * poles.size());
+  return fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns));
+}
+
 Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& poles) {
   const auto modes = static_cast<Index>(poles.size());
   const JointState state =

@@ -45,6 +45,9 @@ JointFit fit_jointly(const FrfDataset& set, std::vector<Pole> start, const Joint
 /// in the order frequency, damping ratio per mode.
 JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles, const Eigen::MatrixXd& covariance);
 
+/// The same where the poles are taken for exact.
+JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles);
+
 /// The same residues without standard deviations, [channels, modes], at a fraction of the work.
 Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& poles);
 

@@ -11,10 +11,9 @@ namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 
-constexpr std::size_t kLeastCrowd = 15;  // modes
-constexpr double kLeastOverlap = 0.2;
+constexpr std::size_t kMinCrowd = 15;  // modes
+constexpr double kMinOverlap = 0.2;
 constexpr double kFirstCount = 1.5;   // times the modes known: pairs of poles at first
 constexpr double kCountGrowth = 1.3;  // … and in each further trial
 constexpr std::size_t kMaxCount = 150;
@@ -27,7 +26,6 @@ constexpr double kGainPerUnknown = 5;  // half the logarithm of the number of li
 constexpr double kNeeded = 6;          // standard deviations of a residue
 constexpr double kLossPerUnknown = 3;  // of a mode that is hardly known: noise alone gains about 1
 constexpr double kKnownMode = 3;       // … of a mode that is known
-constexpr double kCoinciding = 0.05;   // bandwidths between two poles that the fit has merged
 constexpr int kCrowdFits = 12;
 constexpr int kTrialSteps = 8, kCrowdSteps = 150;  // while poles are dropped; of the last fit
 constexpr int kSmallDecreases = 5;                 // steps in a row
@@ -42,29 +40,20 @@ double resolution_Hz(const std::vector<Pole>& known) {
   return kResolution * widths_Hz[widths_Hz.size() / 4];
 }
 
-JointFit linear_fit(const FrfDataset& set, const std::vector<Pole>& poles) {
-  const auto unknowns = static_cast<Index>(2 * poles.size());
-  return fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns));
-}
-
 // The largest |residue| of mode m over its standard deviation.
 double significance_of(const JointFit& fit, std::size_t m) {
   const auto at = static_cast<Index>(m);
   return (fit.residues.col(at).cwiseAbs().array() / fit.residue_std.col(at).array()).maxCoeff();
 }
 
-// Two poles at one place have residues that cancel.
-bool coincide(const Pole& a, const Pole& b) {
-  return std::abs(a.freq_Hz - b.freq_Hz) < kCoinciding * std::min(a.half_power_Hz(), b.half_power_Hz());
-}
-
 // The poles whose residues differ from zero, at these poles. Of the many poles, every one that is needed counts: it
 // need not stand out of its neighbours.
-std::vector<Pole> needed_poles(const JointFit& linear) {
+std::vector<Pole> needed_poles(const FrfDataset& set, const JointFit& linear) {
   std::vector<Pole> needed;
   for (std::size_t m = 0; m < linear.poles.size(); ++m) {
     const Pole& pole = linear.poles[m];
-    const bool repeated = std::any_of(needed.begin(), needed.end(), [&](const Pole& k) { return coincide(k, pole); });
+    const bool repeated =
+        std::any_of(needed.begin(), needed.end(), [&](const Pole& k) { return are_merged(set, k, pole); });
     if (!repeated && significance_of(linear, m) > kNeeded) needed.push_back(pole);
   }
   return needed;
@@ -82,7 +71,7 @@ std::optional<JointFit> start_of(const FrfDataset& set, const std::vector<Pole>&
        count *= kCountGrowth) {
     const std::vector<Pole> poles = vector_fitting_poles(set, static_cast<std::size_t>(count), resolution_Hz(known));
     if (poles.empty()) break;
-    JointFit fit = linear_fit(set, poles);
+    JointFit fit = fit_residues(set, poles);
     if (best && likelihood_per_unknown(set, *best, fit) < kGainPerUnknown) break;
     best = std::move(fit);
   }
@@ -103,7 +92,7 @@ std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> p
     const auto columns = static_cast<double>(2 * fit.poles.size() + 10);
     products_left -= fit.trials * 2 * static_cast<double>(set.lines.count) * columns * columns;
     if (products_left < 0) return std::nullopt;
-    poles = needed_poles(linear_fit(set, fit.poles));
+    poles = needed_poles(set, fit_residues(set, fit.poles));
     const bool complete = poles.size() == fit.poles.size();
     const bool is_last = fit.converged ? complete : steps == kCrowdSteps;
     if (fit.converged) converged = std::move(fit);
@@ -154,7 +143,7 @@ double overlap_of(const std::vector<Pole>& poles, double band_width_Hz) {
 }
 
 bool are_crowded(const std::vector<Pole>& poles, double band_width_Hz) {
-  return poles.size() >= kLeastCrowd && overlap_of(poles, band_width_Hz) > kLeastOverlap;
+  return poles.size() >= kMinCrowd && overlap_of(poles, band_width_Hz) > kMinOverlap;
 }
 
 std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& known) {
@@ -162,7 +151,7 @@ std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pol
   const std::optional<JointFit> start = start_of(set, known);
   if (!start) return std::nullopt;
   double products_left = kMaxProducts;
-  std::optional<JointFit> fit = converged_fit(set, needed_poles(*start), products_left);
+  std::optional<JointFit> fit = converged_fit(set, needed_poles(set, *start), products_left);
   if (!fit) return std::nullopt;
   return without_unknown(set, *std::move(fit), products_left);
 }

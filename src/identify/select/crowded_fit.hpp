@@ -14,8 +14,8 @@ bool are_crowded(const std::vector<Pole>& poles, double band_width_Hz);
 
 /// The fit of all modes of a crowd together, from start values by vector fitting. Their number grows as long as the
 /// likelihood does. A mode stays where the FRFs are less likely without it, however wide its ± is: without it, its
-/// neighbours would be wrong. Nothing where no such fit converges, for more than two FRFs, or beyond a limit of the
-/// work. theory (4.26)
+/// neighbours would be wrong. Nothing for more than two FRFs, and where no such fit converges within a limit of work.
+/// theory (4.26)
 std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& known);
 
 }  // namespace percuss::identify

@@ -9,7 +9,6 @@ namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
 constexpr double kScatterReach = 4;  // standard deviations of the scatter: a pair farther apart does not imitate it
@@ -21,8 +20,7 @@ constexpr double kPairGain = 15;
 std::vector<VectorXcd> residual_before(const FrfDataset& set, const std::vector<FittedMode>& modes,
                                        std::vector<VectorXcd> residual) {
   if (residual.empty()) {
-    const auto unknowns = static_cast<Index>(2 * modes.size());
-    residual = fit_residues(set, poles_of(modes), MatrixXd::Zero(unknowns, unknowns)).residual;
+    residual = fit_residues(set, poles_of(modes)).residual;
   }
   for (const FittedMode& mode : modes) {
     if (!(mode.mode.freq_scatter_Hz > 0)) continue;

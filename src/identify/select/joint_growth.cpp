@@ -14,8 +14,6 @@
 namespace percuss::identify {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
 constexpr int kMisfitRounds = 12;  // of dropping modes that follow a misfit
@@ -24,8 +22,23 @@ constexpr double kPairStart = 0.4;          // half-power bandwidths from a mode
 constexpr int kPairSteps = 40;              // of the fit of a trial pair
 constexpr std::size_t kMaxPairTrials = 6;   // modes tried as a pair in one round
 constexpr std::size_t kMaxSplitModes = 40;  // with more modes, no mode is tried as a close pair
+constexpr int kLinearRounds = 4;
 constexpr int kResidualRounds = 4;
 constexpr std::size_t kMaxTrials = 27;  // of one more mode
+
+// The starts with significant residues beside the `known` poles, by linear fits at the starts: a small part of the
+// work. Starts without them would cost the joint fit all its evaluations.
+std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> starts, const std::vector<Pole>& known) {
+  for (int round = 0; round < kLinearRounds && !starts.empty(); ++round) {
+    std::vector<Pole> poles = starts;
+    poles.insert(poles.end(), known.begin(), known.end());
+    const std::vector<Pole> kept = without_weakest(set, fit_residues(set, poles), Misfit::counted);
+    const auto dropped = std::erase_if(
+        starts, [&](const Pole& start) { return std::find(kept.begin(), kept.end(), start) == kept.end(); });
+    if (dropped == 0) break;
+  }
+  return starts;
+}
 
 // The starts: the modes found before, and every stable pole that is not one of these modes and around which the
 // residual matters. Without noise, rounding errors make a hundred stable poles. A misfitting mode may be two close
@@ -101,8 +114,7 @@ std::vector<Pole> clear_starts(const FrfDataset& set, std::vector<Pole> starts, 
   if (starts.empty()) return starts;
   std::vector<Pole> all = starts;
   all.insert(all.end(), fit.poles.begin(), fit.poles.end());
-  const auto unknowns = static_cast<Index>(2 * all.size());
-  const JointFit linear = fit_residues(set, all, MatrixXd::Zero(unknowns, unknowns));
+  const JointFit linear = fit_residues(set, all);
   std::vector<std::pair<double, std::size_t>> ranks;
   for (std::size_t m = 0; m < starts.size(); ++m) {
     const double significance = standing_of(set, linear, m, Misfit::counted).significance;
@@ -122,7 +134,7 @@ std::vector<Pole> clear_starts(const FrfDataset& set, std::vector<Pole> starts, 
 JointFit with_residual_modes(const FrfDataset& set, JointFit fit, JointFitBudget& budget) {
   for (int round = 0; round < kResidualRounds; ++round) {
     const std::vector<Pole> all = residual_starts(set, fit);
-    const std::vector<Pole> significant = significant_poles(set, all, fit.poles);
+    const std::vector<Pole> significant = significant_starts(set, all, fit.poles);
     const std::vector<Pole> clear = clear_starts(set, significant, fit);
     const auto taken = [&](std::size_t count, const std::vector<Pole>& from) {
       if (count == 0) return false;
@@ -200,7 +212,7 @@ std::optional<JointFit> best_joint_fit(const FrfDataset& set, const std::vector<
   JointFitBudget budget(set);
   std::optional<JointFit> fit = settled_fit(set, poles_of(modes), budget);
   if (starts.size() > modes.size()) {
-    std::optional<JointFit> after = settled_fit(set, significant_poles(set, std::move(starts)), budget);
+    std::optional<JointFit> after = settled_fit(set, significant_starts(set, std::move(starts), {}), budget);
     if (fit) {
       take_all_or_clear(set, *fit, std::move(after), budget);
     } else {

@@ -29,7 +29,6 @@ constexpr double kMaxGain = 25, kMinGain = 8;
 // unknowns of three FRFs, noise reaches it once in 10^4.
 constexpr double kClearSignificance = 2 * kJointSignificance, kClearPeakToResidual = 10, kClearWidths = 1;
 constexpr double kClearGain = 4;
-constexpr int kLinearRounds = 4;
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
 double noise_part(const VectorXcd& residual) {
@@ -111,6 +110,11 @@ JointWindow window_around(const FrfDataset& set, const Pole& pole) {
   return {.first = first, .count = static_cast<Index>(set.lines.at(at + half)) - first + 1};
 }
 
+bool are_merged(const FrfDataset& set, const Pole& a, const Pole& b) {
+  const double narrower_Hz = std::min(least_width_Hz(set, a), least_width_Hz(set, b));
+  return std::abs(a.freq_Hz - b.freq_Hz) < kJointCoincide * narrower_Hz;
+}
+
 Standing standing_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit) {
   const Pole& pole = fit.poles[mode];
   const JointWindow window = window_around(set, pole);
@@ -136,11 +140,8 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
     const Standing standing = standing_of(set, fit, m, misfit);
     significance[m] = standing.significance;
     accepted[m] = is_mode(set, fit, m, standing);
-    for (std::size_t i = 0; i < m; ++i) {
-      const double apart_Hz = std::abs(fit.poles[i].freq_Hz - fit.poles[m].freq_Hz);
-      if (apart_Hz < kJointCoincide * std::min(least_width_Hz(set, fit.poles[i]), least_width_Hz(set, fit.poles[m])))
-        accepted[m] = 0;
-    }
+    for (std::size_t i = 0; i < m; ++i)
+      if (are_merged(set, fit.poles[i], fit.poles[m])) accepted[m] = 0;
   }
   std::vector<Pole> kept;
   for (std::size_t m = 0; m < count; ++m) {
@@ -155,20 +156,6 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
     if (keep) kept.push_back(fit.poles[m]);
   }
   return kept;
-}
-
-std::vector<Pole> significant_poles(const FrfDataset& set, std::vector<Pole> starts, const std::vector<Pole>& known) {
-  for (int round = 0; round < kLinearRounds && !starts.empty(); ++round) {
-    std::vector<Pole> poles = starts;
-    poles.insert(poles.end(), known.begin(), known.end());
-    const auto unknowns = static_cast<Index>(2 * poles.size());
-    const std::vector<Pole> kept =
-        without_weakest(set, fit_residues(set, poles, Eigen::MatrixXd::Zero(unknowns, unknowns)), Misfit::counted);
-    const auto dropped = std::erase_if(
-        starts, [&](const Pole& start) { return std::find(kept.begin(), kept.end(), start) == kept.end(); });
-    if (dropped == 0) break;
-  }
-  return starts;
 }
 
 double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole) {

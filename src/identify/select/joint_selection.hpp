@@ -19,6 +19,9 @@ double least_width_Hz(const FrfDataset& set, const Pole& pole);
 /// Standard deviations of its largest residue that a mode of a joint fit needs.
 inline constexpr double kJointSignificance = 6;
 
+/// True for two poles at one place, which a joint fit has merged: their residues cancel.
+bool are_merged(const FrfDataset& set, const Pole& a, const Pole& b);
+
 /// Misfit counts against a mode only once no mode is missing: the residual of a missing mode looks like misfit.
 enum class Misfit { ignored, counted };
 
@@ -32,11 +35,6 @@ Standing standing_of(const FrfDataset& set, const JointFit& fit, std::size_t mod
 /// The poles that are modes. Of neighbours that are no modes, only the weakest is removed, because the others may be
 /// modes without it.
 std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Misfit misfit);
-
-/// The starts with significant residues beside the `known` poles, by linear fits at these poles: a small part of the
-/// work. Starts without them would cost a joint fit all its evaluations.
-std::vector<Pole> significant_poles(const FrfDataset& set, std::vector<Pole> starts,
-                                    const std::vector<Pole>& known = {});
 
 /// How far the residual around a mode is from noise, in standard deviations of its roughness; the worst FRF.
 double misfit_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole);

@@ -7,9 +7,6 @@
 namespace percuss::identify {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-
 constexpr int kDroppingRounds = 12;
 constexpr int kJointSteps = 40;      // of a joint fit
 constexpr double kTrialStep = 1e-3;  // tolerance of the poles while their number changes
@@ -28,8 +25,7 @@ std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> pol
   for (int round = 0; round < kDroppingRounds && !poles.empty() && budget.allows(poles); ++round) {
     JointFit fit = budget.fit(poles, options);
     const bool converged = fit.converged;
-    const auto unknowns = static_cast<Index>(2 * fit.poles.size());
-    if (fit.residual.empty()) fit = fit_residues(set, fit.poles, MatrixXd::Zero(unknowns, unknowns));
+    if (fit.residual.empty()) fit = fit_residues(set, fit.poles);
     poles = without_weakest(set, fit, Misfit::ignored);
     if (poles.size() < fit.poles.size()) continue;
     if (!converged) break;

@@ -28,7 +28,7 @@ constexpr double kRinging = 0.0025;    // of the response: −52 dB, as acquire'
 constexpr double kMoved = 1e-4;        // of the response
 constexpr double kSameLevel = 0.01;    // of the force: blows clipped at one level
 // Of the force of a hammer, from a pencil's to a sledge's, and of a shock accelerometer.
-constexpr double kLeastForce_N = 0.5, kLargestForce_N = 3e4, kLargestAccel_mps2 = 3e5;
+constexpr double kMinForce_N = 0.5, kMaxForce_N = 3e4, kMaxAccel_mps2 = 3e5;
 
 struct Reason {
   RowMark mark = RowMark::none;
@@ -284,15 +284,15 @@ void note_range(const BlowCircumstances& at, BlowGrade& grade) {
 
 void note_implausible(const BlowSamples& samples, const BlowContext& context, BlowGrade& grade) {
   const double force_N = std::abs(grade.peak_N);
-  if (force_N < kLeastForce_N || force_N > kLargestForce_N) {
+  if (force_N < kMinForce_N || force_N > kMaxForce_N) {
     grade.implausible = fmt::format("{:.3g} N is {} for a hammer: check its sensitivity and unit", force_N,
-                                    force_N < kLeastForce_N ? "little" : "much");
+                                    force_N < kMinForce_N ? "little" : "much");
     return;
   }
   for (std::size_t c = 0; c + 1 < samples.size(); ++c) {
     const Extremes all = extremes_of(samples[c + 1]);
     const double largest_mps2 = std::max(std::abs(all.low), std::abs(all.high));
-    if (largest_mps2 < kLargestAccel_mps2) continue;
+    if (largest_mps2 < kMaxAccel_mps2) continue;
     grade.implausible = fmt::format("{:.3g} m/s² on {} is much: check its sensitivity and unit", largest_mps2,
                                     name_of_channel(context.channels, c));
     return;

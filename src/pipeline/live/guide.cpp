@@ -237,12 +237,11 @@ void Guide::judge(const Window& window) {
 }
 
 void Guide::note_response(const BlowSamples& samples, const BlowGrade& grade) {
-  if (grade.accepted()) {
-    const Extremes all = extremes_of(samples[1]);
-    const double to_mps2 = std::abs(channels_.accel_to_mps2.front());
-    response_peaks_.push_back(std::max(std::abs(all.low), std::abs(all.high)) / to_mps2);
-    if (response_peaks_.size() > kResponses) response_peaks_.erase(response_peaks_.begin());
-  }
+  if (!grade.accepted()) return;
+  const Extremes all = extremes_of(samples[1]);
+  const double to_mps2 = std::abs(channels_.accel_to_mps2.front());
+  response_peaks_.push_back(std::max(std::abs(all.low), std::abs(all.high)) / to_mps2);
+  if (response_peaks_.size() > kResponses) response_peaks_.erase(response_peaks_.begin());
 }
 
 bool Guide::sets_range(const BlowGrade& grade) const {

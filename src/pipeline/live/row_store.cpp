@@ -58,15 +58,15 @@ void RowStore::append(const std::vector<std::vector<double>>& signals) {
 // The rows that wait are the last ones.
 void RowStore::write_waiting() {
   for (;;) {
-    std::vector<double> row;
+    const std::vector<double>* row = nullptr;  // stays in its place: this thread alone adds and removes rows
     std::size_t at = 0;
     {
       const std::lock_guard lock(mutex_);
       if (waiting_.empty()) return;
-      row = waiting_.front();
+      row = &waiting_.front();
       at = rows_ - waiting_.size();
     }
-    const int error = write_row(row, at);
+    const int error = write_row(*row, at);
     const std::lock_guard lock(mutex_);
     if (error == 0) {
       waiting_.pop_front();

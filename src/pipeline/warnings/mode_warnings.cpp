@@ -131,8 +131,8 @@ std::vector<Warning> crowd_warnings(const std::vector<identify::Mode>& modes, st
   const double width_Hz = band_Hz.second - band_Hz.first;
   if (!identify::are_crowded(poles, width_Hz)) return {};
   std::string text = fmt::format(
-      "{} modes overlap: together their half-power bandwidths are {:.2g} times as wide as the band. How many there are "
-      "was chosen by likelihood, and each ± holds for this number; a mode more or less moves its neighbours",
+      "{} modes overlap: together their half-power bandwidths are {:.2g} times as wide as the band. Their number was "
+      "chosen by likelihood, and each ± holds for this number; one mode more, or one fewer, moves its neighbours",
       modes.size(), identify::overlap_of(poles, width_Hz));
   if (count > 0) text += ". Known to hardly better than their bandwidth: " + vague + and_more(count);
   return {with_remedy({"crowded", std::move(text), {}}, "measure at more points: their shapes separate close modes")};

@@ -38,4 +38,21 @@ TEST(UnmodelledPoleWarnings, CountThePolesBeyondTheirLimit) {
   EXPECT_TRUE(unmodelled_pole_warnings(poles, {200.0, 300.0}).empty());
 }
 
+// Half-power bandwidths of 40 Hz, 50 Hz apart; two are known to hardly better than that.
+TEST(CrowdWarnings, NameTheOverlapAndTheModesThatAreHardlyKnown) {
+  std::vector<identify::Mode> modes(16);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const double freq_Hz = 200.0 + 50 * static_cast<double>(m);
+    modes[m].pole = {.freq_Hz = freq_Hz, .damping_ratio = 20 / freq_Hz};
+    modes[m].freq_std_Hz = m == 2 || m == 5 ? 25 : 0.1;
+  }
+  const std::pair band_Hz{100.0, 1100.0};
+  const Warning warning = crowd_warnings(modes, band_Hz).at(0);
+  EXPECT_EQ(warning.code, "crowded");
+  EXPECT_THAT(warning.message, HasSubstr("16 modes overlap: together their half-power bandwidths are 0.64 times"));
+  EXPECT_THAT(warning.message, HasSubstr("hardly better than their bandwidth: 300 Hz, 450 Hz;"));
+  modes.resize(14);
+  EXPECT_TRUE(crowd_warnings(modes, band_Hz).empty());
+}
+
 }  // namespace percuss::pipeline::mode_warnings_test
