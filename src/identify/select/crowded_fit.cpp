@@ -14,6 +14,9 @@ using Eigen::Index;
 
 constexpr std::size_t kMinCrowd = 15;  // modes
 constexpr double kMinOverlap = 0.2;
+// Stable poles of a misfit, of rounding errors or of coarse steps cover more than the band, or no peak stands out.
+constexpr double kMaxOverlap = 1;
+constexpr std::size_t kMinFound = 5;
 constexpr double kFirstCount = 1.5;   // times the modes known: pairs of poles at first
 constexpr double kCountGrowth = 1.3;  // … and in each further trial
 constexpr std::size_t kMaxCount = 150;
@@ -146,14 +149,19 @@ bool are_crowded(const std::vector<Pole>& poles, double band_width_Hz) {
   return poles.size() >= kMinCrowd && overlap_of(poles, band_width_Hz) > kMinOverlap;
 }
 
-std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& known) {
-  if (set.channels.size() > kMaxFrfs) return std::nullopt;
-  const std::optional<JointFit> start = start_of(set, known);
+std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& stable,
+                                    const std::vector<Pole>& found) {
+  const double width_Hz = static_cast<double>(set.lines.count) * set.lines.df_Hz();
+  const bool likely =
+      are_crowded(stable, width_Hz) && overlap_of(stable, width_Hz) < kMaxOverlap && found.size() >= kMinFound;
+  if (!likely || set.channels.size() > kMaxFrfs) return std::nullopt;
+  const std::optional<JointFit> start = start_of(set, stable);
   if (!start) return std::nullopt;
   double products_left = kMaxProducts;
   std::optional<JointFit> fit = converged_fit(set, needed_poles(set, *start), products_left);
   if (!fit) return std::nullopt;
-  return without_unknown(set, *std::move(fit), products_left);
+  fit = without_unknown(set, *std::move(fit), products_left);
+  return are_crowded(fit->poles, width_Hz) ? std::move(fit) : std::nullopt;
 }
 
 }  // namespace percuss::identify

@@ -14,8 +14,10 @@ bool are_crowded(const std::vector<Pole>& poles, double band_width_Hz);
 
 /// The fit of all modes of a crowd together, from start values by vector fitting. Their number grows as long as the
 /// likelihood does. A mode stays where the FRFs are less likely without it, however wide its ± is: without it, its
-/// neighbours would be wrong. Nothing for more than two FRFs, and where no such fit converges within a limit of work.
-/// theory (4.26)
-std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& known);
+/// neighbours would be wrong. `found` are the modes found one by one, `stable` the stable poles and these modes.
+/// Nothing where they do not tell of a crowd, for more than two FRFs, where no such fit converges within a limit of
+/// work, and where its modes are no crowd. theory (4.26)
+std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& stable,
+                                    const std::vector<Pole>& found);
 
 }  // namespace percuss::identify

@@ -206,9 +206,7 @@ std::optional<JointFit> best_joint_fit(const FrfDataset& set, const std::vector<
                                        const std::vector<FittedMode>& modes) {
   std::vector<Pole> starts = starts_of(set, residual, modes);
   if (starts.empty() || starts.size() > kMaxJointModes) return std::nullopt;
-  if (are_crowded(starts, static_cast<double>(set.lines.count) * set.lines.df_Hz())) {
-    if (std::optional<JointFit> fit = crowded_fit(set, starts)) return fit;
-  }
+  if (std::optional<JointFit> fit = crowded_fit(set, starts, poles_of(modes))) return fit;
   JointFitBudget budget(set);
   std::optional<JointFit> fit = settled_fit(set, poles_of(modes), budget);
   if (starts.size() > modes.size()) {

@@ -54,4 +54,20 @@ TEST(CrowdedFit, IsForManyModesThatOverlap) {
   EXPECT_FALSE(are_crowded(sharp, 1560));
 }
 
+// Stable poles of rounding errors, of a misfit or of coarse steps are many, too. Almost none of them shows as a peak,
+// or together they are wider than the band.
+TEST(CrowdedFit, IsNotForStablePolesThatShowNoPeaks) {
+  std::vector<Pole> wide = crowd();
+  for (Pole& pole : wide) pole.damping_ratio *= 3;
+  const FrfDataset set = set_of(crowd());
+  EXPECT_FALSE(crowded_fit(set, crowd(), {crowd()[3], crowd()[8]}));
+  EXPECT_FALSE(crowded_fit(set, wide, crowd()));
+  EXPECT_TRUE(crowded_fit(set, crowd(), crowd()));
+}
+
+TEST(CrowdedFit, IsNothingWhereItsModesAreNoCrowd) {
+  const std::vector<Pole> all = crowd(), few{all[2], all[7], all[12]};
+  EXPECT_FALSE(crowded_fit(set_of(few), all, all));
+}
+
 }  // namespace percuss::identify::crowded_fit_test
