@@ -22,7 +22,7 @@ constexpr double kCountGrowth = 1.3;  // … and in each further trial
 constexpr std::size_t kMaxCount = 150;
 // Of two accelerometers on a bat. The work grows with the FRFs; the shapes of more points separate close modes.
 constexpr std::size_t kMaxFrfs = 2;
-constexpr double kMaxProducts = 2e10;  // of all fits together: about 20 s
+constexpr double kMaxProducts = 5e10;  // of all fits together: about half a minute
 constexpr double kCoreShare = 0.1;     // bins around the poles, of a bandwidth
 constexpr double kResolution = 0.2;    // of a bandwidth
 constexpr double kGainPerUnknown = 5;  // half the logarithm of the number of lines
