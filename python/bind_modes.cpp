@@ -45,13 +45,14 @@ Object residual_terms_of(PyObject* self, const Arguments& arguments) {
   const auto& fit = compute(
       held, [&]() -> const auto& { return analysis.fit(); });
   const std::vector<int> points = compute(held, [&] { return analysis.frf_points(); });
-  std::vector<Complex> lower, upper, upper_4;
+  std::vector<Complex> lower, upper, upper_4, upper_6;
   std::vector<double> frac;
   std::vector<Object> places;
   for (const pipeline::FrfFit& frf : fit.frfs) {
     lower.push_back(frf.lower);
     upper.push_back(frf.upper);
     upper_4.push_back(frf.upper4);
+    upper_6.push_back(frf.upper6);
     frac.push_back(frf.frac);
     places.push_back(tuple_of(points.at(frf.point), frf.channel));
   }
@@ -59,6 +60,7 @@ Object residual_terms_of(PyObject* self, const Arguments& arguments) {
   out.set("lower", array_of(std::move(lower)));
   out.set("upper", array_of(std::move(upper)));
   out.set("upper_4", array_of(std::move(upper_4)));
+  out.set("upper_6", array_of(std::move(upper_6)));
   out.set("frac", array_of(std::move(frac)));
   out.set("places", places);
   return out;

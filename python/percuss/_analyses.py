@@ -24,7 +24,7 @@ class Analysis(TestResult):
         Complex, in rad/s.
     residues, residues_std : array (modes, points, channels)
         1/kg; residues are complex.
-    lower, upper, upper_4 : array (points, channels)
+    lower, upper, upper_4, upper_6 : array (points, channels)
         Complex residual terms of the modes below and above the band.
     family, order : list, array (modes,)
         "bending", "hoop" or "unknown", and the number of the mode within its family.
@@ -142,6 +142,11 @@ class Analysis(TestResult):
         return self._residual_term("upper_4")
 
     @property
+    def upper_6(self) -> np.ndarray:
+        """(points, channels) complex, the term after `upper_4`, in m·s⁴/N."""
+        return self._residual_term("upper_6")
+
+    @property
     def frac(self) -> np.ndarray:
         """(points, channels) frequency response assurance criterion of measured and synthesised FRF: 1 if they are equal."""
         return self._residual_term("frac")
@@ -149,7 +154,7 @@ class Analysis(TestResult):
     def synthesise(self, freq_hz: Any, kind: str = "accelerance", residual_terms: bool = True) -> np.ndarray:
         """Compute the FRFs of the modes at any frequencies.
 
-        H(ω) = Σ A s² / (s² + 2ζωₙs + ωₙ²) + lower + upper s² + upper_4 s⁴, s = jω.
+        H(ω) = Σ A s² / (s² + 2ζωₙs + ωₙ²) + lower + upper s² + upper_4 s⁴ + upper_6 s⁶, s = jω.
 
         Parameters
         ----------
@@ -158,7 +163,7 @@ class Analysis(TestResult):
         kind : {'accelerance', 'mobility', 'receptance'}, optional
             Default: accelerance.
         residual_terms : bool, optional
-            False leaves out `lower`, `upper` and `upper_4`.
+            False leaves out `lower`, `upper`, `upper_4` and `upper_6`.
 
         Returns
         -------

@@ -30,5 +30,7 @@ def synthesised(analysis: Any, s: np.ndarray, kind: str, residual_terms: bool) -
     if residual_terms:
         with np.errstate(divide="ignore", invalid="ignore"):
             lower = analysis.lower[..., None] / s ** (2 - power) if power < 2 else analysis.lower[..., None]
-        out = out + lower + analysis.upper[..., None] * s**power + analysis.upper_4[..., None] * s ** (power + 2)
+        out = out + lower
+        for k, term in enumerate((analysis.upper, analysis.upper_4, analysis.upper_6)):
+            out = out + term[..., None] * s ** (power + 2 * k)
     return out

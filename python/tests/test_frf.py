@@ -37,7 +37,7 @@ def test_frfs_from_arrays_have_their_modes(kind, power):
 def test_poles_and_residual_terms_are_arrays(found):
     omega = 2 * np.pi * MODES_HZ
     assert np.allclose(found.poles, omega * (-DAMPING + 1j * np.sqrt(1 - DAMPING**2)), rtol=1e-9)
-    assert found.lower.shape == found.upper.shape == found.upper_4.shape == found.frac.shape == (2, 2)
+    assert found.lower.shape == found.upper.shape == found.upper_4.shape == found.upper_6.shape == found.frac.shape == (2, 2)
     fit = {(one["point"], one["channel"]): one for one in found.to_dict()["fit"]}
     for p in range(2):
         for c in range(2):
@@ -45,6 +45,7 @@ def test_poles_and_residual_terms_are_arrays(found):
             assert found.lower[p, c] == complex(one["lower"]["re"], one["lower"]["im"]) and found.frac[p, c] == one["frac"]
             assert found.upper[p, c] == complex(one["upper"]["re"], one["upper"]["im"])
             assert found.upper_4[p, c] == complex(one["upper_4"]["re"], one["upper_4"]["im"])
+            assert found.upper_6[p, c] == complex(one["upper_6"]["re"], one["upper_6"]["im"])
 
 
 @pytest.mark.parametrize("kind, power", [("accelerance", 2), ("mobility", 1), ("receptance", 0)])

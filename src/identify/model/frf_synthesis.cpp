@@ -1,17 +1,17 @@
 #include "identify/model/frf_synthesis.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "core/math/linear_algebra.hpp"
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
 
 namespace percuss::identify {
 namespace {
 
-constexpr Eigen::Index kTerms = 3;
+constexpr Eigen::Index kTerms = 4;
 constexpr std::size_t kFlopsPerModeLine = 40;  // operations per spectral line and mode
 
 Eigen::MatrixXcd residual_columns(const acquire::LineRange& band, double decay_per_s) {
@@ -22,7 +22,19 @@ Eigen::MatrixXcd residual_columns(const acquire::LineRange& band, double decay_p
     out(k, 0) = 1;
     out(k, 1) = s * s;
     out(k, 2) = s * s * s * s;
+    out(k, 3) = s * s * s * s * s * s;
   }
+  return out;
+}
+
+// [terms, lines] the least-squares coefficients of the columns. By QR: over a narrow band the powers of s are nearly
+// dependent. With fewer lines than terms, the last coefficients are 0.
+Eigen::MatrixXcd coefficients_from(const Eigen::MatrixXcd& columns) {
+  const Eigen::Index used = std::min(columns.cols(), columns.rows());
+  const Eigen::HouseholderQR<Eigen::MatrixXcd> factors(columns.leftCols(used));
+  const Eigen::MatrixXcd basis = factors.householderQ() * Eigen::MatrixXcd::Identity(columns.rows(), used);
+  Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(columns.cols(), columns.rows());
+  out.topRows(used) = factors.matrixQR().topRows(used).triangularView<Eigen::Upper>().solve(basis.adjoint());
   return out;
 }
 
@@ -43,7 +55,7 @@ class Synthesis {
         first_(band.first - set.lines.first),
         count_(band.count),
         terms_(residual_columns(band, set.window_decay_per_s())),
-        fit_(inverse_gram(Eigen::MatrixXcd(terms_.adjoint() * terms_)) * terms_.adjoint()) {
+        fit_(coefficients_from(terms_)) {
     whole_.reserve(modes.size());
     for (const Mode& mode : modes) {
       whole_.push_back(

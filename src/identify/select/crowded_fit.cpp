@@ -20,8 +20,6 @@ constexpr std::size_t kMinFound = 5;
 constexpr double kFirstCount = 1.5;   // times the modes known: pairs of poles at first
 constexpr double kCountGrowth = 1.3;  // … and in each further trial
 constexpr std::size_t kMaxCount = 150;
-// Of two accelerometers on a bat. The work grows with the FRFs; the shapes of more points separate close modes.
-constexpr std::size_t kMaxFrfs = 2;
 constexpr double kMaxProducts = 5e10;  // of all fits together: about half a minute
 constexpr double kCoreShare = 0.1;     // bins around the poles, of a bandwidth
 constexpr double kResolution = 0.2;    // of a bandwidth
@@ -154,7 +152,7 @@ std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pol
   const double width_Hz = static_cast<double>(set.lines.count) * set.lines.df_Hz();
   const bool likely =
       are_crowded(stable, width_Hz) && overlap_of(stable, width_Hz) < kMaxOverlap && found.size() >= kMinFound;
-  if (!likely || set.channels.size() > kMaxFrfs) return std::nullopt;
+  if (!likely || set.channels.size() > kMaxCrowdFrfs) return std::nullopt;
   const std::optional<JointFit> start = start_of(set, stable);
   if (!start) return std::nullopt;
   double products_left = kMaxProducts;

@@ -50,7 +50,8 @@ FitQuality fit_quality(const identify::FrfDataset& set, const std::vector<identi
                         .frac = frf.frac,
                         .lower = frf.terms[0],
                         .upper = frf.terms[1] / (end * end),
-                        .upper4 = frf.terms[2] / std::pow(end, 4)});
+                        .upper4 = frf.terms[2] / std::pow(end, 4),
+                        .upper6 = frf.terms[3] / std::pow(end, 6)});
   }
   for (const identify::Mode& mode : modes) out.mode_frac.push_back(frac_around(set, made, band, mode.pole));
   return out;

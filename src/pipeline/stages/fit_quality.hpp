@@ -9,7 +9,7 @@
 namespace percuss::pipeline {
 
 /// How well the modes and residual terms explain one FRF over the band:
-///   H = Σ modes + lower + upper (jω)² + upper4 (jω)⁴, with jω + σ under an exponential window
+///   H = Σ modes + lower + upper (jω)² + upper4 (jω)⁴ + upper6 (jω)⁶, with jω + σ under an exponential window
 struct FrfFit {
   std::size_t point = 0;  // index into FrfDataset::points
   std::size_t channel = 0;
@@ -17,6 +17,7 @@ struct FrfFit {
   Complex lower;    // of the modes below the band and the rigid body, 1/kg
   Complex upper;    // of the modes above the band, m/N
   Complex upper4;   // their next term, m·s²/N
+  Complex upper6;   // … m·s⁴/N
 };
 
 struct FitQuality {

@@ -129,7 +129,8 @@ std::vector<Warning> crowd_warnings(const std::vector<identify::Mode>& modes, st
     vague += fmt::format("{}{:.6g} Hz", separator(vague), mode.pole.freq_Hz);
   }
   const double width_Hz = band_Hz.second - band_Hz.first;
-  if (!identify::are_crowded(poles, width_Hz)) return {};
+  const bool few_frfs = !modes.empty() && modes.front().residues.size() <= identify::kMaxCrowdFrfs;
+  if (!few_frfs || !identify::are_crowded(poles, width_Hz)) return {};
   std::string text = fmt::format(
       "{} modes overlap: together their half-power bandwidths are {:.2g} times as wide as the band. Their number was "
       "chosen by likelihood, and each ± holds for this number; one mode more, or one fewer, moves its neighbours",

@@ -155,7 +155,8 @@ std::string fit_json(const pipeline::Analysis& analysis) {
                    {"frac", frf.frac},
                    {"lower", complex(frf.lower)},
                    {"upper", complex(frf.upper)},
-                   {"upper_4", complex(frf.upper4)}});
+                   {"upper_4", complex(frf.upper4)},
+                   {"upper_6", complex(frf.upper6)}});
   }
   return indented_text(out);
 }

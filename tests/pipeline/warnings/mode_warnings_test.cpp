@@ -51,6 +51,9 @@ TEST(CrowdWarnings, NameTheOverlapAndTheModesThatAreHardlyKnown) {
   EXPECT_EQ(warning.code, "crowded");
   EXPECT_THAT(warning.message, HasSubstr("16 modes overlap: together their half-power bandwidths are 0.64 times"));
   EXPECT_THAT(warning.message, HasSubstr("hardly better than their bandwidth: 300 Hz, 450 Hz;"));
+  for (identify::Mode& mode : modes) mode.residues.resize(3);  // shapes separate close modes
+  EXPECT_TRUE(crowd_warnings(modes, band_Hz).empty());
+  for (identify::Mode& mode : modes) mode.residues.resize(2);
   modes.resize(14);
   EXPECT_TRUE(crowd_warnings(modes, band_Hz).empty());
 }
