@@ -42,8 +42,8 @@ class Survey(Analysis):
 
     @property
     def shapes_std(self) -> np.ndarray:
-        """(modes, places) standard deviation of the real and of the imaginary part, in the unit of shapes. It includes that of
-        the scale, which the document states apart."""
+        """(modes, places) standard deviation of the real and of the imaginary part, in the unit of shapes. It includes the
+        standard deviation of the scale, which the document states apart."""
         return self._shape("shapes_std")
 
     @property

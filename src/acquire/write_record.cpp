@@ -16,7 +16,7 @@ namespace {
                    fmt::format("name a file that ends in {}", fmt::join(extensions, ", ")));
 }
 
-// Whether a channel has another name than those that readers give, by its number.
+// Whether a channel has a name of its own: readers name a channel without one by its number.
 bool has_own_names(const std::vector<SignalInfo>& channels) {
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const std::string& name = channels[c].name;

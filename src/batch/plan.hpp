@@ -7,7 +7,7 @@
 
 namespace percuss::batch {
 
-/// Whether the name is a pattern with * ? [ ], and not that of an existing file.
+/// Whether the name is a pattern with * ? [ ], and no file has this name.
 bool is_pattern(const std::string& name);
 
 /// The files of a batch. Each argument is a file, a folder or a pattern with * ? [ ]. From a folder and its

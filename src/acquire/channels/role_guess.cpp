@@ -33,7 +33,7 @@ bool is_number(const std::string& name) {
   return std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// The name where a shell takes it as it is and it is the only one, else the number.
+// The name if it is unique and needs no quotes in a shell, else the number.
 std::string option_value(const CsvColumn& signal, const std::vector<CsvColumn>& all) {
   const auto same = [&](const CsvColumn& other) { return lower_case(other.name) == lower_case(signal.name); };
   const bool unique = std::count_if(all.begin(), all.end(), same) == 1;

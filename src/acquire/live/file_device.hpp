@@ -13,7 +13,7 @@ std::unique_ptr<Device> replay_device(Record record, const DeviceOptions& option
 
 /// As above, for a file of any format. A rate in the options is for a file that states none. The set-up of the options
 /// serves to read the file (DeviceFormat::setup) where the file does not tell its force, or where the set-up names
-/// signals beside those that the file tells, or states units or sensitivities of named signals.
+/// further signals, or states units or sensitivities of named signals.
 /// errors  InputError: as open_record, require_rate; nothing tells which signals are the force and the responses
 std::unique_ptr<Device> open_file_device(const std::string& path, const DeviceOptions& options = {});
 

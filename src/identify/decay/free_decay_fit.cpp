@@ -23,12 +23,12 @@ constexpr int kPairSweeps = 3;
 constexpr double kScatterShare = 0.9;  // of what a second pole explains
 constexpr std::size_t kPairPlaces = 10;
 constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
-// A decay within the bandwidth of a stronger one is misfit if its energy over that of the stronger one is below this
-// limit. In a single spectrum, no amplitudes at other hits or channels distinguish a weak mode from a stronger one
-// whose frequency or damping changes while it decays. The misfit is about as wide as the mode: a peak far narrower is
-// no misfit of a broad background.
+// A decay within the bandwidth of a stronger one is misfit if the ratio of their energies is below this limit. In a
+// single spectrum, no amplitudes at other hits or channels distinguish a weak mode from a stronger one whose frequency
+// or damping changes while it decays. The misfit is about as wide as the mode: a peak far narrower is no misfit of a
+// broad background.
 constexpr double kMimics = 1e-3, kMimicsAlone = 0.1;
-constexpr double kNarrowest = 0.1;  // decay rate of a misfit over that of the mode
+constexpr double kNarrowest = 0.1;  // decay rate of a misfit over the mode's
 
 std::size_t line_of(const FittedDecay& mode, const DecaySpectra& of) {
   const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz());

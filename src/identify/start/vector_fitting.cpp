@@ -27,7 +27,7 @@ constexpr std::size_t kBlocksPerPole = 4;
 constexpr double kMaxStartDamping = 0.45;
 constexpr double kSmallest = 1e-150;  // of a noise
 
-// Averages over blocks of lines. Frequencies are relative to that of the last line, so that powers of s stay near 1.
+// Averages over blocks of lines. Frequencies are divided by the highest one, so that powers of s stay near 1.
 struct AveragedLines {
   AveragedLines(const FrfDataset& set, std::size_t lines_per_block)
       : unit_rad_s(kTwoPi * set.lines.freq_Hz(set.lines.count - 1)) {
@@ -167,7 +167,7 @@ class PoleRelocation {
     std::copy_n(moved.begin(), count, poles_.begin());
   }
 
-  // Between neighbouring poles, ascending but for those that were added.
+  // Between neighbouring poles. They ascend, apart from the poles that were added.
   double middle_of_widest_gap(std::vector<Complex> poles) const {
     std::sort(poles.begin(), poles.end(), [](const Complex& a, const Complex& b) { return a.imag() < b.imag(); });
     double before = first(), widest = -1, middle = before;

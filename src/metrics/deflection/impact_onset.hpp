@@ -9,8 +9,9 @@ struct ImpactOnset {
 };
 
 /// Extrapolates the rise of an impact back to zero. A contact force begins as t^p: p = 1 for a spring, 3/2 for a Hertz
-/// contact, 2 for a haversine. The acceleration of a struck mass follows the force; that of a long beam begins as the
-/// half-derivative of the force. The samples from the quiet before the rise to a quarter of the first extreme follow
+/// contact, 2 for a haversine. The acceleration of a struck mass follows the force; the acceleration of a long beam
+/// begins as the half-derivative of the force. The samples from the quiet before the rise to a quarter of the first
+/// extreme follow
 ///   x(t) = c (t − t₀)^p (1 + b u + d u²),   u = (t − t₀)/(t₁ − t₀),   0.5 ≤ p ≤ 2.5      (1)
 /// with t₁ the time of the last of them, and b and d near zero (standard deviations 0.3 and 0.2). The time is the mean
 /// of t₀ over all powers and coefficients, each with its probability; the standard deviation includes how little the

@@ -20,7 +20,7 @@ constexpr std::size_t kMinTypical = 2;  // blows
 constexpr double kSmallContact = 0.01;  // of the peak: a smaller one lets nothing ring
 
 // The rms of the strongest sinusoid, from a spectrum with a Hann window: a mode that rings stands out from the noise
-// long after its rms is below that of the noise.
+// long after the noise has the larger rms.
 double strongest_tone(std::vector<double> x) {
   x.resize(fast_length_at_most(x.size()));
   const auto n = static_cast<double>(x.size());

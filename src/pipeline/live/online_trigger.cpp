@@ -129,7 +129,7 @@ void OnlineTrigger::measure_noise(std::size_t samples) {
     robust.push_back(one.robust_std);
     variances.push_back(one.variance);
   }
-  // The force may drift: its rest is that of the last second, the steps around the event that waits for its end.
+  // The force may drift: its rest is measured over the last second, from the steps around the event that has not ended.
   const auto count = std::clamp<std::size_t>(frames_in(kBaseline_s, options_.fs_Hz) / step_, 1, steps_.size());
   for (auto step = steps_.end() - static_cast<std::ptrdiff_t>(count); step != steps_.end(); ++step)
     recent.push_back(step->median);

@@ -11,7 +11,7 @@
 
 namespace percuss::pipeline {
 
-/// The faults of a session: those that its samples show, and those that only the capture knows.
+/// The faults of a session: faults that its samples show, and faults that only the capture knows.
 class SessionFaults {
  public:
   explicit SessionFaults(double fs_Hz);

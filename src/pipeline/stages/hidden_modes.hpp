@@ -15,8 +15,8 @@ bool may_hide_modes(const identify::FrfDataset& set, const TestSpectra& spectra,
                     const identify::IdentifyOptions& options, const std::vector<identify::Mode>& modes);
 
 /// Adds the modes that narrow bands show around what `modes` do not explain (add_modes_at). Returns the tones that
-/// wander: those of `tones`, and what is left that the force does not explain (tones_at). `hits` is called only where
-/// it is needed.
+/// wander: the ones in `tones`, and the peaks that remain and that the force does not explain (tones_at). `hits` is
+/// called only where it is needed.
 std::vector<Tone> add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
                                    const identify::FrfDataset& set,
                                    const std::function<const identify::HitFrfs&()>& hits, identify::Effort effort);

@@ -10,8 +10,8 @@ namespace percuss::report {
 /// The name of a channel; "channel 2" for one without a name.
 std::string channel_label(const pipeline::ResponseTest& test, std::size_t channel);
 
-/// For each channel, up to six: the magnitude of the free decays' transform over the band, and that of the fitted modes
-/// and tones; RMS over the accepted hits, in dB below the largest line. Empty where no mode was found.
+/// For each channel, up to six: the spectrum (magnitude) of the free decays over the band, and the spectrum of the
+/// fitted modes and tones; RMS over the accepted hits, in dB below the largest line. Empty where no mode was found.
 std::vector<LineChart> response_spectra(const pipeline::ResponseTest& test);
 
 }  // namespace percuss::report

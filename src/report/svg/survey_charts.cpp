@@ -75,7 +75,7 @@ class DrawnMesh {
       add({{x, y - arm_}, {x, y + arm_}}, i);
     }
   }
-  // Points whose deflection exceeds that of their neighbours, and half of the largest of all.
+  // Points that deflect more than their neighbours, and at least half as far as the point that deflects most.
   std::vector<DeformedShape::Sign> signs() const {
     std::vector<bool> extreme(mesh_.points.size());
     double largest = 0;

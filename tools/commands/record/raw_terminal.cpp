@@ -126,7 +126,7 @@ void enter_raw_mode(int terminal) {
   renew_raw_mode();
 }
 
-// In the background, the mode is that of the shell's own line editor.
+// In the background, the shell's own line editor sets the mode.
 void renew_raw_mode() {
   if (raw_terminal < 0 || !in_foreground(raw_terminal)) return;
   if (mode_is_saved == 0 && ::tcgetattr(raw_terminal, &saved_mode) == 0) mode_is_saved = 1;

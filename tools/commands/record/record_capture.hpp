@@ -14,8 +14,8 @@ struct Recording {
   pipeline::LiveChannels channels;
 };
 
-/// Opens the device and begins the journal, or goes on with that of an interrupted session. Set-up, length and band are
-/// checked against the device before there is a journal.
+/// Opens the device and begins the journal, or goes on with the journal of an interrupted session. Set-up, length and
+/// band are checked against the device before there is a journal.
 /// errors  OptionError: a description of a pipe that is not understood; InputError: as CaptureStream, live_channels and
 /// check_window
 Recording open_recording(const RecordFlags& flags, const Interrupted& interrupted);

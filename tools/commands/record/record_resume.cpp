@@ -65,7 +65,7 @@ void refuse_loss(const std::string& path, const Interrupted& interrupted, bool o
                    "keep the file: move it elsewhere, and resume again");
 }
 
-// After a kill, a shell completes the name to that of the journal, the only file that is there.
+// After a kill, the journal is the only file of the session, and a shell completes its name.
 void take_journal_as_output(std::string& path) {
   const std::string suffix = journal_of("");
   if (path.ends_with(suffix)) path.resize(path.size() - suffix.size());
