@@ -14,7 +14,7 @@ found = percuss.analyze(record, band=(60, 3200))
 
 # Findings explain why a hit is rejected; FRFs and modes use the accepted hits.
 for hit in found["hits"]:
-    print(f"hit {hit['index']}: {hit['peak_force_n']:5.0f} N, {'accepted' if hit['accepted'] else 'rejected'}")
+    print(f"hit {hit['index'] + 1}: {hit['peak_force_n']:5.0f} N, {'accepted' if hit['accepted'] else 'rejected'}")
     for finding in hit["findings"]:
         print(f"  {finding['message']}")
 if not found.possible:

@@ -13,7 +13,11 @@ class InterruptPolling {
  private:
   static bool poll() {
     const PyGILState_STATE lock = PyGILState_Ensure();
-    const bool raised = PyErr_CheckSignals() != 0;
+    bool raised = PyErr_CheckSignals() != 0;
+    if (!raised && calls_must_stop) {
+      PyErr_SetString(PyExc_KeyboardInterrupt, "the interpreter ends");
+      raised = true;
+    }
     PyGILState_Release(lock);
     return raised;
   }

@@ -1,7 +1,9 @@
+#include <chrono>
 #include <exception>
 #include <map>
 #include <new>
 #include <string_view>
+#include <thread>
 
 #include "acquire/calibrate.hpp"
 #include "bindings.hpp"
@@ -100,10 +102,25 @@ Object option(PyObject* /*module*/, const Arguments& arguments) {
   return object_of(option_in_python(arguments[0].text()));
 }
 
+// Ends the calls of other threads, and waits for them. They check every few milliseconds; a call that does not is left
+// after ten seconds.
+Object stop_calls(PyObject* /*module*/, const Arguments& /*arguments*/) {
+  calls_must_stop = true;
+  PyThreadState* const thread = PyEval_SaveThread();
+  for (int waited_ms = 0; calls_without_lock > 0 && waited_ms < 10'000; ++waited_ms)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  PyEval_RestoreThread(thread);
+  return object_of(true);
+}
+
 PyObject* make_module() {
-  static PyMethodDef functions[] = {method<&run>("run"),           method<&declared>("declared_commands"),
-                                    method<&nearest>("nearest"),   method<&option>("option_in_python"),
-                                    method<&mac_between>("mac"),   method<&library_seconds>("library_seconds"),
+  static PyMethodDef functions[] = {method<&run>("run"),
+                                    method<&declared>("declared_commands"),
+                                    method<&nearest>("nearest"),
+                                    method<&option>("option_in_python"),
+                                    method<&mac_between>("mac"),
+                                    method<&library_seconds>("library_seconds"),
+                                    method<&stop_calls>("stop_calls"),
                                     {nullptr, nullptr, 0, nullptr}};
   static PyModuleDef definition = {
       PyModuleDef_HEAD_INIT, "_percuss", nullptr, -1, functions, nullptr, nullptr, nullptr, nullptr};

@@ -4,6 +4,7 @@
 #define Py_LIMITED_API 0x03090000
 #include <Python.h>
 
+#include <atomic>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -117,15 +118,27 @@ class Dictionary {
   Object dictionary_;
 };
 
+/// Calls that have released Python's lock. At the end of the interpreter, Python ends a thread that takes the lock,
+/// from within C++ functions, which aborts the process. stop_calls() ends the calls of daemon threads before.
+inline std::atomic<int> calls_without_lock{0};
+inline std::atomic<bool> calls_must_stop{false};
+
 /// During its lifetime, other threads may hold Python's lock.
 class ReleasedLock {
  public:
-  ReleasedLock() : thread_(PyEval_SaveThread()) {}
-  ~ReleasedLock() { PyEval_RestoreThread(thread_); }
+  ReleasedLock() : thread_(begun()) {}
+  ~ReleasedLock() {
+    PyEval_RestoreThread(thread_);
+    --calls_without_lock;
+  }
   ReleasedLock(const ReleasedLock&) = delete;
   ReleasedLock& operator=(const ReleasedLock&) = delete;
 
  private:
+  static PyThreadState* begun() {
+    ++calls_without_lock;
+    return PyEval_SaveThread();
+  }
   PyThreadState* thread_;
 };
 

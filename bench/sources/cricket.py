@@ -109,7 +109,7 @@ def fill(s):
     for place, name, what in (('table 3', 'composite', 'composite bat'), ('table 2', 'other', 'second bat')):
         for n, columns in enumerate(three_columns(s, name)[:3], 1):
             s.row(place, '%s, mode %d: modal test, model, impact test (synthetic)' % (what, n), 'illegible',
-                  '%.4f, %.4f, %.4f Hz' % columns, 'model %s %% of the impact test' %
+                  '%.4f, %.4f, %.4f Hz' % columns, 'model differs by %s %% from the impact test' %
                   signed(100 * (columns[1] / columns[2] - 1), 4), s.tests[name][1:])
     between = sum(low < f < high for low, f, high in zip(pinned, beam, clamped))
     s.agrees('theory', 'each frequency lies between simple/free and clamped/free', 'all modes',

@@ -75,8 +75,8 @@ BeamImpactResult beam_impact(const BeamImpact& impact);
 /// A ball that hits a rigid bat; z from the bat's centre of mass.
 struct RigidBat {
   double ball_mass_kg = 0.145, bat_mass_kg = 0.83;
-  double inertia_kgm2 = 0.039;  // about the centre of mass
-  double ball_speed_mps = 67, bat_speed_mps = 0;
+  double inertia_kgm2 = 0.039;                    // about the centre of mass
+  double ball_speed_mps = 67, bat_speed_mps = 0;  // towards each other; of the bat, at its centre of mass
   double swing_rate_radps = 60;
   double cor = 0.55;
 };
@@ -155,7 +155,8 @@ struct Tube {
   double young_Pa = 70e9, density_kgpm3 = 2700, poisson = 0.33;
 };
 
-/// Flügge's frequency with n waves around (2 and above) and m half-waves along. errors  InputError: not a tube.
+/// Flügge's frequency with n waves around (2 and above) and m half-waves along (1 and above; 0 counts as 1).
+/// errors  InputError: not a tube; n below 2
 double hoop_Hz(const Tube& tube, std::size_t n, std::size_t m);
 /// Rayleigh's frequency of a long tube with n waves around.
 double long_hoop_Hz(const Tube& tube, std::size_t n);

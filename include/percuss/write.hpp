@@ -34,7 +34,7 @@ struct PageTitle {
 };
 
 struct WriteOptions {
-  bool overwrite = false;         // replace a file that exists (option "force")
+  bool overwrite = false;         // replace a file that exists; errors name this option "force"
   std::optional<FrfKind> kind{};  // of FRFs; default: the kind of the set
   /// Of .svg: "magnitude", "phase", "coherence", "shapes", …; default: the first three, for a survey "shapes".
   std::vector<std::string> picture{};

@@ -45,7 +45,8 @@ defaults and checks. A band is a tuple (low, high). A keyword with several value
 help(percuss.analyze) lists the keywords of analyze. Unusable data raise percuss.InputError, a ValueError with the
 attributes problem, where, remedy and options.
 
-Functions release Python's lock and may be called by several threads; Ctrl-C stops them. MAT, HDF5 and sound files are read in sandboxed
+Functions release Python's lock and may be called by several threads. Ctrl-C stops a call of the main thread; calls of other threads
+end by themselves, or at the end of the interpreter if they are daemon threads. MAT, HDF5 and sound files are read in sandboxed
 processes, so a hostile file cannot harm this one.
 """
 

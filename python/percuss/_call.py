@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import functools
 import inspect
 import os
@@ -16,6 +17,8 @@ from ._records import Record
 from ._results import Synthetic
 
 COMMANDS = declared()
+
+atexit.register(_percuss.stop_calls)  # daemon threads may still compute
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 

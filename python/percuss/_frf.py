@@ -55,8 +55,9 @@ class Frf:
 
     Notes
     -----
-    FRFs without `exponential` are taken as those of records that hold the whole decay. Of a record that was cut before, or
-    had another window, the leakage is not known: its damping ratios come out too large.
+    FRFs without `exponential` are taken as those of records that hold the whole decay. If the record had an exponential
+    window that is not stated, its damping is part of the damping ratios. With `exponential`, H lies at s = jω + σ, and
+    mobility and receptance are accelerance/s and accelerance/s².
 
     Examples
     --------

@@ -114,7 +114,7 @@ True
 """,
     ),
     Function(
-        "read", "read", "Measured", "Of several files a list. A record's samples are read on demand.",
+        "read", "read", "Measured", "A list if several files are named. A record's samples are read on demand.",
         parts=(("*paths", "Paths", "path", "HDF5, MAT, UFF, LabVIEW, sound, CSV or text."),), call="of_files",
         imports=(),
         see_also=(("info", "describe files without an exception"), ("write", "write records and FRFs")),

@@ -50,3 +50,10 @@ def test_an_interrupt_stops_a_computation(name):
         out, err = process.communicate(timeout=60)
     assert line[:1] == ["stopped"] and took_s < SOON_S, (line, took_s, err)
     assert int(out) >= 5 and not err
+
+
+def test_the_interpreter_ends_while_a_daemon_thread_computes():
+    script = HEAD + "import threading\nr = percuss.synth('composite-bat').record\n" + MANY + "def work():\n    while True: " + LONG["analyze"]
+    script += "\nthreading.Thread(target=work, daemon=True).start()\ntime.sleep(1)\nprint('end', flush=True)\n"
+    ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+    assert ended.stdout == "end\n" and ended.returncode == 0, ended

@@ -22,7 +22,7 @@ bool writes_hdf5(const std::string& path);
 const std::vector<std::string>& record_extensions();
 const std::vector<std::string>& frf_extensions();
 
-/// Whether the file name has the extension of a known format. Such files of a folder are read.
+/// Whether the file name has the extension of a known format. Of a folder, only such files are read.
 bool has_known_extension(const std::string& path);
 
 }  // namespace percuss::acquire

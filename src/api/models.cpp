@@ -75,7 +75,7 @@ TrampolineRebound rebound_of(const model::Rebound& rebound) {
 
 void check_profile(const BatProfile& profile) {
   if (profile.end_m.empty() || profile.end_m.size() != profile.diameter_m.size())
-    throw InputError("ends and diameters differ in number", "BatProfile", "give one diameter per slice");
+    throw InputError("no slices, or ends and diameters differ in number", "BatProfile", "give one diameter per slice");
   if (!profile.wall_m.empty() && profile.wall_m.size() != profile.end_m.size())
     throw InputError("ends and walls differ in number", "BatProfile", "give one wall per slice, or none");
   double start_m = profile.points ? -1 : 0;

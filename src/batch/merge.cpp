@@ -24,7 +24,7 @@ constexpr std::size_t kLongestRow_bytes = std::size_t{1} << 30U;
   throw InputError("the part changed after it was finished", path, "run its shard again", {"batch.run.force"});
 }
 
-// The completion markers of all shards, checked against the plan and against each other.
+// The completion markers of all shards, checked against the manifest and against each other.
 std::vector<FinishedShard> finished_parts(const Manifest& manifest, const std::string& folder) {
   const std::size_t shards = shard_count_in(folder).value_or(manifest.head().shards);
   std::vector<FinishedShard> parts;

@@ -29,7 +29,7 @@ class CollectedFiles {
     if (seen_.insert(path).second) files_.paths.push_back(path);
   }
   void add_folder(const std::string& folder) {
-    std::vector<std::string> found;
+    std::vector<std::string> found, others;
     std::error_code problem;
     auto at = fs::recursive_directory_iterator(folder, problem);
     for (; !problem && at != fs::recursive_directory_iterator(); at.increment(problem)) {
@@ -40,12 +40,14 @@ class CollectedFiles {
       if (acquire::has_known_extension(at->path().string())) {
         found.push_back(at->path().string());
       } else {
-        ++files_.left_out;
+        others.push_back(at->path().string());
       }
     }
     if (problem) throw InputError("cannot read the folder: " + problem.message(), folder, "check its permissions");
     std::sort(found.begin(), found.end(), comes_first_naturally);
+    std::sort(others.begin(), others.end(), comes_first_naturally);
     for (const std::string& path : found) add(path);
+    files_.left_out.insert(files_.left_out.end(), others.begin(), others.end());
   }
   void add_pattern(const std::string& pattern) {
     glob_t matches{};

@@ -14,8 +14,8 @@ bool is_pattern(const std::string& name);
 /// sub-folders, all files with the extension of a record are taken, except hidden files. Those of a folder and those of
 /// a pattern are in natural order, "hit2" before "hit10".
 struct RecordFiles {
-  std::vector<std::string> paths;  // each once, absolute or relative to the working folder
-  std::size_t left_out = 0;        // files in the named folders, with other extensions
+  std::vector<std::string> paths;     // each once, absolute or relative to the working folder
+  std::vector<std::string> left_out;  // files in the named folders, with other extensions
 };
 /// errors  InputError: no such file, a pattern without a match, a folder that cannot be read
 RecordFiles record_files(const std::vector<std::string>& named);

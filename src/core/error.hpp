@@ -8,7 +8,7 @@
 namespace percuss {
 inline namespace core {
 
-/// The message that an interface shows for std::bad_alloc.
+/// The message that an interface shows for std::bad_alloc, in the form of InputError: "problem (where); remedy".
 inline constexpr const char* kOutOfMemoryMessage =
     "not enough memory (the whole run); analyse fewer rows or channels at a time";
 

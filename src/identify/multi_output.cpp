@@ -67,7 +67,8 @@ void complete(CompletedDecays& completed, const Eigen::MatrixXd& components, Frf
   }
 }
 
-// [lines] variance of the force's gain error relative to the error at the pole, which the residue absorbs.
+// [lines] variance of the difference between the force's gain error at each line and at the pole. The residue absorbs
+// the error at the pole.
 Eigen::VectorXd gain_variance(const FrfDataset& set, std::size_t point, Index from, Index to, std::size_t pole) {
   std::vector<std::size_t> lines{pole};
   for (Index k = from; k <= to; ++k) lines.push_back(static_cast<std::size_t>(k));

@@ -192,7 +192,10 @@ const std::vector<identify::Mode>& Analysis::modes() const {
       if (hums) remove_mains_modes(found, tones, set, hits());
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
-      if (options_.modes.modes) identify::keep_clearest(split.within, *options_.modes.modes);
+      if (options_.modes.modes && *options_.modes.modes < split.within.size()) {
+        band_modes_ = split.within;
+        identify::keep_clearest(split.within, *options_.modes.modes);
+      }
       return std::move(split.within);
     });
   });
@@ -207,8 +210,17 @@ const std::vector<identify::ModeClassification>& Analysis::types() const {
   return within_budget(budget_, types_, [&] {
     const std::vector<identify::Mode>& found = modes();
     const identify::FrfDataset& set = fitted_frfs();
-    return trace_.run("classes", [&] { return classify_modes(found, set, record().accel, options_.classes); });
+    return trace_.run("classes", [&] {
+      if (band_modes_.empty()) return classify_modes(found, set, record().accel, options_.classes);
+      return classifications_of_part(classify_modes(band_modes_, set, record().accel, options_.classes), band_modes_,
+                                     found);
+    });
   });
+}
+
+bool Analysis::modes_are_complete() const {
+  modes();
+  return options_.modes.start_Hz.empty() && band_modes_.empty();
 }
 
 const std::vector<identify::ModeClassification>& Analysis::classifications() const {
@@ -216,6 +228,7 @@ const std::vector<identify::ModeClassification>& Analysis::classifications() con
     std::vector<identify::ModeClassification> out = types();
     const identify::LowerOrders& lower = lower_orders();
     for (identify::ModeClassification& type : out) {
+      if (!options_.modes.start_Hz.empty()) type.order = 0;  // lower modes need not be among the stated ones
       if (type.order > 0) type.order += type.family == identify::ModeType::hoop ? lower.hoop : lower.bending;
     }
     return out;

@@ -53,7 +53,7 @@ class Analysis {
   /// The record without these delays, from which every result follows.
   const acquire::Record& aligned_record() const;
 
-  /// Hits graded by their force alone: reads nothing else. Index i is the user's hit number.
+  /// Hits graded by their force alone: reads nothing else. Element i is hit i + 1 in tables and messages.
   const std::vector<AnalysedHit>& force_hits() const;
   /// Hits graded by their responses as well, and by the agreement of the hits of a point.
   const std::vector<AnalysedHit>& hits() const;
@@ -82,6 +82,8 @@ class Analysis {
   /// Computes modes() and frfs() in the order that takes less time.
   void compute_modes_and_frfs() const;
   const std::vector<identify::ModeClassification>& classifications() const;
+  /// Whether modes() are all modes that were found, so that their orders can be counted: not the ones that the user chose.
+  bool modes_are_complete() const;
   /// Modes that the hammer excited below the band, ascending: modes in the margin of lines(), and lower modes fitted to
   /// a few hits. Empty without modes in the band, or without a stated band.
   const std::vector<identify::Mode>& modes_below() const;
@@ -128,6 +130,7 @@ class Analysis {
   Lazy<identify::FrfDataset> fitted_frfs_;
   Lazy<std::vector<identify::Mode>> modes_;
   mutable std::vector<identify::Mode> margin_modes_;  // below the band; set with modes_
+  mutable std::vector<identify::Mode> band_modes_;    // all within the band, if modes_ holds a part of them
   Lazy<std::vector<identify::Mode>> modes_below_;
   Lazy<std::vector<identify::ModeClassification>> types_;  // their orders leave out lower_orders()
   Lazy<identify::LowerOrders> lower_orders_;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kRinging = 8;  // samples before the onset that an anti-alias filter may move
 
-// The first touch between two samples: from the force, or from the accelerometer that moves first.
+// The time of the first touch, interpolated between samples: from the force, or from the accelerometer that moves
+// first.
 metrics::ImpactOnset onset_of(const acquire::Record& record, const AnalysedHit& impact) {
   const auto refined = [&](std::vector<double>& x) {
     const double from_first_s = onset_from_first_sample_s(impact.hit, record.fs_Hz);

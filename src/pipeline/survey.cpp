@@ -176,6 +176,9 @@ std::vector<identify::ModeClassification> Survey::classify_by_shapes() const {
       other.reset();
     }
   }
+  if (!analysis_.modes_are_complete()) {
+    for (identify::ModeClassification& one : classifications) one.order = 0;  // other modes may lie between
+  }
   return classifications;
 }
 

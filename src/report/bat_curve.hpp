@@ -9,7 +9,8 @@
 
 namespace percuss::report {
 
-/// Exit speeds over the position of impact, each with its energy balance.
+/// Exit speeds over the position of impact, each with its energy balance. `exit`: with all elastic modes of the bat,
+/// `half`: with the lower half of them, `rigid`: with none.
 struct BatCurve {
   std::vector<double> z_m;
   std::vector<model::BatRebound> flexible;

@@ -7,7 +7,7 @@
 
 namespace percuss::report {
 
-/// The model's CCOR over the speeds around the measured ones, and its range over the allowed exponents.
+/// The model's CCOR over the speeds around the measured ones, and its range over the pairs of the fit's contour.
 struct CcorCurve {
   std::vector<double> speed_mps, cor, low, high;
 };

@@ -38,7 +38,7 @@ TEST_F(BatchPlan, ReadsFoldersInOrder) {
   make(".git/x.csv");
   const RecordFiles files = record_files({folder_.path()});
   EXPECT_THAT(files.paths, ElementsAre(a, b, c));
-  EXPECT_EQ(files.left_out, 1U);
+  EXPECT_EQ(files.left_out.size(), 1U);
 }
 
 TEST_F(BatchPlan, AcceptsPatternsAndTakesEachFileOnce) {

@@ -78,6 +78,18 @@ TEST_F(AnalyzeChoices, ReportsTheRequestedNumberOfModes) {
   EXPECT_EQ(document["modes"].size(), 1U);
 }
 
+// The spec's modes are bending modes at 200 and 700 Hz. Orders count all modes, not only the requested ones.
+TEST_F(AnalyzeChoices, KeepsTheOrdersOfAllModes) {
+  const json all = document_of({}), part = document_of({"--modes", "1"}), started = document_of({"--start", "702"});
+  const json& kept = part["modes"][0];
+  for (const json& mode : all["modes"]) {
+    if (mode["frequency_hz"] != kept["frequency_hz"]) continue;
+    EXPECT_EQ(mode["order"], kept["order"]);
+    EXPECT_EQ(mode["family"], kept["family"]);
+  }
+  EXPECT_TRUE(started["modes"][0]["order"].is_null());
+}
+
 TEST_F(AnalyzeChoices, FitsAtTheGivenFrequencies) {
   const json document = document_of({"--start", "199,702"});
   EXPECT_EQ(document["options"]["start_hz"], (json{199, 702}));

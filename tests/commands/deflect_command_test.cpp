@@ -108,6 +108,10 @@ TEST_F(DeflectCommand, ComparesWithAModel) {
   }
   const auto text = run_percuss({"compare", "test.json", "model.json"}, {.folder = out.path()});
   EXPECT_THAT(text.out, HasSubstr("largest deflection"));
+  const auto quoted = run_percuss({"compare", "[tm]*[tl].json"}, {.folder = out.path()});  // not expanded by a shell
+  EXPECT_THAT(quoted.out, HasSubstr("largest deflection"));
+  const auto none = run_percuss({"compare", "x*.json"}, {.folder = out.path()});
+  EXPECT_THAT(none.err, HasSubstr("no file matches the pattern (x*.json)"));
 }
 
 // One command compares the frequencies and deflections of the test with a model beam and with a document.

@@ -32,6 +32,17 @@ TEST_F(InfoCommand, PrintsADescriptionOfAFile) {
   EXPECT_THAT(outcome.out, HasSubstr("force_N"));
 }
 
+// The force can be read; the acceleration has a cell that is no number.
+TEST_F(InfoCommand, DescribesAFileWhoseSamplesCannotBeRead) {
+  std::string text = "t_s,force_N,acc_g\n";
+  for (int i = 0; i < 400; ++i) text += std::to_string(i) + ",1," + (i == 300 ? "?" : "2") + "\n";
+  test::write_bytes(file("cell.csv"), text);
+  const auto outcome = run({file("cell.csv")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.out, HasSubstr("force_N"));
+  EXPECT_THAT(outcome.out + outcome.err, HasSubstr("line 302"));
+}
+
 TEST_F(InfoCommand, DescribesTheOtherFilesIfOneIsBad) {
   const auto outcome = run({"--json", file("a.csv"), file("none.csv"), file("b.csv")});
   EXPECT_EQ(outcome.code, 3);

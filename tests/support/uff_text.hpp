@@ -14,7 +14,7 @@ struct UffText {
   int ordinate_type = 2;
   std::size_t values = 0;
   int spacing = 1;
-  std::string x0 = "  0.00000E+00", dx = "  1.00000E-03";
+  std::string x0 = "  0.00000E+00", dx = "  1.00000E-03", abscissa_unit = "s";
   int abscissa = 17, ordinate = 12, denominator = 0;
   std::string ordinate_unit = "NONE", denominator_unit = "NONE";
   std::string end = "\n";  // of lines
@@ -29,7 +29,7 @@ struct UffText {
     const auto axis = [&](int quantity, const std::string& unit) {
       return fmt::format("{:10}    0    0    0 {:<20} {:<20}", quantity, "NONE", unit) + end;
     };
-    return out + axis(abscissa, "s") + axis(ordinate, ordinate_unit) + axis(denominator, denominator_unit) +
+    return out + axis(abscissa, abscissa_unit) + axis(ordinate, ordinate_unit) + axis(denominator, denominator_unit) +
            axis(0, "NONE");
   }
   /// The whole data set, with its numbers as lines of text.

@@ -61,14 +61,24 @@ std::shared_ptr<acquire::ForkServer> fork_server_for(const ReadFlags& flags, con
 }
 
 // The files to open, in their order.
-struct FoundFiles {
-  ReadFlags flags;              // with their paths
-  std::set<std::string> named;  // the paths as typed; others were found in folders and by patterns
-  std::optional<Message> note;  // where the order is not the one given
+struct OrderedFiles {
+  ReadFlags flags;               // with their paths
+  std::set<std::string> named;   // the paths as typed; others were found in folders and by patterns
+  std::optional<Message> note;   // where the order is not the one given
+  std::optional<Message> other;  // files of folders that were left out by their extensions
   bool in_folder(std::size_t i) const { return i < flags.paths.size() && !named.contains(flags.paths[i]); }
 };
 
 std::string file_name(const std::string& path) { return one_line(std::filesystem::path(path).filename().string(), 40); }
+
+// "a.log, b.dat and 3 more"
+std::string listed_names(const std::vector<std::string>& paths) {
+  constexpr std::size_t kMaxNamed = 4;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(paths.size(), kMaxNamed); ++i)
+    names += (i > 0 ? ", " : "") + file_name(paths[i]);
+  return paths.size() > kMaxNamed ? fmt::format("{} and {} more", names, paths.size() - kMaxNamed) : names;
+}
 
 // Whether the file was refused as a text without numbers, such as a README.
 bool is_no_record(const std::exception_ptr& error) {
@@ -84,7 +94,7 @@ bool is_no_record(const std::exception_ptr& error) {
 // Opens the files in parallel, except sandboxed ones without a fork server. Leaves out files of folders that are no
 // records. Rethrows the error of the first other file that cannot be opened.
 template <class Opened, class Open>
-std::vector<std::optional<Opened>> for_each_file(const FoundFiles& found, bool fork_server, const Open& open) {
+std::vector<std::optional<Opened>> for_each_file(const OrderedFiles& found, bool fork_server, const Open& open) {
   const ReadFlags& flags = found.flags;
   std::vector<std::optional<Opened>> opened(input_count(flags));
   std::vector<std::exception_ptr> failed(opened.size());
@@ -105,18 +115,14 @@ std::vector<std::optional<Opened>> for_each_file(const FoundFiles& found, bool f
 
 // The note on the files that for_each_file() left out.
 template <class Opened>
-std::optional<Message> left_out_note(const FoundFiles& found, const std::vector<std::optional<Opened>>& opened) {
-  constexpr std::size_t kMaxNamed = 4;
-  std::string names;
-  std::size_t count = 0;
+std::optional<Message> left_out_note(const OrderedFiles& found, const std::vector<std::optional<Opened>>& opened) {
+  std::vector<std::string> paths;
   for (std::size_t i = 0; i < opened.size(); ++i) {
-    if (opened[i] || ++count > kMaxNamed) continue;
-    names += (count > 1 ? ", " : "") + file_name(found.flags.paths[i]);
+    if (!opened[i]) paths.push_back(found.flags.paths[i]);
   }
-  if (count == 0) return std::nullopt;
-  const std::string more = count > kMaxNamed ? fmt::format(" and {} more", count - kMaxNamed) : "";
-  return Message(
-      fmt::format("left out, because {} no numbers: {}{}", count == 1 ? "it holds" : "they hold", names, more));
+  if (paths.empty()) return std::nullopt;
+  return Message(fmt::format("left out, because {} no numbers: {}", paths.size() == 1 ? "it holds" : "they hold",
+                             listed_names(paths)));
 }
 
 // Puts the files of an unquoted pattern, which the shell gave as "p1 p10 p2", into their natural order, each with its
@@ -144,10 +150,16 @@ bool is_folder(const std::string& path) {
   return std::filesystem::is_directory(path, ignored);
 }
 
-FoundFiles found_in_order(const ReadFlags& given) {
-  FoundFiles found{.flags = given, .named = {given.paths.begin(), given.paths.end()}, .note = {}};
+OrderedFiles found_in_order(const ReadFlags& given) {
+  OrderedFiles found{.flags = given, .named = {given.paths.begin(), given.paths.end()}, .note = {}, .other = {}};
   if (has_in_memory_inputs(given)) return found;
-  found.flags.paths = found_files(given.paths);
+  FoundFiles files = found_files(given.paths);
+  found.flags.paths = std::move(files.paths);
+  if (!files.left_out.empty()) {
+    found.other =
+        Message(fmt::format("left out, because {} known extension: {}; name a file to read it",
+                            files.left_out.size() == 1 ? "it has no" : "they have no", listed_names(files.left_out)));
+  }
   found.note = order_naturally(found.flags);
   if (given.files == acquire::FileGrouping::tests) found.note.reset();  // tests are told apart by their names
   return found;
@@ -155,22 +167,34 @@ FoundFiles found_in_order(const ReadFlags& given) {
 
 // Adds the notes to the record or the FRFs of each file.
 template <class Opened>
-void add_notes(const FoundFiles& found, const std::optional<Message>& left_out, Opened& one) {
+void add_notes(const OrderedFiles& found, const std::optional<Message>& left_out, Opened& one) {
   if (found.note) one.notes.push_back(*found.note);
   if (left_out) one.notes.push_back(*left_out);
+  if (found.other) one.notes.push_back(*found.other);
 }
 
 }  // namespace
 
-std::vector<std::string> found_files(const std::vector<std::string>& paths) {
-  std::vector<std::string> files;
+FoundFiles found_files(const std::vector<std::string>& paths) {
+  FoundFiles files;
   for (const std::string& path : paths) {
     if (!is_folder(path) && !batch::is_pattern(path)) {
-      files.push_back(path);
+      files.paths.push_back(path);
       continue;
     }
-    const std::vector<std::string> found = batch::record_files({path}).paths;
-    if (found.empty()) throw InputError("no file of a known kind in the folder", path, "name the files");
+    const batch::RecordFiles found = batch::record_files({path});
+    if (found.paths.empty()) throw InputError("no file of a known kind in the folder", path, "name the files");
+    files.paths.insert(files.paths.end(), found.paths.begin(), found.paths.end());
+    files.left_out.insert(files.left_out.end(), found.left_out.begin(), found.left_out.end());
+  }
+  return files;
+}
+
+std::vector<std::string> matched_files(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    const std::vector<std::string> found =
+        batch::is_pattern(path) ? batch::record_files({path}).paths : std::vector<std::string>{path};
     files.insert(files.end(), found.begin(), found.end());
   }
   return files;
@@ -197,7 +221,7 @@ std::variant<acquire::Record, acquire::FrfRecord> open_measurement_at(const Read
 }
 
 Measurements open_measurements(const ReadFlags& given) {
-  const FoundFiles found = found_in_order(given);
+  const OrderedFiles found = found_in_order(given);
   const ReadFlags& flags = found.flags;
   require_files(flags);
   const acquire::ReadOptions options = resolved_read_options(flags);
@@ -229,7 +253,7 @@ acquire::FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<acquire::Frf
 }
 
 std::vector<acquire::Record> open_records(const ReadFlags& given) {
-  const FoundFiles found = found_in_order(given);
+  const OrderedFiles found = found_in_order(given);
   const ReadFlags& flags = found.flags;
   require_files(flags);
   const acquire::ReadOptions options = resolved_read_options(flags);

@@ -9,7 +9,15 @@ namespace percuss::tools {
 
 /// The files that the arguments name: folders and patterns (* ? [ ]) are replaced by the records in them, "hit2" before
 /// "hit10". Throws InputError for a folder without records and a pattern without a match.
-std::vector<std::string> found_files(const std::vector<std::string>& paths);
+struct FoundFiles {
+  std::vector<std::string> paths;
+  std::vector<std::string> left_out;  // files of the folders whose extensions are those of no format
+};
+FoundFiles found_files(const std::vector<std::string>& paths);
+
+/// The paths, with patterns (* ? [ ]) replaced by the files that match, "hit2" before "hit10". Throws InputError for a
+/// pattern without a match.
+std::vector<std::string> matched_files(const std::vector<std::string>& paths);
 
 /// The flags with found_files() as paths: a reading option with a value per file counts them. Files that a shell put in
 /// the order of characters ("p1 p10 p2") follow in natural order, as do their force scales; open_records() and

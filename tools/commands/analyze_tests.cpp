@@ -42,6 +42,11 @@ pipeline::Warning files_disagree(const pipeline::Analysis& joined, const pipelin
 }
 
 // Several files are one test unless the user says otherwise or their FRFs disagree.
+[[noreturn]] void refuse_disagreeing(const pipeline::Analysis& analysis, const pipeline::Warning& said) {
+  throw InputError(said.message.substr(0, said.message.find(" and are not averaged")), analysis.record().source(),
+                   "write one file at a time, or state how the files belong together", {"files"});
+}
+
 std::vector<Test> tests_of_joined(const AnalyzeFlags& flags, const std::vector<acquire::Record>& records) {
   std::vector<acquire::Record> joined;
   joined.push_back(acquire::join_records(records, flags.read.files));
@@ -53,15 +58,17 @@ std::vector<Test> tests_of_joined(const AnalyzeFlags& flags, const std::vector<a
   const auto found = analysis.possible() ? analysis.file_disagreement() : std::nullopt;
   if (!found) return tests;
   const pipeline::Warning said = files_disagree(analysis, *found);
-  if (!holds_several_tests(flags) || !flags.compared.empty()) {
-    throw InputError(said.message.substr(0, said.message.find(" and are not averaged")), analysis.record().source(),
-                     "write one file at a time, or state how the files belong together", {"files"});
-  }
+  if (!holds_several_tests(flags) || !flags.compared.empty()) refuse_disagreeing(analysis, said);
   options.known.push_back(said);
   return tests_of_runs(pipeline::analyses_of_runs(records, options));
 }
 
 }  // namespace
+
+void require_agreeing_files(const ReadFlags& read, const pipeline::Analysis& analysis) {
+  if (read.files != acquire::FileGrouping::automatic || !analysis.possible()) return;
+  if (const auto found = analysis.file_disagreement()) refuse_disagreeing(analysis, files_disagree(analysis, *found));
+}
 
 std::vector<Test> tests_of(const AnalyzeFlags& flags, Measurements opened) {
   if (!opened.frfs.empty()) return tests_of_frfs(flags, std::move(opened.frfs));

@@ -37,6 +37,9 @@ struct Test {
   std::optional<pipeline::ImpactTest> deflection{};
 };
 
+/// errors  InputError: files that were joined without a stated grouping, and whose FRFs disagree
+void require_agreeing_files(const ReadFlags& read, const pipeline::Analysis& analysis);
+
 /// The tests in the opened files, grouped by the flags.
 std::vector<Test> tests_of(const AnalyzeFlags& flags, Measurements opened);
 

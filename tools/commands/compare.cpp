@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "cli/open_files.hpp"
 #include "cli/option_error.hpp"
 #include "cli/report_output.hpp"
 #include "commands/commands.hpp"
@@ -22,7 +23,8 @@ struct CompareFlags {
 int compare(const CompareFlags& flags) {
   check_report_outputs(flags.output);
   std::vector<metrics::ComparedDocument> documents;
-  for (const std::string& path : flags.paths) {
+  const std::vector<std::string> paths = matched_files(flags.paths);
+  for (const std::string& path : paths) {
     for (metrics::ComparedDocument& document : report::read_documents(path)) {
       document.name = with_display_names(flags.output.host, document.name);
       documents.push_back(std::move(document));
@@ -31,7 +33,7 @@ int compare(const CompareFlags& flags) {
   if (documents.size() < 2) throw OptionError({}, "one document cannot be compared", "name two or more");
   return show_report(
       report::compare_report(documents, {.furthest = flags.furthest_percent / kPercent, .min_mac = flags.min_mac}),
-      flags.output, flags.paths);
+      flags.output, paths);
 }
 
 }  // namespace

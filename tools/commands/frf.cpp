@@ -6,6 +6,7 @@
 #include "cli/page_output.hpp"
 #include "cli/progress.hpp"
 #include "cli/provenance.hpp"
+#include "commands/analyze_tests.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
@@ -90,6 +91,7 @@ int frf(const FrfFlags& flags) {
     if (flags.output.host != nullptr) give_to_host(flags.output, shared_analysis, kind);
     return kImpossible;
   }
+  require_agreeing_files(flags.read, analysis);
   const auto summary = report::analysis_json(analysis, {.sections = kShown});
   progress.stop();
   write_frf_outputs(flags.output, analysis, kind, summary);

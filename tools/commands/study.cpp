@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/open_files.hpp"
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/report_output.hpp"
@@ -66,7 +67,8 @@ int run_study(const StudyFlags& flags) {
   check_report_outputs(flags.output);
   reject_existing(flags);
   metrics::StudyRows rows;
-  for (const std::string& path : flags.inputs) rows.add(text_at(path), input_name(path));
+  const std::vector<std::string> inputs = matched_files(flags.inputs);
+  for (const std::string& path : inputs) rows.add(text_at(path), input_name(path));
   std::vector<metrics::StudyBat> bats = rows.bats();
   OutputGroup outputs;
   const CsvFormulas formulas = csv_formulas(flags.keep_formulas);
@@ -77,7 +79,7 @@ int run_study(const StudyFlags& flags) {
   if (!flags.curve.empty()) curve = metrics::parse_study_curve(text_at(flags.curve), input_name(flags.curve));
   const report::CommandReport report = report::study_report(study, curve, formulas);
   write_figures(flags, study, report, curve);
-  const int code = show_report(report, flags.output, flags.inputs);
+  const int code = show_report(report, flags.output, inputs);
   outputs.commit();
   return code;
 }

@@ -20,4 +20,9 @@ std::optional<Quantity> quantity_named(std::string_view name) {
   return has_one_of(lower, kForceWords) ? std::optional(Quantity::force) : std::nullopt;
 }
 
+bool is_other_spectrum(const std::string& name) {
+  constexpr std::array<std::string_view, 7> kWords{"spec", "psd", "csd", "coh", "auto", "cross", "corr"};
+  return has_one_of(name, kWords);
+}
+
 }  // namespace percuss::acquire

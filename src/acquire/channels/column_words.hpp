@@ -27,4 +27,7 @@ bool has_one_of(const std::string& name, Words words);
 /// Force or acceleration, by the words in a name, letter case aside; nothing without such a word.
 std::optional<Quantity> quantity_named(std::string_view name);
 
+/// Whether the name, in lower case, stands for a spectrum or correlation other than an FRF.
+bool is_other_spectrum(const std::string& name);
+
 }  // namespace percuss::acquire

@@ -84,6 +84,21 @@ Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, con
   return frf;
 }
 
+// Whether the phase rises with frequency where the FRFs are large. At a resonance it falls by π for exp(+jωt).
+bool phase_rises(const std::vector<PointFrf>& frfs) {
+  constexpr double kMostly = 0.5;
+  double turned = 0, all = 0;
+  for (const PointFrf& one : frfs) {
+    const std::vector<Complex>& frf = one.frf.value;
+    for (std::size_t k = 0; k + 1 < frf.size(); ++k) {
+      const double step = (std::conj(frf[k]) * frf[k + 1]).imag();
+      turned += step;
+      all += std::abs(step);
+    }
+  }
+  return turned > kMostly * all;
+}
+
 }  // namespace
 
 FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
@@ -114,6 +129,11 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
     const auto channel = static_cast<std::size_t>(place - channels.begin());
     record.frfs.push_back({.point = frf.point, .channel = channel, .frf = {}});
     record.frfs.back().frf = accelerance_of(std::move(frf), record, record.accel[channel].to_SI, where);
+  }
+  if (phase_rises(record.frfs)) {
+    record.notes.emplace_back(
+        "the phase rises through the resonances: the FRFs may be for exp(−jωt), as percuss takes exp(+jωt); then give "
+        "their complex conjugates");
   }
   std::stable_sort(record.frfs.begin(), record.frfs.end(), [](const PointFrf& a, const PointFrf& b) {
     return a.point != b.point ? a.point < b.point : a.channel < b.channel;

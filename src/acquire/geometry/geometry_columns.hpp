@@ -23,7 +23,7 @@ struct GeometryColumn {
 };
 using GeometryColumns = std::array<GeometryColumn, kGeometryFields>;
 
-/// "x" of kX.
+/// The name of a field in messages and columns: "x" for kX.
 std::string_view geometry_field_name(std::size_t field);
 
 /// Finds the columns by the names in the first line. `where` names the line.

@@ -22,8 +22,9 @@ struct StructureMesh {
 ///   grid     rows and columns of a plane grid
 ///   plane    Delaunay triangles in the plane, without long ones along the outline
 ///   surface  triangles around the middle of the points
-/// Normals point outwards; those of a plane or a line, along z where possible. Nothing is connected if there are more
-/// than 2000 points, since the time grows with their square.
+/// Normals point outwards. The normal of a plane points to the positive side of its largest component; normals of a
+/// line are as close to z as possible, or to x for a line along z. Nothing is connected if there are more than 2000
+/// points, since the time grows with their square.
 StructureMesh structure_mesh(std::span<const std::array<double, 3>> points_m);
 
 /// The edges of faces, each once, ascending.

@@ -32,7 +32,7 @@ struct Hit {
 
 struct HitOptions {
   std::optional<double> trigger_N;
-  std::optional<double> pretrigger_s;  // default: 128 samples, 5 ms or twice the rise of the pulse
+  std::optional<double> pretrigger_s;  // default: the longest of 128 samples, 5 ms and twice the rise of the pulse
   std::optional<double> length_s;      // of the samples of a hit, with the pre-trigger
   double from_s = 0;                   // search only from here to `to_s` in each row
   std::optional<double> to_s;
@@ -42,7 +42,7 @@ struct HitOptions {
 /// Finds and grades the hits of a record from its force. In a record of several rows, each row is one hit. A single
 /// row, or a record with `Record::continuous`, is searched for pulses. A row without a pulse yields a hit with
 /// `no_pulse`.
-/// Findings added: double_hit, overload (force), force_clipped, late_trigger, no_pulse, weak, polarity.
+/// Findings added: double_hit, overload (force), force_clipped, late_trigger, no_pulse, weak, polarity, rejected_live.
 /// errors  InputError: no samples between from_s and to_s; fewer than two samples in length_s
 std::vector<Hit> find_hits(const Record& record, const HitOptions& options = {});
 

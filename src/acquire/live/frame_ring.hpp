@@ -28,10 +28,10 @@ struct RingRange {
   bool overrun = false;  // the device states a loss just before the first frame
 };
 
-/// A ring of frames between one producer (the sink's members) and one consumer (the others). It keeps the device's
-/// numbers, allocates in the constructor only, and has no locks. When it is full, the producer drops and counts.
-/// Several threads may act as the consumer if they exclude one another; read() needs no exclusion as long as nobody
-/// releases its frames.
+/// A ring of frames between one producer, which calls the members of FrameSink, and one consumer, which calls the
+/// others. It keeps the device's numbers, allocates in the constructor only, and has no locks. When it is full, the
+/// producer drops and counts. Several threads may act as the consumer if they exclude one another; read() needs no
+/// exclusion as long as nobody releases its frames.
 class FrameRing final : public FrameSink {
  public:
   /// Frame numbers begin at `first_frame`.

@@ -76,14 +76,15 @@ struct Record {
   bool has_force = true;  // false: no force was recorded, and read_force_N gives zeros
   std::vector<SignalInfo> accel;
   std::vector<RowInfo> rows;
-  bool continuous = false;                    // every row may hold several hits
-  std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored; NaN where not known; may be empty
-  std::vector<TraceLine> trace_lines;         // may be empty
-  std::vector<TraceFace> trace_faces;         // may be empty
-  std::vector<DrivingPlace> driving;          // where the file states them; may be empty
-  std::vector<ContiguousSignal> contiguous;   // the force and each channel, where all are contiguous; else empty
-  std::vector<RecordFault> faults;            // faults while the record was captured, in order of time
-  std::vector<Message> notes;                 // assumptions, and parts that could not be read
+  bool continuous = false;  // every row may hold several hits
+  // [points][x, y, z in m] or [points][position in m, angle in degrees]; NaN where not known; may be empty
+  std::vector<std::vector<double>> geometry;
+  std::vector<TraceLine> trace_lines;        // may be empty
+  std::vector<TraceFace> trace_faces;        // may be empty
+  std::vector<DrivingPlace> driving;         // where the file states them; may be empty
+  std::vector<ContiguousSignal> contiguous;  // the force and each channel, where all are contiguous; else empty
+  std::vector<RecordFault> faults;           // faults while the record was captured, in order of time
+  std::vector<Message> notes;                // assumptions, and parts that could not be read
   /// The first file's path, or the format where there is no file: the record's name in messages.
   std::string source() const { return files.empty() ? format : files.front().path; }
   std::set<int> points() const;
@@ -134,8 +135,9 @@ Record join_records(std::vector<Record> records, FileGrouping grouping);
 /// A record of the rows for which keep(row) is true.
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep);
 
-/// The number of a point of the geometry, 0 … `points` − 1, to which a `what` ("line", "face") leads.
-/// errors  InputError at `where`: it is not a point's.
+/// Checks `number`, the end of a line or the corner of a face, and returns it as a point number, 0 … `points` − 1.
+/// `what` ("line", "face") is for the message.
+/// errors  InputError at `where`: it is not the number of a point
 int geometry_point(double number, std::size_t points, const char* what, const std::string& where);
 
 /// Lines from pairs of point numbers, 0 … `points` − 1.

@@ -110,12 +110,26 @@ bool is_name_row(const Cells& cells, const CsvDialect& dialect, const std::vecto
   });
 }
 
+// "g/N", "(m/s^2)/N", "dB", "dB re 1 g/N".
+bool is_frf_unit(std::string_view cell) {
+  const std::string lower = lower_case(to_utf8(cell));
+  if (lower.starts_with("db")) return true;
+  const auto known = [](std::string text) {
+    std::erase_if(text, [](char c) { return c == '(' || c == ')' || c == '[' || c == ']'; });
+    if (text.ends_with("/s") && !parse_unit(text)) text.resize(text.size() - 2);  // velocities
+    return parse_unit(text).has_value();
+  };
+  const std::string text = to_utf8(cell);
+  const std::size_t slash = text.rfind('/');
+  return slash != std::string::npos && known(text.substr(0, slash)) && known(text.substr(slash + 1));
+}
+
 // Every column except the first has a unit or is empty, and at least one has a unit. The first cell often is "Unit".
 bool is_unit_row(const Cells& cells, const std::vector<std::size_t>& columns) {
   std::size_t units = 0;
   for (const auto c : columns) {
     if (c >= cells.size() || cells[c].empty() || cells[c] == "-") continue;
-    if (parse_unit(to_utf8(cells[c]))) {
+    if (parse_unit(to_utf8(cells[c])) || is_frf_unit(cells[c])) {
       ++units;
     } else if (c != 0) {
       return false;

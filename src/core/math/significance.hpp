@@ -3,9 +3,8 @@
 namespace percuss {
 inline namespace core {
 
-/// Quantile of Student's t distribution, for a probability above 0.5 given as the normal quantile `z` of the same
-/// probability. Exact for one and two degrees of freedom; otherwise the Cornish–Fisher expansion, within 1 % for
-/// |z| < 2.6, and within 2.3 % for |z| < 3.
+/// Quantile of Student's t distribution for the probability of the normal quantile `z`. `degrees` of freedom below 1
+/// count as 1.
 double student_quantile(double z, double degrees);
 
 /// χ² as the normal deviate of the same probability, by the cube root of Wilson and Hilferty.

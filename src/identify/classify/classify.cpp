@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "identify/classify/asymmetry_split.hpp"
 #include "identify/classify/tube_evidence.hpp"
@@ -16,6 +17,7 @@ constexpr double kSplitSpacing = 0.15;         // of the lower frequency: larges
 constexpr double kMinLoneProbability = 0.9;    // below it the second type is stated …
 constexpr double kMinRivalProbability = 0.03;  // … and where the second type has more than this
 constexpr double kMinTubeEvidence = -2.3;      // logarithm: another object is less than ten times as likely
+constexpr double kSameAngle_rad = 0.1;         // sensors at one angle see bending and hoop modes alike
 constexpr double kMaxOutOfPhase = 0.4;         // RatioAngle::out_of_phase above which the shape is not real
 
 struct Ratio {
@@ -198,6 +200,8 @@ std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double
   for (std::size_t i = 0; i < angle_rad.size(); ++i) {
     for (std::size_t j = i + 1; j < angle_rad.size(); ++j) {
       if (!angle_rad[i] || !angle_rad[j]) continue;
+      const double apart_rad = std::remainder(*angle_rad[j] - *angle_rad[i], 2 * std::numbers::pi);
+      if (std::abs(apart_rad) < kSameAngle_rad) continue;
       const double off = std::abs(std::cos(*angle_rad[j] - *angle_rad[i]));  // 0 at a right angle
       if (best && off >= best_off) continue;
       best = SensorPair{.first = i, .second = j, .first_rad = *angle_rad[i], .second_rad = *angle_rad[j]};

@@ -46,7 +46,7 @@ struct SensorPair {
   double first_rad = 0, second_rad = 0;
 };
 /// The two channels whose angles differ most nearly by 90° (modulo 180°), however far from it. Nothing for fewer than
-/// two channels with an angle.
+/// two channels with an angle, and where all have the same angle.
 std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double>>& angle_rad);
 
 /// Modes of each type below the analysed band: the orders within the band count on from them.
@@ -73,9 +73,10 @@ void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassificatio
                    const ClassifyOptions& options, const LowerOrders& lower = {});
 
 /// The orders below the band, counted from the modes `below` it; `found` are the modes within the band. All hoop modes
-/// count. Bending modes count downwards from the band, as far as the first order. On a tube, the second bending
-/// frequency is more than 2.3 times the first, and the ratios of all higher neighbours are smaller. Motion on the
-/// suspension and hum therefore do not count. The type of a lower mode counts from 90 % confidence on.
+/// count. Bending modes count downwards from the band and end with the first order: on a tube, the second bending
+/// frequency is more than 2.3 times the first, and the ratios of all higher neighbours are smaller. A frequency less
+/// than 1/4.5 of its upper neighbour is motion on the suspension or hum: it ends the count and is not counted. The type
+/// of a lower mode counts from 90 % confidence on.
 LowerOrders lower_orders(const std::vector<Mode>& below, const std::vector<ModeClassification>& below_types,
                          const std::vector<Mode>& found, const std::vector<ModeClassification>& types,
                          const ClassifyOptions& options);

@@ -16,8 +16,8 @@ constexpr double kPairAngle_rad = 0.1;  // standard deviation, around 90°, of t
 constexpr double kBroader = 2;          // width of the size ratio of unrelated modes, over its width in a pair
 constexpr double kMinHoop_Hz = 1000;    // lowest hoop frequency of barrels
 
-// Prior probabilities of the types. A bat's lowest mode is a bending mode at 100 to 300 Hz. Where the lowest mode found
-// is higher, the band excludes that mode and the prior is uninformative.
+// Prior probabilities of the types. A bat's lowest mode is a bending mode at 100 to 300 Hz. The higher the lowest
+// mode found is, the likelier the band excludes that mode: the prior becomes uninformative towards kMinHoop_Hz.
 TypePosterior prior_of_lowest(double freq_Hz) {
   const double hoop = std::clamp(std::pow(freq_Hz / kMinHoop_Hz, 2), 0.01, 1.0);
   return {2 - hoop, hoop, 1};

@@ -21,7 +21,7 @@ constexpr double kMinForcePower =
     1e-6;  // of the strongest line's power: FRFs are meaningless at the zeros of a pulse's spectrum
 constexpr double kMinWindowNoise = 1e-3;        // of the noise elsewhere: an FRF without residual keeps a finite weight
 constexpr std::size_t kFlopsPerPowerLine = 10;  // of |H|² and its comparison
-constexpr std::size_t kOutgrown = 2;  // a window is replaced where it needs more than this many times its lines
+constexpr std::size_t kOutgrown = 2;  // a window is replaced if the new one has more than this many times its lines
 constexpr int kMaxPasses = 5;         // of widening
 constexpr double kGroupingGap = 4;    // bandwidths or lines: closer modes are fitted together
 

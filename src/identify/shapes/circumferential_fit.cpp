@@ -158,7 +158,8 @@ bool fit_orders_alone(const Ring& ring, int highest, CircumferentialFit& fit) {
   return true;
 }
 
-// Fits the orders whose half wave is longer than the spacing.
+// Fits the orders n whose half wave π/n is longer than the spacing, with a quarter order to spare:
+// n ≤ π/spacing − kBelowHalfWave.
 void fit_arcs(const std::vector<Ring>& rings, double spacing_rad, CircumferentialFits& out) {
   constexpr double kBelowHalfWave = 0.25;
   out.arc = true;

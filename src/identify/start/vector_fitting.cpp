@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 
 constexpr int kRelocations = 10;
 constexpr double kStartDamping = 0.01;
-constexpr double kWeightFloor = 1e-6;       // of an FRF's largest line
+constexpr double kMinNoise = 1e-6;          // of an FRF's largest line
 constexpr double kConstraintWeight = 1e-3;  // of the row that excludes σ = 0, relative to the other rows
 constexpr std::size_t kBlocksPerPole = 4;
 constexpr double kMaxStartDamping = 0.45;
@@ -47,7 +47,7 @@ struct AveragedLines {
       const std::vector<double> power = noise.local(o);
       const Eigen::Map<const VectorXcd> all(set.channels[o].frf.data(), static_cast<Index>(set.lines.count));
       const Eigen::Map<const VectorXd> noise_power(power.data(), static_cast<Index>(power.size()));
-      const double least = std::max(kWeightFloor * all.cwiseAbs().maxCoeff(), kSmallest);
+      const double least = std::max(kMinNoise * all.cwiseAbs().maxCoeff(), kSmallest);
       frf.emplace_back(blocks);
       weight.emplace_back(blocks);
       for (Index b = 0; b < blocks; ++b) {
@@ -58,7 +58,7 @@ struct AveragedLines {
   }
 
   double unit_rad_s;
-  VectorXcd s;                   // jω over unit_rad_s
+  VectorXcd s;                   // jω (σ + jω under an exponential window) over unit_rad_s
   MatrixXd residual_terms;       // [blocks, terms]
   std::vector<VectorXcd> frf;    // [channels][blocks]
   std::vector<VectorXd> weight;  // … one over the noise
@@ -81,7 +81,7 @@ class PoleRelocation {
       check_budget();
       rows.middleRows(static_cast<Index>(o) * unknowns, unknowns) = equations_of_weight_function(o);
     }
-    // The mean of σ over the lines is 1.
+    // The mean of Re σ over the lines is 1.
     const double scale = kConstraintWeight * rows.topRows(rows.rows() - 1).norm();
     rows.bottomRows(1).leftCols(unknowns - 1) = scale * pole_columns_.real().colwise().mean();
     rows(rows.rows() - 1, unknowns - 1) = scale;
@@ -113,7 +113,7 @@ class PoleRelocation {
   double first() const { return lines_.s(0).imag(); }
   double last() const { return lines_.s(lines_.s.size() - 1).imag(); }
 
-  // Of each pole with its mirror image, for the real and for the imaginary part of a coefficient.
+  // The columns of each pole and its complex conjugate: one for the real and one for the imaginary part of c or R.
   void fill_columns() {
     const Index count = poles_.size();
     const Index blocks = lines_.s.size();
@@ -161,13 +161,14 @@ class PoleRelocation {
     std::vector<Complex> moved;
     for (const Complex& zero : zeros)
       if (zero.imag() > 0) moved.emplace_back(-std::abs(zero.real()), zero.imag());
-    // Two real zeros take one pair away; it begins again.
+    // Two real zeros replace a complex pair. The missing pair begins again in the middle of the widest gap.
     std::sort(moved.begin(), moved.end(), [](const Complex& a, const Complex& b) { return a.imag() < b.imag(); });
     while (static_cast<Index>(moved.size()) < count) moved.insert(moved.end(), start_pole(middle_of_widest_gap(moved)));
     std::copy_n(moved.begin(), count, poles_.begin());
   }
 
-  // Between neighbouring poles. They ascend, apart from the poles that were added.
+  // The middle of the widest gap between neighbouring poles, or between a pole and an end of the lines. The poles are
+  // sorted first, because poles that were added stand at the end.
   double middle_of_widest_gap(std::vector<Complex> poles) const {
     std::sort(poles.begin(), poles.end(), [](const Complex& a, const Complex& b) { return a.imag() < b.imag(); });
     double before = first(), widest = -1, middle = before;

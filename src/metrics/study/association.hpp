@@ -27,10 +27,11 @@ struct Association {
 /// they are the usual r and ρ. With d = points − classes − 1 degrees of freedom
 ///   r:  tanh(artanh r ± 1.96/√(d − 1)); for points on a line to rounding, the interval of ρ
 ///   ρ:  E⁻¹(tanh(artanh ρ ± t √((1 + ρ²/2)/(d − 1)))), t Student's 97.5 % quantile of d degrees of freedom,
-///       E(ρ) = Σ w_c [(n_c − 2) ρ + 3τ]/(n_c + 1): the mean of the coefficient of n_c bats, and τ Kendall's
-///       coefficient, both of a normal pair. E⁻¹ only widens the interval.                                       (P15)
+///       E(ρ) = Σ w_c [(n_c − 2) ρ + 3τ]/(n_c + 1): the mean of the coefficient if x and y are normal with the rank
+///       correlation ρ and Kendall's τ. Class c has n_c bats; w_c is its share of Σ_c √(Σx² Σy²) of the ranks. E⁻¹
+///       only widens the interval.                                                                  (P15)
 ///   p: permutation_p of the ranks                                                                  (P16)
-/// A coefficient of ±1 counts in its interval as one that lies half a swap of neighbours below.
+/// For its interval, a ρ of ±1 is moved towards zero by half the change that a swap of two neighbours makes.
 /// None below d = 2, or when x or y does not vary within classes.
 /// source  [3], [16] and [22] in docs/theory/sources.md
 std::optional<Association> association_of(const std::vector<ClassPoints>& classes);

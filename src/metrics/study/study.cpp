@@ -11,7 +11,7 @@ namespace percuss::metrics {
 namespace {
 
 constexpr double kFalsePositives = 0.05;
-constexpr const char* kMainProgram = "besr";  // of bats without a program, too
+constexpr const char* kMainProgram = "besr";  // bats without a stated program count as its bats
 
 ClassPoints points_of(const Study& study, StudyQuantity x, StudyQuantity y, const std::vector<std::size_t>& members) {
   ClassPoints points;
@@ -47,7 +47,8 @@ void fit_figure(const Study& study, StudyFigure& figure) {
   }
 }
 
-// Whether a program counts: as asked for, else the main one.
+// The programs, each with its number of bats and whether it counts: the programs of the options. Without any, only the
+// main program counts: "besr" if it has bats, else the program with the most bats.
 std::vector<StudyProgram> programs_of(const Study& study, const StudyOptions& options) {
   std::map<std::string, std::size_t> bats_of;
   for (std::size_t b = 0; b < study.bats.size(); ++b) bats_of[program_of(study.bats[b])] += study.repeated[b] ? 0U : 1U;

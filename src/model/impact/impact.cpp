@@ -79,8 +79,9 @@ void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool serie
   }
 }
 
-// Follows the ball from the first separation to its last contact with step_s. Then computes all contacts, the first
-// included, with half the step. The result is the second motion; the difference of the two gives the uncertainty.
+// With step_s, follows the ball from the first separation to the end of its last contact. Then computes all contacts
+// again, the first included, with half the step. The second motion is the result; the difference between the two gives
+// the uncertainty.
 void follow_contacts(BallOnBeam& system, const Impact& impact, ImpactMethod method, double step_s,
                      const BallOnBeamState& separated, ImpactResult& result) {
   const ContactChain coarse = contact_chain(system, impact, method, step_s, separated, result.contact_s);

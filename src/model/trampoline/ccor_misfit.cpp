@@ -99,7 +99,7 @@ std::optional<std::array<double, 2>> CcorMisfit::range_within_std(const Exponent
         return cor(e, m.speed_mps) - target;
       };
     };
-    // The COR rises with b and falls with a, both monotonously: each limit is a single root, or lies outside.
+    // The COR rises with b and falls with a, both monotonically: each limit is a single root, or lies outside.
     const bool rises = misfit_of(0)(end) > misfit_of(0)(start);
     const auto limit = [&](double target) {
       const auto misfit = misfit_of(target);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMaxExponentStd = 100;  // a larger one comes from rounding: the exponent is not determined
 constexpr double kContourRise = 1;       // of chi2 above its minimum, for 68 %
-constexpr int kContourSteps = 8;         // over half the contour: its extremes are met to 2 % of their distance
+constexpr int kContourSteps = 8;  // along the contour: its points miss an extreme by at most 2 % of half its width
 constexpr const char* kMeasuredCcor = "the measured CCOR";
 
 // The minimum of chi2, and the pairs around it.
@@ -38,7 +38,7 @@ class PairSearch {
     const double bottom = along == 0 ? std::max(0.0, both_free() ? 0.0 : best_[1] - 1 + kStartMargin) : 0;
     const double low = end_of_contour(along, bottom), high = end_of_contour(along, top);
     std::vector<Exponents> out;
-    // Ends that meet the search's limits have a width, too.
+    // Where a limit of the search cuts the contour off, the contour still has a width in b: the ends are included.
     for (int i = 0; i <= kContourSteps; ++i) {
       const double part = 0.5 - 0.5 * std::cos(std::numbers::pi * i / kContourSteps);
       if (!both_free() && i != 0 && i != kContourSteps) continue;

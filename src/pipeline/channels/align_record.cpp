@@ -12,7 +12,7 @@ namespace percuss::pipeline {
 namespace {
 
 // Taps on either side. The window's transition is 8/(2 kHalfTaps) = 0.1 of the sampling rate wide, with its middle at
-// 0.5. The filter is therefore exact up to 0.44.
+// 0.5, so it begins at 0.45. The stated limit of 0.44 leaves a margin.
 constexpr std::ptrdiff_t kHalfTaps = 40;
 
 // Window of Nuttall with four terms: side lobes at −98 dB. u: −1 … 1.

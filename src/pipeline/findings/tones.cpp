@@ -76,8 +76,8 @@ double power_to_noise(std::span<const ToneSignal> signals, const std::vector<dou
   return power(turns) / (0.5 * (power(turns - beside) + power(turns + beside)));
 }
 
-// The fundamental of the mains, in turns per sample, from all tones that are its harmonics, weighted by the variances
-// of their frequencies. Nothing without a tone at the fundamental.
+// The fundamental of the mains, in turns per sample, from all tones that are its harmonics, each weighted by the
+// inverse variance of its frequency. Nothing without a tone at the fundamental.
 std::optional<double> mains_of(const std::vector<Tone>& tones, std::span<const ToneSignal> signals,
                                const std::vector<double>& window, double fs_Hz) {
   const double line = 1 / static_cast<double>(window.size());

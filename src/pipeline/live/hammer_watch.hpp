@@ -8,7 +8,8 @@
 
 namespace percuss::pipeline {
 
-/// Watches a response between blows: where it is struck and the force stays at rest, the hammer is silent.
+/// Watches a response between blows. If the structure is struck while the force stays at rest, the hammer's channel is
+/// silent.
 class HammerWatch {
  public:
   /// `level`: motion that only a blow causes, in the unit of the response; default: above its noise.
@@ -16,7 +17,8 @@ class HammerWatch {
 
   /// Samples of the response that begin at this frame. After a gap, the search begins anew.
   void add(std::uint64_t first_frame, std::span<const double> response);
-  /// Whether a response began half a second or more before this frame, up to which the force shows no blow.
+  /// Whether a motion of the response began more than half a second before the frame `force_searched_to`. The caller
+  /// states that the force shows no blow up to this frame.
   bool is_silent(std::uint64_t force_searched_to) const;
 
  private:

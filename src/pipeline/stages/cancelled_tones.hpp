@@ -11,12 +11,12 @@ namespace percuss::pipeline {
 /// Whether the channels of the test can cancel a tone that wanders: several channels of one point, and three hits.
 bool can_cancel_tones(const identify::FrfDataset& set, const identify::HitFrfs& hits);
 
-/// Those of the frequencies at which the force does not explain the responses: tones that wander too much to be found
-/// in time. None where the channels cannot cancel tones.
+/// The tones among these frequencies: the force does not explain the responses there. Such a tone wanders too much to
+/// be found in the time signals. None where the channels cannot cancel tones.
 std::vector<Tone> tones_at(const std::vector<double>& freq_Hz, const identify::FrfDataset& set,
                            const identify::HitFrfs& hits);
 
-/// Fits the modes near each tone that wanders again, in the combinations of the channels in which the tone cancels, and
+/// Refits the modes near each wandering tone, in the combinations of the channels in which the tone cancels, and
 /// adds modes that the tone hides. No sinusoid removes such a tone, but it reaches the channels in one ratio, whatever
 /// its phase. A mode takes the values of a combination where they have the smaller standard deviation. A mode that is
 /// added must follow the force from hit to hit. Changes nothing where the channels cannot cancel tones. `modes` belong

@@ -48,6 +48,26 @@ std::vector<identify::ModeClassification> classify_modes(const std::vector<ident
   return identify::classify(modes, sensors, overlays_dB, options);
 }
 
+std::vector<identify::ModeClassification> classifications_of_part(
+    const std::vector<identify::ModeClassification>& classifications, const std::vector<identify::Mode>& all,
+    const std::vector<identify::Mode>& part) {
+  const auto place_in = [](const std::vector<identify::Mode>& modes, const identify::Mode& mode) {
+    return static_cast<std::size_t>(
+        std::find_if(modes.begin(), modes.end(), [&](const auto& one) { return one.pole == mode.pole; }) -
+        modes.begin());
+  };
+  std::vector<identify::ModeClassification> out;
+  out.reserve(part.size());
+  for (const identify::Mode& mode : part) {
+    out.push_back(classifications[place_in(all, mode)]);
+    auto& split = out.back().split_mode;
+    if (!split) continue;
+    split->partner = place_in(part, all[split->partner]);
+    if (split->partner == part.size()) split.reset();
+  }
+  return out;
+}
+
 identify::Stabilisation stabilisation_in_band(const identify::FrfDataset& set, std::pair<double, double> band_Hz) {
   identify::Stabilisation diagram = identify::stabilise(set);
   std::tie(diagram.low_Hz, diagram.high_Hz) = band_Hz;

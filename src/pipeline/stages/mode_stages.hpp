@@ -24,6 +24,12 @@ std::vector<identify::ModeClassification> classify_modes(const std::vector<ident
                                                          const std::vector<acquire::SignalInfo>& accel,
                                                          const identify::ClassifyOptions& options);
 
+/// The classifications of `part`, some of the modes `all`, which are all classified together. A split mode whose second
+/// peak is not in the part is none.
+std::vector<identify::ModeClassification> classifications_of_part(
+    const std::vector<identify::ModeClassification>& classifications, const std::vector<identify::Mode>& all,
+    const std::vector<identify::Mode>& part);
+
 /// The stabilisation diagram of `set` with the poles within the band.
 identify::Stabilisation stabilisation_in_band(const identify::FrfDataset& set, std::pair<double, double> band_Hz);
 

@@ -1,15 +1,18 @@
 #include "pipeline/stages/stated_noise.hpp"
 
+#include <Eigen/Core>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "core/units.hpp"
 #include "identify/model/frf_synthesis.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
 constexpr double kNoiseReach = 2;           // half-power bandwidths on each side of a mode
-constexpr std::size_t kMinNoiseReach = 32;  // lines on each side: their mean square is known to 12 %
+constexpr std::size_t kMinNoiseReach = 100;  // lines on each side, over which the joint fit takes the noise
 constexpr double kMinVariance = 1e-300;
 
 struct NoiseWindow {
@@ -23,12 +26,34 @@ NoiseWindow noise_window_around(const identify::Mode& mode, const acquire::LineR
   return {.first = middle - std::min(middle, reach), .end = std::min(lines.count, middle + reach + 1)};
 }
 
-// The harmonic mean of the stated variance, since quiet lines tell most; 0 where none is stated.
-double stated_variance(const std::vector<double>& std, std::size_t offset, const NoiseWindow& window) {
+// [lines of the window] how far each line moves the pole: |∂H/∂λ|² without its part that the residue and a constant
+// absorb. The sum is 1.
+Eigen::VectorXd influence_of_lines(const identify::Pole& pole, const acquire::LineRange& lines, double decay_per_s,
+                                   const NoiseWindow& window) {
+  const double omega = kTwoPi * pole.freq_Hz;
+  const Complex lambda = omega * Complex(-pole.damping_ratio, std::sqrt(1 - pole.damping_ratio * pole.damping_ratio));
+  const auto count = static_cast<Eigen::Index>(window.end - window.first);
+  Eigen::MatrixXcd absorbed(count, 2);
+  Eigen::VectorXcd change(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Complex s(decay_per_s, kTwoPi * lines.freq_Hz(window.first + static_cast<std::size_t>(k)));
+    const Complex column = s * s / ((s - lambda) * omega);
+    absorbed(k, 0) = column;
+    absorbed(k, 1) = 1;
+    change(k) = column * omega / (s - lambda);
+  }
+  change -= absorbed * absorbed.colPivHouseholderQr().solve(change);
+  const Eigen::VectorXd influence = change.cwiseAbs2();
+  return influence / std::max(influence.sum(), kMinVariance);
+}
+
+// The stated variance of the lines that move the pole; 0 where none is stated.
+double stated_variance(const std::vector<double>& std, std::size_t offset, const NoiseWindow& window,
+                       const Eigen::VectorXd& influence) {
   double sum = 0;
   for (std::size_t k = window.first; k < window.end && !std.empty(); ++k)
-    sum += 1 / std::max(kMinVariance, std[offset + k] * std[offset + k]);
-  return sum > 0 ? static_cast<double>(window.end - window.first) / sum : 0;
+    sum += influence(static_cast<Eigen::Index>(k - window.first)) * std[offset + k] * std[offset + k];
+  return sum;
 }
 
 // The mean square of the residual, from which the fit takes the noise.
@@ -48,17 +73,20 @@ void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfD
   const std::size_t offset = set.lines.first - given.lines.first;
   for (identify::Mode& mode : modes) {
     const NoiseWindow window = noise_window_around(mode, set.lines);
-    double by_fit = 0, by_stated = 0;  // information about the pole
+    const Eigen::VectorXd influence = influence_of_lines(mode.pole, set.lines, set.window_decay_per_s(), window);
+    // The weights of the FRFs in the fit come from the residual. They stay, whatever is stated.
+    double weights = 0, variance_of_pole = 0;
     for (std::size_t o = 0; o < mode.residues.size(); ++o) {
       identify::Residue& residue = mode.residues[o];
       const double fitted = residual_variance(set.channels[o].frf, fits[o].value, window);
-      const double variance = std::max(fitted, stated_variance(given.frfs[o].frf.std, offset, window));
-      by_fit += std::norm(residue.value) / fitted;
-      by_stated += std::norm(residue.value) / variance;
+      const double variance = std::max(fitted, stated_variance(given.frfs[o].frf.std, offset, window, influence));
+      const double weight = std::norm(residue.value) / fitted;
+      weights += weight;
+      variance_of_pole += weight * variance / fitted;
       residue.std *= std::sqrt(variance / fitted);
     }
-    if (!(by_stated > 0)) continue;
-    const double ratio = std::sqrt(by_fit / by_stated);
+    if (!(weights > 0)) continue;
+    const double ratio = std::sqrt(variance_of_pole / weights);
     if (!(ratio > 1)) continue;
     mode.freq_std_parts_Hz.noise *= ratio;
     mode.damping_std_parts.noise *= ratio;

@@ -31,17 +31,19 @@ std::string frf_section(const std::string& summary) {
 std::string fit_section(const PageWarnings& warnings) {
   return page_section(
       "fit", "Fit of the modes",
-      page_paragraph("Each measured FRF against the FRF synthesised from the modes. Triangles: peaks that no mode "
+      page_paragraph("Measured FRFs against the FRFs synthesised from the modes. Triangles: peaks that no mode "
                      "explains, with their level below the largest peak.") +
           page_panel("fit", "Measured and synthesised frequency response of one point and channel.") +
           warnings.beside(PagePart::fit));
 }
 
-std::string indicator_section() {
+std::string indicator_section(const pipeline::Analysis& analysis) {
+  const bool several = analysis.record().accel.size() > 1 && analysis.points().size() > 1;
   return page_section(
       "indicator", "Mode indicators",
-      page_paragraph("Singular values of the FRFs (CMIF): if the second peaks with the first, two modes "
-                     "share a frequency. Below, the mode indicator function (MIF): it falls towards 0 "
+      page_paragraph(std::string("Singular values of the FRFs (CMIF)") +
+                     (several ? ": if the second peaks with the first, two modes share a frequency." : ".") +
+                     " Below, the mode indicator function (MIF): it falls towards 0 "
                      "where a mode dominates.") +
           page_plot("indicator", "Singular values of the FRFs in decibels over frequency.") +
           page_plot("mif", "Mode indicator function over frequency, 0 to 1."));
@@ -83,7 +85,7 @@ std::set<PagePart> parts_of_hits() {
 
 std::string quoted_modes_key(const std::vector<identify::ModeClassification>& classifications) {
   if (std::all_of(classifications.begin(), classifications.end(), is_quoted)) return "";
-  return page_paragraph("Values struck through belong to the peak of a split mode that is not quoted.");
+  return page_paragraph("Values struck through belong to the peak of a split mode that does not stand for the mode.");
 }
 
 namespace {
@@ -152,7 +154,7 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
   if (fitted) {
     body += page_section("movement", "Cross-section of the barrel",
                          page_plot("movement", "Cross-section of the barrel in each mode."));
-    body += indicator_section() + stabilisation_section(warnings);
+    body += indicator_section(analysis) + stabilisation_section(warnings);
   }
   body += method_section(analysis, {.modes = modes, .deflection = options.deflection});
   body += page_section("provenance", "Provenance", page_provenance(analysis.record().files, provenance)) + "</main>\n";

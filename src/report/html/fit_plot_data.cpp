@@ -116,6 +116,16 @@ std::vector<std::size_t> drawn_lines(const acquire::LineRange& band, const std::
     lines.push_back(k);
     next = std::max(next, sum) + all / static_cast<double>(limit);
   }
+  // The tops of the resonances, whatever the density.
+  const std::size_t beside = 6 * modes.size() <= limit ? 1 : 0;
+  const auto add_top = [&](double freq_Hz, std::size_t around) {
+    const std::size_t at = band.nearest(freq_Hz) - band.first;
+    for (std::size_t k = at - std::min(at, around); k <= std::min(at + around, band.count - 1); ++k) lines.push_back(k);
+  };
+  for (const identify::Mode& mode : modes) add_top(mode.pole.freq_Hz, beside);
+  for (const identify::UnmodelledPeak& peak : peaks) add_top(peak.freq_Hz, 0);
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   return lines;
 }
 
@@ -151,9 +161,10 @@ Json fit_plot_json(const pipeline::Analysis& analysis, const pipeline::Survey* s
     lines = drawn_lines(band, modes, peaks, limit);
     bits = packed(lines);
   }
-  Json json{{"first_hz", band.freq_Hz(0)},  {"df_hz", band.df_Hz()},     {"count", lines.size()},
-            {"lines", packed_lines(lines)}, {"channels", Json::array()}, {"points", points},
-            {"frfs", Json::array()},        {"peaks", Json::array()}};
+  Json json{
+      {"first_hz", band.freq_Hz(0)},  {"df_hz", band.df_Hz()},     {"count", lines.size()}, {"of", band.count},
+      {"lines", packed_lines(lines)}, {"channels", Json::array()}, {"points", points},      {"frfs", Json::array()},
+      {"peaks", Json::array()}};
   for (const acquire::SignalInfo& signal : analysis.record().accel) json["channels"].push_back(channel_title(signal));
   if (survey != nullptr) json["places"] = places_json(*survey, points);
   for (std::size_t o = 0; o < set.channels.size(); ++o) {

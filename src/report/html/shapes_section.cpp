@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "report/html/mac_table.hpp"
 #include "report/html/page_elements.hpp"
@@ -72,13 +73,30 @@ MacMatrix auto_mac(const pipeline::Survey& survey) {
   return out;
 }
 
+// The points of the geometry that have no shape, because they were not measured.
+std::string unmeasured_points(const pipeline::Survey& survey) {
+  constexpr std::size_t kMaxListed = 12;
+  if (!survey.geometry()) return "";
+  const std::set<int> measured = survey.analysis().points();
+  std::string list;
+  std::size_t count = 0;
+  for (const acquire::GeometryPoint& one : survey.geometry()->points) {
+    if (measured.contains(one.point) || ++count > kMaxListed) continue;
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", one.point);
+  }
+  if (count == 0) return "";
+  const std::string more = count > kMaxListed ? fmt::format(" and {} more", count - kMaxListed) : "";
+  return page_paragraph(fmt::format("Not measured, and therefore not drawn: {} {}{} of the geometry.",
+                                    count == 1 ? "point" : "points", list, more));
+}
+
 }  // namespace
 
 std::string shapes_section(const pipeline::Survey& survey, const std::string& warnings) {
   return page_section("shapes", "Mode shapes",
                       "<figure class=\"picture\" data-plot=\"shapes\" role=\"group\" aria-label=\"Animated mode shapes "
                       "of the structure.\"></figure>\n" +
-                          mac_table_html(auto_mac(survey)) + warnings);
+                          unmeasured_points(survey) + mac_table_html(auto_mac(survey)) + warnings);
 }
 
 std::string shapes_plot_data(const pipeline::Survey& survey) {

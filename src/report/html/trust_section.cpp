@@ -143,7 +143,10 @@ PagePart part_of(const std::string& code) {
 
 PageWarnings::PageWarnings(const std::vector<pipeline::Warning>& warnings,
                            const std::vector<pipeline::AnalysedHit>& hits, std::set<PagePart> shown)
-    : statements_(pipeline::trust_statements(warnings, hits)), shown_(std::move(shown)) {}
+    : statements_(pipeline::trust_statements(warnings, hits)),
+      no_hit_is_used_(!hits.empty() &&
+                      std::none_of(hits.begin(), hits.end(), [](const auto& hit) { return hit.accepted; })),
+      shown_(std::move(shown)) {}
 
 std::vector<pipeline::Warning> PageWarnings::of(PagePart part) const {
   std::vector<pipeline::Warning> out;
@@ -163,7 +166,9 @@ std::string PageWarnings::section() const {
     if (const std::size_t count = part == PagePart::whole ? 0 : of(part).size(); count > 0)
       elsewhere += fmt::format("{}{} ({})", elsewhere.empty() ? "" : ", ", name_of_part(part), count);
   }
-  if (statements_.empty()) {
+  if (no_hit_is_used_ && content.empty()) {
+    content = page_paragraph("No hit is used, so there are no results to trust.");
+  } else if (statements_.empty()) {
     content = page_paragraph("Nothing was found that puts the results or their ± in doubt.");
   } else if (content.empty()) {
     content = page_paragraph("Nothing was found that makes the results wrong.");

@@ -31,6 +31,7 @@ class PageWarnings {
   std::vector<pipeline::Warning> of(PagePart part) const;
 
   std::vector<pipeline::Warning> statements_;
+  bool no_hit_is_used_;
   std::set<PagePart> shown_;
 };
 

@@ -6,8 +6,8 @@
 
 namespace percuss::report {
 
-/// Deflection over time. Several struck points: one hit of each point, the one nearest to the mean of its repeats, for
-/// up to two dozen points and channels together. One point: the dozen hits with the largest peaks.
+/// Deflection over time. Several struck points: a curve for each point and channel, up to 24 curves, from the hit whose
+/// peak is nearest to the mean of the point's hits. One point: the 12 curves (hit and channel) with the largest peaks.
 LineChart deflection_chart(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test);
 
 /// Mean largest deflection of each point over its position, with a band of one standard deviation; none if fewer than

@@ -117,7 +117,7 @@ std::string note_of(const pipeline::Analysis& analysis, std::size_t m) {
   if (const auto& split = classification.split_mode) {
     add(split->first ? fmt::format("split mode, {} Hz apart", significant(split->separation_Hz, 3))
                      : "second peak of the split mode");
-    if (split->quoted) note += ": this peak is quoted";
+    if (split->quoted) note += ": its frequency stands for the mode";
   }
   if (classification.alternative) add(fmt::format("could be {}", name_of(*classification.alternative)));
   const std::string source = source_of_std(analysis.modes()[m]);

@@ -22,7 +22,7 @@ TextTable modes_table(const pipeline::Analysis& analysis, bool classes);
 /// The conditions of the test: "25.6 kHz · 5 hits × 2 accelerometers (0°, 90°) · band 60–3200 Hz"
 std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits);
 
-/// Whether the values of this mode are quoted: false only for the peak of a split mode that is not quoted.
+/// False for the peak of a split mode that does not stand for the mode (SplitMode::quoted), true for every other peak.
 bool is_quoted(const identify::ModeClassification& classification);
 
 /// "hoop 1"; "bending" or "unknown" without an order.

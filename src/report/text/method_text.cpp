@@ -29,8 +29,19 @@ std::string reason_of(const pipeline::AnalysedHit& hit) {
   return "its point has better hits";
 }
 
+// The part of the record in which the user let hits be sought, and the length of a hit.
+void add_selection(const acquire::HitOptions& options, Sentences& out) {
+  if (options.from_s > 0 || options.to_s) {
+    out.push_back(fmt::format("The user chose the samples from {:.6g} s{}; hits elsewhere were left out.",
+                              options.from_s, options.to_s ? fmt::format(" to {:.6g} s", *options.to_s) : " on"));
+  }
+  if (options.length_s)
+    out.push_back(fmt::format("The user set the length of each hit to {:.6g} s.", *options.length_s));
+}
+
 void add_hits(const pipeline::Analysis& analysis, Sentences& out) {
   const auto& hits = analysis.hits();
+  add_selection(analysis.options().hits, out);
   const std::size_t used = pipeline::accepted_hits(hits).size();
   out.push_back(fmt::format("{} found where the force leaves its rest (1.1), (1.2); {} used.",
                             hits.size() == 1 ? "1 hit was" : fmt::format("{} hits were", hits.size()),
@@ -92,13 +103,23 @@ void add_frfs(const pipeline::Analysis& analysis, Sentences& out) {
     return;
   }
   const frf::Estimator estimator = analysis.options().estimator;
+  const auto& frfs = analysis.frfs();
+  const bool averaged = std::any_of(frfs.begin(), frfs.end(), [](const auto& one) { return one.frf.averages > 1; });
   out.push_back(
-      fmt::format("FRFs were averaged over the used hits of each point by the estimator {} ({}), with coherence "
-                  "(2.7) and standard deviation (2.8); their lines are {} Hz apart.",
-                  name_of(estimator), equation_of(estimator), significant(lines.df_Hz(), 4)));
+      fmt::format("{} by the estimator {} ({}){}; their lines are {} Hz apart.",
+                  averaged ? "FRFs were averaged over the used hits of each point"
+                           : "FRFs were computed from one hit of each point",
+                  name_of(estimator), equation_of(estimator),
+                  averaged ? ", with coherence (2.7) and standard deviation (2.8)"
+                           : "; without a second hit, they have no coherence, and no scatter between hits enters the ±",
+                  significant(lines.df_Hz(), 4)));
 }
 
-const char* effort_sentence(identify::Effort effort) {
+const char* effort_sentence(identify::Effort effort, bool all_local) {
+  if (effort == identify::Effort::best && all_local) {
+    return "A fit of all modes together to all lines of all FRFs was tried (effort best; (4.8) to (4.10)); every mode "
+           "keeps the fit over its own spectral lines ((4.2), (4.14)), which leaves less residual.";
+  }
   switch (effort) {
     case identify::Effort::quick:
       return "Each peak was fitted over its own spectral lines (effort quick; (4.2), (4.14)).";
@@ -119,7 +140,7 @@ void add_exceptions(const std::vector<identify::Mode>& modes, Sentences& out) {
   };
   const std::size_t local = count([](const identify::Mode& mode) { return mode.joint_misfit > 0; });
   const std::size_t moving = count([](const identify::Mode& mode) { return mode.freq_scatter_Hz > 0; });
-  if (local > 0) {
+  if (local > 0 && local < modes.size()) {
     out.push_back(
         fmt::format("However, {} of {} keep{} the fit over {} own spectral lines ((4.2), (4.14)), which leaves less "
                     "residual than the joint fit.",
@@ -189,7 +210,10 @@ void add_modes(const pipeline::Analysis& analysis, Sentences& out, bool shapes_d
                             options.band_Hz ? "" : ", the band that the hammer excited (1.5)"));
   if (analysis.given_frfs() != nullptr)
     out.back() = fmt::format("Modes were sought from {} to {} Hz.", hertz_text(low_Hz), hertz_text(high_Hz));
-  out.emplace_back(effort_sentence(options.modes.effort));
+  const bool all_local =
+      !analysis.modes().empty() && std::all_of(analysis.modes().begin(), analysis.modes().end(),
+                                               [](const identify::Mode& mode) { return mode.joint_misfit > 0; });
+  out.emplace_back(effort_sentence(options.modes.effort, all_local));
   if (options.modes.modes)
     out.push_back(fmt::format("The user limited the modes to the {} clearest.", *options.modes.modes));
   if (!options.modes.start_Hz.empty()) {

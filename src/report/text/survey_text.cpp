@@ -15,7 +15,7 @@
 namespace percuss::report {
 namespace {
 
-constexpr double kMinMac = 0.2;  // between two modes; lower values are not reported
+constexpr double kMinMac = 0.2;  // between two modes; pairs with lower values are not listed, only their largest
 
 std::string plane_cell(const std::optional<identify::TubeShape>& tube) {
   if (!tube || !tube->plane_rad) return "–";
@@ -26,7 +26,7 @@ std::string note_cell(const identify::ModeClassification& classification) {
   std::string note;
   if (classification.split_mode) {
     note = fmt::format("split mode, {:.3g} Hz apart{}", classification.split_mode->separation_Hz,
-                       classification.split_mode->quoted ? ": this peak is quoted" : "");
+                       classification.split_mode->quoted ? ": its frequency stands for the mode" : "");
   }
   if (classification.alternative)
     note += fmt::format("{}could be {}", note.empty() ? "" : "; ", name_of(*classification.alternative));
@@ -86,7 +86,7 @@ std::string scale_text(const pipeline::Survey& survey) {
   const auto unit = std::count_if(shapes.begin(), shapes.end(), [](const identify::ModeShape& s) {
     return s.normalisation == identify::Normalisation::unit_modal_mass;
   });
-  if (unit == 0) return "shapes: scaled to 1 at their largest component, because no driving point was measured\n";
+  if (unit == 0) return "shapes: scaled to 1 at their largest component, because no driving point is known\n";
   std::string points;
   const auto& names = survey.analysis().record().accel;
   for (const identify::DrivingPoint& at : survey.driving_points())

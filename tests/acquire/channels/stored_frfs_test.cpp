@@ -42,6 +42,23 @@ TEST(StoredFrfs, TurnsEveryKindIntoAnAccelerance) {
   EXPECT_EQ(line(receptance, 0, 0), Complex(0, 0));
 }
 
+// Accelerance of one mode: its phase falls by π for exp(+jωt).
+TEST(StoredFrfs, TellsFrfsOfTheOtherSignOfTime) {
+  StoredFrfs frfs = stored();
+  std::vector<double> freq_Hz(200);
+  for (std::size_t k = 0; k < freq_Hz.size(); ++k) freq_Hz[k] = static_cast<double>(k);
+  frfs.record.lines = lines_from_frequencies(freq_Hz, "x.csv");
+  for (StoredFrf& frf : frfs.frfs) {
+    frf.value.clear();
+    for (const double f : freq_Hz) frf.value.push_back(-f * f / Complex(100.0 * 100 - f * f, 2 * 0.02 * 100 * f));
+  }
+  EXPECT_THAT(to_accelerances(frfs, {}).notes, IsEmpty());
+  for (StoredFrf& frf : frfs.frfs) {
+    for (Complex& h : frf.value) h = std::conj(h);
+  }
+  EXPECT_THAT(test::texts(to_accelerances(frfs, {}).notes), testing::ElementsAre(HasSubstr("for exp(−jωt)")));
+}
+
 TEST(StoredFrfs, AppliesTheFilesUnitUnlessTheUserNamesOne) {
   const FrfUnit g_per_lbf{.response_to_SI = kStandardGravity_mps2, .force_to_SI = kPoundForce_N};
   EXPECT_EQ(to_accelerances(stored(g_per_lbf), {}).accel[0].to_SI, kStandardGravity_mps2 / kPoundForce_N);

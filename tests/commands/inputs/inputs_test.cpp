@@ -42,6 +42,8 @@ TEST_F(Inputs, MayBeAFolderOrAQuotedPattern) {
       names += std::filesystem::path(input["path"].get<std::string>()).filename().string() + " ";
     EXPECT_EQ(names, "hit1.h5 hit2.h5 hit10.h5 ") << words.front();
   }
+  const auto folder = run_percuss({"analyze", ".", "--only", "hits"}, {.folder = folder_.path()});
+  EXPECT_THAT(folder.out + folder.err, HasSubstr("left out, because it has no known extension: notes.md"));
   const auto none = run_percuss({"info", "*.uff"}, {.folder = folder_.path()});
   EXPECT_EQ(none.code, 3);
   EXPECT_THAT(none.err, HasSubstr("no file matches the pattern (*.uff)"));

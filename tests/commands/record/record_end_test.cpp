@@ -97,7 +97,7 @@ TEST(RecordEnd, EndsEarlyWithItsOwnCode) {
   EXPECT_EQ(silent.code, 4);
 }
 
-// Whoever records test after test must not go on with an unplugged device.
+// The exit code tells a script that records one test after another that the device is unplugged.
 TEST(RecordEnd, EndsEarlyBeforeTheFirstBlow) {
   const Bench bench;
   const auto unplugged = bench.record("sim:aluminium-bat,unplug=0.5", {"--report", "r.html"});

@@ -7,8 +7,10 @@ namespace percuss::significance_test {
 TEST(StudentQuantile, AgreesWithTables) {
   EXPECT_NEAR(student_quantile(1.959964, 1), 12.7062, 1e-3);
   EXPECT_NEAR(student_quantile(1.959964, 2), 4.3027, 1e-3);
-  EXPECT_NEAR(student_quantile(1.959964, 4), 2.7764, 0.01);
-  EXPECT_NEAR(student_quantile(2.575829, 3), 5.8409, 0.06);
+  EXPECT_NEAR(student_quantile(1.959964, 4), 2.7764, 1e-3);
+  EXPECT_NEAR(student_quantile(2.575829, 3), 5.8409, 1e-3);
+  EXPECT_NEAR(student_quantile(-1.959964, 2), -4.3027, 1e-3);
+  EXPECT_GT(student_quantile(1.959964, 1.5), student_quantile(1.959964, 1.6));  // between whole numbers, too
   EXPECT_NEAR(student_quantile(1.959964, 1e6), 1.959964, 1e-4);
 }
 

@@ -193,6 +193,8 @@ TEST(PairOfSensors, TakesTheTwoNearestToARightAngle) {
 TEST(PairOfSensors, NeedsTwoAngles) {
   EXPECT_FALSE(pair_of_sensors({}));
   EXPECT_FALSE(pair_of_sensors({0.0, std::nullopt}));
+  EXPECT_FALSE(pair_of_sensors({0.0, 0.0, 360 * kDegree}));  // alike for bending and hoop modes
+  EXPECT_TRUE(pair_of_sensors({0.0, 180 * kDegree}));
 }
 
 }  // namespace percuss::identify::classify_test

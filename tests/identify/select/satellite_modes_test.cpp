@@ -27,7 +27,7 @@ TEST(SatelliteModes, StayWhereTheFrfsShowThem) {
     FittedMode tiny = found[1];
     tiny.mode.pole = satellite;
     for (Residue& residue : tiny.mode.residues) residue.value *= 0.01;
-    if (real) {  // the windows' fits as they are with it
+    if (real) {  // a local fit that includes the satellite leaves only noise
       for (FittedMode& mode : found) mode.noise.setConstant(1e-6);
     }
     found.insert(found.begin() + 2, tiny);

@@ -47,7 +47,7 @@ std::size_t blows_of_next_result(QualityWorker& worker) {
   return 0;
 }
 
-// Blows that come faster than the fits end do not hide the results of all but the last.
+// Blows may come faster than fits end. Each finished result is shown all the same, not only the last one.
 TEST(QualityWorker, ShowsResultsWhileNewerBlowsWait) {
   Gate first, second;
   QualityWorker worker({});

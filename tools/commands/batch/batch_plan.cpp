@@ -84,12 +84,12 @@ int plan(PlanFlags& flags) {
   progress.stop();
   std::uint64_t bytes = 0;
   for (const batch::BatchRecord& record : records) bytes += record.bytes;
-  if (files.left_out > 0 && !flags.output.quiet) {
-    const std::string skipped = files.left_out == 1 ? "1 file" : fmt::format("{} files", files.left_out);
+  if (!files.left_out.empty() && !flags.output.quiet) {
+    const std::string skipped = files.left_out.size() == 1 ? "1 file" : fmt::format("{} files", files.left_out.size());
     std::cerr << "percuss: skipped " << skipped << " of other kinds\n";
   }
   if (flags.output.json) {
-    std::cout << summary_json(head, records.size(), bytes, files.left_out);
+    std::cout << summary_json(head, records.size(), bytes, files.left_out.size());
   } else {
     std::cout << fmt::format("{}: {} {}, {:.4g} MB, in {} {}\n", one_line(path), records.size(),
                              records.size() == 1 ? "record" : "records", static_cast<double>(bytes) / 1e6, flags.shards,

@@ -97,11 +97,11 @@ RecordSamples samples_of(const acquire::Record& record) {
       out.channels[first_accel + c].samples = summary_of(
           all_samples(record, [&](std::size_t row, std::span<double> to) { record.read_accel_mps2(row, c, 0, to); }));
     }
+    find_hammers(record, out.channels);
     if (record.has_force && !out.partial) out.hits = pulses_in(record);
   } catch (const InputError& error) {
     out.problem = error;
   }
-  find_hammers(record, out.channels);
   return out;
 }
 

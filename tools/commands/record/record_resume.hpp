@@ -10,7 +10,7 @@
 
 namespace percuss::tools {
 
-/// A session that was interrupted. Without a journal: none.
+/// An interrupted session. `journal` is null if no session is resumed.
 struct Interrupted {
   std::unique_ptr<acquire::JournalReader> journal;
   std::vector<pipeline::SessionEvent> events;

@@ -22,11 +22,6 @@ bool is_own_description(const std::string& name) {
   return is_one_of(lower_case(field_name(name)), kNames);
 }
 
-bool is_other_spectrum(const std::string& name) {
-  constexpr std::array<std::string_view, 7> kWords{"spec", "psd", "csd", "coh", "auto", "cross", "corr"};
-  return has_one_of(name, kWords);
-}
-
 bool may_be_signal(const MatVariable& variable) {
   return !variable.is_text && !variable.is_abscissa && variable.size() > 1 && !is_own_description(variable.name);
 }

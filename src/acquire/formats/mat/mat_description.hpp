@@ -22,9 +22,6 @@ std::size_t stated_hits(const MatFile& file);
 /// Whether percuss's own layout uses the name for something else than a signal.
 bool is_own_description(const std::string& name);
 
-/// Whether the name, in lower case, stands for a spectrum or correlation other than an FRF.
-bool is_other_spectrum(const std::string& name);
-
 /// Whether the variable may hold a signal: numbers that percuss's own layout does not use to describe signals.
 bool may_be_signal(const MatVariable& variable);
 

@@ -36,8 +36,8 @@ class MatFlattener {
   void add_numbers(const std::string& name, const matvar_t* variable);
   void add_text(const std::string& name, const matvar_t* variable);
   void add_structure(const std::string& name, const matvar_t* variable);
-  // Adds one field of several elements: as one matrix if the fields are vectors of equal length and name, else one by
-  // one.
+  // Adds the cells of a cell array, or one field of a structure array: as one matrix with a row per element if all
+  // elements are real arrays of equal size and equal name, else one by one.
   void add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open, char close);
 
   MatFile& out_;

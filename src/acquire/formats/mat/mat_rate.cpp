@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "acquire/channels/axis_unit.hpp"
 #include "acquire/channels/signal_table.hpp"
+#include "acquire/formats/mat/mat_description.hpp"
 #include "acquire/record/sampling_rate.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
@@ -33,16 +35,26 @@ std::optional<double> single_number(const MatVariable& variable) {
   return alike ? std::optional(first) : std::nullopt;
 }
 
-double rate_of_times_Hz(const MatFile& file, const MatVariable& variable) {
+// `named`: the user chose this variable for the times.
+double rate_of_times_Hz(const MatFile& file, const MatVariable& variable, bool named) {
   const std::string where = file.path + ": " + variable.name;
+  const std::optional<double> to_s = s_per_unit(unit_in(file, variable.name));
+  std::vector<double> times_s = variable.real;
+  if (to_s) std::for_each(times_s.begin(), times_s.end(), [&](double& t) { t *= *to_s; });
   double largest = 0;
-  for (const double t_s : variable.real) largest = std::max(largest, std::abs(t_s));
+  for (const double t_s : times_s) largest = std::max(largest, std::abs(t_s));
   // Times may have been stored in single precision.
   const double resolution_s = 2 * largest * kSingleEpsilon;
   StampProblem problem;
-  const std::vector<TimeStamps> rows{{.time_s = variable.real, .resolution_s = resolution_s}};
+  const std::vector<TimeStamps> rows{{.time_s = times_s, .resolution_s = resolution_s}};
   const auto rate = rate_of_time_stamps(rows, problem);
-  if (rate) return rate->fs_Hz;
+  if (rate) {
+    if (!to_s && !named) {
+      require_plausible_times(rate->fs_Hz, one_line(variable.name, 40), file.path,
+                              "state the sampling rate, or store the unit beside the times");
+    }
+    return rate->fs_Hz;
+  }
   throw InputError(problem.text, fmt::format("{}, number {}", where, problem.at + 1), "state the sampling rate",
                    {"fs"});
 }
@@ -97,7 +109,7 @@ std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& option
     if (named->is_text || named->is_complex() || named->size() == 0)
       throw InputError("not a number", where, "name another, or state the rate in Hz", {"fs"});
     const std::optional<double> number = single_number(*named);
-    return checked_rate_Hz(number ? *number : rate_of_times_Hz(file, *named), where);
+    return checked_rate_Hz(number ? *number : rate_of_times_Hz(file, *named, true), where);
   }
   std::optional<double> found_Hz = mat_number(file, {"fs", "fshz", "samplerate", "samplingrate", "samplefrequency",
                                                      "samplingfrequency", "samplefreq", "samplingfreq", "srate"});
@@ -110,7 +122,7 @@ std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& option
   }
   if (found_Hz) return found_Hz;
   for (const MatVariable& variable : file.variables) {
-    if (is_time_vector(variable)) return checked_rate_Hz(rate_of_times_Hz(file, variable), file.path);
+    if (is_time_vector(variable)) return checked_rate_Hz(rate_of_times_Hz(file, variable, false), file.path);
   }
   return std::nullopt;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "acquire/channels/axis_unit.hpp"
+#include "acquire/channels/column_words.hpp"
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/formats/mat/mat_description.hpp"
 #include "acquire/formats/mat/mat_frf_layout.hpp"
@@ -56,15 +58,36 @@ const MatVariable& chosen_frf(const MatFile& file, const std::vector<const MatVa
                   "accel_channel");
 }
 
-std::vector<double> frequencies_in(const MatFile& file) {
-  for (const char* name : {"frequency_hz", "freq_hz", "frequency", "freq", "f", "freqs", "frequencies", "freq_domain",
-                           "f_hz", "freq_vector", "fvec"}) {
+// The vector of frequencies, by its usual names, else the only one that begins with "freq"; nullptr without one.
+const MatVariable* frequency_vector(const MatFile& file) {
+  const auto fits = [](const MatVariable& v) { return is_mat_vector(v) && !v.is_complex() && !v.is_text; };
+  for (const char* name :
+       {"frequency_hz", "freq_hz", "frequency", "freq", "f", "freqs", "frequencies", "f_hz", "fvec"}) {
     for (const MatVariable& variable : file.variables) {
-      if (lower_case(field_name(variable.name)) == name && is_mat_vector(variable) && !variable.is_complex())
-        return variable.real;
+      if (lower_case(field_name(variable.name)) == name && fits(variable)) return &variable;
     }
   }
-  return {};
+  const MatVariable* only = nullptr;
+  for (const MatVariable& variable : file.variables) {
+    if (!lower_case(field_name(variable.name)).starts_with("freq") || !fits(variable)) continue;
+    if (only != nullptr) return nullptr;
+    only = &variable;
+  }
+  return only;
+}
+
+std::vector<double> frequencies_in(const MatFile& file) {
+  const MatVariable* const vector = frequency_vector(file);
+  if (vector == nullptr) return {};
+  const std::string unit = unit_in(file, vector->name);
+  const std::optional<double> to_Hz = Hz_per_unit(unit);
+  if (!to_Hz) {
+    throw InputError(fmt::format("the unit of the frequencies, {}, is not known", one_line(unit, 20)),
+                     file.path + ": " + one_line(vector->name, 40), "give them in Hz, kHz, MHz, rad/s or rpm");
+  }
+  std::vector<double> freq_Hz = vector->real;
+  std::for_each(freq_Hz.begin(), freq_Hz.end(), [&](double& f) { f *= *to_Hz; });
+  return freq_Hz;
 }
 
 LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size_t lines,
@@ -219,7 +242,9 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
         layout.channels == 1 ? "one channel" : fmt::format("{} channels", layout.channels)));
   }
   out.unit = parse_frf_unit(mat_text(file, "unit"));
+  if (!out.unit) out.unit = parse_frf_unit(unit_in(file, frf.name));
   out.kind = parse_frf_kind(mat_text(file, "kind"));
+  if (!out.kind) out.kind = parse_frf_kind(field_name(frf.name));
   out.record.estimator = one_line(mat_text(file, "estimator"), 60);
   read_frfs(file, frf, layout, out);
   return out;

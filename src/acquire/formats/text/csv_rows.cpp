@@ -9,6 +9,7 @@
 #include <set>
 #include <string_view>
 
+#include "acquire/channels/axis_unit.hpp"
 #include "acquire/record/point_number.hpp"
 #include "acquire/record/sampling_rate.hpp"
 #include "core/error.hpp"
@@ -128,18 +129,6 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const StampReader
   return rate_of_time_stamps(stamps, problem);
 }
 
-// Hammer tests are sampled at 200 Hz or more. A time without a unit that gives a lower rate is probably in
-// milliseconds.
-void require_plausible_unit(const CsvColumn& time, const CsvHeader& header, double fs_Hz, const std::string& file) {
-  constexpr double kMinRate_Hz = 200, kMilli = 1000;
-  if (parse_unit(time.unit) || header.fs_Hz || fs_Hz >= kMinRate_Hz) return;
-  throw InputError(
-      fmt::format("the column {} states no unit: its steps give {:.6g} Hz if they are seconds and {:.6g} Hz "
-                  "if they are milliseconds",
-                  time.name, fs_Hz, kMilli * fs_Hz),
-      file + ": time column", "state the sampling rate, or write the unit into the header: Time (ms)", {"fs"});
-}
-
 // The rate from header and time column. Prefers the exact rate of the header if the rounded stamps allow it.
 double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const std::string& stamps,
                       const std::string& file, std::vector<Message>& notes) {
@@ -178,6 +167,26 @@ double clock_rate_Hz(const CsvTable& table, std::size_t index, const std::vector
   if (!stamped && header.fs_Hz) return header_rate_Hz(header, file);
   if (!stamped) refuse_stamps(table, index, rows, problem);
   return agreed_rate_Hz(header, *stamped, "the times of day in column " + std::to_string(index + 1), file, notes);
+}
+
+// Notes that the first and the last time of the first row contradict the stated rate.
+void note_other_times(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows, double fs_Hz,
+                      std::vector<Message>& notes) {
+  constexpr double kSame = 0.01;
+  if (!columns.time || rows.front().info.samples < 2) return;
+  const auto to_s = parse_unit(columns.time->unit);
+  const auto time_at = [&](std::size_t line) {
+    return parse_number(table.cell(columns.time->index, line), table.dialect().decimal_comma);
+  };
+  const auto first = time_at(rows.front().first_line);
+  const auto last = time_at(rows.front().first_line + rows.front().info.samples - 1);
+  if (!to_s || first.problem != NumberProblem::none || last.problem != NumberProblem::none) return;
+  const double length_s = (last.value - first.value) * to_s->to_SI;
+  const double times_Hz = static_cast<double>(rows.front().info.samples - 1) / length_s;
+  if (!(length_s > 0) || std::abs(times_Hz / fs_Hz - 1) <= kSame) return;
+  notes.emplace_back(
+      fmt::format("the column {} gives {:.6g} Hz; the stated rate is used", columns.time->name, times_Hz),
+      std::vector<OptionId>{"fs"});
 }
 
 }  // namespace
@@ -225,7 +234,10 @@ std::optional<std::size_t> clock_column(const CsvTable& table) {
 
 double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,
                         const ReadOptions& options, std::vector<Message>& notes) {
-  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "the rate stated");
+  if (options.fs_Hz) {
+    note_other_times(table, columns, rows, *options.fs_Hz, notes);
+    return checked_rate_Hz(*options.fs_Hz, "the rate stated");
+  }
   const CsvHeader& header = table.header();
   const std::string file = input_name(table.path());
   const auto clock = columns.time ? std::nullopt : clock_column(table);
@@ -240,7 +252,10 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
   // Such a first column is not the time: it is a count of samples or a signal.
   if (guessed && (!stamped || counts)) return header_rate_Hz(header, file);
   if (!stamped) refuse_stamps(table, time.index, rows, problem);
-  if (!guessed) require_plausible_unit(time, header, stamped->fs_Hz, file);
+  if (!guessed && !parse_unit(time.unit) && !header.fs_Hz) {
+    require_plausible_times(stamped->fs_Hz, "the column " + time.name, file + ": time column",
+                            "state the sampling rate, or write the unit into the header: Time (ms)");
+  }
   if (guessed)
     notes.emplace_back(fmt::format("the first column ({}) rises evenly and is taken as time in s", time.name));
   return checked_rate_Hz(agreed_rate_Hz(header, *stamped, "the column " + time.name, file, notes),

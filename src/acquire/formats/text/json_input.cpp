@@ -13,7 +13,7 @@ struct KindOfDocument {
   std::string_view schema, what, remedy;
 };
 
-// By the beginning of the schema's name; longer names before their beginnings.
+// Matched by the beginning of the schema's name. "percuss/model-" stands after the longer names that begin with it.
 constexpr std::array kKinds = {
     KindOfDocument{"percuss/analysis/", "the modes of an analysis",
                    "percuss compare and percuss study read it; give the record that it names in \"inputs\""},
@@ -23,7 +23,7 @@ constexpr std::array kKinds = {
     KindOfDocument{"percuss/nodes/", "the nodes of a scan", "no command reads it; give the record of the scan"},
     KindOfDocument{"percuss/info/", "the description of files", "no command reads it; give a file that it describes"},
     KindOfDocument{"percuss/calibration/", "a calibration",
-                   "no command reads it; give its sensitivity as an option, beside the record"},
+                   "no command reads it; give its force_scale as an option, beside the record"},
     KindOfDocument{"percuss/study/", "the result of a study", "no command reads it; give the record of a test"},
     KindOfDocument{"percuss/model-rigid/", "the result of a model", "no command reads it; give the record of a test"},
     KindOfDocument{"percuss/model-trampoline/", "the result of a model", "percuss study reads it"},

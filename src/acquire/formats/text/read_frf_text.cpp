@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
+#include "acquire/channels/axis_unit.hpp"
+#include "acquire/channels/column_words.hpp"
 #include "acquire/formats/text/csv_layout.hpp"
 #include "acquire/formats/text/csv_table.hpp"
 #include "acquire/record/point_number.hpp"
@@ -54,6 +57,21 @@ Part part_of(const std::vector<std::string>& words) {
   return Part::none;
 }
 
+// [columns] what each column holds of an FRF. A column of numbers before a phase is its magnitude, whatever its name
+// ("Hz, H1, phase"), unless it names another spectrum.
+std::vector<Part> parts_of(const CsvHeader& header) {
+  std::vector<Part> parts;
+  for (const CsvColumn& column : header.columns) {
+    const Part part = column.index == 0 || !column.has_numbers ? Part::none : part_of(words_of(column.name));
+    const bool after_none = part == Part::phase && parts.size() > 1 && parts.back() == Part::none;
+    if (after_none && header.columns[parts.size() - 1].has_numbers &&
+        !is_other_spectrum(lower_case(header.columns[parts.size() - 1].name)))
+      parts.back() = Part::magnitude;
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 // "p12" → 12
 template <class Number>
 std::optional<Number> numbered(const std::vector<std::string>& words, char letter) {
@@ -72,9 +90,11 @@ std::optional<Number> numbered(const std::vector<std::string>& words, char lette
                    "save frequency, real and imaginary part (or magnitude and phase) of each FRF, in this order");
 }
 
-void begin_frf(std::vector<Columns>& out, const CsvColumn& column, const std::vector<std::string>& words, bool polar) {
+void begin_frf(std::vector<Columns>& out, const CsvColumn& column, bool polar) {
+  const std::vector<std::string> words = words_of(column.name);
   out.push_back({.first = column.index, .polar = polar});
-  out.back().in_dB = polar && lower_case(column.unit) == "db";
+  const bool named_dB = std::find(words.begin(), words.end(), "db") != words.end();
+  out.back().in_dB = polar && (named_dB || lower_case(column.unit).starts_with("db"));
   out.back().point = numbered<int>(words, 'p');
   out.back().channel = numbered<std::size_t>(words, 'c');
 }
@@ -82,14 +102,14 @@ void begin_frf(std::vector<Columns>& out, const CsvColumn& column, const std::ve
 // Pairs the columns by their names; empty when no name is a part of an FRF.
 std::vector<Columns> find_columns(const CsvHeader& header, const std::string& file) {
   std::vector<Columns> out;
-  for (const CsvColumn& column : header.columns) {
-    if (column.index == 0 || !column.has_numbers) continue;
-    const auto words = words_of(column.name);
-    const Part part = part_of(words);
+  const std::vector<Part> parts = parts_of(header);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const CsvColumn& column = header.columns[i];
+    const Part part = parts[i];
     const bool open = !out.empty() && !out.back().paired;
     if (part == Part::real || part == Part::magnitude) {
       if (open) refuse_unpaired(file, column.name);
-      begin_frf(out, column, words, part == Part::magnitude);
+      begin_frf(out, column, part == Part::magnitude);
     } else if (part == Part::imaginary || part == Part::phase) {
       if (!open || out.back().polar != (part == Part::phase)) refuse_unpaired(file, column.name);
       out.back().second = column.index;
@@ -130,13 +150,23 @@ std::string stated_estimator(const std::string& previous, const std::string& wor
   return previous == "h1" ? "H1" : previous == "h2" ? "H2" : previous == "hv" ? "Hv" : "";
 }
 
+// "g/N" of "g/N)", the end of "(dB re 1 g/N)", and of "(dBg/N)".
+std::string without_dB(std::string word) {
+  if (word.ends_with(')') && word.find('(') == std::string::npos) word.pop_back();
+  if (word.ends_with(']') && word.find('[') == std::string::npos) word.pop_back();
+  const std::size_t at = lower_case(word).find("db");
+  if (at > 1) return word;
+  if (at == 1 && word.size() > 3) word.pop_back();  // the closing bracket
+  return word.substr(at + 2);
+}
+
 // Reads unit, kind, estimator, window and the sensors' angles from the cells before the data.
 void read_statements(std::string_view header, StoredFrfs& out) {
   std::string previous;
   std::vector<double> angle_deg;
   while (!header.empty()) {
     const auto end = std::min(header.find_first_of("\t\r\n,;# "), header.size());
-    const std::string word = to_utf8(trimmed(header.substr(0, end)));
+    const std::string word = without_dB(to_utf8(trimmed(header.substr(0, end))));
     header.remove_prefix(std::min(end + 1, header.size()));
     if (word.empty()) continue;
     if (!out.unit) out.unit = parse_frf_unit(word);
@@ -169,13 +199,24 @@ std::vector<double> read_optional(const CsvTable& table, std::optional<std::size
   return any ? read_column(table, *index) : std::vector<double>{};
 }
 
+// At a resonance, the phase changes by 180° or π.
+bool look_like_radians(const std::vector<double>& phase) {
+  constexpr double kRounded = 1e-3;
+  const auto [least, most] = std::minmax_element(phase.begin(), phase.end());
+  return least != phase.end() && std::max(-*least, *most) <= std::numbers::pi * (1 + kRounded) &&
+         *most - *least > std::numbers::pi / 2;
+}
+
 std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, std::vector<Message>& notes) {
   const auto first = read_column(table, columns.first);
   const auto second = read_column(table, columns.second);
   std::vector<Complex> value(first.size());
   double to_rad = columns.phase_to_rad.value_or(kDegree_rad);
   if (columns.polar && !columns.phase_to_rad) {
-    const Message note = "the unit of the phase is not stated: taken as degrees";
+    const bool radians = look_like_radians(second);
+    if (radians) to_rad = 1;
+    const Message note = radians ? "the unit of the phase is not stated; no value is beyond ±π: taken as radians"
+                                 : "the unit of the phase is not stated: taken as degrees";
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   }
   for (std::size_t k = 0; k < value.size(); ++k) {
@@ -216,10 +257,9 @@ void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, 
 }  // namespace
 
 bool names_frfs(const CsvHeader& header) {
+  if (!header.named) return false;
   Part previous = Part::none;
-  for (const CsvColumn& column : header.columns) {
-    if (column.index == 0 || !header.named) continue;
-    const Part part = part_of(words_of(column.name));
+  for (const Part part : parts_of(header)) {
     const bool pair =
         (previous == Part::real && part == Part::imaginary) || (previous == Part::magnitude && part == Part::phase);
     if (pair) return true;
@@ -244,10 +284,15 @@ std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
   for (const Columns& c : columns) channels = std::max(channels, *c.channel + 1);
   for (std::size_t c = 0; c < channels; ++c) out.record.accel.push_back({.name = "accel " + std::to_string(c + 1)});
   read_statements(bytes.view().substr(0, layout.header.data_start), out);
-  const bool kilohertz = lower_case(layout.header.columns.front().unit) == "khz";
+  const std::string frequency_unit = layout.header.columns.front().unit;
+  const std::optional<double> to_Hz = Hz_per_unit(frequency_unit);
+  if (!to_Hz) {
+    throw InputError(fmt::format("the unit of the frequencies, {}, is not known", one_line(frequency_unit, 20)),
+                     file + ": header", "give them in Hz, kHz, MHz, rad/s or rpm");
+  }
   const CsvTable table(bytes, std::move(layout));
   auto freq_Hz = read_column(table, 0);
-  if (kilohertz) std::for_each(freq_Hz.begin(), freq_Hz.end(), [](double& f) { f *= 1000; });
+  if (*to_Hz != 1) std::for_each(freq_Hz.begin(), freq_Hz.end(), [&](double& f) { f *= *to_Hz; });
   out.record.lines = lines_from_frequencies(freq_Hz, file);
   for (const Columns& c : columns) {
     out.frfs.push_back({.point = *c.point,

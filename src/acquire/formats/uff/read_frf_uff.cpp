@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "acquire/channels/axis_unit.hpp"
 #include "acquire/formats/uff/read_uff.hpp"
 #include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
@@ -83,9 +84,10 @@ FrfUnit unit_of_function(const UffFunction& f, const UffContents& contents, bool
 }
 
 LineRange lines_of_function(const UffFunction& f, const std::string& where, std::string& note) {
+  const double to_Hz = Hz_per_unit(f.abscissa.unit).value_or(1);
   std::vector<double> freq_Hz(f.count);
   if (!f.even) {
-    for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = f.x(k);
+    for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = f.x(k) * to_Hz;
     return lines_from_frequencies(freq_Hz, where);
   }
   const double df_Hz = uff_step(f, true, note);
@@ -96,7 +98,7 @@ LineRange lines_of_function(const UffFunction& f, const std::string& where, std:
     throw InputError(fmt::format("{} lines from {} Hz in steps of {} Hz", f.count, f.x0, f.dx), where,
                      "export lines that are multiples of their spacing");
   }
-  for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = (first + static_cast<double>(k)) * df_Hz;
+  for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = (first + static_cast<double>(k)) * df_Hz * to_Hz;
   return lines_from_frequencies(freq_Hz, where);
 }
 

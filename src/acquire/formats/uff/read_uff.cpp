@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "acquire/channels/axis_unit.hpp"
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/channels/signal_table.hpp"
 #include "acquire/formats/uff/uff_roles.hpp"
@@ -94,15 +95,16 @@ bool roving_sensor(const std::vector<UffRow>& rows) {
 }
 
 double rate_of_function_Hz(const UffFunction& function, const std::string& where, std::string& note) {
+  const double to_s = s_per_unit(function.abscissa.unit).value_or(1);
   if (function.even) {
-    const double dt_s = uff_step(function, false, note);
+    const double dt_s = uff_step(function, false, note) * to_s;
     if (dt_s > 0 && std::isfinite(dt_s)) return 1 / dt_s;
     throw InputError(fmt::format("a time step of {} s", function.dx), where, "state the sampling rate", {"fs"});
   }
   std::vector<double> times(function.count);
   double largest = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    times[i] = function.x(i);
+    times[i] = function.x(i) * to_s;
     largest = std::max(largest, std::abs(times[i]));
   }
   StampProblem problem;

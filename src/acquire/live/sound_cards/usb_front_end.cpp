@@ -38,11 +38,11 @@ std::optional<UsbFrontEnd> parse_front_end(std::string_view product) {
   found.serial = std::string(product.substr(kModelLength + 2, kSerialLength));
   product.remove_prefix(kModelLength + 2 + kSerialLength);
   const std::size_t digits = kind == '1' ? 5 : 7;
-  const double units_per_count_unit = kind == '3' ? 0.05 : 1;  // counts per 50 mV
+  const double count_reference = kind == '3' ? 0.05 : 1;  // the counts are per 50 mV, per V or per m/s²
   for (double& full_scale : found.full_scales) {
     const auto counts = take_digits(product, digits);
     if (!counts || *counts == 0) return {};
-    full_scale = kFullScaleCounts / *counts * units_per_count_unit;
+    full_scale = kFullScaleCounts / *counts * count_reference;
   }
   const std::string date(product.substr(0, kDateLength));
   if (!take_digits(product, kDateLength)) return {};

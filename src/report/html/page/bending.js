@@ -46,7 +46,7 @@ const bendingPlots = () => {
         context.stroke();
         context.strokeStyle = context.fillStyle = colour("--c1");
         for (const node of mode.nodes) {
-          const at = across(node.z_m), half = Math.max(node.std_m * scale, devicePixelRatio);
+          const at = across(node.z_m), half = node.std_m * scale;
           context.globalAlpha = 0.3;
           context.fillRect(at - half, middle - 0.42 * canvas.height, 2 * half, 0.84 * canvas.height);
           context.globalAlpha = 1;
@@ -57,6 +57,6 @@ const bendingPlots = () => {
         }
       }
     });
-    addElement("figcaption", figure, `${bending.ends} Exaggerated; vertical lines: nodes, as wide as their ±.`);
+    addElement("figcaption", figure, `${bending.ends} Exaggerated; vertical lines: nodes${bending.modes.some((m) => m.nodes.some((n) => n.std_m > 0)) ? "; bands: their ±" : ""}.`);
   }
 };

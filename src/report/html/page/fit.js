@@ -127,6 +127,6 @@ const fitPlots = () => {
     point.value = first.point;
     channel.value = first.channel;
     draw();
-    addElement("figcaption", figure, "The FRF with the lowest FRAC comes first.");
+    addElement("figcaption", figure, `Shown first: the FRF with the lowest FRAC.${fit.count < fit.of ? ` Curves are drawn at ${fit.count} of ${fit.of} spectral lines, densest around the modes.` : ""}`);
   }
 };

@@ -122,6 +122,22 @@ TEST_F(MatRecord, ReadsHitsInEitherOrientation) {
   }
 }
 
+TEST_F(MatRecord, ReadsTheUnitOfTheTimes) {
+  const auto build = [&](const std::string& unit) {
+    MatBuilder builder(path_, MatLevel::v5);
+    builder.numbers("force", {1, 3}, {0, 1, 2}).numbers("accel", {1, 3}, {3, 4, 5}).numbers("t", {1, 3}, {0, 1, 2});
+    if (!unit.empty()) builder.text("t_unit", unit);
+  };
+  build("ms");
+  EXPECT_EQ(opened().fs_Hz, 1000);
+  build("s");
+  EXPECT_EQ(opened().fs_Hz, 1);
+  build("");
+  EXPECT_THAT(
+      input_error_of([&] { opened(); }),
+      HasSubstr("t states no unit: its steps give 1 Hz if they are seconds and 1000 Hz if they are milliseconds"));
+}
+
 TEST_F(MatRecord, ReadsStructuresAndStructureArrays) {
   MatBuilder(path_, MatLevel::v5).structure("test", {"force", "accel", "fs"}, {{{0, 1, 2}, {3, 4, 5}, {500}}});
   EXPECT_THAT(accel_mps2(opened()), ElementsAre(3, 4, 5));

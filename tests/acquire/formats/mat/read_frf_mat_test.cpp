@@ -68,6 +68,28 @@ TEST(ReadFrfMat, UsesCompanionsOfRealNumbersOnly) {
   }
 }
 
+TEST(ReadFrfMat, ReadsTheUnitOfTheFrequencies) {
+  const StoredFrfs kilo = read_frf_mat(one_point(text("frequency_hz_unit", "kHz")), {}).value();
+  EXPECT_NEAR(kilo.record.lines.df_Hz(), 1000, 1e-9);
+  EXPECT_THAT(input_error_of([] { read_frf_mat(one_point(text("frequency_hz_unit", "orders")), {}); }),
+              HasSubstr("the unit of the frequencies, orders, is not known (x.mat: frequency_hz)"));
+}
+
+TEST(ReadFrfMat, FindsFrequenciesWithOtherNames) {
+  const MatVariable frf = complex("H", {1, 3}, {1, 2, 3});
+  const StoredFrfs found = read_frf_mat(file_of({numbers("freq_axis", {1, 3}, {20, 20.5, 21}), frf}), {}).value();
+  EXPECT_EQ(found.record.lines.first, 40U);
+}
+
+TEST(ReadFrfMat, ReadsKindAndUnitBesideTheFrfs) {
+  const MatVariable freq = numbers("freq", {1, 3}, {0, 1, 2});
+  const StoredFrfs stated =
+      read_frf_mat(file_of({freq, complex("H", {1, 3}, {1, 2, 3}), text("H_unit", "g/N")}), {}).value();
+  EXPECT_NEAR(stated.unit.value().response_to_SI, 9.80665, 1e-6);
+  const StoredFrfs named = read_frf_mat(file_of({freq, complex("mobility", {1, 3}, {1, 2, 3})}), {}).value();
+  EXPECT_EQ(named.kind, FrfKind::mobility);
+}
+
 TEST(ReadFrfMat, NumbersPointsByWholeNumbersFromZero) {
   EXPECT_THAT(points_of(two_points({})), ElementsAre(0, 1));
   EXPECT_THAT(points_of(two_points({numbers("point", {1, 2}, {7, 3})})), ElementsAre(7, 3));

@@ -58,10 +58,59 @@ TEST(ReadFrfText, ReadsWhatPercussWrites) {
   EXPECT_EQ(frfs.record.lines.first, 30U);
 }
 
+std::string refusal(const std::string& text) {
+  return test::input_error_of([&] { read_frf_text(test::csv_bytes(text), false); });
+}
+
 TEST(ReadFrfText, ReadsMagnitudeAndPhase) {
   const auto frfs = read("Frequency (Hz);Magnitude (dB);Phase (deg)\n0;0;0\n1;20;90\n2;40;-180\n");
   EXPECT_LE(std::abs(frfs.frfs[0].value[1] - Complex(0, 10)), kRounding * 10);
   EXPECT_LE(std::abs(frfs.frfs[0].value[2] - Complex(-100, 0)), kRounding * 100);
+}
+
+TEST(ReadFrfText, TellsDecibelsHoweverTheyAreWritten) {
+  for (const char* const name : {"Magnitude (dB re 1 g/N)", "Magnitude [dB re g/N]", "Magnitude (dBg/N)"}) {
+    const auto frfs = read("Frequency (Hz);" + std::string(name) + ";Phase (deg)\n0;0;0\n1;20;90\n2;40;-180\n");
+    EXPECT_LE(std::abs(frfs.frfs[0].value[1] - Complex(0, 10)), kRounding * 10) << name;
+    ASSERT_TRUE(frfs.unit) << name;
+    EXPECT_NEAR(frfs.unit->response_to_SI, 9.80665, 1e-6) << name;
+  }
+  const auto named = read("Freq;Mag_dB;Phase (deg)\n0;0;0\n1;20;90\n2;40;-180\n");
+  EXPECT_LE(std::abs(named.frfs[0].value[2] - Complex(-100, 0)), kRounding * 100);
+}
+
+TEST(ReadFrfText, ReadsUnitsFromARowOfTheirOwn) {
+  const auto frfs = read("Frequency,Magnitude,Phase\nHz,g/N,deg\n0,0,0\n1,10,90\n2,100,-180\n");
+  EXPECT_LE(std::abs(frfs.frfs[0].value[1] - Complex(0, 10)), kRounding * 10);
+  EXPECT_NEAR(frfs.unit->response_to_SI, 9.80665, 1e-6);
+  EXPECT_THAT(frfs.record.notes, IsEmpty());
+}
+
+TEST(ReadFrfText, ConvertsTheFrequencies) {
+  EXPECT_NEAR(
+      read("Frequency (rad/s),Re,Im\n0,0,0\n6.283185307179586,1,0\n12.566370614359172,1,0\n").record.lines.df_Hz(), 1,
+      1e-9);
+  EXPECT_NEAR(read("Frequency (rpm),Re,Im\n0,0,0\n60,1,0\n120,1,0\n").record.lines.df_Hz(), 1, 1e-9);
+  EXPECT_THAT(refusal("Frequency (order),Re,Im\n0,0,0\n1,1,0\n2,1,0\n"),
+              HasSubstr("the unit of the frequencies, order, is not known"));
+}
+
+TEST(ReadFrfText, TakesTheColumnBeforeAPhaseForItsMagnitude) {
+  const auto frfs = read("Hz,H1,phase,Coherence\n0,1,0,1\n1,10,90,1\n2,100,-180,0.5\n");
+  ASSERT_EQ(frfs.frfs.size(), 1U);
+  EXPECT_LE(std::abs(frfs.frfs[0].value[1] - Complex(0, 10)), kRounding * 10);
+  EXPECT_EQ(frfs.frfs[0].coherence.at(2), 0.5);
+  EXPECT_THAT(refusal("frequency,phase\n0,1\n1,1\n"), HasSubstr("no partner"));
+  EXPECT_THAT(refusal("frequency,csd,phase\n0,1,1\n1,1,1\n"), HasSubstr("no partner"));
+}
+
+// Degrees change by 180 at a resonance.
+TEST(ReadFrfText, TellsRadiansFromDegrees) {
+  const auto radians = read("Hz,mag,phase\n0,1,0\n1,10,1.570796\n2,100,-3.14159\n");
+  EXPECT_LE(std::abs(radians.frfs[0].value[1] - Complex(0, 10)), 1e-5);
+  EXPECT_THAT(radians.record.notes.at(0).text, HasSubstr("taken as radians"));
+  const auto degrees = read("Hz,mag,phase\n0,1,0\n1,10,0.5\n2,100,1\n");
+  EXPECT_THAT(degrees.record.notes.at(0).text, HasSubstr("taken as degrees"));
 }
 
 TEST(ReadFrfText, TakesColumnsWithoutNamesWhenForced) {
@@ -72,10 +121,6 @@ TEST(ReadFrfText, TakesColumnsWithoutNamesWhenForced) {
 TEST(ReadFrfText, IgnoresTimeRecords) {
   EXPECT_FALSE(read_frf_text(test::csv_bytes("t_s,force_N,acc_m_s2\n0,1,2\n1,3,4\n2,5,6\n"), false));
   EXPECT_FALSE(read_frf_text(test::csv_bytes("Frequency,Power\n0,1\n1,3\n2,5\n"), false));
-}
-
-std::string refusal(const std::string& text) {
-  return test::input_error_of([&] { read_frf_text(test::csv_bytes(text), false); });
 }
 
 TEST(ReadFrfText, RefusesColumnsWithoutTheirPartner) {

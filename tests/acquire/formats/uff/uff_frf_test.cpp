@@ -47,6 +47,11 @@ TEST(UffFrf, RefusesNegativeNodesOfPoints) {
   EXPECT_THAT(input_error_of([&] { read(frf_text(set, 1)); }), HasSubstr("-2 is not a point number (x.csv: line 3)"));
 }
 
+TEST(UffFrf, ReadsTheUnitOfTheFrequencies) {
+  UffText set{.abscissa_unit = "kHz", .ordinate_unit = "m/s^2", .denominator_unit = "N"};
+  EXPECT_NEAR(read(frf_text(set, 1)).lines.df_Hz(), 2000, 1e-6);
+}
+
 TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
   std::string text;
   for (const int node : {4, 9}) {

@@ -1,0 +1,19 @@
+#pragma once
+#include <optional>
+#include <string>
+
+namespace percuss::acquire {
+
+/// Hz per unit of an axis of frequencies: Hz, hertz, kHz, MHz, rad/s, rpm, cpm, 1/min; 1 where no unit is stated ("",
+/// "none", "-"). Nothing for other texts.
+std::optional<double> Hz_per_unit(const std::string& unit);
+
+/// Seconds per unit of an axis of times; nothing where the text is no unit of time.
+std::optional<double> s_per_unit(const std::string& unit);
+
+/// Hammer tests are sampled at 200 Hz or more. Times without a unit that give a lower rate are probably milliseconds.
+/// errors  InputError at `where`, with the option "fs": such a rate of the axis `name`
+void require_plausible_times(double fs_Hz, const std::string& name, const std::string& where,
+                             const std::string& remedy);
+
+}  // namespace percuss::acquire
