@@ -7,10 +7,11 @@ namespace percuss::pipeline {
 const std::vector<ChannelDelay>& Analysis::corrected_delays() const {
   return within_budget(budget_, corrected_delays_, [&] {
     if (!options_.delays.automatic) return stated_delays(options_.delays.delay_s, record());
-    // The modes that show the delays are found without a correction first.
+    // The modes that show the delays are found without a correction first. Clear peaks suffice; with a large delay, the
+    // search for other modes would follow its misfit for minutes.
     AnalysisOptions uncorrected = options_;
     uncorrected.delays = {};
-    if (uncorrected.modes.effort == identify::Effort::best) uncorrected.modes.effort = identify::Effort::standard;
+    uncorrected.modes.effort = identify::Effort::quick;
     const Analysis first(record(), std::move(uncorrected));
     std::vector<ChannelDelay> delays;
     if (!first.possible()) return delays;
