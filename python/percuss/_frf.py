@@ -36,7 +36,8 @@ class Frf:
         Response: acceleration, velocity or displacement.
     std, coherence : array, optional
         Standard deviation of the complex number in the unit of H, and ordinary coherence, in the shape of H. The ± of modes
-        grow with std where it exceeds the residual of the fit; the weights of the fit come from the residual.
+        follow from std where it exceeds the residual of the fit; the weights of the fit come from the residual. Errors count
+        as independent from line to line: the force's noise in FRFs averaged from hits makes the ± too large.
     points : sequence of int, optional
         Number of each struck point. Default: from 0 up.
     names : sequence of str, optional

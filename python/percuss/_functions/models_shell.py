@@ -32,9 +32,9 @@ def shell(
     """Predict hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Flügge.
 
     Models the barrel as a tube. Reports hoop frequencies in Hz for n waves around the tube by four
-    theories: ring and Rayleigh are constant along the tube, Love grows linearly from its middle,
-    and Flügge has m half-waves along it. `measured` fits Young's modulus or the wall to measured
-    frequencies.
+    theories: the shapes of ring and Rayleigh are constant along the tube, the shape of Love grows
+    linearly from its middle, and the shape of Flügge has m half-waves along it. `measured` fits
+    Young's modulus or the wall to measured frequencies.
 
     Parameters
     ----------

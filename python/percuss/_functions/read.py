@@ -76,7 +76,7 @@ def read(
     Returns
     -------
     Record, Frf, or a list of them
-        Of several files a list. A record's samples are read on demand.
+        A list if several files are named. A record's samples are read on demand.
 
     Raises
     ------

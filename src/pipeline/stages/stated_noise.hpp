@@ -8,7 +8,8 @@
 namespace percuss::pipeline {
 
 /// Widens the ± of modes of given FRFs to the standard deviations that were given with them. The fit takes the noise
-/// from its residual; where the stated noise around a mode is larger, the noise's part of the ± grows by the ratio.
+/// from its residual; where the stated noise of the lines that move the pole is larger, the noise's part of the ± grows
+/// by the ratio. Errors of different lines count as independent.
 /// `set` holds the FRFs of `given` in the same order.
 void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfDataset& set,
                            std::vector<identify::Mode>& modes);
