@@ -140,7 +140,7 @@ JointFit without_unknown(const FrfDataset& set, JointFit fit, double& products_l
 // Modes that overlap little are all known, unless they follow a misfit: on wooden plates, half to three quarters were.
 bool are_determined(const JointFit& fit, double band_width_Hz) {
   std::size_t known = 0;
-  for (std::size_t m = 0; m < fit.poles.size(); ++m) known += is_known(fit, m) ? 1 : 0;
+  for (std::size_t m = 0; m < fit.poles.size(); ++m) known += is_known(fit, m) ? 1U : 0U;
   return overlap_of(fit.poles, band_width_Hz) >= kHighOverlap ||
          static_cast<double>(known) >= kKnownShare * static_cast<double>(fit.poles.size());
 }
