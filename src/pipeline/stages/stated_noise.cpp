@@ -11,7 +11,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kNoiseReach = 2;           // half-power bandwidths on each side of a mode
+constexpr double kNoiseReach = 2;            // half-power bandwidths on each side of a mode
 constexpr std::size_t kMinNoiseReach = 100;  // lines on each side, over which the joint fit takes the noise
 constexpr double kMinVariance = 1e-300;
 

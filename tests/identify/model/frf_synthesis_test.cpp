@@ -60,7 +60,8 @@ TEST(SynthesisedFrf, FollowsTheFlankOfAModeJustAboveTheBand) {
 // The powers of s are nearly dependent over a narrow band: the gram matrix of four has a condition number of 10¹⁴.
 TEST(SynthesisedFrf, FitsTheTermsOfANarrowBand) {
   Case c;
-  const acquire::LineRange narrow{.fs_Hz = c.set.lines.fs_Hz, .samples = c.set.lines.samples, .first = 3800, .count = 60};
+  const acquire::LineRange narrow{
+      .fs_Hz = c.set.lines.fs_Hz, .samples = c.set.lines.samples, .first = 3800, .count = 60};
   for (const SynthesisedFrf& made : synthesised_frfs(c.set, c.modes, narrow)) EXPECT_NEAR(made.frac, 1, kRounding);
   const acquire::LineRange three{.fs_Hz = narrow.fs_Hz, .samples = narrow.samples, .first = 3800, .count = 3};
   for (const SynthesisedFrf& made : synthesised_frfs(c.set, {}, three)) EXPECT_NEAR(made.frac, 1, kRounding);
