@@ -53,7 +53,7 @@ class CollectedFiles {
     glob_t matches{};
     const std::unique_ptr<glob_t, decltype(&::globfree)> owner(&matches, &::globfree);
     if (::glob(pattern.c_str(), GLOB_ERR, nullptr, &matches) != 0) {
-      throw InputError("no file matches the pattern", pattern, "check the path, or name the folder");
+      throw InputError("no file matches the pattern", pattern, "check the path");
     }
     std::vector<std::string> found(matches.gl_pathv, matches.gl_pathv + matches.gl_pathc);
     std::sort(found.begin(), found.end(), comes_first_naturally);

@@ -18,6 +18,12 @@ std::optional<double> Hz_per_unit(const std::string& unit) {
   return std::nullopt;
 }
 
+double require_Hz_per_unit(const std::string& unit, const std::string& where) {
+  if (const auto to_Hz = Hz_per_unit(unit)) return *to_Hz;
+  throw InputError(fmt::format("the unit of the frequencies, {}, is not known", one_line(unit, 20)), where,
+                   "give them in Hz, kHz, MHz, rad/s or rpm");
+}
+
 std::optional<double> s_per_unit(const std::string& unit) {
   const auto parsed = parse_unit(unit);
   return parsed && parsed->quantity == Quantity::time ? std::optional(parsed->to_SI) : std::nullopt;

@@ -8,6 +8,10 @@ namespace percuss::acquire {
 /// "none", "-"). Nothing for other texts.
 std::optional<double> Hz_per_unit(const std::string& unit);
 
+/// The same.
+/// errors  InputError at `where`: another text
+double require_Hz_per_unit(const std::string& unit, const std::string& where);
+
 /// Seconds per unit of an axis of times; nothing where the text is no unit of time.
 std::optional<double> s_per_unit(const std::string& unit);
 

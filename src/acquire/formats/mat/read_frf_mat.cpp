@@ -79,14 +79,9 @@ const MatVariable* frequency_vector(const MatFile& file) {
 std::vector<double> frequencies_in(const MatFile& file) {
   const MatVariable* const vector = frequency_vector(file);
   if (vector == nullptr) return {};
-  const std::string unit = unit_in(file, vector->name);
-  const std::optional<double> to_Hz = Hz_per_unit(unit);
-  if (!to_Hz) {
-    throw InputError(fmt::format("the unit of the frequencies, {}, is not known", one_line(unit, 20)),
-                     file.path + ": " + one_line(vector->name, 40), "give them in Hz, kHz, MHz, rad/s or rpm");
-  }
+  const double to_Hz = require_Hz_per_unit(unit_in(file, vector->name), file.path + ": " + one_line(vector->name, 40));
   std::vector<double> freq_Hz = vector->real;
-  std::for_each(freq_Hz.begin(), freq_Hz.end(), [&](double& f) { f *= *to_Hz; });
+  std::for_each(freq_Hz.begin(), freq_Hz.end(), [&](double& f) { f *= to_Hz; });
   return freq_Hz;
 }
 

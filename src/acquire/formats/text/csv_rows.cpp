@@ -174,14 +174,14 @@ void note_other_times(const CsvTable& table, const CsvColumns& columns, const st
                       std::vector<Message>& notes) {
   constexpr double kSame = 0.01;
   if (!columns.time || rows.front().info.samples < 2) return;
-  const auto to_s = parse_unit(columns.time->unit);
+  const auto to_s = s_per_unit(columns.time->unit);
   const auto time_at = [&](std::size_t line) {
     return parse_number(table.cell(columns.time->index, line), table.dialect().decimal_comma);
   };
   const auto first = time_at(rows.front().first_line);
   const auto last = time_at(rows.front().first_line + rows.front().info.samples - 1);
   if (!to_s || first.problem != NumberProblem::none || last.problem != NumberProblem::none) return;
-  const double length_s = (last.value - first.value) * to_s->to_SI;
+  const double length_s = (last.value - first.value) * *to_s;
   const double times_Hz = static_cast<double>(rows.front().info.samples - 1) / length_s;
   if (!(length_s > 0) || std::abs(times_Hz / fs_Hz - 1) <= kSame) return;
   notes.emplace_back(

@@ -284,15 +284,10 @@ std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
   for (const Columns& c : columns) channels = std::max(channels, *c.channel + 1);
   for (std::size_t c = 0; c < channels; ++c) out.record.accel.push_back({.name = "accel " + std::to_string(c + 1)});
   read_statements(bytes.view().substr(0, layout.header.data_start), out);
-  const std::string frequency_unit = layout.header.columns.front().unit;
-  const std::optional<double> to_Hz = Hz_per_unit(frequency_unit);
-  if (!to_Hz) {
-    throw InputError(fmt::format("the unit of the frequencies, {}, is not known", one_line(frequency_unit, 20)),
-                     file + ": header", "give them in Hz, kHz, MHz, rad/s or rpm");
-  }
+  const double to_Hz = require_Hz_per_unit(layout.header.columns.front().unit, file + ": header");
   const CsvTable table(bytes, std::move(layout));
   auto freq_Hz = read_column(table, 0);
-  if (*to_Hz != 1) std::for_each(freq_Hz.begin(), freq_Hz.end(), [&](double& f) { f *= *to_Hz; });
+  std::for_each(freq_Hz.begin(), freq_Hz.end(), [&](double& f) { f *= to_Hz; });
   out.record.lines = lines_from_frequencies(freq_Hz, file);
   for (const Columns& c : columns) {
     out.frfs.push_back({.point = *c.point,

@@ -127,6 +127,9 @@ const fitPlots = () => {
     point.value = first.point;
     channel.value = first.channel;
     draw();
-    addElement("figcaption", figure, `Shown first: the FRF with the lowest FRAC.${fit.count < fit.of ? ` Curves are drawn at ${fit.count} of ${fit.of} spectral lines, densest around the modes.` : ""}`);
+    addElement("figcaption", figure, [
+      ...(fit.frfs.length > 1 ? ["Shown first: the FRF with the lowest FRAC."] : []),
+      ...(fit.count < fit.of ? [`Curves are drawn at ${fit.count} of ${fit.of} spectral lines, densest around the modes.`] : []),
+    ].join(" "));
   }
 };
