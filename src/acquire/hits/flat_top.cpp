@@ -7,14 +7,22 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 
 #include "acquire/hits/pulse_shape.hpp"
 
 namespace percuss::acquire {
 namespace {
 
-// No elastic contact is flatter than a half-sine, 0.51; measured pulses of hammers have 0.30 to 0.48.
+// No elastic contact is flatter than a half-sine, 0.51; measured pulses of hammers have 0.30 to 0.48. The limit leaves
+// 0.03 for noise.
 constexpr double kMaxFlatness = 0.54;
+// An ideal low-pass filter at 0.35 to 0.5 of the sampling rate makes half-sines shorter than kShortPulse as flat as
+// 0.554. Such a pulse is clipped if it is flatter than this, or flatter than other pulses of about its length: by the
+// filter alone, a tenth of the length changes the flatness by 0.04.
+constexpr double kShortPulse = 8;  // samples above 30 % of the peak
+constexpr double kMaxShortFlatness = 0.58, kFlatterThanOthers = 0.07, kAlikeLength = 0.15;
+constexpr std::size_t kOthers = 2;
 constexpr double kHigh = 0.8, kLow = 0.3;  // of the peak
 // Of the peak. A flank is cut off where one of two neighbouring samples exceeds kFlank and the other is below kNothing.
 constexpr double kFlank = 0.2, kNothing = 0.01;
@@ -121,34 +129,69 @@ bool has_overload(const Hit& hit) {
                      [](const Finding& f) { return f.code == FindingCode::overload; });
 }
 
-}  // namespace
+struct PulseTop {
+  double flatness = 0;
+  double length = 0;  // samples above 30 % of the peak
+};
 
-double top_flatness(const Hit& hit) {
-  if (!holds_its_peak(hit)) return 0;
-  const std::vector<double> pulse = pulse_of(hit);
-  const std::vector<double> x = pulse.size() < 2 * kKernel + kLongPulse ? interpolated(pulse) : pulse;
+PulseTop top_of(const std::vector<double>& pulse) {
+  const bool is_long = pulse.size() >= 2 * kKernel + kLongPulse;
+  const std::vector<double> x = is_long ? pulse : interpolated(pulse);
   const auto peak = static_cast<std::size_t>(std::max_element(x.begin(), x.end()) - x.begin());
   const double low = length_above(x, peak, kLow * x[peak]);
-  return low > 0 ? length_above(x, peak, kHigh * x[peak]) / low : 0;
+  if (!(low > 0)) return {};
+  return {.flatness = length_above(x, peak, kHigh * x[peak]) / low,
+          .length = low / static_cast<double>(is_long ? 1 : kOversampling)};
 }
 
+std::optional<PulseTop> top_of(const Hit& hit) {
+  if (!holds_its_peak(hit) || std::abs(hit.peak_N) < kMinSignal * hit.noise_N || has_overload(hit) ||
+      has_cut_flank(hit))
+    return std::nullopt;
+  const std::vector<double> pulse = pulse_of(hit);
+  if (is_aliased(pulse, hit.noise_N)) return std::nullopt;
+  return top_of(pulse);
+}
+
+// Whether a pulse is flatter than the median of the others of about its length.
+bool is_flatter_than_others(const PulseTop& top, const std::vector<std::optional<PulseTop>>& tops) {
+  std::vector<double> others;
+  for (const std::optional<PulseTop>& other : tops) {
+    if (other && other->flatness <= kMaxFlatness && std::abs(other->length - top.length) < kAlikeLength * top.length)
+      others.push_back(other->flatness);
+  }
+  if (others.size() < kOthers) return false;
+  const auto middle = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
+  std::nth_element(others.begin(), middle, others.end());
+  return top.flatness > *middle + kFlatterThanOthers;
+}
+
+bool is_clipped(const PulseTop& top, const std::vector<std::optional<PulseTop>>& tops) {
+  if (top.flatness <= kMaxFlatness) return false;
+  return top.length >= kShortPulse || top.flatness > kMaxShortFlatness || is_flatter_than_others(top, tops);
+}
+
+}  // namespace
+
+double top_flatness(const Hit& hit) { return holds_its_peak(hit) ? top_of(pulse_of(hit)).flatness : 0; }
+
 void grade_flat_tops(std::vector<Hit>& hits) {
-  for (Hit& hit : hits) {
-    if (!holds_its_peak(hit) || std::abs(hit.peak_N) < kMinSignal * hit.noise_N || has_overload(hit) ||
-        has_cut_flank(hit))
-      continue;
-    if (is_aliased(pulse_of(hit), hit.noise_N)) continue;
-    const double flatness = top_flatness(hit);
-    if (flatness <= kMaxFlatness) continue;
-    hit.findings.push_back(
+  std::vector<std::optional<PulseTop>> tops;
+  tops.reserve(hits.size());
+  for (const Hit& hit : hits) tops.push_back(top_of(hit));
+  // Where the amplifier clipped one hit, it clipped the other flat ones, too.
+  if (std::none_of(tops.begin(), tops.end(), [&](const auto& top) { return top && is_clipped(*top, tops); })) return;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    if (!tops[h] || tops[h]->flatness <= kMaxFlatness) continue;
+    hits[h].findings.push_back(
         {.code = FindingCode::force_clipped,
          .severity = Severity::reject,
-         .value = flatness,
+         .value = tops[h]->flatness,
          .message = fmt::format(
              "force clipped before the recorder's filter: the pulse has a flat top (at 80 % of its "
-             "peak it is {:.0f} % as long as at 30 %; without clipping, at most 51 %); lower the gain of the "
+             "peak it is {:.0f} % as long as at 30 %; without clipping, about 50 %); lower the gain of the "
              "hammer's amplifier or hit softer",
-             flatness * 100)});
+             tops[h]->flatness * 100)});
   }
 }
 

@@ -70,14 +70,18 @@ std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const Hit
   return out;
 }
 
-std::vector<bool> follow_force(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes) {
-  std::vector<bool> follows(modes.size());
+std::vector<std::optional<bool>> follow_force(const FrfDataset& set, const HitFrfs& hits,
+                                              const std::vector<Mode>& modes) {
+  constexpr double kAgreement = 0.9;  // of two hits; independent phases exceed it once in five times
+  std::vector<std::optional<bool>> follows(modes.size());
   for (const ModeWindow& window : mode_windows(set, modes)) {
     for (std::size_t i = 0; i < window.modes.size(); ++i) {
-      const auto points = residue_coherence(set, hits, modes, window, i);
-      follows[window.modes[i]] = std::any_of(points.begin(), points.end(), [](const ResidueCoherence& point) {
-        return follows_force(point).value_or(false);
-      });
+      std::optional<bool>& of_mode = follows[window.modes[i]];
+      for (const ResidueCoherence& point : residue_coherence(set, hits, modes, window, i)) {
+        std::optional<bool> at_point = follows_force(point);
+        if (point.hits == 2 && point.coherence < kAgreement) at_point = false;
+        if (at_point) of_mode = of_mode.value_or(false) || *at_point;
+      }
     }
   }
   return follows;

@@ -25,7 +25,9 @@ std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const Hit
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
                                                 std::size_t mode);
 
-/// [modes] whether the residues of each follow the force at some point.
-std::vector<bool> follow_force(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes);
+/// [modes] whether the residues of each follow the force at some point; nothing where no point can tell. Two hits of a
+/// point only tell that they do not: such a mode is doubtful.
+std::vector<std::optional<bool>> follow_force(const FrfDataset& set, const HitFrfs& hits,
+                                              const std::vector<Mode>& modes);
 
 }  // namespace percuss::identify

@@ -12,6 +12,7 @@ constexpr int kJointSteps = 40;      // of a joint fit
 constexpr double kTrialStep = 1e-3;  // tolerance of the poles while their number changes
 constexpr double kTrialCost = 1e-4;  // … and relative decrease of the squares
 constexpr double kFinalCost = 1e-9;  // relative decrease of the squares that ends a fit of the final modes
+constexpr int kFinalFits = 3;        // of kJointSteps each: what converged coarsely may approach its end slowly
 
 }  // namespace
 
@@ -22,14 +23,17 @@ JointFitOptions final_fit_options(bool test_real) {
 std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget) {
   JointFitOptions options{
       .max_steps = kJointSteps, .tolerance = kTrialStep, .cost_tolerance = kTrialCost, .test_real = false};
+  int final_fits = 0;
   for (int round = 0; round < kDroppingRounds && !poles.empty() && budget.allows(poles); ++round) {
     JointFit fit = budget.fit(poles, options);
     const bool converged = fit.converged;
     if (fit.residual.empty()) fit = fit_residues(set, fit.poles);
     poles = without_weakest(set, fit, Misfit::ignored);
     if (poles.size() < fit.poles.size()) continue;
+    const bool final = options.tolerance < kTrialStep;
+    if (final && converged) return fit;
+    if (final && ++final_fits < kFinalFits) continue;
     if (!converged) break;
-    if (options.tolerance < kTrialStep) return fit;
     options.tolerance = JointFitOptions{}.tolerance;
     options.cost_tolerance = kFinalCost;
   }

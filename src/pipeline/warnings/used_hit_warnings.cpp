@@ -86,9 +86,8 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
     out.push_back(with_remedy(
         {"force_clipped",
          fmt::format("the force of hits {} was clipped before the recorder's filter (flat tops: the pulse at 80 % "
-                     "of its peak is {:.0f} % as long as at 30 %; without clipping, at most 51 %): frequencies and "
-                     "damping hold, but FRFs, "
-                     "residues and masses are off by several percent or more",
+                     "of its peak is {:.0f} % as long as at 30 %; without clipping, about 50 %): frequencies and "
+                     "damping hold, but FRFs, residues and masses are off by several percent or more",
                      listed(clipped.hits, 1), clipped.largest * 100)},
         "lower the gain of the hammer's amplifier or hit softer"));
   }

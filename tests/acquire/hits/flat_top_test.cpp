@@ -13,13 +13,13 @@ namespace percuss::acquire::flat_top_test {
 constexpr double kFs_Hz = 25600;
 constexpr std::size_t kSamples = 6000, kFine = 16, kTaps = 20;
 
-/// A haversine cut off at `level` of its peak, after a recorder's linear-phase anti-alias filter: 16 times oversampled,
+/// sin² (a haversine) or sin (a half-sine), cut off at `level` of its peak, after a recorder's linear-phase anti-alias filter: 16 times oversampled,
 /// filtered by a windowed sinc with its cut-off at 0.45 of the sampling rate, then every 16th sample.
-std::vector<double> cut_row(double width, double level, double peak_N, std::uint64_t seed) {
+std::vector<double> cut_row(double width, double level, double peak_N, std::uint64_t seed, double power = 2) {
   constexpr double kOnset = 500.3;
   const auto fine = [&](double t) {
     const double phase = (t - kOnset) / width;
-    return phase <= 0 || phase >= 1 ? 0.0 : std::min(level, std::pow(std::sin(std::numbers::pi * phase), 2)) * peak_N;
+    return phase <= 0 || phase >= 1 ? 0.0 : std::min(level, std::pow(std::sin(std::numbers::pi * phase), power)) * peak_N;
   };
   std::vector<double> x(kSamples);
   for (std::size_t n = 450; n < 600; ++n) {
@@ -61,6 +61,26 @@ TEST(FlatTop, IsFoundInEachHitThatWasClippedBeforeTheFilter) {
     EXPECT_EQ(hits[1].findings[0].code, FindingCode::force_clipped);
     EXPECT_TRUE(hits[2].findings.empty());
   }
+}
+
+// Cut at 80 % of its peak, a short haversine is as flat as half-sines behind a filter, but not as the other hits.
+TEST(FlatTop, IsFoundInAShortPulseUnlikeTheOthers) {
+  const std::vector<Hit> hits =
+      hits_of({cut_row(7, 1, 300, 1), cut_row(7.2, 1, 280, 2), cut_row(6.1, 0.8, 350, 3), cut_row(6.8, 1, 290, 4)});
+  EXPECT_LT(top_flatness(hits[2]), 0.58);
+  for (std::size_t h = 0; h < hits.size(); ++h) EXPECT_EQ(hits[h].findings.size(), h == 2 ? 1U : 0U) << h;
+}
+
+// The filter's ripple makes half-sines of five samples as flat as 0.554.
+TEST(FlatTop, IsNotFoundInHalfSinesThatTheFilterMadeFlat) {
+  std::vector<std::vector<double>> rows;
+  double flattest = 0;
+  for (double width = 3; width < 12; width += 0.25) rows.push_back(cut_row(width, 1, 300, rows.size(), 1));
+  for (const Hit& hit : hits_of(rows)) {
+    flattest = std::max(flattest, top_flatness(hit));
+    EXPECT_TRUE(hit.findings.empty()) << hit.onset_s;
+  }
+  EXPECT_GT(flattest, 0.54);
 }
 
 // Without a filter, 5 samples do not determine the shape of a half-sine: the measured flatness is up to 0.57.

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kWeak_Hz = 620.4;
 
-// The modes after a search at the weak mode, when only the strong mode is known.
-std::vector<identify::Mode> modes_after_search(std::size_t hits, double turns) {
-  const test::HitsWithPhases test(test::mode_at(kWeak_Hz, 2, 1), hits, turns);
+// The modes after a search at the weak mode of this bandwidth, when only the strong mode is known.
+std::vector<identify::Mode> modes_after_search(std::size_t hits, double turns, double half_power_Hz = 2) {
+  const test::HitsWithPhases test(test::mode_at(kWeak_Hz, half_power_Hz, 1), hits, turns);
   std::vector<identify::Mode> modes = {test.strong};
   add_modes_at({{620}}, modes, test.set, test.frfs, identify::Effort::best);
   return modes;
@@ -29,10 +29,18 @@ TEST(NarrowBands, AddAModeThatFollowsTheForce) {
 // 0.23 turns from hit to hit leave 0.14 of the residue in the mean, far above the noise.
 TEST(NarrowBands, AddNoModeWhosePhaseChangesFromHitToHit) { EXPECT_EQ(modes_after_search(5, 0.23).size(), 1U); }
 
-TEST(NarrowBands, NeedThreeHits) {
-  EXPECT_EQ(modes_after_search(2, 0).size(), 1U);
-  EXPECT_EQ(modes_after_search(3, 0).size(), 2U);
+// With one or two hits, phases cannot show that a resonance is no tone, but its end within the record can.
+TEST(NarrowBands, AddAModeOfFewHitsThatDiesOut) {
+  for (const std::size_t hits : {1U, 2U}) EXPECT_EQ(modes_after_search(hits, 0, 2).size(), 2U) << hits;
 }
+
+// 0.02 Hz wide: 0.94 of the amplitude is left after the record of 1 s.
+TEST(NarrowBands, AddNoSteadyToneOfFewHits) {
+  for (const std::size_t hits : {1U, 2U}) EXPECT_EQ(modes_after_search(hits, 0, 0.02).size(), 1U) << hits;
+}
+
+// The coherence of two residues that are 0.23 turns apart is cos²(0.23 π) = 0.56.
+TEST(NarrowBands, AddNoModeThatTwoHitsDeny) { EXPECT_EQ(modes_after_search(2, 0.23, 2).size(), 1U); }
 
 TEST(NarrowBands, KeepAllModesThatAreKnown) {
   const test::HitsWithPhases test(test::mode_at(kWeak_Hz, 2, 1), 5, 0.23);
