@@ -36,10 +36,10 @@ std::vector<double> force_between(const Record& record, std::size_t row, std::si
   return x;
 }
 
-// `all` has the baseline removed and covers the search for further contacts; the samples of the hit begin at `offset`.
-// `peak` is the index of the largest sample of the hit.
-void measure_and_grade_pulse(Hit& hit, std::span<const double> all, std::size_t offset, std::size_t peak, double fs_Hz,
-                             const HitOptions& options) {
+// `all` has the baseline removed; further contacts are sought in its first `scanned_samples`. The samples of the hit
+// begin at `offset`. `peak` is the index of the largest sample of the hit.
+void measure_and_grade_pulse(Hit& hit, std::span<const double> all, std::size_t scanned_samples, std::size_t offset,
+                             std::size_t peak, double fs_Hz, const HitOptions& options) {
   const auto x = all.subspan(offset);
   const PulseShape pulse = shape_of_pulse(x, peak);
   hit.peak = hit.first + peak;
@@ -49,7 +49,7 @@ void measure_and_grade_pulse(Hit& hit, std::span<const double> all, std::size_t 
   const Gate gate = gate_around(x, pulse, hit.noise_N);
   if (!options.gate_force) hit.ungated_N.assign(x.begin(), x.end());
   hit.bandwidth_Hz = bandwidth_Hz(x.subspan(gate.first, gate.end - gate.first), fs_Hz);
-  const auto scanned = all.first(std::min(all.size(), offset + peak + samples_to_scan(fs_Hz)));
+  const auto scanned = all.first(std::min(all.size(), scanned_samples));
   const Gate gate_in_all{.first = gate.first + offset, .end = std::min(gate.end + offset, scanned.size())};
   const FurtherForce further =
       further_force(scanned, shape_of_pulse(scanned, offset + peak), gate_in_all, hit.noise_N,
@@ -85,32 +85,10 @@ Hit hit_without_pulse(std::size_t row, const SampleRange& part, const TriggerSca
   return hit;
 }
 
-// The hit of one row, in a record with one hit per row.
-Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options) {
-  const SampleRange part = select_time_range(record, row, options);
-  const TriggerScan trigger_scan =
-      scan_for_triggers(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
-  Hit hit = unmeasured_hit(row, part, trigger_scan);
-  if (options.trigger_N && trigger_scan.largest_N < *options.trigger_N)
-    return hit_without_pulse(row, part, trigger_scan, options);
-  const std::size_t end =
-      options.gate_force ? std::min(part.last, trigger_scan.largest_end + samples_to_read(record.fs_Hz)) : part.last;
-  const auto x = force_between(record, row, part.first, end, trigger_scan.baseline_N);
-  const auto at = [&](std::size_t sample) { return x.begin() + static_cast<std::ptrdiff_t>(sample - part.first); };
-  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const auto largest = static_cast<std::size_t>(
-      std::max_element(at(trigger_scan.largest_first), at(trigger_scan.largest_end), smaller) - x.begin());
-  if (!is_hammer_pulse(x, largest, trigger_scan.noise_N, record.fs_Hz))
-    return hit_without_pulse(row, part, trigger_scan, options);
-  measure_and_grade_pulse(hit, x, 0, largest, record.fs_Hz, options);
-  const auto length = selected_length(record, options);
-  if (length) hit.samples = std::min(hit.samples, std::max(*length, largest + 1));  // the pulse stays inside
-  return hit;
-}
-
-// A contact in a continuous record.
+// A contact in a row.
 struct Contact {
   std::size_t peak = 0;        // sample of the row
+  double size_N = 0;           // |force| there
   std::size_t pretrigger = 0;  // samples before it
 };
 
@@ -124,9 +102,48 @@ std::vector<Contact> contacts_of(const TriggerScan& scan, const Record& record, 
     const auto x = force_between(record, row, begin, std::min(part.last, event + reach + 1), scan.baseline_N);
     if (!is_hammer_pulse(x, event - begin, scan.noise_N, record.fs_Hz)) continue;
     const std::size_t rise = rise_samples(shape_of_pulse(x, event - begin));
-    contacts.push_back({.peak = event, .pretrigger = pretrigger_samples(record, options, rise)});
+    contacts.push_back(
+        {.peak = event, .size_N = std::abs(x[event - begin]), .pretrigger = pretrigger_samples(record, options, rise)});
   }
   return contacts;
+}
+
+// The end of the search for contacts after the row's largest. What a blow of its own excites is in the response,
+// however late it comes.
+std::size_t end_of_scan(const TriggerScan& scan, const Record& record, std::size_t row, const SampleRange& part,
+                        const HitOptions& options) {
+  const std::size_t reach = samples_to_scan(record.fs_Hz);
+  std::size_t end = scan.largest_end + reach;
+  if (scan.events.empty() || scan.events.back() < end) return end;
+  for (const Contact& contact : contacts_of(scan, record, row, part, options)) {
+    if (contact.peak < end || contact.size_N < kMaxSecondContact * scan.largest_N) continue;
+    end = contact.peak + reach;
+  }
+  return end;
+}
+
+// The hit of one row, in a record with one hit per row.
+Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options) {
+  const SampleRange part = select_time_range(record, row, options);
+  const TriggerScan trigger_scan =
+      scan_for_triggers(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
+  Hit hit = unmeasured_hit(row, part, trigger_scan);
+  if (options.trigger_N && trigger_scan.largest_N < *options.trigger_N)
+    return hit_without_pulse(row, part, trigger_scan, options);
+  const std::size_t scan_end = end_of_scan(trigger_scan, record, row, part, options);
+  const std::size_t read_end = std::max(scan_end, trigger_scan.largest_end + samples_to_read(record.fs_Hz));
+  const std::size_t end = options.gate_force ? std::min(part.last, read_end) : part.last;
+  const auto x = force_between(record, row, part.first, end, trigger_scan.baseline_N);
+  const auto at = [&](std::size_t sample) { return x.begin() + static_cast<std::ptrdiff_t>(sample - part.first); };
+  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto largest = static_cast<std::size_t>(
+      std::max_element(at(trigger_scan.largest_first), at(trigger_scan.largest_end), smaller) - x.begin());
+  if (!is_hammer_pulse(x, largest, trigger_scan.noise_N, record.fs_Hz))
+    return hit_without_pulse(row, part, trigger_scan, options);
+  measure_and_grade_pulse(hit, x, scan_end - part.first, 0, largest, record.fs_Hz, options);
+  const auto length = selected_length(record, options);
+  if (length) hit.samples = std::min(hit.samples, std::max(*length, largest + 1));  // the pulse stays inside
+  return hit;
 }
 
 // The samples of contact c: from its pre-trigger to the pre-trigger of the next contact.
@@ -164,7 +181,8 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
     const auto all = force_between(record, row, begin, end, trigger_scan.baseline_N);
     const std::size_t peak = contacts[c].peak - range.first;
     Hit hit = unmeasured_hit(row, range, trigger_scan);
-    measure_and_grade_pulse(hit, all, range.first - begin, peak, record.fs_Hz, options);
+    const std::size_t offset = range.first - begin;
+    measure_and_grade_pulse(hit, all, offset + peak + scan, offset, peak, record.fs_Hz, options);
     hits.push_back(std::move(hit));
   }
   if (hits.empty()) hits.push_back(hit_without_pulse(row, part, trigger_scan, options));

@@ -13,13 +13,15 @@ namespace percuss::acquire::flat_top_test {
 constexpr double kFs_Hz = 25600;
 constexpr std::size_t kSamples = 6000, kFine = 16, kTaps = 20;
 
-/// sin² (a haversine) or sin (a half-sine), cut off at `level` of its peak, after a recorder's linear-phase anti-alias filter: 16 times oversampled,
-/// filtered by a windowed sinc with its cut-off at 0.45 of the sampling rate, then every 16th sample.
+/// sin² (a haversine) or sin (a half-sine), cut off at `level` of its peak, after a recorder's linear-phase anti-alias
+/// filter: 16 times oversampled, filtered by a windowed sinc with its cut-off at 0.45 of the sampling rate, then every
+/// 16th sample.
 std::vector<double> cut_row(double width, double level, double peak_N, std::uint64_t seed, double power = 2) {
   constexpr double kOnset = 500.3;
   const auto fine = [&](double t) {
     const double phase = (t - kOnset) / width;
-    return phase <= 0 || phase >= 1 ? 0.0 : std::min(level, std::pow(std::sin(std::numbers::pi * phase), power)) * peak_N;
+    return phase <= 0 || phase >= 1 ? 0.0
+                                    : std::min(level, std::pow(std::sin(std::numbers::pi * phase), power)) * peak_N;
   };
   std::vector<double> x(kSamples);
   for (std::size_t n = 450; n < 600; ++n) {

@@ -172,6 +172,22 @@ TEST(HitFindings, AcceptAPulseAtTheVeryEnd) {
   }
 }
 
+// A blow of its own excites the row's response, however late it comes; less than 5 % of the hit may be the hand's.
+TEST(HitFindings, ReportALateSecondHit) {
+  const std::size_t late = kSamples - 1000;
+  for (const double ratio : {0.06, 0.7, 0.04}) {
+    auto row = good_row();
+    test::add_filtered_haversine(row, static_cast<double>(late) + 0.3, 8, 200 * ratio);
+    test::add_noise(row, 0.02, 3);
+    const Hit hit = hit_of(row);
+    const Finding* finding = only(hit, FindingCode::double_hit);
+    ASSERT_EQ(finding != nullptr, ratio > 0.05) << ratio;
+    if (finding == nullptr) continue;
+    EXPECT_EQ(finding->severity, Severity::reject);
+    EXPECT_NEAR(*finding->delay_s, (static_cast<double>(late) - 500) / kFs_Hz, 1 / kFs_Hz);
+  }
+}
+
 TEST(HitFindings, AgreeWithTheFaultsOfASyntheticTest) {
   synth::SynthSpec spec;
   spec.samples = 8192;
