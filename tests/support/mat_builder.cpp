@@ -102,4 +102,23 @@ MatBuilder& MatBuilder::structure(const std::string& name, const std::vector<std
   return *this;
 }
 
+MatBuilder& MatBuilder::channels(const std::string& name, const std::vector<MatChannel>& channels) {
+  std::array<const char*, 3> fields{"name", "data", "unit"};
+  std::array<std::size_t, 2> dims{1, channels.size()};
+  matvar_t* const variable = Mat_VarCreateStruct(name.c_str(), 2, dims.data(), fields.data(), fields.size());
+  const auto text_of = [](const char* field, const std::string& text) {
+    std::array<std::size_t, 2> size{1, text.size()};
+    return Mat_VarCreate(field, MAT_C_CHAR, MAT_T_UTF8, 2, size.data(), const_cast<char*>(text.data()), 0);
+  };
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const MatChannel& channel = channels[c];
+    Mat_VarSetStructFieldByIndex(variable, 0, c, text_of("name", channel.name));
+    Mat_VarSetStructFieldByIndex(variable, 1, c, array_of("data", {1, channel.data.size()}, channel.data));
+    Mat_VarSetStructFieldByIndex(variable, 2, c, text_of("unit", channel.unit));
+  }
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, compressed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(variable);
+  return *this;
+}
+
 }  // namespace percuss::test

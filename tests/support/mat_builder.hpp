@@ -7,6 +7,13 @@ namespace percuss::test {
 
 enum class MatLevel { v4, v5, v5_compressed, v73 };
 
+/// An element of a structure array.
+struct MatChannel {
+  std::string name;
+  std::vector<double> data;
+  std::string unit;
+};
+
 /// Writes MAT files with libmatio, which percuss does not use for writing.
 class MatBuilder {
  public:
@@ -27,6 +34,8 @@ class MatBuilder {
   /// A structure array: elements[e][f] is a row vector in field f.
   MatBuilder& structure(const std::string& name, const std::vector<std::string>& fields,
                         const std::vector<std::vector<std::vector<double>>>& elements);
+  /// A structure array with the fields name, data and unit.
+  MatBuilder& channels(const std::string& name, const std::vector<MatChannel>& channels);
 
  private:
   void* file_;

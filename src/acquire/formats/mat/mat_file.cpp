@@ -51,7 +51,8 @@ MatFile read_mat_file(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) == 0) out.bytes = static_cast<std::uint64_t>(status.st_size);
   const hdf5::Lock lock;  // level 7.3 is HDF5; the lock also guards matio's global state
-  if (is_hdf5(path)) hdf5::require_self_contained(path);
+  const bool hdf5_inside = is_hdf5(path);
+  if (hdf5_inside) hdf5::require_self_contained(path);
   Mat_LogInitFunc("percuss", ignore_log);
   const auto file =
       with_memory([&] { return std::unique_ptr<mat_t, CloseMat>(Mat_Open(path.c_str(), MAT_ACC_RDONLY)); });
@@ -82,6 +83,10 @@ MatFile read_mat_file(const std::string& path) {
   if (stored && read != *stored) {
     throw InputError(fmt::format("only {} of {} variables can be read", read, *stored), path,
                      "is it damaged? Save it again");
+  }
+  if (hdf5_inside && out.variables.empty() && out.notes.empty()) {
+    throw InputError("no arrays that MATLAB wrote: those of other programs have no MATLAB class", path,
+                     "save it with MATLAB, Octave or SciPy, or as HDF5 without MATLAB's first 512 bytes");
   }
   return out;
 }

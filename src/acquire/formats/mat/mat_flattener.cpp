@@ -4,8 +4,12 @@
 #include <matio.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
+#include "acquire/channels/column_words.hpp"
 #include "core/error.hpp"
+#include "core/io/csv_header.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -59,6 +63,45 @@ std::uint64_t elements(const matvar_t* variable) {
     count *= size;
   }
   return count;
+}
+
+std::string text_of(const matvar_t* variable) {
+  const std::uint64_t count = elements(variable);
+  const bool wide = variable->data_type == MAT_T_UINT16 || variable->data_type == MAT_T_UTF16;
+  const std::size_t each = wide ? 2 : 1;
+  std::string out;
+  if (variable->data == nullptr || variable->nbytes < count * each) return out;
+  const auto* const bytes = static_cast<const char*>(variable->data);
+  for (std::uint64_t i = 0; i < count; ++i) out += bytes[i * each];  // the low byte: units are ASCII
+  return out;
+}
+
+// The names of channels in one field of a structure array: texts that differ, one of which names a force. Nothing for
+// other fields; the elements are hits then.
+std::vector<std::string> channel_names(const char* field, const std::vector<const matvar_t*>& column) {
+  constexpr std::array<std::string_view, 6> kNameFields{"name",     "label",       "channel",
+                                                        "channame", "channelname", "signal"};
+  std::string lower = lower_case(field);
+  std::erase(lower, '_');
+  std::vector<std::string> names;
+  if (!is_one_of(lower, kNameFields)) return names;
+  bool has_force = false;
+  for (const matvar_t* one : column) {
+    const bool is_text = one != nullptr && one->dims != nullptr && one->class_type == MAT_C_CHAR;
+    const std::string name = is_text ? text_of(one) : "";
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return {};
+    has_force = has_force || has_one_of(lower_case(name), kForceWords);
+    names.push_back(name);
+  }
+  if (!has_force) names.clear();
+  return names;
+}
+
+// What follows a channel's name: nothing for its samples, so that a unit in the name is found.
+std::string field_of_channel(const std::string& field, const matvar_t* value) {
+  if (value != nullptr && value->dims != nullptr && is_number_class(value->class_type) && elements(value) > 1)
+    return "";
+  return (lower_case(field).starts_with("unit") ? "_" : ".") + lower_case(field);
 }
 
 MatVariable described(const std::string& name, const matvar_t* variable) {
@@ -148,13 +191,7 @@ void MatFlattener::add_numbers(const std::string& name, const matvar_t* variable
 void MatFlattener::add_text(const std::string& name, const matvar_t* variable) {
   MatVariable out = described(name, variable);
   out.is_text = true;
-  const std::uint64_t count = elements(variable);
-  const bool wide = variable->data_type == MAT_T_UINT16 || variable->data_type == MAT_T_UTF16;
-  const std::size_t each = wide ? 2 : 1;
-  if (variable->data != nullptr && variable->nbytes >= count * each) {
-    const auto* const bytes = static_cast<const char*>(variable->data);
-    for (std::uint64_t i = 0; i < count; ++i) out.text += bytes[i * each];  // the low byte: units are ASCII
-  }
+  out.text = text_of(variable);
   out_.variables.push_back(std::move(out));
 }
 
@@ -164,10 +201,19 @@ void MatFlattener::add_structure(const std::string& name, const matvar_t* variab
   const auto* const values = static_cast<matvar_t* const*>(variable->data);
   const std::uint64_t count = elements(variable);
   if (names == nullptr || values == nullptr) return;
-  for (std::size_t f = 0; f < fields; ++f) {
+  const auto column_of = [&](std::size_t f) {
     std::vector<const matvar_t*> column;
     for (std::uint64_t e = 0; e < count; ++e) column.push_back(values[e * fields + f]);
-    if (names[f] != nullptr) add_elements(name + "." + names[f], column, '(', ')');
+    return column;
+  };
+  std::vector<std::string> channels;
+  for (std::size_t f = 0; f < fields && count > 1 && count <= kMaxElements && channels.empty(); ++f)
+    if (names[f] != nullptr) channels = channel_names(names[f], column_of(f));
+  for (std::size_t f = 0; f < fields; ++f) {
+    if (names[f] == nullptr) continue;
+    if (channels.empty()) add_elements(name + "." + names[f], column_of(f), '(', ')');
+    for (std::size_t e = 0; e < channels.size(); ++e)
+      add(channels[e] + field_of_channel(names[f], values[e * fields + f]), values[e * fields + f]);
   }
 }
 

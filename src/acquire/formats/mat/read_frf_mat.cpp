@@ -62,7 +62,7 @@ const MatVariable& chosen_frf(const MatFile& file, const std::vector<const MatVa
 const MatVariable* frequency_vector(const MatFile& file) {
   const auto fits = [](const MatVariable& v) { return is_mat_vector(v) && !v.is_complex() && !v.is_text; };
   for (const char* name :
-       {"frequency_hz", "freq_hz", "frequency", "freq", "f", "freqs", "frequencies", "f_hz", "fvec"}) {
+       {"frequency_hz", "freq_hz", "frequency", "freq", "f", "freqs", "frequencies", "f_hz", "fvec", "omega", "w"}) {
     for (const MatVariable& variable : file.variables) {
       if (lower_case(field_name(variable.name)) == name && fits(variable)) return &variable;
     }
@@ -76,10 +76,28 @@ const MatVariable* frequency_vector(const MatFile& file) {
   return only;
 }
 
+bool is_angular(const std::string& name) {
+  const std::string field = lower_case(field_name(name));
+  return field == "omega" || field == "w";
+}
+
+// The stated unit of the frequencies, else the one that their name ends in, as freq_kHz.
+std::string unit_of_frequencies(const MatFile& file, const std::string& name) {
+  const std::string stated = unit_in(file, name);
+  const std::string field(field_name(name));
+  const std::size_t last = field.rfind('_');
+  if (stated.empty() && is_angular(name)) return "rad/s";
+  if (!stated.empty() || last == std::string::npos) return stated;
+  const std::string ending = field.substr(last + 1);
+  if (lower_case(ending) == "rads" || lower_case(field).ends_with("_rad_s")) return "rad/s";
+  return Hz_per_unit(ending) ? ending : "";
+}
+
 std::vector<double> frequencies_in(const MatFile& file) {
   const MatVariable* const vector = frequency_vector(file);
   if (vector == nullptr) return {};
-  const double to_Hz = require_Hz_per_unit(unit_in(file, vector->name), file.path + ": " + one_line(vector->name, 40));
+  const double to_Hz =
+      require_Hz_per_unit(unit_of_frequencies(file, vector->name), file.path + ": " + one_line(vector->name, 40));
   std::vector<double> freq_Hz = vector->real;
   std::for_each(freq_Hz.begin(), freq_Hz.end(), [&](double& f) { f *= to_Hz; });
   return freq_Hz;
@@ -230,6 +248,9 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   out.record.notes = file.notes;
   out.record.lines = lines_in(file, options, layout.lines, freq_Hz);
   out.record.decay_per_s = std::max(0.0, mat_number(file, {"decaypers"}).value_or(0));
+  if (const MatVariable* const vector = frequency_vector(file);
+      vector != nullptr && is_angular(vector->name) && unit_in(file, vector->name).empty())
+    out.record.notes.emplace_back(vector->name + " is taken as the frequencies in rad/s");
   describe_mat_channels(file, layout.channels, out);
   if (layout.points > 1 && !is_named_frf) {
     out.record.notes.emplace_back(fmt::format(

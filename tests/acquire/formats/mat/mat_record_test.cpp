@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <utility>
 
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/formats/mat/mat_file.hpp"
@@ -150,6 +151,27 @@ TEST_F(MatRecord, ReadsStructuresAndStructureArrays) {
   EXPECT_EQ(record.fs_Hz, 1000);
   EXPECT_THAT(force_N(record, 1), ElementsAre(6, 7, 8));
   EXPECT_THAT(accel_mps2(record, 0, 1), ElementsAre(9, 10, 11));
+}
+
+TEST_F(MatRecord, ReadsStructureArraysOfNamedChannels) {
+  const auto build = [&](const std::string& first, const std::string& second) {
+    MatBuilder(path_, MatLevel::v5)
+        .channels("ch", {{first, {0, 1, 2}, "kN"}, {second, {3, 4, 5}, "m/s^2"}})
+        .numbers("fs", {1, 1}, {500});
+  };
+  build("Hammer 1", "Acc.");
+  EXPECT_THAT(force_N(opened(), 0), ElementsAre(0, 1000, 2000));
+  EXPECT_THAT(accel_mps2(opened()), ElementsAre(3, 4, 5));
+  EXPECT_EQ(opened().force.name, "Hammer 1");
+  MatBuilder(path_, MatLevel::v5)
+      .channels("ch", {{"force_N", {0, 1, 2}, ""}, {"acc_g", {3, 4, 5}, ""}})
+      .numbers("fs", {1, 1}, {500});
+  EXPECT_EQ(opened().accel.front().to_SI, 9.80665);
+  // Without a force among them, and with equal names, the elements may be hits.
+  for (const auto& [first, second] : {std::pair("a", "b"), std::pair("hammer", "hammer")}) {
+    build(first, second);
+    EXPECT_THAT(input_error_of([&] { opened(); }), HasSubstr("ch.data [2x3]"));
+  }
 }
 
 TEST_F(MatRecord, ReadsVariablesThatOptionsName) {

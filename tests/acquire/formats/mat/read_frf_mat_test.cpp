@@ -5,6 +5,7 @@
 
 #include "acquire/formats/mat/read_mat.hpp"
 #include "acquire/open_measurement.hpp"
+#include "core/units.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 
@@ -79,6 +80,19 @@ TEST(ReadFrfMat, FindsFrequenciesWithOtherNames) {
   const MatVariable frf = complex("H", {1, 3}, {1, 2, 3});
   const StoredFrfs found = read_frf_mat(file_of({numbers("freq_axis", {1, 3}, {20, 20.5, 21}), frf}), {}).value();
   EXPECT_EQ(found.record.lines.first, 40U);
+}
+
+TEST(ReadFrfMat, ReadsTheUnitInTheNameOfTheFrequencies) {
+  const MatVariable frf = complex("H", {1, 3}, {1, 2, 3});
+  const auto first_Hz = [&](const std::string& name) {
+    return read_frf_mat(file_of({numbers(name, {1, 3}, {20, 20.5, 21}), frf}), {}).value().record.lines.freq_Hz(0);
+  };
+  EXPECT_NEAR(first_Hz("freq_kHz"), 20000, 1e-6);
+  EXPECT_NEAR(first_Hz("frequency_rad_s"), 20 / kTwoPi, 1e-9);
+  EXPECT_NEAR(first_Hz("freq_hz"), 20, 1e-9);
+  const StoredFrfs angular = read_frf_mat(file_of({numbers("w", {1, 3}, {20, 20.5, 21}), frf}), {}).value();
+  EXPECT_NEAR(angular.record.lines.freq_Hz(0), 20 / kTwoPi, 1e-9);
+  EXPECT_THAT(test::texts(angular.record.notes), ElementsAre("w is taken as the frequencies in rad/s"));
 }
 
 TEST(ReadFrfMat, ReadsKindAndUnitBesideTheFrfs) {
