@@ -80,6 +80,8 @@ Object columns_of(PyObject* self, const Arguments& /*arguments*/) {
   return out;
 }
 
+Object table_csv_of(PyObject* self, const Arguments& /*arguments*/) { return object_of(held_by(self)->outcome.table); }
+
 Object record_of(PyObject* self, const Arguments& /*arguments*/) {
   const auto& test = held_by(self)->outcome.synthetic;
   if (!test) return Object::none();
@@ -138,8 +140,9 @@ Object html_of(PyObject* self, const Arguments& /*arguments*/) {
 
 Object save(PyObject* self, const Arguments& arguments) {
   const SharedResult& held = held_by(self);
-  if (!held->outcome.save) raise_builtin(PyExc_TypeError, "this result cannot be saved to a file");
   const std::string path = arguments[0].bytes();
+  if (!held->outcome.save)
+    throw UsageError("this result has no file formats: " + one_line(path), "write its json to a file");
   const bool force = arguments[1].truth();
   compute(held, [&] {
     require_same_arrays(*held, path);
@@ -186,7 +189,7 @@ void bind_outcome(PyObject* module) {
        method<&frequencies_of>("frequency_hz"), method<&window_decay_of>("window_decay_per_s"),
        method<&frfs_of>("frfs"), method<&modes_of>("modes"), method<&residual_terms_of>("residual_terms"),
        method<&stabilisation_of>("stabilisation"), method<&shapes_of>("shapes"), method<&deflections_of>("deflections"),
-       method<&columns_of>("columns"), method<&record_of>("record"), method<&opened_of>("opened"),
+       method<&columns_of>("columns"), method<&table_csv_of>("table_csv"), method<&record_of>("record"), method<&opened_of>("opened"),
        method<&result_of_test>("of_test"), method<&signals_of>("signals")},
       {property<[](PyObject* self) { return object_of(held_by(self)->code); }>("code"),
        property<[](PyObject* self) { return object_of(held_by(self)->outcome.document); }>("document"),

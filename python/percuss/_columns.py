@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ._arrays import frozen
 from ._errors import InputError
 
 _TABLES = ("profile", "geometry", "bats")  # whose dictionaries are columns; those of other keywords are documents
@@ -36,3 +37,20 @@ def columns_text(columns: dict[str, np.ndarray], name: str) -> str:
     writer.writerow(columns)
     writer.writerows(zip(*(one.tolist() for one in columns.values())))
     return out.getvalue()
+
+
+def columns_of_csv(text: str) -> dict[str, np.ndarray]:
+    """The columns of a table that the library wrote as CSV: numbers, with NaN for empty fields, or texts."""
+    names, *rows = list(csv.reader(io.StringIO(text))) or [[]]
+    texts = ("id", "bat")  # also where they look like numbers
+    return {
+        name: frozen(np.array(fields, dtype=str) if name in texts else _numbers_or_texts(fields))
+        for name, fields in ((name, [row[i] for row in rows]) for i, name in enumerate(names))
+    }
+
+
+def _numbers_or_texts(fields: list[str]) -> np.ndarray:
+    try:
+        return np.array([float(field) if field else np.nan for field in fields])
+    except ValueError:
+        return np.array(fields, dtype=str)

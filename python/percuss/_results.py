@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _percuss
 from ._arrays import frozen
+from ._columns import columns_of_csv
 from ._errors import UsageError
 from ._optional import STYLE, table_frame
 from ._pickle import PickledResult
@@ -69,7 +70,7 @@ class Result(Mapping[str, Any]):
 
     def _calls(self) -> list[tuple[Any, ...]]:
         """Calls of the CommandResult whose values are pickled."""
-        return [("text", _WIDTH), ("html",), ("columns",)]
+        return [("text", _WIDTH), ("html",), ("columns",), ("table_csv",)]
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_outcome": PickledResult(self._outcome, self._calls(), self._pickled_tests())}
@@ -108,7 +109,7 @@ class Result(Mapping[str, Any]):
     @property
     def table(self) -> dict[str, np.ndarray]:
         """The columns of the command's .csv by name, (rows,) each; empty if it has none."""
-        return self._outcome.columns()
+        return self._outcome.columns() or columns_of_csv(self._outcome.table_csv())
 
     def to_dataframe(self) -> Any:
         """The table as a pandas.DataFrame. Needs pandas. Raises TypeError if the result has no table."""

@@ -219,6 +219,31 @@ def test_tables_hold_the_rows_of_bats(tmp_path):
     assert pickle.loads(pickle.dumps(model)).table["bat"].tolist() == model.table["bat"].tolist()
 
 
+def test_tables_with_words_are_read_from_their_text(tmp_path):
+    readings = "id,length_in,moi_oz_in2,ball_g,z_in,v_in_mph,v_out_mph,material\n7,34,10450,145.4,6,136,31,ash\n8,34,10200,145.4,6,136,,\n"
+    (tmp_path / "bats.csv").write_text(readings)
+    bats = percuss.metrics.performance(tmp_path / "bats.csv")
+    assert bats.table["id"].tolist() == ["7", "8"] and bats.table["material"].tolist() == ["ash", ""]
+    assert bats.table["besr"][0] > 0 and np.isnan(bats.table["besr"][1])
+    assert pickle.loads(pickle.dumps(bats)).table["id"].tolist() == ["7", "8"]
+    assert not bats.table["besr"].flags.writeable
+
+
+def test_nodes_have_a_row_each(tmp_path):
+    found = percuss.nodes(percuss.synth("bat-scan"), band=(60, 1500))
+    nodes = [(mode["index"] + 1, node["position_m"]) for mode in found.modes for node in mode["nodes"]]
+    table = found.table
+    with_node = ~np.isnan(table["node_m"])
+    assert list(zip(table["mode"][with_node].tolist(), table["node_m"][with_node].tolist())) == nodes
+    found.save(tmp_path / "nodes.csv")
+    assert (tmp_path / "nodes.csv").read_text().startswith("mode,order,frequency_hz,")
+
+
+def test_a_result_without_files_says_what_to_write(tmp_path):
+    with pytest.raises(percuss.UsageError, match="write its json to a file"):
+        percuss.info(tmp_path / "none.h5").save(tmp_path / "x.json")
+
+
 def test_each_of_several_tests_is_a_result_of_its_own(tmp_path):
     """Nothing tells it from the result of an analysis of its record alone."""
     records = [percuss.synth("wood-bat", seed=seed).record for seed in (1, 2)]

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
@@ -168,6 +170,35 @@ LineChart shapes_chart(const BendingPlot& bending) {
   return chart;
 }
 
+// A row per node; a mode without a node has one row.
+void add_nodes_table(CommandReport& report, const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
+  std::vector<NumericColumn> columns{
+      {"mode"},   {"order"},      {"frequency_hz"}, {"frequency_std_hz"}, {"damping_ratio"}, {"damping_ratio_std"},
+      {"node_m"}, {"node_std_m"}, {"minimum_m"}};
+  WordColumn family{"family"};
+  for (const pipeline::ModeAlongScan& along : scan.modes) {
+    const identify::Mode& mode = analysis.modes()[along.mode];
+    const identify::ModeClassification& classification = analysis.classifications()[along.mode];
+    for (std::size_t n = 0; n < std::max<std::size_t>(along.nodes.size(), 1); ++n) {
+      const bool known = n < along.nodes.size();
+      const double order = classification.order > 0 ? static_cast<double>(classification.order) : kNone;
+      const std::array<double, 9> row{static_cast<double>(along.mode + 1),
+                                      order,
+                                      mode.pole.freq_Hz,
+                                      mode.freq_std_Hz,
+                                      mode.pole.damping_ratio,
+                                      mode.damping_std,
+                                      known ? along.nodes[n].position_m : kNone,
+                                      known ? along.nodes[n].std_m : kNone,
+                                      along.minimum_m.value_or(kNone)};
+      for (std::size_t c = 0; c < row.size(); ++c) columns[c].values.push_back(row[c]);
+      family.values.emplace_back(name_of(classification.family));
+    }
+  }
+  report.columns = std::move(columns);
+  report.words = {std::move(family)};
+}
+
 }  // namespace
 
 CommandReport nodes_report(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
@@ -176,6 +207,7 @@ CommandReport nodes_report(const pipeline::Analysis& analysis, const pipeline::N
   report.text = nodes_text(analysis, scan);
   report.bending = bending_of(analysis, scan);
   report.charts = {shapes_chart(report.bending)};
+  add_nodes_table(report, analysis, scan);
   return report;
 }
 

@@ -50,6 +50,16 @@ class NodesCommand : public testing::Test {
 
 constexpr double kNodeTolerance_in = 0.01;  // for 0.1 % of noise on a straight shape
 
+TEST_F(NodesCommand, WritesATableOfNodes) {
+  ASSERT_EQ(nodes({file("scan.h5"), "--positions", "6:0.5:9in", "-o", file("nodes.csv")}).code, 0);
+  const auto lines = lines_of(test::bytes_of(file("nodes.csv")));
+  ASSERT_GE(lines.size(), 2U);
+  EXPECT_EQ(
+      lines[0],
+      "mode,order,frequency_hz,frequency_std_hz,damping_ratio,damping_ratio_std,node_m,node_std_m,minimum_m,family");
+  EXPECT_THAT(lines[1], HasSubstr(",0.19"));  // 7.5 in are 0.1905 m
+}
+
 TEST_F(NodesCommand, PrintsADocumentThatFitsItsSchema) {
   const auto outcome = nodes({file("scan.h5"), "--positions", "6:0.5:9in", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -39,6 +39,7 @@ struct CommandResult {
   std::vector<std::variant<acquire::Record, acquire::FrfRecord>> opened;
   std::vector<report::NumericColumn> columns;
   std::vector<report::WordColumn> words;
+  std::string table;  // CSV, in place of `columns`
 };
 
 /// A program that calls a command as a function: its inputs, and the result.

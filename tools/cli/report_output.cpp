@@ -33,6 +33,7 @@ void print_report(const report::CommandReport& report, const OutputFlags& flags)
     CommandResult& outcome = flags.host->outcome;
     outcome.columns = report.columns;
     outcome.words = report.words;
+    outcome.table = report.table;
     outcome.text = [text = report.text](std::size_t width, OptionWriter write_option) {
       return text.text(width, write_option);
     };

@@ -117,7 +117,7 @@ OpenScan open_scan(const NodesFlags& flags, const std::optional<pipeline::ScanPo
 int nodes(const NodesFlags& flags) {
   std::optional<pipeline::ScanPositions> stated;
   if (flags.positions) stated = parse_positions(*flags.positions);
-  check_outputs(flags.output, {".json", ".svg", ".html"});
+  check_outputs(flags.output, {".json", ".csv", ".svg", ".html"});
   const Progress progress("analysing", flags.output.quiet);
   const OpenScan opened = open_scan(flags, stated);
   if (flags.output.host != nullptr) flags.output.host->outcome.analyses = {opened.analysis};
@@ -157,7 +157,7 @@ void add_nodes(CommandLine& line) {
       .type("START:STEP:END[UNIT]|POSITION,...");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".json, .svg, .html");
+  add_output_flags(command, flags->output, ".json, .csv, .svg, .html");
 }
 
 }  // namespace percuss::tools
