@@ -89,6 +89,7 @@ Hit hit_without_pulse(std::size_t row, const SampleRange& part, const TriggerSca
 struct Contact {
   std::size_t peak = 0;        // sample of the row
   double size_N = 0;           // |force| there
+  double length = 0;           // samples between its flanks
   std::size_t pretrigger = 0;  // samples before it
 };
 
@@ -101,23 +102,30 @@ std::vector<Contact> contacts_of(const TriggerScan& scan, const Record& record, 
     const std::size_t begin = std::max(part.first, event > reach ? event - reach : 0);
     const auto x = force_between(record, row, begin, std::min(part.last, event + reach + 1), scan.baseline_N);
     if (!is_hammer_pulse(x, event - begin, scan.noise_N, record.fs_Hz)) continue;
-    const std::size_t rise = rise_samples(shape_of_pulse(x, event - begin));
-    contacts.push_back(
-        {.peak = event, .size_N = std::abs(x[event - begin]), .pretrigger = pretrigger_samples(record, options, rise)});
+    const PulseShape shape = shape_of_pulse(x, event - begin);
+    contacts.push_back({.peak = event,
+                        .size_N = std::abs(x[event - begin]),
+                        .length = shape.fall - shape.rise,
+                        .pretrigger = pretrigger_samples(record, options, rise_samples(shape))});
   }
   return contacts;
 }
 
 // The end of the search for contacts after the row's largest. What a blow of its own excites is in the response,
-// however late it comes.
+// however late it comes. A late spike, shorter than half the pulse, is no force.
 std::size_t end_of_scan(const TriggerScan& scan, const Record& record, std::size_t row, const SampleRange& part,
                         const HitOptions& options) {
   const std::size_t reach = samples_to_scan(record.fs_Hz);
   std::size_t end = scan.largest_end + reach;
   if (scan.events.empty() || scan.events.back() < end) return end;
-  for (const Contact& contact : contacts_of(scan, record, row, part, options)) {
-    if (contact.peak < end || contact.size_N < kMaxSecondContact * scan.largest_N) continue;
-    end = contact.peak + reach;
+  const std::vector<Contact> contacts = contacts_of(scan, record, row, part, options);
+  const auto main = std::find_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+    return contact.peak >= scan.largest_first && contact.peak < scan.largest_end;
+  });
+  if (main == contacts.end()) return end;
+  for (const Contact& contact : contacts) {
+    const bool is_blow = contact.size_N >= kMaxSecondContact * scan.largest_N && contact.length >= 0.5 * main->length;
+    if (contact.peak >= end && is_blow) end = contact.peak + reach;
   }
   return end;
 }

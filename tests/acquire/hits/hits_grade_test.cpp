@@ -188,6 +188,12 @@ TEST(HitFindings, ReportALateSecondHit) {
   }
 }
 
+TEST(HitFindings, LeaveOutALateSpike) {
+  auto row = good_row();
+  row[kSamples - 1000] += 60;
+  EXPECT_TRUE(hit_of(row).findings.empty());
+}
+
 TEST(HitFindings, AgreeWithTheFaultsOfASyntheticTest) {
   synth::SynthSpec spec;
   spec.samples = 8192;
