@@ -185,10 +185,10 @@ const std::vector<identify::Mode>& Analysis::modes() const {
         return *built;
       };
       const bool searches = may_hide_modes(set, from, all, found);
-      const HiddenModes hidden = searches ? add_hidden_modes(found, tones, set, hits, all.effort) : HiddenModes{};
-      if (hidden.wandering.empty() && !hums) searched_poles_ = hidden.unmodelled;
+      const std::vector<Tone> wandering =
+          searches ? add_hidden_modes(found, tones, set, hits, all.effort) : std::vector<Tone>{};
       add_scatter_between_hits(set, from, options_.modes, found);
-      if (!hidden.wandering.empty()) refit_modes_near_tones(found, hidden.wandering, set, hits(), all.effort);
+      if (!wandering.empty()) refit_modes_near_tones(found, wandering, set, hits(), all.effort);
       if (hums) remove_mains_modes(found, tones, set, hits());
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);

@@ -223,19 +223,10 @@ JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles) {
   return fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns));
 }
 
-std::vector<Eigen::VectorXcd> residual_at(const FrfDataset& set, const std::vector<Pole>& poles) {
-  JointProjection projection(set, poles);
-  const JointModel model{.poles = poles, .real = std::vector<char>(poles.size(), 0)};
-  const JointState state = projection.evaluate(model, ColumnContent::value);
-  projection.weight_by_residual(state, projection.unweighted_residual(state));
-  return projection.unweighted_residual(projection.evaluate(model, ColumnContent::value));
-}
-
 Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& poles) {
   const auto modes = static_cast<Index>(poles.size());
   const JointState state =
-      JointProjection(set, poles)
-          .evaluate({.poles = poles, .real = std::vector<char>(poles.size(), 0)}, ColumnContent::value);
+      JointProjection(set, poles).evaluate({.poles = poles, .real = std::vector<char>(poles.size(), 0)});
   Eigen::MatrixXcd residues(static_cast<Index>(set.channels.size()), modes);
   for (const JointPart& part : state.parts) {
     for (std::size_t i = 0; i < part.channels.size(); ++i) {

@@ -48,9 +48,6 @@ JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles, con
 /// The same where the poles are taken for exact.
 JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles);
 
-/// The residual of the same fit, [channels][lines], at a fraction of the work.
-std::vector<Eigen::VectorXcd> residual_at(const FrfDataset& set, const std::vector<Pole>& poles);
-
 /// The same residues without standard deviations, [channels, modes], at a fraction of the work.
 Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& poles);
 

@@ -20,7 +20,7 @@ constexpr double kPairGain = 15;
 std::vector<VectorXcd> residual_before(const FrfDataset& set, const std::vector<FittedMode>& modes,
                                        std::vector<VectorXcd> residual) {
   if (residual.empty()) {
-    residual = residual_at(set, poles_of(modes));
+    residual = fit_residues(set, poles_of(modes)).residual;
   }
   for (const FittedMode& mode : modes) {
     if (!(mode.mode.freq_scatter_Hz > 0)) continue;

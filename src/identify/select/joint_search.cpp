@@ -20,6 +20,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXcd;
 
+constexpr int kFinalFits = 3;             // of the last fit: without its partners it may approach its end slowly
 constexpr std::size_t kSharedPoints = 3;  // with fewer points, shared columns save no work
 
 std::vector<FittedMode> joint_modes(const FrfDataset& set, const JointFit& fit) {
@@ -79,7 +80,7 @@ std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const st
     if (!std::binary_search(partners.begin(), partners.end(), m)) kept.push_back(fit.poles[m]);
   }
   JointFitBudget budget(set);
-  std::optional<JointFit> fewer = settled_fit(set, std::move(kept), budget);
+  std::optional<JointFit> fewer = settled_fit(set, std::move(kept), budget, kFinalFits);
   if (!fewer || fewer->poles.size() <= known.size()) return std::nullopt;
   return with_tested_residues(set, *fewer);
 }

@@ -12,7 +12,6 @@ constexpr int kJointSteps = 40;      // of a joint fit
 constexpr double kTrialStep = 1e-3;  // tolerance of the poles while their number changes
 constexpr double kTrialCost = 1e-4;  // … and relative decrease of the squares
 constexpr double kFinalCost = 1e-9;  // relative decrease of the squares that ends a fit of the final modes
-constexpr int kFinalFits = 3;        // of kJointSteps each: what converged coarsely may approach its end slowly
 
 }  // namespace
 
@@ -20,10 +19,10 @@ JointFitOptions final_fit_options(bool test_real) {
   return {.max_steps = kJointSteps, .cost_tolerance = kFinalCost, .test_real = test_real};
 }
 
-std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget) {
+std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget,
+                                    int final_fits) {
   JointFitOptions options{
       .max_steps = kJointSteps, .tolerance = kTrialStep, .cost_tolerance = kTrialCost, .test_real = false};
-  int final_fits = 0;
   for (int round = 0; round < kDroppingRounds && !poles.empty() && budget.allows(poles); ++round) {
     JointFit fit = budget.fit(poles, options);
     const bool converged = fit.converged;
@@ -32,7 +31,7 @@ std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> pol
     if (poles.size() < fit.poles.size()) continue;
     const bool final = options.tolerance < kTrialStep;
     if (final && converged) return fit;
-    if (final && ++final_fits < kFinalFits) continue;
+    if (final && --final_fits > 0) continue;
     if (!converged) break;
     options.tolerance = JointFitOptions{}.tolerance;
     options.cost_tolerance = kFinalCost;

@@ -8,8 +8,10 @@
 namespace percuss::identify {
 
 /// The joint fit from these poles without insignificant modes; nothing where it does not settle. A coarse tolerance
-/// serves until no more modes are dropped. A fit that neither converges nor drops a mode is not repeated.
-std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget);
+/// serves until no more modes are dropped. A fit that neither converges nor drops a mode is not repeated; one that
+/// converged coarsely is continued until it has had `final_fits`.
+std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget,
+                                    int final_fits = 1);
 
 /// Options of a fit of modes whose number is final.
 JointFitOptions final_fit_options(bool test_real);
