@@ -142,7 +142,7 @@ Object save(PyObject* self, const Arguments& arguments) {
   const SharedResult& held = held_by(self);
   const std::string path = arguments[0].bytes();
   if (!held->outcome.save)
-    throw UsageError("this result has no file formats: " + one_line(path), "write its json to a file");
+    throw UsageError("save() does not write this result: " + one_line(path), "write its json to a file");
   const bool force = arguments[1].truth();
   compute(held, [&] {
     require_same_arrays(*held, path);

@@ -42,14 +42,12 @@ def columns_text(columns: dict[str, np.ndarray], name: str) -> str:
 def columns_of_csv(text: str) -> dict[str, np.ndarray]:
     """The columns of a table that the library wrote as CSV: numbers, with NaN for empty fields, or texts."""
     names, *rows = list(csv.reader(io.StringIO(text))) or [[]]
-    texts = ("id", "bat")  # also where they look like numbers
-    return {
-        name: frozen(np.array(fields, dtype=str) if name in texts else _numbers_or_texts(fields))
-        for name, fields in ((name, [row[i] for row in rows]) for i, name in enumerate(names))
-    }
+    return {name: frozen(_numbers_or_texts(name, [row[i] for row in rows])) for i, name in enumerate(names)}
 
 
-def _numbers_or_texts(fields: list[str]) -> np.ndarray:
+def _numbers_or_texts(name: str, fields: list[str]) -> np.ndarray:
+    if name in ("id", "bat"):  # texts, also where they look like numbers
+        return np.array(fields, dtype=str)
     try:
         return np.array([float(field) if field else np.nan for field in fields])
     except ValueError:

@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kNoNode = std::numeric_limits<double>::quiet_NaN();  // an empty field of the table
+constexpr double kEmpty = std::numeric_limits<double>::quiet_NaN();  // an empty field of the table
 
 Json mode_json(const pipeline::Analysis& analysis, const pipeline::ModeAlongScan& along) {
   const identify::Mode& mode = analysis.modes()[along.mode];
@@ -184,16 +184,16 @@ void add_nodes_table(CommandReport& report, const pipeline::Analysis& analysis, 
     const identify::ModeClassification& classification = analysis.classifications()[along.mode];
     for (std::size_t n = 0; n < std::max<std::size_t>(along.nodes.size(), 1); ++n) {
       const bool known = n < along.nodes.size();
-      const double order = classification.order > 0 ? static_cast<double>(classification.order) : kNoNode;
+      const double order = classification.order > 0 ? static_cast<double>(classification.order) : kEmpty;
       const std::array<double, 9> row{static_cast<double>(along.mode + 1),
                                       order,
                                       mode.pole.freq_Hz,
                                       mode.freq_std_Hz,
                                       mode.pole.damping_ratio,
                                       mode.damping_std,
-                                      known ? along.nodes[n].position_m : kNoNode,
-                                      known ? along.nodes[n].std_m : kNoNode,
-                                      along.minimum_m.value_or(kNoNode)};
+                                      known ? along.nodes[n].position_m : kEmpty,
+                                      known ? along.nodes[n].std_m : kEmpty,
+                                      along.minimum_m.value_or(kEmpty)};
       for (std::size_t c = 0; c < row.size(); ++c) columns[c].values.push_back(row[c]);
       family.values.emplace_back(name_of(classification.family));
     }

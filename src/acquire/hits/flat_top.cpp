@@ -8,8 +8,10 @@
 #include <complex>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "acquire/hits/pulse_shape.hpp"
+#include "core/math/statistics.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -153,7 +155,7 @@ std::optional<PulseTop> top_of(const Hit& hit) {
   return top_of(pulse);
 }
 
-// Whether a pulse is flatter than the median of the others of about its length.
+// Whether a pulse is flatter than the median of the unclipped pulses of about its length.
 bool is_flatter_than_others(const PulseTop& top, const std::vector<std::optional<PulseTop>>& tops) {
   std::vector<double> others;
   for (const std::optional<PulseTop>& other : tops) {
@@ -161,9 +163,7 @@ bool is_flatter_than_others(const PulseTop& top, const std::vector<std::optional
       others.push_back(other->flatness);
   }
   if (others.size() < kOthers) return false;
-  const auto middle = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
-  std::nth_element(others.begin(), middle, others.end());
-  return top.flatness > *middle + kFlatterThanOthers;
+  return top.flatness > median(std::move(others)) + kFlatterThanOthers;
 }
 
 bool is_clipped(const PulseTop& top, const std::vector<std::optional<PulseTop>>& tops) {

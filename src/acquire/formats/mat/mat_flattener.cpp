@@ -76,32 +76,47 @@ std::string text_of(const matvar_t* variable) {
   return out;
 }
 
-// The names of channels in one field of a structure array: texts that differ, one of which names a force. Nothing for
-// other fields; the elements are hits then.
-std::vector<std::string> channel_names(const char* field, const std::vector<const matvar_t*>& column) {
+std::vector<MatField> fields_of(const matvar_t* structure) {
+  const std::size_t count = Mat_VarGetNumberOfFields(to_mutable(structure));
+  char* const* const names = Mat_VarGetStructFieldnames(structure);
+  const auto* const values = static_cast<matvar_t* const*>(structure->data);
+  std::vector<MatField> fields;
+  if (names == nullptr || values == nullptr) return fields;
+  for (std::size_t f = 0; f < count; ++f) {
+    if (names[f] == nullptr) continue;
+    MatField& field = fields.emplace_back(MatField{.name = names[f], .values = {}});
+    for (std::uint64_t e = 0; e < elements(structure); ++e) field.values.push_back(values[e * count + f]);
+  }
+  return fields;
+}
+
+// The texts of a field that names channels: they differ, and one of them names a force. Nothing for other fields; the
+// elements are hits then.
+std::vector<std::string> channel_names(const MatField& field) {
   constexpr std::array<std::string_view, 6> kNameFields{"name",     "label",       "channel",
                                                         "channame", "channelname", "signal"};
-  std::string lower = lower_case(field);
-  std::erase(lower, '_');
+  std::string bare = lower_case(field.name);
+  std::erase(bare, '_');
+  if (field.values.size() < 2 || !is_one_of(bare, kNameFields)) return {};
   std::vector<std::string> names;
-  if (!is_one_of(lower, kNameFields)) return names;
   bool has_force = false;
-  for (const matvar_t* one : column) {
+  for (const matvar_t* one : field.values) {
     const bool is_text = one != nullptr && one->dims != nullptr && one->class_type == MAT_C_CHAR;
     const std::string name = is_text ? text_of(one) : "";
     if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return {};
     has_force = has_force || has_one_of(lower_case(name), kForceWords);
     names.push_back(name);
   }
-  if (!has_force) names.clear();
-  return names;
+  return has_force ? names : std::vector<std::string>{};
 }
 
-// What follows a channel's name: nothing for its samples, so that a unit in the name is found.
-std::string field_of_channel(const std::string& field, const matvar_t* value) {
-  if (value != nullptr && value->dims != nullptr && is_number_class(value->class_type) && elements(value) > 1)
-    return "";
-  return (lower_case(field).starts_with("unit") ? "_" : ".") + lower_case(field);
+// Whether every element has samples in this field: an array of numbers, but no times.
+bool holds_samples(const MatField& field) {
+  const auto is_array = [](const matvar_t* one) {
+    return one != nullptr && one->dims != nullptr && is_number_class(one->class_type) && elements(one) > 1;
+  };
+  return !is_one_of(lower_case(field.name), kTimeWords) &&
+         std::all_of(field.values.begin(), field.values.end(), is_array);
 }
 
 MatVariable described(const std::string& name, const matvar_t* variable) {
@@ -196,24 +211,21 @@ void MatFlattener::add_text(const std::string& name, const matvar_t* variable) {
 }
 
 void MatFlattener::add_structure(const std::string& name, const matvar_t* variable) {
-  const std::size_t fields = Mat_VarGetNumberOfFields(to_mutable(variable));
-  char* const* const names = Mat_VarGetStructFieldnames(variable);
-  const auto* const values = static_cast<matvar_t* const*>(variable->data);
-  const std::uint64_t count = elements(variable);
-  if (names == nullptr || values == nullptr) return;
-  const auto column_of = [&](std::size_t f) {
-    std::vector<const matvar_t*> column;
-    for (std::uint64_t e = 0; e < count; ++e) column.push_back(values[e * fields + f]);
-    return column;
-  };
-  std::vector<std::string> channels;
-  for (std::size_t f = 0; f < fields && count > 1 && count <= kMaxElements && channels.empty(); ++f)
-    if (names[f] != nullptr) channels = channel_names(names[f], column_of(f));
-  for (std::size_t f = 0; f < fields; ++f) {
-    if (names[f] == nullptr) continue;
-    if (channels.empty()) add_elements(name + "." + names[f], column_of(f), '(', ')');
-    for (std::size_t e = 0; e < channels.size(); ++e)
-      add(channels[e] + field_of_channel(names[f], values[e * fields + f]), values[e * fields + f]);
+  const std::vector<MatField> fields = fields_of(variable);
+  for (const MatField& field : fields) {
+    const std::vector<std::string> channels = channel_names(field);
+    if (!channels.empty() && channels.size() <= kMaxElements) return add_channels(channels, fields);
+  }
+  for (const MatField& field : fields) add_elements(name + "." + field.name, field.values, '(', ')');
+}
+
+void MatFlattener::add_channels(const std::vector<std::string>& names, const std::vector<MatField>& fields) {
+  const bool one_array = std::count_if(fields.begin(), fields.end(), holds_samples) == 1;
+  for (const MatField& field : fields) {
+    std::string suffix = "." + field.name;
+    if (one_array && holds_samples(field)) suffix = "";
+    if (one_array && lower_case(field.name).starts_with("unit")) suffix = "_unit";
+    for (std::size_t e = 0; e < names.size(); ++e) add(names[e] + suffix, field.values[e]);
   }
 }
 

@@ -10,6 +10,12 @@ struct matvar_t;  // of matio
 
 namespace percuss::acquire {
 
+/// A field of a structure array, with its value in each element.
+struct MatField {
+  std::string name;
+  std::vector<const matvar_t*> values;
+};
+
 /// Turns the variables of a MAT file, with the fields and cells in them, into variables of `out`.
 /// errors  InputError: more than 10000 variables, 4096 elements or 8 levels; more numbers than the file can hold; a
 /// variable that cannot be read.
@@ -36,6 +42,9 @@ class MatFlattener {
   void add_numbers(const std::string& name, const matvar_t* variable);
   void add_text(const std::string& name, const matvar_t* variable);
   void add_structure(const std::string& name, const matvar_t* variable);
+  // Adds a structure array whose elements are channels of these names. The only samples of a channel get its name, so
+  // that a unit in the name is found; several keep their fields' names, too.
+  void add_channels(const std::vector<std::string>& names, const std::vector<MatField>& fields);
   // Adds the cells of a cell array, or one field of a structure array: as one matrix with a row per element if all
   // elements are real arrays of equal size and equal name, else one by one.
   void add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open, char close);

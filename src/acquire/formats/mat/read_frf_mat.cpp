@@ -76,31 +76,34 @@ const MatVariable* frequency_vector(const MatFile& file) {
   return only;
 }
 
-bool is_angular(const std::string& name) {
-  const std::string field = lower_case(field_name(name));
-  return field == "omega" || field == "w";
-}
-
-// The stated unit of the frequencies, else the one that their name ends in, as freq_kHz.
-std::string unit_of_frequencies(const MatFile& file, const std::string& name) {
-  const std::string stated = unit_in(file, name);
-  const std::string field(field_name(name));
+// The unit that the name of a vector of frequencies ends in: freq_kHz, frequency_rad_s. Empty without one.
+std::string unit_in_name(const std::string& field) {
+  const std::string lower = lower_case(field);
+  if (lower.ends_with("_rad_s") || lower.ends_with("_rads")) return "rad/s";
   const std::size_t last = field.rfind('_');
-  if (stated.empty() && is_angular(name)) return "rad/s";
-  if (!stated.empty() || last == std::string::npos) return stated;
-  const std::string ending = field.substr(last + 1);
-  if (lower_case(ending) == "rads" || lower_case(field).ends_with("_rad_s")) return "rad/s";
+  const std::string ending = last == std::string::npos ? "" : field.substr(last + 1);
   return Hz_per_unit(ending) ? ending : "";
 }
 
-std::vector<double> frequencies_in(const MatFile& file) {
+struct Frequencies {
+  std::vector<double> freq_Hz;  // empty if the file has no vector of them
+  std::string note;             // of an assumed unit; may be empty
+};
+
+Frequencies frequencies_in(const MatFile& file) {
   const MatVariable* const vector = frequency_vector(file);
   if (vector == nullptr) return {};
-  const double to_Hz =
-      require_Hz_per_unit(unit_of_frequencies(file, vector->name), file.path + ": " + one_line(vector->name, 40));
-  std::vector<double> freq_Hz = vector->real;
-  std::for_each(freq_Hz.begin(), freq_Hz.end(), [&](double& f) { f *= to_Hz; });
-  return freq_Hz;
+  Frequencies out{.freq_Hz = vector->real, .note = {}};
+  std::string unit = unit_in(file, vector->name);
+  const std::string field(field_name(vector->name)), lower = lower_case(field);
+  if (unit.empty() && (lower == "omega" || lower == "w")) {
+    unit = "rad/s";
+    out.note = one_line(vector->name, 40) + " is taken as the frequencies in rad/s";
+  }
+  if (unit.empty()) unit = unit_in_name(field);
+  const double to_Hz = require_Hz_per_unit(unit, file.path + ": " + one_line(vector->name, 40));
+  std::for_each(out.freq_Hz.begin(), out.freq_Hz.end(), [&](double& f) { f *= to_Hz; });
+  return out;
 }
 
 LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size_t lines,
@@ -232,7 +235,8 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   if (named != nullptr && !named->is_complex()) named = nullptr;
   const auto candidates = named != nullptr ? std::vector{named} : frf_candidates(file);
   if (candidates.empty() || (force_named && !options.kind)) return std::nullopt;
-  const std::vector<double> freq_Hz = frequencies_in(file);
+  const Frequencies frequencies = frequencies_in(file);
+  const std::vector<double>& freq_Hz = frequencies.freq_Hz;
   const bool is_named_frf = is_frf_name(candidates.front()->name);
   const std::size_t lines = frf_layout(*candidates.front(), freq_Hz.size()).lines;
   if (named == nullptr && !is_named_frf && !options.kind && may_hold_record(file, lines)) return std::nullopt;
@@ -248,9 +252,7 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   out.record.notes = file.notes;
   out.record.lines = lines_in(file, options, layout.lines, freq_Hz);
   out.record.decay_per_s = std::max(0.0, mat_number(file, {"decaypers"}).value_or(0));
-  if (const MatVariable* const vector = frequency_vector(file);
-      vector != nullptr && is_angular(vector->name) && unit_in(file, vector->name).empty())
-    out.record.notes.emplace_back(vector->name + " is taken as the frequencies in rad/s");
+  if (!frequencies.note.empty()) out.record.notes.emplace_back(frequencies.note);
   describe_mat_channels(file, layout.channels, out);
   if (layout.points > 1 && !is_named_frf) {
     out.record.notes.emplace_back(fmt::format(

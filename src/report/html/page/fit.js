@@ -127,9 +127,9 @@ const fitPlots = () => {
     point.value = first.point;
     channel.value = first.channel;
     draw();
-    addElement("figcaption", figure, [
-      ...(fit.frfs.length > 1 ? ["Shown first: the FRF with the lowest FRAC."] : []),
-      ...(fit.count < fit.of ? [`Curves are drawn at ${fit.count} of ${fit.of} spectral lines, densest around the modes.`] : []),
-    ].join(" "));
+    const remarks = [];
+    if (fit.frfs.length > 1) remarks.push("Shown first: the FRF with the lowest FRAC.");
+    if (fit.count < fit.of) remarks.push(`Curves are drawn at ${fit.count} of ${fit.of} spectral lines, densest around the modes.`);
+    if (remarks.length > 0) addElement("figcaption", figure, remarks.join(" "));
   }
 };
