@@ -10,6 +10,8 @@ set(long_suites FuzzCorpus Truncation Limits Study Help ChannelFindings Survey H
 # Long computations. Under the sanitizers, .ci/run leaves them out, and .ci/full runs them.
 set(long_computations ChannelFindings Examples Help IdentifyModes ImpactOnset LargestDeflection Study Survey
                       TrampolineFit Tutorial)
+# These measure time, so that no other suite runs beside them.
+set(timed_suites GuideLatency)
 set(tests "")
 foreach(suite IN LISTS suites)
   string(REGEX MATCH "[^ \n]+\\." suite "${suite}")
@@ -18,6 +20,9 @@ foreach(suite IN LISTS suites)
                       "set_tests_properties([==[${suite}]==] PROPERTIES TIMEOUT 1200)\n")
   if(suite IN_LIST long_suites)
     string(APPEND tests "set_tests_properties([==[${suite}]==] PROPERTIES COST 1000)\n")
+  endif()
+  if(suite IN_LIST timed_suites)
+    string(APPEND tests "set_tests_properties([==[${suite}]==] PROPERTIES RUN_SERIAL TRUE)\n")
   endif()
   if(suite IN_LIST long_computations)
     string(APPEND tests "set_tests_properties([==[${suite}]==] PROPERTIES LABELS computation)\n")

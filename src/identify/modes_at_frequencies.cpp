@@ -45,10 +45,10 @@ double half_power_at(const std::vector<Pole>& poles, double freq_Hz, double line
 
 }  // namespace
 
-std::vector<UnmodelledResonance> unmodelled_resonances(const FrfDataset& set, const std::vector<Mode>& modes) {
+std::vector<UnmodelledResonance> unmodelled_resonances(const FrfDataset& set, const std::vector<Mode>& modes,
+                                                       const std::vector<Pole>& poles) {
   std::vector<UnmodelledPeak> peaks = unmodelled_peaks(set, modes, kPeakRange_dB);
   std::stable_sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.level_dB > b.level_dB; });
-  const std::vector<Pole> poles = unmodelled_poles(set, modes);
   std::vector<UnmodelledResonance> out;
   out.reserve(peaks.size());
   for (const UnmodelledPeak& peak : peaks)

@@ -14,8 +14,9 @@ struct UnmodelledResonance {
 };
 
 /// The unmodelled peaks, largest first, and the stable poles that no mode describes. Near a mode there are none: its
-/// misfit has stable poles, too.
-std::vector<UnmodelledResonance> unmodelled_resonances(const FrfDataset& set, const std::vector<Mode>& modes);
+/// misfit has stable poles, too. `poles`: unmodelled_poles of the same modes.
+std::vector<UnmodelledResonance> unmodelled_resonances(const FrfDataset& set, const std::vector<Mode>& modes,
+                                                       const std::vector<Pole>& poles);
 
 /// The modes at resonances where `modes` have none, in ascending frequency. The lines around each are analysed alone,
 /// as in a narrow band: few modes and residual terms describe what all modes of the band together do not. Such modes

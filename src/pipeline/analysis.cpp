@@ -184,11 +184,15 @@ const std::vector<identify::Mode>& Analysis::modes() const {
         if (!built) built = single_hits(set, from, comparable_hits(from));
         return *built;
       };
-      const bool searches = may_hide_modes(set, from, all, found);
-      const std::vector<Tone> wandering =
-          searches ? add_hidden_modes(found, tones, set, hits, all.effort) : std::vector<Tone>{};
-      add_scatter_between_hits(set, from, options_.modes, found);
-      if (!wandering.empty()) refit_modes_near_tones(found, wandering, set, hits(), all.effort);
+      HiddenModes hidden;
+      const auto search = [&] {
+        hidden = may_hide_modes(set, from, all, found) ? add_hidden_modes(found, tones, set, hits, all.effort)
+                                                       : HiddenModes{};
+      };
+      search();
+      add_scatter_between_hits(set, from, hits, options_.modes, search, found);
+      if (!hidden.wandering.empty()) refit_modes_near_tones(found, hidden.wandering, set, hits(), all.effort);
+      if (hidden.wandering.empty() && !hums) searched_poles_ = hidden.unmodelled;
       if (hums) remove_mains_modes(found, tones, set, hits());
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);

@@ -11,6 +11,7 @@
 #include "core/budget.hpp"
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
+#include "identify/model/frf_synthesis.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
 #include "pipeline/analysis_options.hpp"
 #include "pipeline/channels/channel_findings.hpp"
@@ -90,6 +91,8 @@ class Analysis {
   const std::vector<identify::Mode>& modes_below() const;
   /// The numbers of bending and of hoop modes of a tube among modes_below(), classified by two sensors.
   const identify::LowerOrders& lower_orders() const;
+  /// fitted_frfs() computed from the modes, over band_lines().
+  const std::vector<identify::SynthesisedFrf>& synthesis() const;
   /// How well the modes explain each FRF, over band_lines().
   const FitQuality& fit() const;
   /// Peaks of fitted_frfs() that no mode models, the largest first; some lie just beyond the band.
@@ -132,10 +135,13 @@ class Analysis {
   Lazy<std::vector<identify::Mode>> modes_;
   mutable std::vector<identify::Mode> margin_modes_;  // below the band; set with modes_
   mutable std::vector<identify::Mode> band_modes_;    // all within the band, if modes_ holds a part of them
+  // unmodelled_poles of all modes, where the search for hidden modes found none; set with modes_
+  mutable std::optional<std::vector<identify::Pole>> searched_poles_;
   Lazy<std::vector<identify::Mode>> modes_below_;
   Lazy<std::vector<identify::ModeClassification>> types_;  // their orders leave out lower_orders()
   Lazy<identify::LowerOrders> lower_orders_;
   Lazy<std::vector<identify::ModeClassification>> classifications_;
+  Lazy<std::vector<identify::SynthesisedFrf>> synthesis_;
   Lazy<FitQuality> fit_;
   Lazy<std::vector<identify::UnmodelledPeak>> unexplained_peaks_;
   Lazy<std::vector<identify::Pole>> unmodelled_poles_;

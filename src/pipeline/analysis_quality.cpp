@@ -31,13 +31,17 @@ const acquire::Record& Analysis::aligned_record() const {
   });
 }
 
-const FitQuality& Analysis::fit() const {
-  return within_budget(budget_, fit_, [&] {
+const std::vector<identify::SynthesisedFrf>& Analysis::synthesis() const {
+  return within_budget(budget_, synthesis_, [&] {
     const std::vector<identify::Mode>& found = modes();
     const identify::FrfDataset& set = fitted_frfs();
     const ThreadLimit limit(options_.threads);
-    return trace_.run("fit", [&] { return fit_quality(set, found, band_lines()); });
+    return trace_.run("synthesis", [&] { return identify::synthesised_frfs(set, found, band_lines()); });
   });
+}
+
+const FitQuality& Analysis::fit() const {
+  return within_budget(budget_, fit_, [&] { return fit_quality(fitted_frfs(), modes(), synthesis(), band_lines()); });
 }
 
 const std::vector<identify::UnmodelledPeak>& Analysis::unexplained_peaks() const {
@@ -51,7 +55,9 @@ const std::vector<identify::Pole>& Analysis::unmodelled_poles() const {
   return within_budget(budget_, unmodelled_poles_, [&]() -> std::vector<identify::Pole> {
     if (options_.modes.modes || !options_.modes.start_Hz.empty()) return {};
     const ThreadLimit limit(options_.threads);
-    std::vector<identify::Pole> poles = identify::unmodelled_poles(fitted_frfs(), modes());
+    const std::vector<identify::Mode>& found = modes();
+    std::vector<identify::Pole> poles =
+        searched_poles_ ? *searched_poles_ : identify::unmodelled_poles(fitted_frfs(), found);
     const auto band = band_Hz();
     std::erase_if(poles,
                   [&](const identify::Pole& pole) { return pole.freq_Hz < band.first || pole.freq_Hz > band.second; });

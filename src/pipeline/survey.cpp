@@ -188,14 +188,7 @@ const std::vector<std::vector<identify::Mac>>& Survey::macs() const {
 
 acquire::LineRange Survey::band() const { return analysis_.band_lines(); }
 
-const std::vector<identify::SynthesisedFrf>& Survey::synthesis() const {
-  return within_budget(analysis_.budget(), synthesis_, [&] {
-    const identify::FrfDataset& set = analysis_.fitted_frfs();
-    const auto& modes = analysis_.modes();
-    const ThreadLimit limit(analysis_.options().threads);
-    return analysis_.trace().run("synthesis", [&] { return identify::synthesised_frfs(set, modes, band()); });
-  });
-}
+const std::vector<identify::SynthesisedFrf>& Survey::synthesis() const { return analysis_.synthesis(); }
 
 const Eigen::MatrixXd& Survey::indicator() const {
   return within_budget(analysis_.budget(), indicator_, [&] {

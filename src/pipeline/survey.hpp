@@ -69,7 +69,6 @@ class Survey {
   Lazy<std::vector<std::optional<identify::TubeShape>>> tubes_;
   Lazy<std::vector<identify::ModeClassification>> classifications_;
   Lazy<std::vector<std::vector<identify::Mac>>> macs_;
-  Lazy<std::vector<identify::SynthesisedFrf>> synthesis_;
   Lazy<Eigen::MatrixXd> indicator_;
 };
 

@@ -39,7 +39,7 @@ TEST(ModesAtFrequencies, FindsAClosePair) {
   const FrfDataset set = strong_mode_and_pair();
   const std::vector<Mode> known = strong_mode(set);
   ASSERT_EQ(known.size(), 1U);
-  const auto resonances = unmodelled_resonances(set, known);
+  const auto resonances = unmodelled_resonances(set, known, unmodelled_poles(set, known));
   ASSERT_FALSE(resonances.empty());
   const auto found = modes_at_frequencies(set, known, resonances, Effort::best);
   ASSERT_EQ(found.size(), 2U);
@@ -60,7 +60,8 @@ TEST(ModesAtFrequencies, FindsNothingUnmodelledWhereAllModesAreKnown) {
   FrfDataset set = test::empty_set(2000, 2000, 10, 990, 1);
   test::add_mode(set, 0, {.freq_Hz = 431, .damping_ratio = 0.005}, 100);
   test::add_frf_noise(set, 0.5, 1);
-  EXPECT_TRUE(unmodelled_resonances(set, identify_modes(set)).empty());
+  const std::vector<Mode> modes = identify_modes(set);
+  EXPECT_TRUE(unmodelled_resonances(set, modes, unmodelled_poles(set, modes)).empty());
 }
 
 // A strong mode and its weak neighbour, both wide: a fit of one mode for the two has a wrong strong mode.
@@ -75,7 +76,7 @@ TEST(ModesAtFrequencies, TakesABandAsWideAsTheResonanceNeeds) {
   ASSERT_EQ(known.size(), 1U);
   known.front().pole.freq_Hz += 1.5;
   known.front().pole.damping_ratio *= 1.05;
-  const auto resonances = unmodelled_resonances(set, known);
+  const auto resonances = unmodelled_resonances(set, known, unmodelled_poles(set, known));
   const auto weak = std::find_if(resonances.begin(), resonances.end(),
                                  [&](const auto& at) { return std::abs(at.freq_Hz - kWeak.freq_Hz) < 5; });
   ASSERT_NE(weak, resonances.end());

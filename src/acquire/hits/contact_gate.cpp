@@ -12,17 +12,18 @@ namespace {
 
 // A hammer rings for some milliseconds, a structure for longer.
 constexpr double kRingsFrom_s = 0.025, kRingsTo_s = 0.05;
-constexpr double kRingsOn = 0.03;        // median of |force − its median| over the peak
-constexpr std::size_t kMinRinging = 16;  // samples
+constexpr double kRingsOn = 0.03;            // median of |force − its median| over the peak
+constexpr std::size_t kMinRinging = 16;      // samples
+constexpr std::size_t kMedianSamples = 200;  // give a median of noise to 9 % of its standard deviation
 // Of the peak. A hammer that leans on the structure stays; a drift of the channel changes little.
 constexpr double kStays = 0.1;
 // Against the pulse: an AC coupling of 1.6 Hz swings back by 5 % after 10 ms, and by 20 % after 40 ms.
 constexpr double kMaxUndershoot = 0.25;
 
 // The change of the force from before the pulse to after it, as part of the peak.
-double level_after(std::span<const double> before, std::span<const double> after, double peak_N) {
-  const double rest_N = before.size() < kMinRinging ? 0 : median({before.begin(), before.end()});
-  return (median({after.begin(), after.end()}) - rest_N) / peak_N;
+double level_after(std::span<const double> before, double after_N, double peak_N) {
+  const double rest_N = before.size() < kMinRinging ? 0 : median(subsampled(before, kMedianSamples));
+  return (after_N - rest_N) / peak_N;
 }
 
 }  // namespace
@@ -68,11 +69,11 @@ void grade_lasting_force(Hit& hit, std::span<const double> x, std::size_t peak, 
   const auto end = peak + static_cast<std::size_t>(kRingsTo_s * fs_Hz);
   if (end > x.size() || end - begin < kMinRinging) return;
   const auto after = x.subspan(begin, end - begin);
-  const double middle = median({after.begin(), after.end()});
-  std::vector<double> sizes;
-  for (const double value : after) sizes.push_back(std::abs(value - middle));
-  const double rings = median(sizes) / std::abs(x[peak]);
-  const double level = level_after(x.first(hit.gate_first - hit.first), after, x[peak]);
+  std::vector<double> sizes = subsampled(after, kMedianSamples);
+  const double middle = median(sizes);
+  for (double& value : sizes) value = std::abs(value - middle);
+  const double rings = median(std::move(sizes)) / std::abs(x[peak]);
+  const double level = level_after(x.first(hit.gate_first - hit.first), middle, x[peak]);
   if (rings < kRingsOn && level < kStays && level > -kMaxUndershoot) return;
   const double ratio = std::max(rings, std::abs(level));
   hit.findings.push_back(

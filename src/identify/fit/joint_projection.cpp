@@ -70,9 +70,9 @@ void JointProjection::fill(Plan& plan) const {
     bins_.sum(background_.col(term).cast<Complex>(), plan.weight, plan.background.col(term));
 }
 
-JointState JointProjection::evaluate(JointModel model) const {
+JointState JointProjection::evaluate(JointModel model, ColumnContent need) const {
   JointState state{.model = std::move(model), .parts = {}};
-  const std::vector<ModeColumn> whole = untruncated_columns(state.model, ColumnContent::derivatives);
+  const std::vector<ModeColumn> whole = untruncated_columns(state.model, need);
   for (const Plan& plan : parts_) {
     state.parts.push_back(solve(plan, state.model, whole));
     const JointPart& part = state.parts.back();
@@ -106,13 +106,18 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
   const PointForce& force = set_.points[set_.channels[plan.channels.front()].point];
   const Index columns_per_term = model.all_real() ? 1 : 2;  // real or complex coefficients of the background
   part.columns.resize(rows, unknowns + columns_per_term * background_.cols());
-  part.slopes.resize(rows, 2 * unknowns);
-  part.quadrature.resize(rows, modes);
+  const bool slopes = !whole.empty() && whole.front().by_freq.size() > 0;
+  part.slopes.resize(rows, slopes ? 2 * unknowns : 0);
+  part.quadrature.resize(rows, slopes ? modes : 0);
   parallel_for_cost(model.poles.size(), kFlopsPerColumnLine * set_.lines.count, [&](std::size_t at) {
     const auto m = static_cast<Index>(at);
     const ModeColumn mode = subtract_truncation(whole[at], model.poles[at], force, set_.lines, 0);
     const auto first = static_cast<Index>(part.first[at]);
     bins_.sum(mode.value, plan.weight, part.columns.col(first));
+    if (!slopes) {
+      if (!model.real[at]) turn(part.columns.col(first), part.columns.col(first + 1));
+      return;
+    }
     bins_.sum(mode.by_freq, plan.weight, part.slopes.col(2 * first));
     bins_.sum(mode.by_damping, plan.weight, part.slopes.col(2 * first + 1));
     turn(part.columns.col(first), part.quadrature.col(m));

@@ -2,23 +2,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "identify/fit/windowed_fit.hpp"
 #include "identify/model/frf_lines.hpp"
+#include "identify/model/modal_model.hpp"
 
 namespace percuss::identify {
-namespace {
-
-// The last column that was computed, and the pole and the point that it belongs to.
-struct LastColumn {
-  bool any = false;
-  Pole pole;
-  std::size_t point = 0;
-  ModeColumn column;
-};
-
-}  // namespace
-
 std::vector<Pole> ModeWindow::poles(const std::vector<Mode>& all) const {
   std::vector<Pole> of;
   of.reserve(modes.size());
@@ -57,20 +47,13 @@ void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes,
                           const std::vector<std::size_t>& residue_of, std::vector<Eigen::VectorXcd>& data) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (std::find(window.modes.begin(), window.modes.end(), m) != window.modes.end()) continue;
-    LastColumn last;
+    std::optional<ModeValues> values;  // of the last pole
     for (std::size_t o = 0; o < data.size(); ++o) {
       const Residue& residue = modes[m].residues[residue_of[o]];
       const Pole pole = residue.own_pole.value_or(modes[m].pole);
-      const std::size_t point = set.channels[o].point;
-      const PointForce& force = set.points[point];
-      const bool same_point = last.point == point || decays_within_record(pole, force, set.lines);
-      if (!last.any || !(last.pole == pole) || !same_point) {
-        last = {.any = true,
-                .pole = pole,
-                .point = point,
-                .column = mode_column(pole, force, set.lines, window.first, window.count, ColumnContent::value)};
-      }
-      data[o] -= residue.value * last.column.value;
+      if (!values || !(values->pole() == pole))
+        values.emplace(pole, set.window_decay_per_s(), set.lines, window.first, window.count);
+      values->add_to({data[o].data(), window.count}, -residue.value, set.points[set.channels[o].point]);
     }
   }
 }

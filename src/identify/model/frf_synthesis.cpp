@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <type_traits>
+#include <variant>
 
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
@@ -14,28 +16,62 @@ namespace {
 constexpr Eigen::Index kTerms = 4;
 constexpr std::size_t kFlopsPerModeLine = 40;  // operations per spectral line and mode
 
-Eigen::MatrixXcd residual_columns(const acquire::LineRange& band, double decay_per_s) {
-  Eigen::MatrixXcd out(static_cast<Eigen::Index>(band.count), kTerms);
-  const double end = kTwoPi * band.freq_Hz(band.count - 1);
-  for (Eigen::Index k = 0; k < out.rows(); ++k) {
-    const Complex s = Complex(decay_per_s, kTwoPi * band.freq_Hz(static_cast<std::size_t>(k))) / end;
-    out(k, 0) = 1;
-    out(k, 1) = s * s;
-    out(k, 2) = s * s * s * s;
-    out(k, 3) = s * s * s * s * s * s;
-  }
-  return out;
-}
+// The least-squares fit of the residual terms 1, s², s⁴, s⁶ to an FRF; s over its largest value. By QR: over a narrow
+// band the powers of s are nearly dependent. With fewer lines than terms, the last coefficients are 0.
+template <class Scalar>
+class TermFit {
+ public:
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-// [terms, lines] the least-squares coefficients of the columns. By QR: over a narrow band the powers of s are nearly
-// dependent. With fewer lines than terms, the last coefficients are 0.
-Eigen::MatrixXcd coefficients_from(const Eigen::MatrixXcd& columns) {
-  const Eigen::Index used = std::min(columns.cols(), columns.rows());
-  const Eigen::HouseholderQR<Eigen::MatrixXcd> factors(columns.leftCols(used));
-  const Eigen::MatrixXcd basis = factors.householderQ() * Eigen::MatrixXcd::Identity(columns.rows(), used);
-  Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(columns.cols(), columns.rows());
-  out.topRows(used) = factors.matrixQR().topRows(used).triangularView<Eigen::Upper>().solve(basis.adjoint());
-  return out;
+  TermFit(const acquire::LineRange& band, double decay_per_s) {
+    Matrix columns(static_cast<Eigen::Index>(band.count), kTerms);
+    const double end = kTwoPi * band.freq_Hz(band.count - 1);
+    for (Eigen::Index k = 0; k < columns.rows(); ++k) {
+      const Scalar s2 = square_of_s(kTwoPi * band.freq_Hz(static_cast<std::size_t>(k)) / end, decay_per_s / end);
+      columns(k, 0) = 1;
+      columns(k, 1) = s2;
+      columns(k, 2) = s2 * s2;
+      columns(k, 3) = s2 * s2 * s2;
+    }
+    const Eigen::Index used = std::min(columns.cols(), columns.rows());
+    const Eigen::HouseholderQR<Matrix> factors(columns.leftCols(used));
+    basis_ = factors.householderQ() * Matrix::Identity(columns.rows(), used);
+    upper_ = factors.matrixQR().topRows(used);
+  }
+
+  // The coefficients of the terms in `rest`; subtracts the terms from it.
+  Eigen::VectorXcd take_from(Eigen::VectorXcd& rest) const {
+    const Eigen::Index used = basis_.cols();
+    Eigen::VectorXcd shares(used);
+    for (Eigen::Index t = 0; t < used; ++t) {
+      const auto column = basis_.col(t).template cast<Complex>();
+      shares(t) = column.dot(rest);
+      rest -= column * shares(t);
+    }
+    Eigen::VectorXcd coefficients = Eigen::VectorXcd::Zero(kTerms);
+    const Eigen::MatrixXcd upper = upper_.template cast<Complex>();
+    coefficients.head(used) = upper.template triangularView<Eigen::Upper>().solve(shares);
+    return coefficients;
+  }
+
+ private:
+  static Scalar square_of_s(double omega, double decay) {
+    if constexpr (std::is_same_v<Scalar, double>) {
+      return -omega * omega;
+    } else {
+      return Complex(decay, omega) * Complex(decay, omega);
+    }
+  }
+
+  Matrix basis_, upper_;
+};
+
+// Without a window, s² is real: a fraction of the work.
+using AnyTermFit = std::variant<TermFit<double>, TermFit<Complex>>;
+
+AnyTermFit term_fit(const acquire::LineRange& band, double decay_per_s) {
+  if (decay_per_s == 0) return TermFit<double>(band, 0);
+  return TermFit<Complex>(band, decay_per_s);
 }
 
 double noise_share(const Eigen::VectorXcd& residual) {
@@ -54,13 +90,9 @@ class Synthesis {
         modes_(modes),
         first_(band.first - set.lines.first),
         count_(band.count),
-        terms_(residual_columns(band, set.window_decay_per_s())),
-        fit_(coefficients_from(terms_)) {
-    whole_.reserve(modes.size());
-    for (const Mode& mode : modes) {
-      whole_.push_back(
-          untruncated_column(mode.pole, set.window_decay_per_s(), set.lines, first_, count_, ColumnContent::value));
-    }
+        terms_(term_fit(band, set.window_decay_per_s())) {
+    values_.reserve(modes.size());
+    for (const Mode& mode : modes) values_.emplace_back(mode.pole, set.window_decay_per_s(), set.lines, first_, count_);
   }
 
   // Synthesises FRF o into `made`. Returns the power of the measured FRF.
@@ -69,16 +101,16 @@ class Synthesis {
     const auto begin = channel.frf.begin() + static_cast<std::ptrdiff_t>(first_);
     const std::vector<Complex> measured(begin, begin + static_cast<std::ptrdiff_t>(count_));
     const auto lines = static_cast<Eigen::Index>(count_);
-    Eigen::VectorXcd sum = of_modes(o);
-    const Eigen::VectorXcd rest = Eigen::Map<const Eigen::VectorXcd>(measured.data(), lines) - sum;
-    const Eigen::VectorXcd fitted = fit_ * rest;
-    sum += terms_ * fitted;  // (1)
+    const Eigen::Map<const Eigen::VectorXcd> frf(measured.data(), lines);
+    Eigen::VectorXcd rest = frf - of_modes(o);
+    const Eigen::VectorXcd fitted = std::visit([&](const auto& terms) { return terms.take_from(rest); }, terms_);
+    const Eigen::VectorXcd sum = frf - rest;  // (1)
     made = {.point = channel.point,
             .channel = channel.channel,
             .value = {sum.data(), sum.data() + lines},
             .terms = {fitted.data(), fitted.data() + kTerms}};
     made.frac = frac(measured, made.value);
-    made.noise_share = noise_share(rest - terms_ * fitted);
+    made.noise_share = noise_share(rest);
     double power = 0;
     for (const Complex& h : measured) power += std::norm(h);
     return power;
@@ -90,10 +122,12 @@ class Synthesis {
     Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(count_));
     for (std::size_t m = 0; m < modes_.size(); ++m) {
       const Residue& residue = modes_[m].residues[o];
-      const ModeColumn column =
-          residue.own_pole ? mode_column(*residue.own_pole, force, set_.lines, first_, count_, ColumnContent::value)
-                           : subtract_truncation(whole_[m], modes_[m].pole, force, set_.lines, first_);
-      sum += residue.value * column.value;
+      if (residue.own_pole) {
+        ModeValues(*residue.own_pole, set_.window_decay_per_s(), set_.lines, first_, count_)
+            .add_to({sum.data(), count_}, residue.value, force);
+      } else {
+        values_[m].add_to({sum.data(), count_}, residue.value, force);
+      }
     }
     return sum;
   }
@@ -101,8 +135,8 @@ class Synthesis {
   const FrfDataset& set_;
   const std::vector<Mode>& modes_;
   std::size_t first_, count_;
-  Eigen::MatrixXcd terms_, fit_;
-  std::vector<ModeColumn> whole_;
+  AnyTermFit terms_;
+  std::vector<ModeValues> values_;
 };
 
 }  // namespace

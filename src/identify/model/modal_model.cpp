@@ -1,6 +1,7 @@
 #include "identify/model/modal_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -220,19 +221,43 @@ void TruncatedDecay::add_to(std::span<Complex> sum, Complex residue, const Point
   std::vector<Complex> q;
   for (const frf::ForceBlock& block : force.blocks)
     q.push_back(state_at_end(block, windowed_, 1 / lines_.fs_Hz, lines_.samples).first);
-  for (std::size_t i = 0; i < sum.size(); ++i) {
+  // Hits outside, lines inside: the compiler then takes several lines at a time.
+  constexpr std::size_t kBlock = 128;
+  std::array<double, kBlock> rr{}, ii{}, ri{}, ir{};
+  for (std::size_t begin = 0; begin < sum.size(); begin += kBlock) {
+    const std::size_t count = std::min(kBlock, sum.size() - begin);
+    for (auto* part : {&rr, &ii, &ri, &ir}) part->fill(0);
     // conj(F)·q and conj(F)·conj(q) share their products.
-    double rr = 0, ii = 0, ri = 0, ir = 0;
     for (std::size_t h = 0; h < q.size(); ++h) {
-      const Complex f = force.spectra[h].get()[first_ + i];
-      rr += f.real() * q[h].real();
-      ii += f.imag() * q[h].imag();
-      ri += f.real() * q[h].imag();
-      ir += f.imag() * q[h].real();
+      const Complex* f = force.spectra[h].get() + first_ + begin;
+      for (std::size_t i = 0; i < count; ++i) {
+        rr[i] += f[i].real() * q[h].real();
+        ii[i] += f[i].imag() * q[h].imag();
+        ri[i] += f[i].real() * q[h].imag();
+        ir[i] += f[i].imag() * q[h].real();
+      }
     }
-    const Complex all = times(kernel_[i], {rr + ii, ri - ir}) + times(mirror_[i], {rr - ii, -ri - ir});
-    sum[i] += times(residue, all) / force.ff[first_ + i];
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = begin + i;
+      const Complex all =
+          times(kernel_[k], {rr[i] + ii[i], ri[i] - ir[i]}) + times(mirror_[k], {rr[i] - ii[i], -ri[i] - ir[i]});
+      sum[k] += times(residue, all) * (1 / force.ff[first_ + k]);
+    }
   }
+}
+
+ModeValues::ModeValues(const Pole& pole, double window_decay_per_s, const acquire::LineRange& lines, std::size_t first,
+                       std::size_t count)
+    : pole_(pole),
+      lines_(lines),
+      whole_(untruncated_column(pole, window_decay_per_s, lines, first, count, ColumnContent::value).value) {
+  if (remaining_amplitude(pole, lines, window_decay_per_s) >= kNegligibleAmplitude)
+    missing_.emplace(pole, window_decay_per_s, lines, first, count);
+}
+
+void ModeValues::add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += times(residue, whole_(static_cast<Eigen::Index>(i)));
+  if (missing_ && !decays_within_record(pole_, force, lines_)) missing_->add_to(sum, -residue, force);
 }
 
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const acquire::LineRange& lines, std::size_t first,

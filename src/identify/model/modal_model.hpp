@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -95,6 +96,22 @@ class TruncatedDecay {
   std::size_t first_;
   Complex windowed_;                      // s − σ
   std::vector<Complex> kernel_, mirror_;  // [count] c·D and conj(c)·D̃
+};
+
+/// φ of (1) at lines first … first + count − 1, for any point. The terms common to all points are computed once.
+class ModeValues {
+ public:
+  ModeValues(const Pole& pole, double window_decay_per_s, const acquire::LineRange& lines, std::size_t first,
+             std::size_t count);
+  const Pole& pole() const { return pole_; }
+  /// Adds residue·φ for the hits at one point. shape  sum [count]
+  void add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const;
+
+ private:
+  Pole pole_;
+  acquire::LineRange lines_;
+  Eigen::VectorXcd whole_;
+  std::optional<TruncatedDecay> missing_;  // nothing where the decay ends within the record
 };
 
 }  // namespace percuss::identify

@@ -1,8 +1,8 @@
 #include "pipeline/findings/baseline.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace percuss::pipeline {
 namespace {
@@ -13,7 +13,7 @@ constexpr std::size_t kStepWindows = 4;
 constexpr double kMaxOff = 0.15;  // largest distance of a window's mean from the fitted step or slope, over its size
 
 double mean_level(std::span<const double> x) {
-  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+  return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())).mean();
 }
 
 std::optional<BaselineChange> find_step(const RestLevels& levels, double largest, double fs_Hz) {

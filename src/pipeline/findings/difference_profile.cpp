@@ -1,8 +1,10 @@
 #include "pipeline/findings/difference_profile.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/math/statistics.hpp"
 
@@ -33,6 +35,24 @@ std::span<const double> differences(std::span<const double> x, std::span<double>
   return work.first(n);
 }
 
+// Σ x² and the largest |x|. Several sums at a time, so that none waits for the one before it.
+std::pair<double, double> size_of(std::span<const double> x) {
+  using Row = Eigen::Array<double, 8, 1>;
+  Row square = Row::Zero(), largest = Row::Zero();
+  std::size_t i = 0;
+  for (; i + 8 <= x.size(); i += 8) {
+    const Eigen::Map<const Row> row(x.data() + i);
+    square += row * row;
+    largest = largest.max(row.abs());
+  }
+  std::pair<double, double> out{square.sum(), largest.maxCoeff()};
+  for (; i < x.size(); ++i) {
+    out.first += x[i] * x[i];
+    out.second = std::max(out.second, std::abs(x[i]));
+  }
+  return out;
+}
+
 }  // namespace
 
 DifferenceProfile difference_profile(std::span<const double> x, std::size_t first) {
@@ -40,11 +60,7 @@ DifferenceProfile difference_profile(std::span<const double> x, std::size_t firs
   std::array<double, kDifferenceBlock + kDifferenceOrder> work{};
   for (std::size_t begin = first; begin + work.size() <= x.size(); begin += kDifferenceBlock) {
     const auto d = differences(x.subspan(begin, work.size()), work);
-    double square = 0, largest = 0;
-    for (const double value : d) {
-      square += value * value;
-      largest = std::max(largest, std::abs(value));
-    }
+    const auto [square, largest] = size_of(d);
     const auto at = std::find_if(d.begin(), d.end(), [&](double value) { return std::abs(value) == largest; });
     profile.rms.push_back(std::sqrt(square / static_cast<double>(d.size())));
     profile.largest.push_back(largest);
@@ -59,12 +75,13 @@ std::optional<double> difference_rms(std::span<const double> x) {
   return rms(differences(x, work));
 }
 
-std::vector<std::size_t> outstanding_samples(const DifferenceProfile& profile, std::size_t most) {
+std::vector<std::size_t> outstanding_samples(const DifferenceProfile& profile, std::size_t most, double least) {
   std::vector<std::pair<double, std::size_t>> found;
   const std::size_t blocks = profile.rms.size();
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::size_t from = b > kBlocksAround ? b - kBlocksAround : 0;
     const std::size_t to = std::min(blocks, b + kBlocksAround + 1);
+    if (profile.largest[b] <= least) continue;
     const double around = median({profile.rms.begin() + static_cast<std::ptrdiff_t>(from),
                                   profile.rms.begin() + static_cast<std::ptrdiff_t>(to)});
     if (profile.largest[b] > kOutstanding * around && around > 0)

@@ -23,7 +23,8 @@ DifferenceProfile difference_profile(std::span<const double> x, std::size_t firs
 /// Standard deviation of the differences of x, as in the profile; nothing for fewer than 2·kDifferenceOrder samples.
 std::optional<double> difference_rms(std::span<const double> x);
 
-/// Samples at which the differences stand out of their surroundings, the clearest first, at most `most`.
-std::vector<std::size_t> outstanding_samples(const DifferenceProfile& profile, std::size_t most);
+/// Samples at which the differences stand out of their surroundings and exceed `least`, the clearest first, at most
+/// `most`.
+std::vector<std::size_t> outstanding_samples(const DifferenceProfile& profile, std::size_t most, double least);
 
 }  // namespace percuss::pipeline

@@ -57,10 +57,17 @@ bool is_dropout(std::span<const double> x, std::size_t first, const LongDropout&
 std::optional<LongDropout> find_long_dropout(std::span<const double> x, std::size_t first) {
   std::optional<LongDropout> found;
   std::optional<double> step, largest;
-  for (std::size_t n = first; n < x.size();) {
-    std::size_t end = n + 1;
-    while (end < x.size() && x[end] == x[n]) ++end;
-    const LongDropout run{.first = n, .count = end - n, .to_end = end == x.size()};
+  for (std::size_t n = first; n + kMaxFault < x.size();) {
+    // A longer run that begins here or later, but before `probe`, would hold both of these samples.
+    const std::size_t probe = n + kMaxFault;
+    if (x[probe] != x[probe - 1]) {
+      n = probe;
+      continue;
+    }
+    std::size_t begin = probe - 1, end = probe + 1;
+    while (begin > n && x[begin - 1] == x[probe]) --begin;
+    while (end < x.size() && x[end] == x[probe]) ++end;
+    const LongDropout run{.first = begin, .count = end - begin, .to_end = end == x.size()};
     n = end;
     if (run.count <= kMaxFault || run.first < first + 2 * kMinMotion || (found && run.count <= found->count)) continue;
     if (!step) step = step_of(x);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kShock_s = 0.005;          // after the blow: the largest motion comes within this time
 constexpr std::size_t kMaxSuspects = 6;     // samples of one response that are looked at
+constexpr double kMaterialFault = 1e-9;     // of the largest response: smaller faults are rounding errors
 constexpr std::size_t kFilterRinging = 72;  // samples
 constexpr std::size_t kAfterPulse = 16;     // samples: the force still acts
 constexpr std::size_t kSearchStep = 80;     // samples: a diagnosis reaches 44 to either side
@@ -27,7 +28,8 @@ std::size_t end_of_pulse(const acquire::Hit& hit) {
 std::vector<std::size_t> suspects(const std::vector<HitResponse>& responses, const DecayRange& range) {
   std::vector<std::size_t> all;
   for (const HitResponse& response : responses) {
-    const auto of_channel = outstanding_samples(response.noise.after, kMaxSuspects);
+    const double least = kMaterialFault * response.grade.extremes.max_distance_from(0);
+    const auto of_channel = outstanding_samples(response.noise.after, kMaxSuspects, least);
     all.insert(all.end(), of_channel.begin(), of_channel.end());
   }
   std::erase_if(all,

@@ -39,10 +39,9 @@ std::vector<identify::UnmodelledPeak> unexplained_peaks_of(const identify::FrfDa
 }
 
 FitQuality fit_quality(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
-                       const acquire::LineRange& band) {
+                       const std::vector<identify::SynthesisedFrf>& made, const acquire::LineRange& band) {
   FitQuality out;
   if (band.count == 0) return out;
-  const auto made = identify::synthesised_frfs(set, modes, band);
   const double end = kTwoPi * band.freq_Hz(band.count - 1);  // to which the terms are normalised
   for (const identify::SynthesisedFrf& frf : made) {
     out.frfs.push_back({.point = frf.point,

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "identify/model/frf_dataset.hpp"
+#include "identify/model/frf_synthesis.hpp"
 #include "identify/model/mode.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
 
@@ -25,9 +26,9 @@ struct FitQuality {
   std::vector<double> mode_frac;  // [modes] over all FRFs, within three half-power bandwidths of each mode
 };
 
-/// `band` within set.lines.
+/// `made`: the FRFs of the modes over `band`, which lies within set.lines.
 FitQuality fit_quality(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
-                       const acquire::LineRange& band);
+                       const std::vector<identify::SynthesisedFrf>& made, const acquire::LineRange& band);
 
 /// Peaks that no mode models, down to 65 dB below the largest line; the largest first.
 std::vector<identify::UnmodelledPeak> unexplained_peaks_of(const identify::FrfDataset& set,

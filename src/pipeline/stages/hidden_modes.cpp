@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "identify/modes_at_frequencies.hpp"
+#include "identify/start/unmodelled_peaks.hpp"
 #include "pipeline/stages/cancelled_tones.hpp"
 #include "pipeline/stages/narrow_bands.hpp"
 
@@ -16,21 +18,27 @@ bool may_hide_modes(const identify::FrfDataset& set, const TestSpectra& spectra,
          std::any_of(modes.begin(), modes.end(), [](const identify::Mode& mode) { return mode.joint_misfit > 0; });
 }
 
-std::vector<Tone> add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
-                                   const identify::FrfDataset& set,
-                                   const std::function<const identify::HitFrfs&()>& hits, identify::Effort effort) {
-  std::vector<Tone> wandering;
-  std::copy_if(tones.begin(), tones.end(), std::back_inserter(wandering),
+HiddenModes add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
+                             const identify::FrfDataset& set, const std::function<const identify::HitFrfs&()>& hits,
+                             identify::Effort effort) {
+  HiddenModes out;
+  std::copy_if(tones.begin(), tones.end(), std::back_inserter(out.wandering),
                [](const Tone& tone) { return tone.wanders; });
-  const std::vector<identify::UnmodelledResonance> hidden = identify::unmodelled_resonances(set, modes);
-  if (hidden.empty()) return wandering;
+  std::vector<identify::Pole> poles = identify::unmodelled_poles(set, modes);
+  const std::vector<identify::UnmodelledResonance> hidden = identify::unmodelled_resonances(set, modes, poles);
+  if (hidden.empty()) {
+    out.unmodelled = std::move(poles);
+    return out;
+  }
+  const std::size_t known = modes.size();
   add_modes_at(hidden, modes, set, hits(), effort);
   std::vector<double> hidden_Hz;
   hidden_Hz.reserve(hidden.size());
   for (const identify::UnmodelledResonance& resonance : hidden) hidden_Hz.push_back(resonance.freq_Hz);
   const std::vector<Tone> more = tones_at(hidden_Hz, set, hits());
-  wandering.insert(wandering.end(), more.begin(), more.end());
-  return wandering;
+  out.wandering.insert(out.wandering.end(), more.begin(), more.end());
+  if (modes.size() == known) out.unmodelled = std::move(poles);
+  return out;
 }
 
 }  // namespace percuss::pipeline

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "identify/hits/hit_frfs.hpp"
@@ -14,11 +15,16 @@ namespace percuss::pipeline {
 bool may_hide_modes(const identify::FrfDataset& set, const TestSpectra& spectra,
                     const identify::IdentifyOptions& options, const std::vector<identify::Mode>& modes);
 
-/// Adds the modes that narrow bands show around what `modes` do not explain (add_modes_at). Returns the tones that
-/// wander: the ones in `tones`, and the peaks that remain and that the force does not explain (tones_at). `hits` is
-/// called only where it is needed.
-std::vector<Tone> add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
-                                   const identify::FrfDataset& set,
-                                   const std::function<const identify::HitFrfs&()>& hits, identify::Effort effort);
+struct HiddenModes {
+  std::vector<Tone> wandering;                            // the tones that wander
+  std::optional<std::vector<identify::Pole>> unmodelled;  // unmodelled_poles, where no mode was added
+};
+
+/// Adds the modes that narrow bands show around what `modes` do not explain (add_modes_at). The tones that wander are
+/// the ones in `tones`, and the peaks that remain and that the force does not explain (tones_at). `hits` is called only
+/// where it is needed.
+HiddenModes add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
+                             const identify::FrfDataset& set, const std::function<const identify::HitFrfs&()>& hits,
+                             identify::Effort effort);
 
 }  // namespace percuss::pipeline

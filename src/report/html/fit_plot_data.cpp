@@ -136,9 +136,8 @@ Json fit_plot_json(const pipeline::Analysis& analysis, const pipeline::Survey* s
   const std::vector<int> points = analysis.frf_points();
   std::vector<identify::UnmodelledPeak> peaks = analysis.unexplained_peaks();
   peaks.resize(std::min(peaks.size(), kMaxPeaks));
-  std::vector<identify::SynthesisedFrf> own;
-  if (survey == nullptr && !modes.empty()) own = identify::synthesised_frfs(set, modes, band);
-  const std::vector<identify::SynthesisedFrf>& made = survey != nullptr && !modes.empty() ? survey->synthesis() : own;
+  static const std::vector<identify::SynthesisedFrf> kNone;
+  const std::vector<identify::SynthesisedFrf>& made = modes.empty() ? kNone : analysis.synthesis();
   const auto skip = static_cast<std::ptrdiff_t>(band.first - set.lines.first);
   const auto packed = [&](const std::vector<std::size_t>& lines) {
     std::vector<std::string> out;
