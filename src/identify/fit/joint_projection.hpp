@@ -42,7 +42,7 @@ class JointProjection {
   /// set must outlive this object. `core_share`: see FrequencyBins.
   JointProjection(const FrfDataset& set, const std::vector<Pole>& poles, double core_share = 0);
 
-  /// Without derivatives, `slopes` and `quadrature` of the parts are empty: then only amplitudes and residuals are known.
+  /// Without derivatives, `slopes` and `quadrature` of the parts are empty; amplitudes and residuals are known.
   JointState evaluate(JointModel model, ColumnContent need = ColumnContent::derivatives) const;
   /// Normal equations for a step of the poles, unknowns in the order frequency, damping ratio per mode. Their matrix is
   /// the Fisher information.

@@ -13,8 +13,8 @@ using identify::Mode;
 // The frequencies of the modes without those that only imitate the scatter of another mode; none where all are genuine.
 using Genuine = std::function<std::vector<double>(const std::vector<Mode>&)>;
 
-// A fit of the modes that are left may lose some of them: many weak modes from a search that fits all modes together may
-// describe a misfit, and take a clear mode's place. Then the modes found one by one count.
+// A fit of the modes that are left may lose some of them: many weak modes from a search that fits all modes together
+// may describe a misfit, and take a clear mode's place. Then the modes found one by one count.
 std::vector<Mode> identify_again(const identify::FrfDataset& set, identify::Effort effort,
                                  const std::vector<double>& left_Hz, const Genuine& genuine) {
   std::vector<Mode> modes = identify::identify_modes(set, {.effort = effort, .start_Hz = left_Hz});
