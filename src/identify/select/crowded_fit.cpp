@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "identify/select/joint_selection.hpp"
+#include "identify/start/residual_smoothness.hpp"
 #include "identify/start/vector_fitting.hpp"
 
 namespace percuss::identify {
@@ -137,6 +138,11 @@ JointFit without_unknown(const FrfDataset& set, JointFit fit, double& products_l
   }
 }
 
+// The modes of a crowd leave noise. Many poles describe most of the misfit of a few modes, but not all of it.
+bool leaves_misfit(const JointFit& fit, double band_width_Hz) {
+  return overlap_of(fit.poles, band_width_Hz) < kHighOverlap && smooth_somewhere(fit.residual);
+}
+
 // Modes that overlap little are all known, unless they follow a misfit: on wooden plates, half to three quarters were.
 bool are_determined(const JointFit& fit, double band_width_Hz) {
   std::size_t known = 0;
@@ -167,7 +173,7 @@ std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pol
   if (!start) return std::nullopt;
   double products_left = kMaxProducts;
   std::optional<JointFit> fit = converged_fit(set, needed_poles(set, *start), products_left);
-  if (!fit) return std::nullopt;
+  if (!fit || leaves_misfit(*fit, width_Hz)) return std::nullopt;
   fit = without_unknown(set, *std::move(fit), products_left);
   return are_crowded(fit->poles, width_Hz) && are_determined(*fit, width_Hz) ? std::move(fit) : std::nullopt;
 }
