@@ -82,7 +82,15 @@ std::optional<JointFit> start_of(const FrfDataset& set, const std::vector<Pole>&
   return best;
 }
 
-// The fit from these poles. Those that are not needed are dropped on the way, while the fit is still rough.
+double band_width_Hz(const FrfDataset& set) { return static_cast<double>(set.lines.count) * set.lines.df_Hz(); }
+
+// The modes of a crowd leave noise. Many poles describe most of the misfit of a few modes, but not all of it.
+bool leaves_misfit(const FrfDataset& set, const JointFit& fit) {
+  return overlap_of(fit.poles, band_width_Hz(set)) < kHighOverlap && smooth_somewhere(fit.residual);
+}
+
+// The fit from these poles. Those that are not needed are dropped on the way, while the fit is still rough. Nothing
+// where it leaves a misfit.
 std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> poles, double& products_left) {
   int steps = kTrialSteps;
   std::optional<JointFit> converged;
@@ -95,7 +103,7 @@ std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> p
                                 .test_real = false});
     const auto columns = static_cast<double>(2 * fit.poles.size() + 10);
     products_left -= fit.trials * 2 * static_cast<double>(set.lines.count) * columns * columns;
-    if (products_left < 0) return std::nullopt;
+    if (products_left < 0 || (fit.converged && leaves_misfit(set, fit))) return std::nullopt;
     poles = needed_poles(set, fit_residues(set, fit.poles));
     const bool complete = poles.size() == fit.poles.size();
     const bool is_last = fit.converged ? complete : steps == kCrowdSteps;
@@ -138,16 +146,11 @@ JointFit without_unknown(const FrfDataset& set, JointFit fit, double& products_l
   }
 }
 
-// The modes of a crowd leave noise. Many poles describe most of the misfit of a few modes, but not all of it.
-bool leaves_misfit(const JointFit& fit, double band_width_Hz) {
-  return overlap_of(fit.poles, band_width_Hz) < kHighOverlap && smooth_somewhere(fit.residual);
-}
-
 // Modes that overlap little are all known, unless they follow a misfit: on wooden plates, half to three quarters were.
-bool are_determined(const JointFit& fit, double band_width_Hz) {
+bool are_determined(const FrfDataset& set, const JointFit& fit) {
   std::size_t known = 0;
   for (std::size_t m = 0; m < fit.poles.size(); ++m) known += is_known(fit, m) ? 1U : 0U;
-  return overlap_of(fit.poles, band_width_Hz) >= kHighOverlap ||
+  return overlap_of(fit.poles, band_width_Hz(set)) >= kHighOverlap ||
          static_cast<double>(known) >= kKnownShare * static_cast<double>(fit.poles.size());
 }
 
@@ -165,7 +168,7 @@ bool are_crowded(const std::vector<Pole>& poles, double band_width_Hz) {
 
 std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& stable,
                                     const std::vector<Pole>& found) {
-  const double width_Hz = static_cast<double>(set.lines.count) * set.lines.df_Hz();
+  const double width_Hz = band_width_Hz(set);
   const bool likely =
       are_crowded(stable, width_Hz) && overlap_of(stable, width_Hz) < kMaxOverlap && found.size() >= kMinFound;
   if (!likely || set.channels.size() > kMaxCrowdFrfs) return std::nullopt;
@@ -173,9 +176,9 @@ std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pol
   if (!start) return std::nullopt;
   double products_left = kMaxProducts;
   std::optional<JointFit> fit = converged_fit(set, needed_poles(set, *start), products_left);
-  if (!fit || leaves_misfit(*fit, width_Hz)) return std::nullopt;
+  if (!fit) return std::nullopt;
   fit = without_unknown(set, *std::move(fit), products_left);
-  return are_crowded(fit->poles, width_Hz) && are_determined(*fit, width_Hz) ? std::move(fit) : std::nullopt;
+  return are_crowded(fit->poles, width_Hz) && are_determined(set, *fit) ? std::move(fit) : std::nullopt;
 }
 
 }  // namespace percuss::identify
