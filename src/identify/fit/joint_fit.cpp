@@ -62,10 +62,12 @@ LevenbergMarquardtSummary descend(const JointProjection& projection, JointState&
 
 class JointFitter {
  public:
-  JointFitter(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options)
-      : set_(set), options_(options), projection_(set, start, options.core_share) {
+  // Without derivatives, only residues_at_start() of exact poles is known.
+  JointFitter(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options,
+              ColumnContent need = ColumnContent::derivatives)
+      : set_(set), options_(options), need_(need), projection_(set, start, options.core_share) {
     const std::size_t modes = start.size();
-    state_ = projection_.evaluate({.poles = std::move(start), .real = std::vector<char>(modes, 0)});
+    state_ = projection_.evaluate({.poles = std::move(start), .real = std::vector<char>(modes, 0)}, need);
   }
 
   JointFit run() {
@@ -88,9 +90,10 @@ class JointFitter {
     return result(converged, covariance_of(state_));
   }
 
+  // `covariance` of the poles; without rows where they are exact.
   JointFit residues_at_start(const MatrixXd& covariance) {
     projection_.weight_by_residual(state_, projection_.unweighted_residual(state_));
-    state_ = projection_.evaluate(state_.model);
+    state_ = projection_.evaluate(state_.model, need_);
     return result(true, covariance);
   }
 
@@ -163,7 +166,7 @@ class JointFitter {
                  .residual = projection_.unweighted_residual(state_),
                  .converged = converged,
                  .trials = trials_};
-    for (Index m = 0; m < modes; ++m) {
+    for (Index m = 0; m < total.rows() / 2; ++m) {
       fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, total(2 * m, 2 * m)));
       fit.damping_std(m) = std::sqrt(std::max(0.0, total(2 * m + 1, 2 * m + 1)));
     }
@@ -175,21 +178,23 @@ class JointFitter {
   void add_residues(JointFit& fit, std::size_t p, const MatrixXd& covariance) const {
     const JointPart& part = state_.parts[p];
     // Projection of the slopes on the columns.
-    const MatrixXd projection = part.inverse * (part.columns.transpose() * part.slopes);
+    const bool exact = covariance.rows() == 0;
+    const MatrixXd projection = exact ? MatrixXd() : part.inverse * (part.columns.transpose() * part.slopes);
     const auto unknowns = static_cast<std::size_t>(part.inverse.rows());
     parallel_for_cost(part.channels.size(), 2 * unknowns * unknowns * unknowns, [&](std::size_t i) {
       const auto o = static_cast<Index>(part.channels[i]);
       const auto column = static_cast<Index>(i);
       const double noise = projection_.noise()(o);
       MatrixXd derivatives = MatrixXd::Zero(part.inverse.rows(), covariance.rows());
-      for (std::size_t m = 0; m < fit.real.size(); ++m) {
+      for (std::size_t m = 0; m < fit.real.size() && !exact; ++m) {
         for (Index k = 0; k < (fit.real[m] ? 1 : 2); ++k) {
           const Index at = static_cast<Index>(part.first[m]) + k;
           for (Index d = 0; d < 2; ++d)
             derivatives.col(static_cast<Index>(2 * m) + d) -= projection.col(2 * at + d) * part.amplitude(at, column);
         }
       }
-      const MatrixXd total = part.inverse * noise * noise + derivatives * covariance * derivatives.transpose();
+      MatrixXd total = part.inverse * noise * noise;
+      if (!exact) total += derivatives * covariance * derivatives.transpose();
       for (std::size_t m = 0; m < fit.real.size(); ++m) {
         const auto at = static_cast<Index>(part.first[m]);
         const auto mode = static_cast<Index>(m);
@@ -203,6 +208,7 @@ class JointFitter {
 
   const FrfDataset& set_;
   const JointFitOptions& options_;
+  ColumnContent need_;
   JointProjection projection_;
   JointState state_;
   int trials_ = 0;
@@ -219,8 +225,7 @@ JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles, con
 }
 
 JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles) {
-  const auto unknowns = static_cast<Index>(2 * poles.size());
-  return fit_residues(set, poles, MatrixXd::Zero(unknowns, unknowns));
+  return JointFitter(set, poles, {}, ColumnContent::value).residues_at_start({});
 }
 
 Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& poles) {
