@@ -62,7 +62,8 @@ def _signals(values: Any, name: str) -> np.ndarray:
         raise InputError("masked samples", name, "repair or omit the hits that have masked samples")
     if isinstance(values, Iterator):
         raise TypeError(f"{name} cannot be a {type(values).__name__}: give an array or a list")
-    return np.asarray(values)
+    array = np.asarray(values)
+    return array if array.dtype.isnative else array.astype(array.dtype.newbyteorder("="))
 
 
 def _is_list_of_arrays(values: Any) -> bool:
