@@ -19,8 +19,8 @@ PROFILE = """position,diameter
 
 def section():
     s = Section('The sweet spot [10]', """\
-A fragment: rigid bat with numbers, flexible bat without. The statements on the flexible bat are held against a wood bat
-of 34 in, the `wood.csv` of the section "Baseball bats [8]". Its profile is made up, because the sources print none. Positions of the rigid bat are from its centre of
+The source is a fragment: it prints numbers for the rigid bat, and none for the flexible bat. The statements on the
+flexible bat are compared with a wood bat of 34 in, the `wood.csv` of the section "Baseball bats [8]". Its profile is made up, because the sources print none. Positions of the rigid bat are from its centre of
 mass.""", 'figures 1, 2; table 1')
     s.rigid = s.command('percuss model rigid -o sweet-spot.svg -o sweet-spot.csv -o rigid.json --quiet > /dev/null')
     bat = 'percuss model bat --profile wood.csv --profile-unit in:in --profile-kind points'

@@ -65,7 +65,7 @@ struct SurveyOptions {
   AnalysisOptions analysis{};
   std::optional<Geometry> geometry{};  // default: the record's own
   Roving roving = Roving::hammer;
-  std::vector<DrivingPoint> driving_point{};  // default: points that lie where a sensor sits
+  std::vector<DrivingPoint> driving_point{};  // default: the record's own, else points where a sensor sits
 };
 
 /// The value of a mode shape at one point and channel.

@@ -210,7 +210,7 @@ def test_frfs_under_an_exponential_window_have_the_damping_without_it():
 
 def test_the_deviations_of_modes_grow_with_those_of_the_frfs():
     noise = np.random.default_rng(1).normal(size=(2, 1, 2, 800)) * 1e-4
-    seen = exact(FREQ_HZ)[:1] + noise[0] + 1j * noise[1]  # a deviation of 1.4e-4 in all
+    seen = exact(FREQ_HZ)[:1] + noise[0] + 1j * noise[1]  # standard deviation of a complex value: 1.4e-4
 
     def modes(std):
         frf = percuss.Frf(FREQ_HZ, seen, std=None if std is None else np.full(seen.shape, std))
@@ -218,7 +218,7 @@ def test_the_deviations_of_modes_grow_with_those_of_the_frfs():
 
     own, less, more, most = [modes(std) for std in (None, 1e-6, 1e-3, 1e-2)]
     for name in ("frequency_std_hz", "damping_ratio_std", "residues_std"):
-        assert np.array_equal(getattr(less, name), getattr(own, name))  # the residual tells of more
+        assert np.array_equal(getattr(less, name), getattr(own, name))  # the residual shows more noise than stated
         assert np.allclose(getattr(most, name), 10 * getattr(more, name), rtol=1e-9)
         # The residual of 65 lines is known to 12 % in power.
         assert np.allclose(getattr(more, name), getattr(own, name) * 1e-3 / 1.414e-4, rtol=0.25)

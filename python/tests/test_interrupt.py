@@ -25,7 +25,7 @@ spec = {"schema": "percuss/synth/1", "name": "long", "fs_hz": 25600, "duration_s
         "sensors": [{"position_m": 0.05, "angle_deg": 0}], "impact": {"position_m": 0.15, "angle_deg": 0},
         "pulse": {"kind": "haversine", "width_s": 0.00025, "peak_n": 300}, "noise": {"force": 1e-4, "accel": 1e-3}}
 """
-# One call takes seconds on two cores, so that an end between two calls would come too late.
+# Each call takes seconds on two cores: an interrupt that acts only between two calls would come too late.
 LONG = {
     "analyze": "percuss.analyze(many, band=(60, 3200), per_hit=True)",
     "several tests": "percuss.analyze([many] * 4, files='tests', band=(60, 3200), per_hit=True)",

@@ -38,7 +38,7 @@ void require_consistent(const AnalysisOptions& options) {
   }
   for (const std::size_t hit : hits.accept_hit) {
     if (std::find(hits.reject_hit.begin(), hits.reject_hit.end(), hit) != hits.reject_hit.end()) {
-      throw InputError("hit " + std::to_string(hit) + " is both accepted and rejected", kOptions, "name it once",
+      throw InputError("hit " + std::to_string(hit + 1) + " is both accepted and rejected", kOptions, "name it once",
                        {"accept_hit", "reject_hit"});
     }
   }

@@ -8,7 +8,8 @@
 namespace percuss {
 namespace {
 
-/// An aggregate and its fields that are options. A field's name is the identifier, then "_" and the unit if any.
+/// An aggregate and one of its fields that is an option. The name of the field is the identifier, then "_" and the unit
+/// if any.
 struct FieldName {
   std::string_view aggregate, field;
 };

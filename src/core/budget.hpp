@@ -34,7 +34,8 @@ class BudgetMeter {
   double spent_s_ = 0;                    // in scopes that have ended
   std::atomic<double> began_s_{0};        // of the present scope
   std::atomic<double> next_memory_s_{0};  // when the memory is measured again
-  // The flag of the InterruptScope in which this object was made, or of a later one around a scope; nullptr: none.
+  // The flag of the InterruptScope in which this object was made, or in which its last BudgetScope began if that lies
+  // in another one; nullptr: none.
   std::shared_ptr<std::atomic<bool>> interrupted_;
 };
 

@@ -19,7 +19,7 @@ struct AnalysisOptions {
   std::optional<std::pair<double, double>> band_Hz;  // default: the usable bandwidth of the force
   frf::Estimator estimator = frf::Estimator::h1;     // of the FRFs shown; modes are fitted to H1, whose noise is known
   acquire::HitOptions hits;
-  std::vector<std::size_t> accept_hits, reject_hits;  // hit numbers; overrule the findings
+  std::vector<std::size_t> accept_hits, reject_hits;  // indices of hits, or kEveryHit; overrule the findings
   double exponential_end = 0;                         // end value of the exponential window, relative; 0: no window
   DelayCorrection delays;
   identify::IdentifyOptions modes;

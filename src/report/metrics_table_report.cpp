@@ -28,7 +28,7 @@ std::string std_cell(const MetricLine& line) {
 
 std::string table_header() {
   std::string out = "id";
-  for (const std::string& column : metrics::passed_columns()) out += "," + column;
+  for (const std::string& column : metrics::copied_columns()) out += "," + column;
   out += ",length_in,weight_oz,z_in";
   const std::vector<MetricLine> lines = metric_lines({}, {});
   for (const MetricLine& line : lines) out += fmt::format(",{}", line.key);
@@ -38,7 +38,7 @@ std::string table_header() {
 
 std::string table_row(const NamedMetrics& bat, const std::vector<MetricLine>& lines, CsvFormulas formulas) {
   std::string out = csv_cell(bat.label.id, formulas);
-  for (const std::string& column : metrics::passed_columns()) {
+  for (const std::string& column : metrics::copied_columns()) {
     const auto found = bat.label.properties.find(column);
     out += "," + (found == bat.label.properties.end() ? "" : csv_cell(found->second, formulas));
   }

@@ -47,7 +47,7 @@ std::vector<Test> tests_of(const AnalyzeFlags& flags, Measurements opened);
 /// results.
 void compute(const std::vector<Test>& tests, const std::set<report::ReportSection>& sections);
 
-/// Compares a document of this run, `name`, with those of --compare.
+/// Compares the document of this command, called `name`, with the documents of --compare.
 report::CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& document, const std::string& name);
 
 }  // namespace percuss::tools

@@ -26,7 +26,7 @@ void judge_by(const CertifyFlags& flags, metrics::Session& session) {
   if (metric && *metric != session.metric && session.limit && !flags.limit) {
     throw OptionError::wrong_value(
         "metric", flags.metric, fmt::format("state the limit of {}", flags.metric),
-        fmt::format("the limit of the session, {}, is one of {}", *session.limit, metrics::name_of(session.metric)),
+        fmt::format("the session's limit, {}, is a limit of {}", *session.limit, metrics::name_of(session.metric)),
         {"limit"});
   }
   if (metric) session.metric = *metric;

@@ -92,8 +92,8 @@ def bat(
     bat_speed : float in m/s, optional
         Set the speed of a free bat's centre of mass towards the ball (default: 0).
     swing_rate : float in rad/s, optional
-        Set the rotation rate of a free bat about its centre of mass, or of a bat on a pin about it
-        (default: 60; other bats are at rest).
+        Set the rotation rate of a free bat about its centre of mass, or of a pinned bat about its
+        pin (default: 60; a clamped bat, or one on a torsion spring, is at rest).
     cor : float, optional
         Set the coefficient of restitution of the ball itself. Default: 0.5.
     ball_stiffness : float, optional

@@ -57,7 +57,8 @@ Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, doubl
   const auto rise = static_cast<std::size_t>(std::max(0.0, std::floor(pulse.rise)));
   const auto fall = std::min(static_cast<std::size_t>(std::ceil(pulse.fall)), force_N.size() - 1);
   Gate gate{.first = rise, .end = fall + 1};
-  // The gate grows sample by sample. A high sample far outside is noise, and the gate would contain all noise up to it.
+  // The gate grows sample by sample and ends at a gap. A high sample beyond the gap is noise; a gate that reached it
+  // would also contain the noise in between.
   const std::size_t first = rise > kRinging ? rise - kRinging : 0;
   for (std::size_t i = rise; i > first && gate.first - i < kGateGap; --i) {
     if (std::abs(force_N[i - 1]) > level) gate.first = i - 1;

@@ -50,9 +50,11 @@ class CaptureStream final : public SampleStream, public SessionLog {
 
   /// The event is on its way to the disk when this returns; on a full disk it waits until there is room.
   void append_event(const std::string& json) override;
-  /// Begins the samples of the journal at a frame, or at the oldest one in memory: before the first trigger.
+  /// Begins the samples of the journal at this frame, which lies before the first trigger, or at the oldest frame in
+  /// memory if that is later.
   void keep_from(std::uint64_t frame) { store_->keep_from(frame); }
-  /// Findings since the last call; those of a journal that lacks samples follow stop(). The journal holds them too.
+  /// Findings since the last call. Whether the journal lacks samples is known after stop(): call it once more then. The
+  /// journal holds the findings too.
   std::vector<CaptureFinding> take_findings() { return store_->take_findings(); }
   CaptureState state() const { return store_->state(); }
 

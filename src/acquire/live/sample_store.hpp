@@ -43,7 +43,8 @@ class SampleStore {
 
   /// Moves frames on. Whether there was something to do.
   bool pump();
-  /// States the findings of the end. The device writes no more frames; pump() may go on.
+  /// Notes the findings that only the end of the stream shows. Precondition: the device writes no more frames. pump()
+  /// may follow.
   void finish();
   /// Writes what the journal still lacks. Nothing may follow.
   void close_journal();
@@ -82,7 +83,7 @@ class SampleStore {
   const std::size_t history_frames_;
   std::unique_ptr<SessionJournal> journal_;
 
-  std::mutex mutex_;                      // of the consumer's side of the ring, and the members up to the next comment
+  std::mutex mutex_;  // guards the consumer's side of the ring, and the members up to the blank line
   std::uint64_t read_ = 0, written_ = 0;  // index of the next frame for the reader, for the journal
   bool begun_ = false;
   std::uint64_t lost_by_reader_ = 0, lost_by_journal_ = 0;

@@ -49,7 +49,8 @@ struct FileFormat {
   void (*write_frfs)(const std::string& path, const FrfRecord& record, FrfKind kind, bool force) = nullptr;
   /// The parts of a record that a file of this name would lose, one line each.
   std::vector<std::string> (*record_losses)(const std::string& path, const Record& record) = nullptr;
-  /// Likewise, of FRFs, apart from the geometry and the names of channels, which no format keeps.
+  /// Likewise, of FRFs, apart from the names of channels, which no format keeps, and points, lines and faces
+  /// (keeps_frf_geometry).
   std::vector<std::string> (*frf_losses)(const FrfRecord& record) = nullptr;
   bool keeps_marks = false;         // RowInfo::mark and Record::faults
   bool keeps_faces = false;         // Record::trace_faces

@@ -21,7 +21,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<double> if_known(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
 
-// The child may be compromised: numbers of reasons, faults and rows index tables.
+// The child may be compromised. Its numbers of row marks, faults and rows serve as indices later, so they are checked.
 void require_known(const Record& record) {
   for (const RowInfo& row : record.rows) {
     if (!row_mark(static_cast<int>(row.mark))) throw std::out_of_range("not a reason");

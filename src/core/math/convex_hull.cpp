@@ -11,8 +11,9 @@ namespace percuss {
 inline namespace core {
 namespace {
 
-// Coordinates are whole numbers of at most 46 bits, so that their determinants fit 128 bits: no sign is ever wrong, and
-// the hull of any input is a closed surface.
+// Coordinates are whole numbers so small that their determinants fit 128 bits: in a plane x and y are at most 2²⁰ and
+// heights at most 2⁴⁵, on a sphere all are at most 2³⁰. No sign is ever wrong, and the hull of any input is a closed
+// surface.
 __extension__ using Wide = __int128;
 using Vertex = std::array<std::int64_t, 3>;
 

@@ -56,7 +56,7 @@ double remaining_amplitude(const Pole& pole, const acquire::LineRange& lines, do
 /// complete, or the force is unknown. The column is then H(jω), the same for every point.
 bool decays_within_record(const Pole& pole, const PointForce& force, const acquire::LineRange& lines);
 
-/// Approximate operations per spectral line of such a column, for parallel_for_cost.
+/// Approximate operations per spectral line of a ModeColumn, for parallel_for_cost.
 inline constexpr std::size_t kFlopsPerColumnLine = 40;
 
 /// ColumnContent::value leaves the derivatives empty, at half the work.

@@ -21,9 +21,13 @@ bool are_crowded(const std::vector<Pole>& poles, double band_width_Hz);
 /// Fits all crowded modes together, from start values by vector fitting. The number of modes grows as long as the
 /// likelihood does. However wide its ± is, a mode is kept if the FRFs are less likely without it: dropping it would
 /// falsify its neighbours. `found` are the modes found one by one, `stable` the stable poles and these modes.
-/// Returns nothing if `stable` is not crowded or its bandwidths cover more than the band, for too few modes in `found`,
-/// for more than kMaxCrowdFrfs FRFs, if no fit converges within a limit of work, if the fitted modes are not crowded,
-/// and if a tenth of them is hardly known at an overlap below 1: these follow a misfit. theory (4.26)
+/// Returns nothing in these cases:
+///   `stable` is not crowded, or its bandwidths cover more than the band
+///   `found` holds too few modes, or the set more than kMaxCrowdFrfs FRFs
+///   no fit converges within a limit of work, or the fitted modes are not crowded
+///   the fitted modes follow a misfit: at an overlap below 1, more than a tenth of them are hardly known, or the
+///   residual is smooth
+/// theory (4.26)
 std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& stable,
                                     const std::vector<Pole>& found);
 

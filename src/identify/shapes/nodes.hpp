@@ -27,7 +27,8 @@ struct NodeOptions {
 /// fitted to the points around by weighted least squares. Its degree minimises χ²/s² + k ln n. s² is χ² per degree of
 /// freedom of the highest degree, and at least 1. The variance is a sum of two terms. The first is the variance of the
 /// next higher degree's root, times χ² per degree of freedom where this exceeds 1. The second is the model error: the
-/// squared distance to that root.
+/// squared distance to that root. Where there is no such root, the first term is the fit's own variance, and the second
+/// the squared distance to the root of the next lower degree.
 /// theory (5.8)
 std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options = {});
 

@@ -23,7 +23,7 @@ struct AbiRoll {
 /// One performance test: BESR or BBCOR at the highest performing location.
 struct AbiPerformance {
   double value = 0;
-  std::string id;              // of this state of the bat, in a population; empty: from the bat's id and the test
+  std::string id;              // of this state in a study table; empty: the bat's id, then with "-2", "-3", …
   std::optional<double> z_in;  // the location, from the barrel's tip
   bool damage = false;         // visible damage, or failed the ring test
   bool broken = false;         // the bat cannot be tested further

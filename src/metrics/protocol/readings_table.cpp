@@ -15,7 +15,7 @@ constexpr double kShortest_in = 12, kLargest = 1e6;
 constexpr double kSmallest = 1e-9;
 
 void read_passed(StrictObject& row, ReadingsRow& out) {
-  for (const std::string& column : passed_columns()) {
+  for (const std::string& column : copied_columns()) {
     if (!row.has(column)) continue;
     if (column.ends_with("_hz")) {
       double freq_Hz = 0;
@@ -88,7 +88,7 @@ ReadingsRow read_row(StrictObject& row, const LabReadings& common) {
 
 }  // namespace
 
-const std::vector<std::string>& passed_columns() {
+const std::vector<std::string>& copied_columns() {
   static const std::vector<std::string> columns{"bat",     "maker",       "model",       "material", "condition",
                                                 "program", "bending1_hz", "bending2_hz", "hoop1_hz", "hoop2_hz"};
   return columns;

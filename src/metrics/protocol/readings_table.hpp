@@ -30,7 +30,7 @@ std::vector<ReadingsRow> parse_readings_table(std::string_view text, const std::
                                               const LabReadings& common = {});
 
 /// The columns of words and frequencies that a row passes on.
-const std::vector<std::string>& passed_columns();
+const std::vector<std::string>& copied_columns();
 
 /// An example table.
 std::string readings_table_example();

@@ -25,7 +25,8 @@ struct Association {
 /// Correlation within classes, without the differences between classes. r correlates values minus their class's mean. ρ
 /// correlates ranks within the class, divided by its size plus one, minus their mean (midranks for ties). For one class
 /// they are the usual r and ρ. With d = points − classes − 1 degrees of freedom
-///   r:  tanh(artanh r ± 1.96/√(d − 1)); for points on a line to rounding, the interval of ρ
+///   r:  tanh(artanh r ± 1.96/√(d − 1)); for points on a straight line within rounding, widened to include the
+///       interval of ρ
 ///   ρ:  E⁻¹(tanh(artanh ρ ± t √((1 + ρ²/2)/(d − 1)))), t Student's 97.5 % quantile of d degrees of freedom,
 ///       E(ρ) = Σ w_c [(n_c − 2) ρ + 3τ]/(n_c + 1): the mean of the coefficient if x and y are normal with the rank
 ///       correlation ρ and Kendall's τ. Class c has n_c bats; w_c is its share of Σ_c √(Σx² Σy²) of the ranks. E⁻¹

@@ -54,7 +54,7 @@ struct ImpactResult {
   std::size_t contacts = 1;                     // until the ball stays away for 80 ms
   double last_separation_s = 0;                 // from the first touch
   std::optional<double> final_cor;              // −v_out/v_in after the last contact; none where contacts do not end
-  std::optional<double> final_cor_uncertainty;  // from halving the step, as cor_uncertainty
+  std::optional<double> final_cor_uncertainty;  // one contact: cor_uncertainty; several: from halving the step
   double energy_error = 0;                      // largest |E/E₀ − 1|, E = ball + modes + contact + lost energy
   double lost_J = 0;                            // to the hysteresis of the contact
   std::optional<double> cor_uncertainty;        // from the change in the last refinement; none for a given step

@@ -21,7 +21,7 @@ BlowSamples read_blow(const SampleHistory& history, const LiveChannels& channels
 /// `description` with one row of these samples.
 acquire::Record record_of_blow(const acquire::Record& description, const BlowSamples& samples);
 
-/// The samples that a blow needs until its decay has ended in every response: none rings above its noise, or above
+/// The samples that a blow needs until its decay has ended in every response: each has fallen into its noise or below
 /// −52 dB of its start. Nothing where they ring at the end of these samples. `pretrigger` samples precede the pulse.
 std::optional<std::size_t> decayed_samples(const acquire::Record& description, const BlowSamples& samples,
                                            std::size_t pretrigger);

@@ -21,7 +21,7 @@ constexpr double kMuchWeaker = 0.5;       // than an earlier blow: no reason to 
 constexpr std::size_t kMinToCompare = 3;  // blows: two do not tell which is weak
 constexpr double kRest_s = 0.2;           // before a blow, where the structure should be at rest
 constexpr double kMissedResponse = 0.3;   // of the usual response: no such motion comes without a blow
-constexpr std::size_t kResponses = 20;    // blows whose responses are usual
+constexpr std::size_t kResponses = 20;    // last accepted blows: the median of their responses is the usual one
 
 // The frames of a block before `frame`, and the rest.
 std::pair<acquire::SampleBlock, acquire::SampleBlock> split(acquire::SampleBlock block, std::uint64_t frame) {

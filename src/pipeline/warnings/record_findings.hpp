@@ -7,8 +7,9 @@
 
 namespace percuss::pipeline {
 
-/// Faults of the recording: `lost_samples`, `dropout`, `spike`, `zero_shift`, `offset`, `hum`, `tone`,
-/// `already_windowed`, and force_findings. Each message states the number that decided, the consequence and the remedy.
+/// Warnings about faults of the recording: `lost_samples`, `dropout`, `spike`, `zero_shift`, `offset`, `hum`, `tone`,
+/// `already_windowed`, and the warnings of force_findings(). Each message states the number that decided, the
+/// consequence and the remedy.
 std::vector<Warning> record_findings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                      const HitResponses& responses);
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using Bench = test::RecordBench;
 using testing::HasSubstr;
 
-// A fault is told after the blows before it, at any load of the machine.
+// A fault is reported after the blows that precede it, whatever the load of the machine.
 TEST(RecordEnd, TellsFaultsInTheOrderOfSamples) {
   const Bench bench;
   const auto first = bench.record("sim:aluminium-bat,gap=2.5:0.05,unplug=6");
@@ -49,7 +49,7 @@ TEST(RecordEnd, RefusesOptionsThatContradictTheSession) {
   EXPECT_TRUE(bench.has("r.html"));
 }
 
-// Blows of the first part would be read by the new places and roles.
+// Otherwise the blows of the first part would get the new places and roles.
 TEST(RecordEnd, RefusesFilesThatChangedSinceTheSessionBegan) {
   const Bench bench;
   const std::string grid = bench.folder.file("g.csv"), setup = bench.folder.file("s.json");
@@ -203,7 +203,7 @@ TEST(RecordEnd, FinishesCleanlyOnASignal) {
   EXPECT_FALSE(bench.has("t.h5.journal"));
 }
 
-// A simulated or replayed session is no test of a day: its file has the same bytes whenever it is made.
+// A simulated or replayed session has no date, so its file has the same bytes whenever it is made.
 TEST(RecordEnd, DatesASessionByItsBeginning) {
   const Bench bench;
   ASSERT_EQ(bench.run({"synth", "aluminium-bat", "-o", "x.wav"}).code, 0);

@@ -37,7 +37,7 @@ TEST(LiveChannels, BeginWithTheNotesOfTheDevice) {
                           "the unit of channel 2 is not stated; taken as m/s^2"));
 }
 
-// The device has more channels than the session records: its numbers are those on its sockets.
+// The session records only some channels of the device. Each keeps the number of its socket.
 TEST(LiveChannels, HaveTheNumbersOfTheDevice) {
   const acquire::StreamFormat format{.device = "eight", .fs_Hz = 1000, .channels = 3, .numbers = {5, 2, 8}};
   const LiveChannels by_place = live_channels(format, {});

@@ -74,7 +74,7 @@ TEST(ShapesGlb, HasANodeAndAnAnimationPerMode) {
   EXPECT_EQ(glb.document["asset"]["version"], "2.0");
   ASSERT_EQ(glb.document["animations"].size(), 2U);
   const json& root = glb.document["nodes"][0];
-  EXPECT_EQ(root["children"].size(), 4U) << "each mode, and the structure at rest";
+  EXPECT_EQ(root["children"].size(), 4U) << "two for each mode: the deflected structure, and its lines at rest";
   for (const json& animation : glb.document["animations"]) {
     const json& target = animation["channels"][0]["target"];
     EXPECT_EQ(target["path"], "weights");

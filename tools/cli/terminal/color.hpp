@@ -3,7 +3,7 @@
 
 namespace percuss::tools {
 
-/// Whether texts on this descriptor are coloured: a terminal, not a dumb one, and no NO_COLOR in the environment.
+/// Whether texts on this descriptor are coloured: it is a terminal, TERM is not "dumb", and NO_COLOR is unset or empty.
 bool wants_color(int descriptor);
 
 /// The text of a report with the colours of a terminal: warnings ("! …") in yellow, verdicts "ok" in green and

@@ -25,7 +25,7 @@ struct RecordFlags {
   std::string until;
   std::string report;
   ReadFlags read;    // --setup
-  std::string date;  // when the session began, for the file; empty for a device that repeats itself
+  std::string date;  // when the session began, for the file; empty for simulated and replayed devices
   bool fast = false, json = false, force = false, quiet = false;
   std::string session_report;      // where the interrupted session would have written its report
   bool replace_report = false;     // an existing report may be overwritten at the end

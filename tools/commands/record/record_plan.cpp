@@ -97,9 +97,9 @@ void check_window(const acquire::Record& description, const RecordFlags& flags) 
     throw InputError("no samples before the blow", flags.device, "keep some ms before its peak", {"pretrigger"});
   const std::size_t length = acquire::selected_length(description, {.length_s = flags.length_s}).value_or(0);
   if (length > 0 && length < 2 * pretrigger) {
-    throw InputError(fmt::format("a blow takes {:.4g} s, of which {:.4g} s come before its peak",
+    throw InputError(fmt::format("the samples of a blow last {:.4g} s, of which {:.4g} s come before its peak",
                                  static_cast<double>(length) / fs_Hz, static_cast<double>(pretrigger) / fs_Hz),
-                     flags.device, "state a longer length or a shorter pretrigger", {"length", "pretrigger"});
+                     flags.device, "state a longer length or a shorter pre-trigger", {"length", "pretrigger"});
   }
 }
 

@@ -9,14 +9,15 @@
 
 namespace percuss::acquire {
 
-/// The numbers of a variable with one per channel; nothing for others.
+/// [count] The variable's number for each channel; nothing where it is not finite. Nothing for every channel if there
+/// is no such variable, or if it does not hold `count` real numbers.
 std::vector<std::optional<double>> per_channel(const MatFile& file, const char* name, std::size_t count);
 
 /// The row's number in a variable with a whole number per hit; 0 where there is none.
 /// errors  InputError: another number of values, or one that is not whole.
 int whole_number(const MatFile& file, const char* name, std::size_t row, std::size_t rows);
 
-/// The hits that a variable with a number per hit states; 0 for none.
+/// The number of hits, from the length of `point` or `run`; 0 if the file has neither.
 std::size_t stated_hits(const MatFile& file);
 
 /// Whether percuss's own layout uses the name for something else than a signal.

@@ -15,7 +15,7 @@
 #include "acquire/live/sound_cards/sound_cards.hpp"
 #include "core/error.hpp"
 
-// Functions of the address sanitizer; null in builds without it.
+// Functions of the leak sanitizer; null in builds without it.
 // NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" {
 [[gnu::weak]] void __lsan_disable();
