@@ -71,7 +71,7 @@ TEST(CertifyCommand, DoesNotJudgeByTheLimitOfAnotherMetric) {
   test::write_bytes(folder.file("s.csv"), six_shots("34"));
   const auto refused = run_percuss({"certify", "s.csv", "--metric", "bbcor"}, {.folder = folder.path()});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("0.728, is one of ncaa_besr"), HasSubstr("--limit")));
+  EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("0.728, is a limit of ncaa_besr"), HasSubstr("--limit")));
   EXPECT_EQ(run_percuss({"certify", "s.csv", "--metric", "ncaa_besr"}, {.folder = folder.path()}).code, 5);
 }
 
