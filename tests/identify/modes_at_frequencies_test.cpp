@@ -9,6 +9,7 @@
 
 #include "identify/identify.hpp"
 #include "identify/model/frf_lines.hpp"
+#include "identify/start/unmodelled_peaks.hpp"
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 

@@ -35,8 +35,13 @@ std::span<const double> differences(std::span<const double> x, std::span<double>
   return work.first(n);
 }
 
-// Σ x² and the largest |x|. Several sums at a time, so that none waits for the one before it.
-std::pair<double, double> size_of(std::span<const double> x) {
+struct Size {
+  double square = 0;   // Σ x²
+  double largest = 0;  // |x|
+};
+
+// Several sums at a time, so that none waits for the one before it.
+Size size_of(std::span<const double> x) {
   using Row = Eigen::Array<double, 8, 1>;
   Row square = Row::Zero(), largest = Row::Zero();
   std::size_t i = 0;
@@ -45,10 +50,10 @@ std::pair<double, double> size_of(std::span<const double> x) {
     square += row * row;
     largest = largest.max(row.abs());
   }
-  std::pair<double, double> out{square.sum(), largest.maxCoeff()};
+  Size out{.square = square.sum(), .largest = largest.maxCoeff()};
   for (; i < x.size(); ++i) {
-    out.first += x[i] * x[i];
-    out.second = std::max(out.second, std::abs(x[i]));
+    out.square += x[i] * x[i];
+    out.largest = std::max(out.largest, std::abs(x[i]));
   }
   return out;
 }
@@ -60,10 +65,10 @@ DifferenceProfile difference_profile(std::span<const double> x, std::size_t firs
   std::array<double, kDifferenceBlock + kDifferenceOrder> work{};
   for (std::size_t begin = first; begin + work.size() <= x.size(); begin += kDifferenceBlock) {
     const auto d = differences(x.subspan(begin, work.size()), work);
-    const auto [square, largest] = size_of(d);
-    const auto at = std::find_if(d.begin(), d.end(), [&](double value) { return std::abs(value) == largest; });
-    profile.rms.push_back(std::sqrt(square / static_cast<double>(d.size())));
-    profile.largest.push_back(largest);
+    const Size size = size_of(d);
+    const auto at = std::find_if(d.begin(), d.end(), [&](double value) { return std::abs(value) == size.largest; });
+    profile.rms.push_back(std::sqrt(size.square / static_cast<double>(d.size())));
+    profile.largest.push_back(size.largest);
     profile.at.push_back(begin + static_cast<std::size_t>(at - d.begin()) + kDifferenceOrder / 2);
   }
   return profile;

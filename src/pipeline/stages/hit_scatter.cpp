@@ -35,6 +35,7 @@ void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra
   if (used.size() < 2) return;
   const identify::HitFrfs& each = hits();
   std::vector<double> peak_N;
+  peak_N.reserve(used.size());
   for (const std::size_t h : used) peak_N.push_back(spectra.hits[h].hit.peak_N);
   identify::WindowedHitPoles linear = identify::windowed_hit_poles(set, each, modes);
   if (options.start_Hz.empty() && !options.modes) {
