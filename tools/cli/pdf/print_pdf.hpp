@@ -9,9 +9,8 @@ namespace percuss::tools {
 std::string find_browser(const std::string& where);
 
 /// A page as a PDF document, printed by a headless browser that has no network and an empty profile.
-/// errors  InputError at `where`: no browser; the browser fails, or takes more than a minute. InputError at the
-/// temporary
-///         file: the page cannot be written
+/// errors  InputError at `where`: no browser; the browser fails, or takes more than a minute
+///         InputError at the temporary file: the page cannot be written
 std::string printed_pdf(const std::string& html, const std::string& where);
 
 }  // namespace percuss::tools

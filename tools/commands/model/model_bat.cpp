@@ -141,9 +141,8 @@ void add_ball(Command& command, BatFlags& flags) {
       .type("M/S");
   command
       .value("--swing-rate", flags.swing_rate_radps,
-             "Set the rotation rate of a free bat about its centre of mass, or of a pinned bat about its pin (default: "
-             "60; "
-             "a clamped bat, or one on a torsion spring, is at rest)")
+             "Set the rotation rate of a free bat about its centre of mass, or of a pinned bat about its pin "
+             "(default: 60; a clamped bat, or one on a torsion spring, is at rest)")
       .finite()
       .type("RAD/S");
   command.value("--cor", c.ball.restitution, "Set the coefficient of restitution of the ball itself")
