@@ -2,11 +2,11 @@
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define PERCUSS_HAS_SANITIZER 1
+#define PERCUSS_SANITIZED 1
 #endif
 #endif
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define PERCUSS_HAS_SANITIZER 1
+#define PERCUSS_SANITIZED 1
 #endif
 
 namespace percuss {
@@ -14,14 +14,13 @@ inline namespace core {
 
 // Whether this is a build with the address or the thread sanitizer, and by how much such a build may be slower: limits
 // of time are longer by this factor. Large allocations are the slowest.
-#if defined(PERCUSS_HAS_SANITIZER)
+#if defined(PERCUSS_SANITIZED)
 constexpr bool kSanitized = true;
 constexpr unsigned kSlowness = 20;
 #else
 constexpr bool kSanitized = false;
 constexpr unsigned kSlowness = 1;
 #endif
-#undef PERCUSS_HAS_SANITIZER
 
 }  // namespace core
 }  // namespace percuss

@@ -1,20 +1,19 @@
 #include "frf/pulse_spectrum.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <mutex>
 #include <numbers>
 #include <vector>
 
 #include "core/math/complex.hpp"
+#include "core/math/wide_loops.hpp"
 #include "core/units.hpp"
 
 namespace percuss::frf {
 namespace {
-
-using Eigen::Array2d;
 
 constexpr std::size_t kOversampling = 8;              // length of the pulse's transform over the pulse's length
 constexpr std::size_t kKernelWidth = 12;              // spectral lines of the oversampled transform
@@ -85,27 +84,11 @@ std::vector<Complex> own_transform(std::span<const double> pulse, std::size_t gr
   return all;
 }
 
-Complex interpolated(const Complex* around, const double* weights) {
-  const auto* lines = reinterpret_cast<const double*>(around);
-  const auto at = [](const double* pair) { return Eigen::Map<const Array2d>(pair); };
-  Array2d even = Array2d::Zero(), odd = Array2d::Zero();  // two independent sums, for instruction-level parallelism
-  for (std::size_t t = 0; t < 2 * kKernelWidth; t += 4) {
-    even += at(weights + t) * at(lines + t);
-    odd += at(weights + t + 2) * at(lines + t + 2);
-  }
-  even += odd;
-  return {even[0], even[1]};
-}
-
-}  // namespace
-
-bool pulse_spectrum(std::span<const double> pulse, std::size_t offset, const LineRange& lines, std::span<Complex> out) {
-  const std::size_t steps = pulse.empty() ? 0 : steps_between(pulse.size(), lines.samples);
-  if (steps == 0) return false;
-  const std::size_t grid = lines.samples / steps;
-  const std::vector<Complex> own = own_transform(pulse, grid);
-  const std::vector<double>& weights = cached_kernel(steps);
-  const std::size_t middle = offset + pulse.size() / 2;
+// The lines of the block, interpolated between the lines of the pulse's own transform. `middle`: sample of the pulse
+// that its own transform counts from.
+PERCUSS_WIDE_LOOPS void interpolate(const std::vector<Complex>& own, const std::vector<double>& weights,
+                                    std::size_t steps, std::size_t middle, const LineRange& lines,
+                                    std::span<Complex> out) {
   const auto turn = [&](std::size_t k) {  // whole turns are removed in integers, without rounding
     return std::polar(1.0,
                       -kTwoPi * static_cast<double>(middle * k % lines.samples) / static_cast<double>(lines.samples));
@@ -117,11 +100,26 @@ bool pulse_spectrum(std::span<const double> pulse, std::size_t offset, const Lin
   std::size_t step = lines.first % steps;
   for (std::size_t i = 0; i < lines.count; ++i) {
     phase = i % kPhaseRestart == 0 ? turn(lines.first + i) : times(phase, turn_by_line);
-    out[i] = times(phase, interpolated(around, weights.data() + 2 * kKernelWidth * step));
+    FourDoubles sum{}, weight{}, near{};
+    for (std::size_t t = 0; t < kKernelWidth; t += 2) {
+      std::memcpy(&weight, weights.data() + 2 * (kKernelWidth * step + t), sizeof(weight));
+      std::memcpy(&near, around + t, sizeof(near));
+      sum += weight * near;
+    }
+    out[i] = times(phase, {sum[0] + sum[2], sum[1] + sum[3]});
     if (++step < steps) continue;
     step = 0;
     ++around;
   }
+}
+
+}  // namespace
+
+bool pulse_spectrum(std::span<const double> pulse, std::size_t offset, const LineRange& lines, std::span<Complex> out) {
+  const std::size_t steps = pulse.empty() ? 0 : steps_between(pulse.size(), lines.samples);
+  if (steps == 0) return false;
+  const std::vector<Complex> own = own_transform(pulse, lines.samples / steps);
+  interpolate(own, cached_kernel(steps), steps, offset + pulse.size() / 2, lines, out);
   return true;
 }
 

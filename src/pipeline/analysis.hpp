@@ -118,6 +118,7 @@ class Analysis {
   TestSpectra spectra() const;
   std::vector<AnalysedHit> compute_hits() const;
   const std::vector<identify::ModeClassification>& types() const;
+  const std::vector<Eigen::VectorXcd>& modal_sums() const;
 
   std::shared_ptr<const Source> source_;
   AnalysisOptions options_;
@@ -141,6 +142,7 @@ class Analysis {
   Lazy<std::vector<identify::ModeClassification>> types_;  // their orders leave out lower_orders()
   Lazy<identify::LowerOrders> lower_orders_;
   Lazy<std::vector<identify::ModeClassification>> classifications_;
+  Lazy<std::vector<Eigen::VectorXcd>> modal_sums_;
   Lazy<std::vector<identify::SynthesisedFrf>> synthesis_;
   Lazy<FitQuality> fit_;
   Lazy<std::vector<identify::UnmodelledPeak>> unexplained_peaks_;

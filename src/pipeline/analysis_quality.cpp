@@ -31,12 +31,20 @@ const acquire::Record& Analysis::aligned_record() const {
   });
 }
 
+const std::vector<Eigen::VectorXcd>& Analysis::modal_sums() const {
+  return within_budget(budget_, modal_sums_, [&] {
+    const std::vector<identify::Mode>& found = modes();
+    const ThreadLimit limit(options_.threads);
+    return identify::modal_sums(fitted_frfs(), found);
+  });
+}
+
 const std::vector<identify::SynthesisedFrf>& Analysis::synthesis() const {
   return within_budget(budget_, synthesis_, [&] {
-    const std::vector<identify::Mode>& found = modes();
     const identify::FrfDataset& set = fitted_frfs();
     const ThreadLimit limit(options_.threads);
-    return trace_.run("synthesis", [&] { return identify::synthesised_frfs(set, found, band_lines()); });
+    const std::vector<Eigen::VectorXcd>& sums = modal_sums();
+    return trace_.run("synthesis", [&] { return identify::frfs_from_sums(set, sums, band_lines()); });
   });
 }
 
@@ -57,7 +65,7 @@ const std::vector<identify::Pole>& Analysis::unmodelled_poles() const {
     const ThreadLimit limit(options_.threads);
     const std::vector<identify::Mode>& found = modes();
     std::vector<identify::Pole> poles =
-        searched_poles_ ? *searched_poles_ : identify::unmodelled_poles(fitted_frfs(), found);
+        searched_poles_ ? *searched_poles_ : identify::unmodelled_poles(fitted_frfs(), found, modal_sums());
     const auto band = band_Hz();
     std::erase_if(poles,
                   [&](const identify::Pole& pole) { return pole.freq_Hz < band.first || pole.freq_Hz > band.second; });

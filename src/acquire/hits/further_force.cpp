@@ -55,6 +55,8 @@ class ForceSearch {
 
   FurtherForce find(const Gate& pulse_gate, std::size_t max_tail) {
     smooth();
+    if (is_noise(pulse_gate.end)) return {.end = pulse_gate.end, .contacts = {}};
+    set_threshold();
     const auto guarded = static_cast<std::size_t>(pulse_.fall + guard_);
     last_tail_ = std::min(force_.size(), pulse_gate.end + max_tail);
     FurtherForce out{.end = end_of_activity(pulse_gate.end), .contacts = {}};
@@ -77,8 +79,25 @@ class ForceSearch {
     main_ = *top;
     const auto [first, end] = above(x_, 1, static_cast<std::size_t>(top - x_.begin()), main_ / 2);
     length_ = static_cast<double>(end - first);
+  }
+
+  double white_noise_N() const { return noise_N_ / std::sqrt(static_cast<double>(2 * half_ + 1)); }
+
+  // Whether no smoothed force outside the pulse exceeds the least threshold, and no force after it the noise: then
+  // there is nothing to find.
+  bool is_noise(std::size_t pulse_end) const {
+    const double least = std::max(kNoise * white_noise_N(), kMinFraction * main_);
+    const auto before = static_cast<std::size_t>(std::max(0.0, pulse_.rise - guard_));
+    const std::size_t after = std::min({pulse_end, static_cast<std::size_t>(pulse_.fall + guard_), x_.size()});
+    const std::span<const double> all(x_);
+    return extremes_of(all.first(before)).max_distance_from(0) < least &&
+           extremes_of(all.subspan(after)).max_distance_from(0) < least &&
+           extremes_of(force_.subspan(after)).max_distance_from(0) < std::max(kNoise * noise_N_, least);
+  }
+
+  void set_threshold() {
     // Hum and slow noise remain in the mean over a few samples, so the noise is measured there.
-    const double white = noise_N_ / std::sqrt(static_cast<double>(2 * half_ + 1));
+    const double white = white_noise_N();
     const double measured = spread_of(subsampled(x_, kSpreadSamples)).robust_std;
     threshold_ = std::max(kNoise * std::max(white, measured), kMinFraction * main_);
   }

@@ -1,7 +1,11 @@
 #include "core/math/statistics.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+
+#include "core/math/wide_loops.hpp"
 
 namespace percuss {
 inline namespace core {
@@ -37,19 +41,26 @@ std::vector<double> subsampled(std::span<const double> values, std::size_t enoug
   return some;
 }
 
-Extremes extremes_of(std::span<const double> values) {
+PERCUSS_WIDE_LOOPS Extremes extremes_of(std::span<const double> values) {
   if (values.empty()) return {};
   // Eight independent comparisons at a time, so that none waits for the previous one.
-  using Row = Eigen::Array<double, 8, 1>;
-  Row low = Row::Constant(values.front());
-  Row high = low;
+  constexpr std::size_t kLanes = 8;
+  const double any = values.front();
+  FourDoubles low{any, any, any, any}, high = low, low2 = low, high2 = low, a{}, b{};
   std::size_t i = 0;
-  for (; i + 8 <= values.size(); i += 8) {
-    const Eigen::Map<const Row> row(values.data() + i);
-    low = low.min(row);
-    high = high.max(row);
+  for (; i + kLanes <= values.size(); i += kLanes) {
+    std::memcpy(&a, values.data() + i, sizeof(a));
+    std::memcpy(&b, values.data() + i + kLanes / 2, sizeof(b));
+    low = low < a ? low : a;
+    low2 = low2 < b ? low2 : b;
+    high = high > a ? high : a;
+    high2 = high2 > b ? high2 : b;
   }
-  Extremes extremes{.low = low.minCoeff(), .high = high.maxCoeff()};
+  Extremes extremes{.low = any, .high = any};
+  for (std::size_t k = 0; k < kLanes / 2; ++k) {
+    extremes.low = std::min({extremes.low, low[k], low2[k]});
+    extremes.high = std::max({extremes.high, high[k], high2[k]});
+  }
   for (; i < values.size(); ++i) {
     extremes.low = std::min(extremes.low, values[i]);
     extremes.high = std::max(extremes.high, values[i]);

@@ -1,5 +1,8 @@
 #include "core/math/tall_products.hpp"
 
+#include <cstring>
+
+#include "core/math/wide_loops.hpp"
 #include "core/parallel/parallel.hpp"
 
 namespace percuss {
@@ -7,46 +10,58 @@ inline namespace core {
 namespace {
 
 using Complex = std::complex<double>;
-using Eigen::Array2d;
 using Eigen::Index;
-using Eigen::Map;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-// Σ conj(a)·b in two independent sums over alternate elements, because each addition to one sum waits for the previous
-// one.
-Complex dot_conj(const Complex* a, const Complex* b, Index n) {
-  const auto at = [](const Complex* z, Index i) { return Map<const Array2d>(reinterpret_cast<const double*>(z + i)); };
-  Array2d straight = Array2d::Zero(), crossed = Array2d::Zero(), straight2 = Array2d::Zero(),
-          crossed2 = Array2d::Zero();
+const double* parts_of(const Complex* z) { return reinterpret_cast<const double*>(z); }
+
+// Σ conj(a)·b. Four independent sums each, because an addition to a sum waits for the one before it.
+PERCUSS_WIDE_LOOPS Complex dot_conj(const Complex* a, const Complex* b, Index n) {
+  FourDoubles straight{}, crossed{}, x{}, y{};
   Index i = 0;
   for (; i + 1 < n; i += 2) {
-    const Array2d x = at(a, i), y = at(b, i), x2 = at(a, i + 1), y2 = at(b, i + 1);
+    std::memcpy(&x, a + i, sizeof(x));
+    std::memcpy(&y, b + i, sizeof(y));
     straight += x * y;
-    crossed += x * y.reverse();
-    straight2 += x2 * y2;
-    crossed2 += x2 * y2.reverse();
+    crossed += x * __builtin_shufflevector(y, y, 1, 0, 3, 2);
   }
   if (i < n) {
-    const Array2d x = at(a, i), y = at(b, i);
-    straight += x * y;
-    crossed += x * y.reverse();
+    x = FourDoubles{a[i].real(), a[i].imag()};
+    straight += x * FourDoubles{b[i].real(), b[i].imag()};
+    crossed += x * FourDoubles{b[i].imag(), b[i].real()};
   }
-  straight += straight2;
-  crossed += crossed2;
-  return {straight[0] + straight[1], crossed[0] - crossed[1]};
+  return {straight[0] + straight[2] + (straight[1] + straight[3]), crossed[0] + crossed[2] - (crossed[1] + crossed[3])};
 }
 
-Complex dot_real(const double* a, const Complex* b, Index n) {
-  Array2d sum = Array2d::Zero(), sum2 = Array2d::Zero();
+PERCUSS_WIDE_LOOPS Complex dot_real(const double* a, const Complex* b, Index n) {
+  FourDoubles sum{}, y{};
   Index i = 0;
   for (; i + 1 < n; i += 2) {
-    sum += a[i] * Map<const Array2d>(reinterpret_cast<const double*>(b + i));
-    sum2 += a[i + 1] * Map<const Array2d>(reinterpret_cast<const double*>(b + i + 1));
+    std::memcpy(&y, b + i, sizeof(y));
+    sum += FourDoubles{a[i], a[i], a[i + 1], a[i + 1]} * y;
   }
-  if (i < n) sum += a[i] * Map<const Array2d>(reinterpret_cast<const double*>(b + i));
-  sum += sum2;
-  return {sum[0], sum[1]};
+  if (i < n) sum += a[i] * FourDoubles{b[i].real(), b[i].imag()};
+  return {sum[0] + sum[2], sum[1] + sum[3]};
+}
+
+PERCUSS_WIDE_LOOPS void subtract_scaled(Complex* from, const double* column, Complex factor, Index n) {
+  auto* to = reinterpret_cast<double*>(from);
+  const double re = factor.real(), im = factor.imag();
+  for (Index k = 0; k < n; ++k) {
+    to[2 * k] -= column[k] * re;
+    to[2 * k + 1] -= column[k] * im;
+  }
+}
+
+PERCUSS_WIDE_LOOPS void subtract_scaled(Complex* from, const Complex* column, Complex factor, Index n) {
+  auto* to = reinterpret_cast<double*>(from);
+  const double* c = parts_of(column);
+  const double re = factor.real(), im = factor.imag();
+  for (Index k = 0; k < n; ++k) {
+    to[2 * k] -= c[2 * k] * re - c[2 * k + 1] * im;
+    to[2 * k + 1] -= c[2 * k] * im + c[2 * k + 1] * re;
+  }
 }
 
 // task(j) for every column of `matrix`; `others` columns are multiplied with each.
@@ -94,18 +109,15 @@ MatrixXcd transposed_product(const MatrixXd& left, const MatrixXcd& right) {
 
 void subtract_product(MatrixXcd& from, const MatrixXcd& columns, const MatrixXcd& factors) {
   over_columns(from, columns.cols(), [&](Index j) {
-    for (Index i = 0; i < columns.cols(); ++i) from.col(j) -= columns.col(i) * factors(i, j);
+    for (Index i = 0; i < columns.cols(); ++i)
+      subtract_scaled(from.col(j).data(), columns.col(i).data(), factors(i, j), from.rows());
   });
 }
 
 void subtract_product(MatrixXcd& from, const MatrixXd& columns, const MatrixXcd& factors) {
   over_columns(from, columns.cols(), [&](Index j) {
-    for (Index i = 0; i < columns.cols(); ++i) {
-      const Array2d factor(factors(i, j).real(), factors(i, j).imag());
-      const double* c = columns.col(i).data();
-      auto* to = reinterpret_cast<double*>(from.col(j).data());
-      for (Index k = 0; k < from.rows(); ++k) Map<Array2d>(to + 2 * k) -= c[k] * factor;
-    }
+    for (Index i = 0; i < columns.cols(); ++i)
+      subtract_scaled(from.col(j).data(), columns.col(i).data(), factors(i, j), from.rows());
   });
 }
 
@@ -122,7 +134,8 @@ ColumnFit fit_columns(const MatrixXcd& columns, const MatrixXcd& inverse_gram, c
       for (Index i = 0; i < columns.cols(); ++i) shares(i) = dot_conj(columns.col(i).data(), left.data(), left.size());
       shares = inverse_gram.lazyProduct(shares).eval();
       fit.amplitude.col(j) += shares;
-      for (Index i = 0; i < columns.cols(); ++i) left -= columns.col(i) * shares(i);
+      for (Index i = 0; i < columns.cols(); ++i)
+        subtract_scaled(left.data(), columns.col(i).data(), shares(i), left.size());
     }
   });
   return fit;

@@ -24,7 +24,9 @@ std::vector<VectorXcd> JointProjection::unweighted_residual(const JointState& st
   std::vector<VectorXcd> residual(set_.channels.size());
   const auto lines = static_cast<Index>(set_.lines.count);
   const std::vector<ModeColumn> whole = untruncated_columns(state.model, ColumnContent::value);
-  for (const JointPart& part : state.parts) {
+  const std::size_t each = kFlopsPerColumnLine * set_.lines.count * state.model.poles.size();
+  parallel_for_cost(state.parts.size(), each, [&](std::size_t p) {
+    const JointPart& part = state.parts[p];
     const PointForce& force = set_.points[set_.channels[part.channels.front()].point];
     MatrixXcd columns(lines, part.columns.cols());
     parallel_for_cost(state.model.poles.size(), kFlopsPerColumnLine * set_.lines.count, [&](std::size_t m) {
@@ -39,7 +41,7 @@ std::vector<VectorXcd> JointProjection::unweighted_residual(const JointState& st
       if (columns_per_term == 2) columns.col(at + 1) = Complex(0, 1) * columns.col(at);
     }
     subtract_model(columns, part, residual);
-  }
+  });
   return residual;
 }
 

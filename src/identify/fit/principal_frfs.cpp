@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/math/decompositions.hpp"
+#include "core/math/wide_loops.hpp"
 #include "core/parallel/parallel.hpp"
 #include "identify/noise/line_noise.hpp"
 
@@ -65,6 +66,12 @@ MatrixXd gram_of(const MatrixXd& rows) {
   return gram;
 }
 
+PERCUSS_WIDE_LOOPS void add_scaled(Complex* sum, const Complex* frf, double factor, std::size_t count) {
+  auto* to = reinterpret_cast<double*>(sum);
+  const auto* from = reinterpret_cast<const double*>(frf);
+  for (std::size_t i = 0; i < 2 * count; ++i) to[i] += factor * from[i];
+}
+
 }  // namespace
 
 MatrixXd principal_components(const FrfDataset& set, std::size_t max_components) {
@@ -90,12 +97,9 @@ FrfDataset principal_frfs(const FrfDataset& set, const MatrixXd& components) {
       for (std::size_t k = first; k < first + count; ++k) force.ff[k] += set.points[p].ff[k];
     }
     for (Index i = 0; i < components.cols(); ++i) {
-      Eigen::Map<Eigen::VectorXcd> sum(out.channels[static_cast<std::size_t>(i)].frf.data() + first,
-                                       static_cast<Index>(count));
-      for (Index o = 0; o < components.rows(); ++o) {
-        const auto& frf = set.channels[static_cast<std::size_t>(o)].frf;
-        sum += components(o, i) * Eigen::Map<const Eigen::VectorXcd>(frf.data() + first, sum.size());
-      }
+      Complex* const sum = out.channels[static_cast<std::size_t>(i)].frf.data() + first;
+      for (Index o = 0; o < components.rows(); ++o)
+        add_scaled(sum, set.channels[static_cast<std::size_t>(o)].frf.data() + first, components(o, i), count);
     }
   });
   out.points.push_back(std::move(force));

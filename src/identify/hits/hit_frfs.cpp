@@ -1,5 +1,7 @@
 #include "identify/hits/hit_frfs.hpp"
 
+#include "core/math/complex.hpp"
+
 namespace percuss::identify {
 
 using Eigen::Index;
@@ -21,8 +23,9 @@ std::vector<VectorXcd> hit_data(const FrfDataset& set, const HitFrfs& hits, cons
   std::vector<VectorXcd> data(hits.accel.size(), VectorXcd(static_cast<Index>(window.count)));
   for (std::size_t o = 0; o < data.size(); ++o) {
     const Complex* force = hits.set.points[hits.set.channels[o].point].spectra.front().get() + window.first;
+    const Complex* accel = hits.accel[o].data() + window.first;
     for (std::size_t k = 0; k < window.count; ++k)
-      data[o](static_cast<Index>(k)) = hits.accel[o][window.first + k] / force[k];
+      data[o](static_cast<Index>(k)) = conj_times(force[k], accel[k]) * (1 / std::norm(force[k]));
   }
   subtract_other_modes(hits.set, modes, window, residue_indices(set, hits), data);
   return data;

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -30,6 +31,13 @@ struct SynthesisedFrf {
 /// theory (5.5)
 std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::vector<Mode>& modes,
                                              const acquire::LineRange& band);
+
+/// The sum over the modes in (1) for each FRF, [channels][lines of the set].
+std::vector<Eigen::VectorXcd> modal_sums(const FrfDataset& set, const std::vector<Mode>& modes);
+
+/// The same FRFs from modal_sums() of the set.
+std::vector<SynthesisedFrf> frfs_from_sums(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& sums,
+                                           const acquire::LineRange& band);
 
 /// FRAC (2) of two FRFs; 0 where either FRF is zero everywhere.
 double frac(const std::vector<Complex>& measured, const std::vector<Complex>& synthesised);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/math/complex.hpp"
+#include "core/math/wide_loops.hpp"
 #include "core/units.hpp"
 
 namespace percuss::identify {
@@ -123,6 +124,44 @@ void fill_untruncated(ModeColumn& column, const PoleTerms& p, const acquire::Lin
   }
 }
 
+// The truncation of a mode at the lines from `first` on, but for the force: the factors of its two conjugate poles.
+struct DecayColumn {
+  std::size_t first;
+  const Complex *kernel, *mirror;
+};
+
+// Adds the missing decay of a mode with this residue. q: [hits] the state of the mode at the end of the record.
+PERCUSS_WIDE_LOOPS void add_decay(std::span<Complex> sum, Complex residue, const PointForce& force,
+                                  const std::vector<Complex>& q, const DecayColumn& column) {
+  // Hits outside, lines inside: the compiler then takes several lines at a time.
+  constexpr std::size_t kBlock = 128;
+  std::array<double, kBlock> rr{}, ii{}, ri{}, ir{};
+  for (std::size_t begin = 0; begin < sum.size(); begin += kBlock) {
+    const std::size_t count = std::min(kBlock, sum.size() - begin);
+    for (auto* part : {&rr, &ii, &ri, &ir}) part->fill(0);
+    // conj(F)·q and conj(F)·conj(q) share their products.
+    for (std::size_t h = 0; h < q.size(); ++h) {
+      const Complex* f = force.spectra[h].get() + column.first + begin;
+      for (std::size_t i = 0; i < count; ++i) {
+        rr[i] += f[i].real() * q[h].real();
+        ii[i] += f[i].imag() * q[h].imag();
+        ri[i] += f[i].real() * q[h].imag();
+        ir[i] += f[i].imag() * q[h].real();
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = begin + i;
+      const Complex all = times(column.kernel[k], {rr[i] + ii[i], ri[i] - ir[i]}) +
+                          times(column.mirror[k], {rr[i] - ii[i], -ri[i] - ir[i]});
+      sum[k] += times(residue, all) * (1 / force.ff[column.first + k]);
+    }
+  }
+}
+
+PERCUSS_WIDE_LOOPS void add_scaled(std::span<Complex> sum, Complex residue, const Complex* column) {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += times(residue, column[i]);
+}
+
 }  // namespace
 
 PointForce point_force(std::vector<frf::ForceBlock> blocks, std::vector<frf::Spectrum> spectra,
@@ -221,29 +260,7 @@ void TruncatedDecay::add_to(std::span<Complex> sum, Complex residue, const Point
   std::vector<Complex> q;
   for (const frf::ForceBlock& block : force.blocks)
     q.push_back(state_at_end(block, windowed_, 1 / lines_.fs_Hz, lines_.samples).first);
-  // Hits outside, lines inside: the compiler then takes several lines at a time.
-  constexpr std::size_t kBlock = 128;
-  std::array<double, kBlock> rr{}, ii{}, ri{}, ir{};
-  for (std::size_t begin = 0; begin < sum.size(); begin += kBlock) {
-    const std::size_t count = std::min(kBlock, sum.size() - begin);
-    for (auto* part : {&rr, &ii, &ri, &ir}) part->fill(0);
-    // conj(F)·q and conj(F)·conj(q) share their products.
-    for (std::size_t h = 0; h < q.size(); ++h) {
-      const Complex* f = force.spectra[h].get() + first_ + begin;
-      for (std::size_t i = 0; i < count; ++i) {
-        rr[i] += f[i].real() * q[h].real();
-        ii[i] += f[i].imag() * q[h].imag();
-        ri[i] += f[i].real() * q[h].imag();
-        ir[i] += f[i].imag() * q[h].real();
-      }
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t k = begin + i;
-      const Complex all =
-          times(kernel_[k], {rr[i] + ii[i], ri[i] - ir[i]}) + times(mirror_[k], {rr[i] - ii[i], -ri[i] - ir[i]});
-      sum[k] += times(residue, all) * (1 / force.ff[first_ + k]);
-    }
-  }
+  add_decay(sum, residue, force, q, {.first = first_, .kernel = kernel_.data(), .mirror = mirror_.data()});
 }
 
 ModeValues::ModeValues(const Pole& pole, double window_decay_per_s, const acquire::LineRange& lines, std::size_t first,
@@ -256,7 +273,7 @@ ModeValues::ModeValues(const Pole& pole, double window_decay_per_s, const acquir
 }
 
 void ModeValues::add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const {
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += times(residue, whole_(static_cast<Eigen::Index>(i)));
+  add_scaled(sum, residue, whole_.data());
   if (missing_ && !decays_within_record(pole_, force, lines_)) missing_->add_to(sum, -residue, force);
 }
 

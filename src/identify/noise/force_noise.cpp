@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/complex.hpp"
+#include "core/math/wide_loops.hpp"
 #include "core/units.hpp"
 
 namespace percuss::identify {
@@ -73,6 +75,10 @@ double one_over_force(const PointForce& force, std::size_t line) {
   return 1 / std::sqrt(std::max(force.ff[line], 1e-300));
 }
 
+PERCUSS_WIDE_LOOPS void multiply(std::vector<Complex>& values, const std::vector<Complex>& factors) {
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = times(values[k], factors[k]);
+}
+
 // [lines, delays + 2] relative error of the force's spectrum from the noise around each delay and from the ringing cut
 // off on either side.
 Eigen::MatrixXcd relative_force_errors(const FrfDataset& set, const PointForce& force,
@@ -81,20 +87,21 @@ Eigen::MatrixXcd relative_force_errors(const FrfDataset& set, const PointForce& 
   Eigen::MatrixXcd errors(static_cast<Index>(lines.size()), count + 2);
   const double apart = delays[1].samples - delays[0].samples;
   const double begin = -1 - centre_of(force.blocks.front());
+  std::vector<Complex> error(lines.size()), turn(lines.size());
   for (Index k = 0; k < errors.rows(); ++k) {
     const std::size_t line = lines[static_cast<std::size_t>(k)];
     const double turns = set.lines.freq_Hz(line) / set.lines.fs_Hz;
     const double per_N = one_over_force(force, line);
-    const Complex from_one_to_next = std::polar(1.0, -kTwoPi * turns * apart);
-    Complex error = std::polar(per_N * force.noise_N * std::sqrt(delays.front().variance),
-                               -kTwoPi * turns * delays.front().samples);
-    for (Index i = 0; i < count; ++i) {
-      errors(k, i) = error;
-      error *= from_one_to_next;
-    }
+    turn[static_cast<std::size_t>(k)] = std::polar(1.0, -kTwoPi * turns * apart);
+    error[static_cast<std::size_t>(k)] = std::polar(per_N * force.noise_N * std::sqrt(delays.front().variance),
+                                                    -kTwoPi * turns * delays.front().samples);
     const double cut = per_N * cut_ringing_N(force, turns);
     errors(k, count) = std::polar(cut, -kTwoPi * turns * begin);
     errors(k, count + 1) = std::polar(cut, -kTwoPi * turns * (begin + 1 + gated_samples(force)));
+  }
+  for (Index i = 0; i < count; ++i) {
+    std::copy(error.begin(), error.end(), errors.col(i).data());
+    multiply(error, turn);
   }
   return errors;
 }

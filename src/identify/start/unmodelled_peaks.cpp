@@ -21,9 +21,9 @@ constexpr double kUnexplained = 0.25;  // residual energy over a peak's energy: 
 constexpr double kPeakSpan = 6;        // half-widths on either side, for a peak's energy
 
 // The residual of the synthesised FRFs, [channels][lines].
-std::vector<Eigen::VectorXcd> residual_of(const FrfDataset& set, const std::vector<Mode>& modes) {
+std::vector<Eigen::VectorXcd> residual_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& sums) {
   std::vector<Eigen::VectorXcd> left;
-  const auto made = synthesised_frfs(set, modes, set.lines);
+  const auto made = frfs_from_sums(set, sums, set.lines);
   for (std::size_t o = 0; o < set.channels.size(); ++o) {
     const auto lines = static_cast<Index>(set.lines.count);
     left.emplace_back(Eigen::Map<const Eigen::VectorXcd>(set.channels[o].frf.data(), lines) -
@@ -70,7 +70,7 @@ std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::v
   if (lines.empty()) return {};
   double largest = 0;
   for (std::size_t k = 0; k < set.lines.count; ++k) largest = std::max(largest, power_at(set, k));
-  const auto left = residual_of(set, modes);
+  const auto left = residual_of(set, modal_sums(set, modes));
   const auto resonances = residual_resonances(set, left);
   std::vector<UnmodelledPeak> peaks;
   for (const std::size_t line : lines) {
@@ -84,8 +84,13 @@ std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::v
 }
 
 std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode>& modes) {
+  return unmodelled_poles(set, modes, modal_sums(set, modes));
+}
+
+std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode>& modes,
+                                   const std::vector<Eigen::VectorXcd>& sums) {
   if (set.lines.count < 8 || set.channels.empty()) return {};
-  const auto left = residual_of(set, modes);
+  const auto left = residual_of(set, sums);
   if (!smooth_somewhere(left)) return {};
   auto resonances = residual_resonances(set, left);
   std::erase_if(resonances, [&](const Resonance& at) { return !unexplained(set, left, at); });

@@ -1,12 +1,13 @@
 #include "pipeline/findings/difference_profile.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "core/math/statistics.hpp"
+#include "core/math/wide_loops.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -23,8 +24,8 @@ double noise_gain() {
 }
 
 // Differences of the samples, scaled; shorter than x by the order. One pass for two orders: the compiler vectorises it.
-std::span<const double> differences(std::span<const double> x, std::span<double> work) {
-  static const double scale = 1 / noise_gain();
+PERCUSS_WIDE_LOOPS std::span<const double> differences(std::span<const double> x, double scale,
+                                                       std::span<double> work) {
   for (std::size_t i = 0; i < x.size(); ++i) work[i] = x[i] * scale;
   static_assert(kDifferenceOrder % 2 == 0);
   std::size_t n = x.size();
@@ -41,16 +42,26 @@ struct Size {
 };
 
 // Several sums at a time, so that none waits for the one before it.
-Size size_of(std::span<const double> x) {
-  using Row = Eigen::Array<double, 8, 1>;
-  Row square = Row::Zero(), largest = Row::Zero();
+PERCUSS_WIDE_LOOPS Size size_of(std::span<const double> x) {
+  constexpr std::size_t kLanes = 8;
+  FourDoubles square{}, square2{}, high{}, high2{}, low{}, low2{}, a{}, b{};
   std::size_t i = 0;
-  for (; i + 8 <= x.size(); i += 8) {
-    const Eigen::Map<const Row> row(x.data() + i);
-    square += row * row;
-    largest = largest.max(row.abs());
+  for (; i + kLanes <= x.size(); i += kLanes) {
+    std::memcpy(&a, x.data() + i, sizeof(a));
+    std::memcpy(&b, x.data() + i + kLanes / 2, sizeof(b));
+    square += a * a;
+    square2 += b * b;
+    high = high > a ? high : a;
+    high2 = high2 > b ? high2 : b;
+    low = low < a ? low : a;
+    low2 = low2 < b ? low2 : b;
   }
-  Size out{.square = square.sum(), .largest = largest.maxCoeff()};
+  Size out;
+  square += square2;
+  for (std::size_t k = 0; k < kLanes / 2; ++k) {
+    out.square += square[k];
+    out.largest = std::max({out.largest, high[k], high2[k], -low[k], -low2[k]});
+  }
   for (; i < x.size(); ++i) {
     out.square += x[i] * x[i];
     out.largest = std::max(out.largest, std::abs(x[i]));
@@ -62,9 +73,10 @@ Size size_of(std::span<const double> x) {
 
 DifferenceProfile difference_profile(std::span<const double> x, std::size_t first) {
   DifferenceProfile profile{.first = first, .rms = {}, .largest = {}, .at = {}};
+  const double scale = 1 / noise_gain();
   std::array<double, kDifferenceBlock + kDifferenceOrder> work{};
   for (std::size_t begin = first; begin + work.size() <= x.size(); begin += kDifferenceBlock) {
-    const auto d = differences(x.subspan(begin, work.size()), work);
+    const auto d = differences(x.subspan(begin, work.size()), scale, work);
     const Size size = size_of(d);
     const auto at = std::find_if(d.begin(), d.end(), [&](double value) { return std::abs(value) == size.largest; });
     profile.rms.push_back(std::sqrt(size.square / static_cast<double>(d.size())));
@@ -77,7 +89,7 @@ DifferenceProfile difference_profile(std::span<const double> x, std::size_t firs
 std::optional<double> difference_rms(std::span<const double> x) {
   if (x.size() < 2 * kDifferenceOrder) return std::nullopt;
   std::vector<double> work(x.size());
-  return rms(differences(x, work));
+  return rms(differences(x, 1 / noise_gain(), work));
 }
 
 std::vector<std::size_t> outstanding_samples(const DifferenceProfile& profile, std::size_t most, double least) {
@@ -86,9 +98,11 @@ std::vector<std::size_t> outstanding_samples(const DifferenceProfile& profile, s
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::size_t from = b > kBlocksAround ? b - kBlocksAround : 0;
     const std::size_t to = std::min(blocks, b + kBlocksAround + 1);
-    if (profile.largest[b] <= least) continue;
-    const double around = median({profile.rms.begin() + static_cast<std::ptrdiff_t>(from),
-                                  profile.rms.begin() + static_cast<std::ptrdiff_t>(to)});
+    const auto first = profile.rms.begin() + static_cast<std::ptrdiff_t>(from);
+    const auto end = profile.rms.begin() + static_cast<std::ptrdiff_t>(to);
+    // The least is below the median; few blocks need the median.
+    if (profile.largest[b] <= std::max(least, kOutstanding * *std::min_element(first, end))) continue;
+    const double around = median({first, end});
     if (profile.largest[b] > kOutstanding * around && around > 0)
       found.emplace_back(profile.largest[b] / around, profile.at[b]);
   }

@@ -4,8 +4,12 @@
 #include <iterator>
 #include <map>
 
+#include "core/parallel/parallel.hpp"
+
 namespace percuss::pipeline {
 namespace {
+
+constexpr std::size_t kFlopsPerLine = 10;  // of the power of a force
 
 // The points' places in the set: ascending by number.
 std::map<int, std::size_t> places_of_points(const TestSpectra& spectra) {
@@ -33,11 +37,14 @@ identify::HitFrfs single_hits(const identify::FrfDataset& set, const TestSpectra
                               const std::vector<std::size_t>& hits) {
   const auto places = places_of_points(spectra);
   identify::HitFrfs single{.set = {.lines = set.lines, .usable_bandwidth_Hz = set.usable_bandwidth_Hz}};
-  for (const std::size_t h : hits) {
-    const acquire::Hit& hit = spectra.hits[h].hit;
+  single.set.points.resize(hits.size());
+  parallel_for_cost(hits.size(), kFlopsPerLine * spectra.lines.count, [&](std::size_t i) {
+    const acquire::Hit& hit = spectra.hits[hits[i]].hit;
     std::vector<frf::ForceBlock> block{frf::force_block(hit, spectra.lines.fs_Hz, spectra.window_decay_per_s)};
-    single.set.points.push_back(
-        identify::point_force(std::move(block), {spectra.force[h]}, spectra.lines, hit.noise_N));
+    single.set.points[i] =
+        identify::point_force(std::move(block), {spectra.force[hits[i]]}, spectra.lines, hit.noise_N);
+  });
+  for (const std::size_t h : hits) {
     single.points.push_back(places.at(spectra.hits[h].point));
     for (std::size_t c = 0; c < spectra.responses.of[h].size(); ++c) {
       single.set.channels.push_back({.point = single.points.size() - 1, .channel = c, .frf = {}});

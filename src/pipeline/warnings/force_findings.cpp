@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "core/math/complex.hpp"
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
 
@@ -31,9 +32,12 @@ double pulse_level(const std::vector<double>& pulse, double from, double to) {
   double square = 0;
   for (std::size_t k = 0; k < kLinesPerBand; ++k) {
     const double turns = from + (to - from) * (static_cast<double>(k) + 0.5) / static_cast<double>(kLinesPerBand);
-    Complex sum;
-    for (std::size_t n = 0; n < pulse.size(); ++n)
-      sum += pulse[n] * std::polar(1.0, -kTwoPi * turns * static_cast<double>(n));
+    Complex sum, turned = 1;
+    const Complex step = std::polar(1.0, -kTwoPi * turns);
+    for (const double x : pulse) {
+      sum += x * turned;
+      turned = times(turned, step);
+    }
     square += std::norm(sum);
   }
   return std::sqrt(square / static_cast<double>(kLinesPerBand));
@@ -98,12 +102,21 @@ bool equal_pulses(const acquire::Hit& a, const acquire::Hit& b) {
 std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                        const HitResponses& responses) {
   std::vector<double> nyquist, fall, folded;
+  std::vector<std::size_t> used;
   for (const std::size_t h : accepted_hits(hits)) {
     const std::vector<double>& pulse = hits[h].hit.gated_N;
-    const double low = pulse_level(pulse, 0, 0.05), top = pulse_level(pulse, 0.49, 0.5);
+    const double low = pulse_level(pulse, 0, 0.05);
     if (!(low > 0)) continue;
-    nyquist.push_back(top / low);
-    fall.push_back(top / pulse_level(pulse, 0.41, 0.43));
+    nyquist.push_back(pulse_level(pulse, 0.49, 0.5) / low);
+    used.push_back(h);
+  }
+  // The folded spectrum adds to the pulse's own spectrum or cancels it. This depends on the time of the pulse between
+  // two samples.
+  const double most = nyquist.empty() ? 0 : *std::max_element(nyquist.begin(), nyquist.end());
+  if (most < kMinAtNyquist) return {};
+  for (const std::size_t h : used) {
+    const std::vector<double>& pulse = hits[h].hit.gated_N;
+    fall.push_back(pulse_level(pulse, 0.49, 0.5) / pulse_level(pulse, 0.41, 0.43));
     for (const HitResponse& response : responses.of[h]) {
       const Extremes& extremes = response.grade.extremes;
       const double largest = std::max(extremes.high, -extremes.low);
@@ -111,11 +124,7 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
         folded.push_back(response.noise.after.rms.front() / largest);
     }
   }
-  if (nyquist.empty() || folded.empty()) return {};
-  // The folded spectrum adds to the pulse's own spectrum or cancels it. This depends on the time of the pulse between
-  // two samples.
-  const double most = *std::max_element(nyquist.begin(), nyquist.end());
-  if (most < kMinAtNyquist || *std::max_element(fall.begin(), fall.end()) < kMaxFilterFall) return {};
+  if (folded.empty() || *std::max_element(fall.begin(), fall.end()) < kMaxFilterFall) return {};
   if (median(folded) < kMinFolded) return {};
   return {with_remedy(
       {"aliasing",
