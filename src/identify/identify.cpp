@@ -28,7 +28,7 @@ std::vector<Mode> fit_all_channels(const FrfDataset& set, const IdentifyOptions&
   std::vector<Eigen::VectorXcd> residual;
   if (options.effort == Effort::best && !found.empty()) residual = refine_jointly(set, found);
   if (options.effort != Effort::quick && residual.empty()) residual = refine_without_satellites(set, found);
-  if (options.effort != Effort::quick && options.search_jointly) search_jointly(set, residual, found);
+  if (options.effort != Effort::quick) search_jointly(set, residual, found);
   return with_force_noise(set, std::move(found));
 }
 

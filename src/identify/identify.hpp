@@ -13,7 +13,6 @@ struct IdentifyOptions {
   Effort effort = Effort::best;
   std::optional<std::size_t> modes;  // largest number of modes, see keep_clearest()
   std::vector<double> start_Hz;      // fit at most one mode from each of these frequencies, and no others
-  bool search_jointly = true;        // search for what the modes leave unexplained with all modes together
 };
 
 /// The modes of a set of FRFs in ascending frequency, with one standard deviation of each value.
