@@ -8,6 +8,13 @@
 namespace percuss {
 inline namespace core {
 
+/// A message that only informs.
+inline Message information(std::string text) {
+  Message message(std::move(text));
+  message.information = true;
+  return message;
+}
+
 /// The message that an interface shows for std::bad_alloc, in the form of InputError: "problem (where); remedy".
 inline constexpr const char* kOutOfMemoryMessage =
     "not enough memory (the whole run); analyse fewer rows or channels at a time";

@@ -11,6 +11,7 @@
 #include <set>
 #include <system_error>
 
+#include "acquire/channels/csv_columns.hpp"
 #include "acquire/open_measurement.hpp"
 #include "batch/plan.hpp"
 #include "cli/option_error.hpp"
@@ -91,6 +92,17 @@ bool is_no_record(const std::exception_ptr& error) {
   }
 }
 
+// A table of something else beside the records of a folder: a command that reads it as a record would be wrong advice.
+void refuse_beside_others(const std::exception_ptr& error, const std::string& path) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const acquire::AmbiguousColumns& ambiguous) {
+    throw InputError(ambiguous.problem(), path,
+                     "if it is no test as the other files of the folder are, move it, or name those by a pattern");
+  } catch (...) {
+  }
+}
+
 // Opens the files in parallel, except sandboxed ones without a fork server. Leaves out files of folders that are no
 // records. Rethrows the error of the first other file that cannot be opened.
 template <class Opened, class Open>
@@ -108,7 +120,10 @@ std::vector<std::optional<Opened>> for_each_file(const OrderedFiles& found, bool
   });
   const bool any = std::any_of(opened.begin(), opened.end(), [](const auto& one) { return one.has_value(); });
   for (std::size_t i = 0; i < failed.size(); ++i) {
-    if (failed[i] && !(any && found.in_folder(i) && is_no_record(failed[i]))) std::rethrow_exception(failed[i]);
+    const bool beside_others = any && found.in_folder(i);
+    if (!failed[i] || (beside_others && is_no_record(failed[i]))) continue;
+    if (beside_others) refuse_beside_others(failed[i], flags.paths[i]);
+    std::rethrow_exception(failed[i]);
   }
   return opened;
 }
@@ -121,8 +136,8 @@ std::optional<Message> left_out_note(const OrderedFiles& found, const std::vecto
     if (!opened[i]) paths.push_back(found.flags.paths[i]);
   }
   if (paths.empty()) return std::nullopt;
-  return Message(fmt::format("left out, because {} no numbers: {}", paths.size() == 1 ? "it holds" : "they hold",
-                             listed_names(paths)));
+  return information(fmt::format("left out, because {} no numbers: {}", paths.size() == 1 ? "it holds" : "they hold",
+                                 listed_names(paths)));
 }
 
 // Puts the files of an unquoted pattern, which the shell gave as "p1 p10 p2", into their natural order, each with its
@@ -139,7 +154,7 @@ std::optional<Message> order_naturally(ReadFlags& flags) {
   }
   const auto name = [&](std::size_t i) { return file_name(flags.paths[i]); };
   const auto at = static_cast<std::size_t>(moved - order.begin());
-  return Message(
+  return information(
       fmt::format("the files came in a shell's order of characters and are counted by the numbers in their names, {} "
                   "before {}; to count them in another order, rename them",
                   name(at), name(at + 1)));
@@ -156,9 +171,9 @@ OrderedFiles found_in_order(const ReadFlags& given) {
   FoundFiles files = found_files(given.paths);
   found.flags.paths = std::move(files.paths);
   if (!files.left_out.empty()) {
-    found.other =
-        Message(fmt::format("left out, because {} known extension: {}; name a file to read it",
-                            files.left_out.size() == 1 ? "it has no" : "they have no", listed_names(files.left_out)));
+    found.other = information(fmt::format("left out, because {} known extension: {}; name a file to read it",
+                                          files.left_out.size() == 1 ? "it has no" : "they have no",
+                                          listed_names(files.left_out)));
   }
   found.note = order_naturally(found.flags);
   if (given.files == acquire::FileGrouping::tests) found.note.reset();  // tests are told apart by their names

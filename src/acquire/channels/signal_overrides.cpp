@@ -1,5 +1,7 @@
 #include "acquire/channels/signal_overrides.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/error.hpp"
@@ -99,6 +101,14 @@ SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* 
   override_value(choice.angle_rad, entry_of_each(options.angle_rad, index, count, "angle"));
   override_value(choice.position_m, entry(options.position_m, index, count, "position"));
   return choice;
+}
+
+void note_other_rate(double file_Hz, double used_Hz, std::vector<Message>& notes) {
+  constexpr double kSame = 0.01;
+  if (!(file_Hz > 0) || std::abs(used_Hz / file_Hz - 1) <= kSame) return;
+  notes.emplace_back(
+      fmt::format("the file states {:.6g} Hz; the rate of {:.6g} Hz is used, as requested", file_Hz, used_Hz),
+      std::vector<OptionId>{"fs"});
 }
 
 Quantity response_quantity(const SignalInfo& signal, const SignalOverrides& choice, bool has_force) {

@@ -28,6 +28,9 @@ SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* 
 SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
                                 std::size_t count);
 
+/// Notes that the sampling rate in use differs by more than 1 % from the rate that the file states (0: none).
+void note_other_rate(double file_Hz, double used_Hz, std::vector<Message>& notes);
+
 /// What a response measures: a pressure, if its unit or its sensitivity says so and no force was recorded (a
 /// microphone); else an acceleration. FRFs of a pressure have other units than percuss states.
 Quantity response_quantity(const SignalInfo& signal, const SignalOverrides& choice, bool has_force);

@@ -65,7 +65,8 @@ SignalInfo described_signal(const SignalTable& table, std::size_t index) {
   return {.name = signal.name, .unit = unit, .angle_rad = signal.angle_rad, .position_m = signal.position_m};
 }
 
-// Without a stated unit, the signal is in the file's own system of units, else in SI. Returns whether SI is assumed.
+// Completes a signal without a stated unit: takes the scale of the file's own system of units, or assumes SI where the
+// file states none. Returns whether SI is assumed.
 bool complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalOverrides& choice) {
   if (!signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI) return false;
   choice.scale = stored.to_SI;
@@ -169,6 +170,7 @@ Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOp
   open->roles = roles;
   const std::string where = table_name(open->table);
   record.fs_Hz = checked_rate_Hz(options.fs_Hz.value_or(open->table.fs_Hz), where);
+  note_other_rate(open->table.fs_Hz, record.fs_Hz, record.notes);
   describe_table(*open, options, record);
   if (record.rows.empty()) throw InputError("no samples", where, "record at least one hit");
   for (const RowInfo& row : record.rows) {

@@ -26,8 +26,8 @@ LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::
     const double expected_Hz = (first + static_cast<double>(k)) * df_Hz;
     if (std::abs(freq_Hz[k] - expected_Hz) <= kUneven * df_Hz) continue;
     throw InputError(
-        fmt::format("the frequency {:.8g} Hz is not a multiple of the spacing of {:.6g} Hz", freq_Hz[k], df_Hz), where,
-        remedy);
+        fmt::format("the frequency {:.8g} Hz is not a multiple of the spacing of {:.6g} Hz", freq_Hz[k], rough_Hz),
+        where, remedy);
   }
   LineRange lines{.first = static_cast<std::size_t>(first), .count = n};
   lines.samples = 2 * (lines.first + n - 1);

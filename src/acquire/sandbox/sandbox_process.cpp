@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
+#include "acquire/record/sample_limits.hpp"
 #include "acquire/sandbox/child_process.hpp"
 #include "acquire/sandbox/fork_server.hpp"
 #include "acquire/sandbox/readers_memory.hpp"
@@ -51,12 +52,12 @@ SandboxProcess::SandboxProcess(std::string path, std::shared_ptr<ForkServer> for
   begin([&](const ReaderDescriptors& descriptors) { return fork_server_->start(path_, descriptors); });
 }
 
-// Other children do not inherit the parent's map: a reader must not change the numbers of another one.
 bool SandboxProcess::create_descriptors(ReaderDescriptors& of_child) {
   std::array<int, 2> ends{-1, -1};
   of_child.memory = ::memfd_create("percuss", MFD_CLOEXEC);
   if (of_child.memory < 0 || ::ftruncate(of_child.memory, kSharedNumbers_bytes) != 0) return false;
   shared_ = map_shared_numbers(of_child.memory);
+  // Other children do not inherit this mapping: a reader must not change the samples of another reader.
   if (shared_ == nullptr || ::madvise(shared_, kSharedNumbers_bytes, MADV_DONTFORK) != 0) return false;
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return false;
   of_child.parent_pipe = ends[0];
@@ -211,7 +212,8 @@ void SandboxProcess::report_crash() {
     reaped = ended(status);
     if (reaped < 0 && fork_server_ != nullptr) {
       child_ = -1;
-      report_no_process();
+      throw MachineFault("the process that starts the readers has ended", path_,
+                         "open the file again, or trust the input", {"trust_input"});
     }
     if (reaped != child_) ::usleep(10'000);
   }

@@ -148,15 +148,17 @@ void serialize_notes(Serializer& out, const std::vector<Message>& notes) {
   for (const Message& note : notes) {
     out.put(note.text);
     serialize_options(out, note.options);
+    out.put(static_cast<std::uint64_t>(note.information ? 1 : 0));
   }
 }
 
 std::vector<Message> deserialize_notes(Deserializer& in) {
   std::vector<Message> notes;
-  const std::size_t count = in.count(2 * sizeof(std::uint64_t));
+  const std::size_t count = in.count(3 * sizeof(std::uint64_t));
   for (std::size_t i = 0; i < count; ++i) {
     std::string text = in.text();
     notes.emplace_back(std::move(text), deserialize_options(in));
+    notes.back().information = in.get<std::uint64_t>() != 0;
   }
   return notes;
 }

@@ -35,8 +35,10 @@ double coarsest_step(const std::vector<AnalysedHit>& hits, std::size_t channel) 
 
 std::vector<Warning> input_warnings(const acquire::Record& record) {
   std::vector<Warning> out;
-  for (const Message& note : record.notes)
+  for (const Message& note : record.notes) {
     out.push_back({.code = "input", .message = note.text, .options = note.options});
+    if (note.information) out.back().severity = acquire::Severity::info;
+  }
   return out;
 }
 

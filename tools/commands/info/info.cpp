@@ -125,9 +125,9 @@ std::string record_text(const acquire::Record& record, const RecordSamples& samp
                signal.unit.empty() ? channel.si_unit : one_line(signal.unit, 20), fmt::format("{:.6g}", signal.to_SI),
                optional_text(signal.angle_rad, kRadian_deg), optional_text(signal.position_m, 1),
                shown ? value(shown->rms) : "-", shown ? value(shown->peak) : "-",
-               !shown          ? "-"
-               : shown->hammer ? "hammer"
-                               : "response"});
+               !shown || samples.problem ? "-"
+               : shown->hammer           ? "hammer"
+                                         : "response"});
   }
   text += table.text(width);
   for (const Channel& channel : samples.channels) {

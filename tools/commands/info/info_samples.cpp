@@ -107,6 +107,7 @@ RecordSamples samples_of(const acquire::Record& record) {
 
 std::vector<Message> notes_of(const acquire::Record& record, const RecordSamples& samples) {
   std::vector<Message> notes = record.notes;
+  if (samples.problem) return notes;  // the channels were not compared
   if (samples.partial) notes.emplace_back("a long record: rms, peak and picture are those of its beginning");
   for (const Channel& channel : samples.channels) {
     if (!channel.samples) continue;

@@ -14,7 +14,7 @@ namespace percuss::tools {
 struct ChannelSamples {
   double rms = 0, peak = 0;        // in SI; the peak is the largest magnitude, with its sign
   double hammer_measure = 1;       // acquire::hammer_measure
-  bool hammer = false;             // short pulses of one sign; of a response only where the force has none
+  bool hammer = false;             // looks like a hammer; never a response if the force looks like one
   std::vector<double> envelope{};  // largest magnitudes over time
 };
 

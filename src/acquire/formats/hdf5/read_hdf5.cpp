@@ -55,9 +55,13 @@ InputDataSet open_required(const InputHdf5& file, const std::string& name) {
                    "store force [hits, samples] and accel [hits, channels, samples]");
 }
 
-double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
-  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "the rate stated");
+double read_rate_Hz(const OpenRecord& open, const ReadOptions& options, std::vector<Message>& notes) {
   const InputHdf5& file = open.file;
+  if (options.fs_Hz) {
+    if (const auto own = hdf5::number_attribute(file.id(), "fs", file.path() + ": attribute fs", 1))
+      note_other_rate(own->front(), *options.fs_Hz, notes);
+    return checked_rate_Hz(*options.fs_Hz, "the rate stated");
+  }
   std::vector<std::pair<hdf5::Id, std::string>> places{{file.id(), file.path() + ": attribute fs"},
                                                        {open.accel.id(), file.where("accel attribute fs")}};
   if (open.force) places.insert(places.begin() + 1, {open.force->id(), file.where("force attribute fs")});
@@ -224,7 +228,7 @@ Record open_hdf5(const std::string& path, const ReadOptions& options) {
   record.files.push_back(
       {.path = path, .bytes = opened->file.bytes(), .date = hdf5::date_attribute(opened->file.id())});
   record.format = "HDF5";
-  record.fs_Hz = read_rate_Hz(*opened, options);
+  record.fs_Hz = read_rate_Hz(*opened, options, record.notes);
   describe_signals(*opened, options, record);
   describe_rows(*opened, record);
   record.geometry = hdf5::read_geometry(opened->file);

@@ -89,7 +89,7 @@ void write_marks(hdf5::OutputHdf5& out, const Record& record) {
   out.write("rejected", {}, 0, marks);
 }
 
-void write_capture(hdf5::OutputHdf5& out, const Record& record) {
+void write_faults(hdf5::OutputHdf5& out, const Record& record) {
   if (record.faults.empty()) return;
   out.create_set("faults", std::array{record.faults.size(), std::size_t{4}});
   for (std::size_t i = 0; i < record.faults.size(); ++i) {
@@ -141,7 +141,7 @@ void write_hdf5(const std::string& path, const Record& record, bool force) {
   write_row_numbers(out, record, "point", &RowInfo::point);
   write_row_numbers(out, record, "run", &RowInfo::run);
   write_marks(out, record);
-  write_capture(out, record);
+  write_faults(out, record);
   write_geometry(out, record);
   write_trace_lines(out, record);
   write_trace_faces(out, record);

@@ -85,7 +85,7 @@ MatFile read_mat_file(const std::string& path) {
                      "is it damaged? Save it again");
   }
   if (hdf5_inside && out.variables.empty() && out.notes.empty()) {
-    throw InputError("no arrays that MATLAB wrote: those of other programs have no MATLAB class", path,
+    throw InputError("no array has the attribute MATLAB_class, which marks the arrays of a MAT file", path,
                      "save it with MATLAB, Octave or SciPy, or as HDF5 without MATLAB's first 512 bytes");
   }
   return out;

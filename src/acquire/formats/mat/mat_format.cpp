@@ -4,6 +4,7 @@
 
 #include "acquire/formats/mat/mat_abscissa.hpp"
 #include "acquire/formats/mat/mat_file.hpp"
+#include "acquire/formats/mat/mat_named_columns.hpp"
 #include "acquire/formats/mat/read_frf_mat.hpp"
 #include "acquire/formats/mat/read_mat.hpp"
 #include "acquire/formats/mat/write_frf_mat.hpp"
@@ -28,6 +29,7 @@ FrfReadOptions without_applied_options(FrfReadOptions options) {
 Measurement open_mat_file(const FormatInput& input, const FrfReadOptions& options, Content content) {
   MatFile file = read_mat_file(input.path);
   split_abscissas(file);
+  split_named_columns(file, options.read);
   if (content == Content::record_or_frfs) {
     if (auto frfs = read_frf_mat(file, options))
       return to_accelerances(std::move(*frfs), without_applied_options(options));

@@ -18,7 +18,7 @@
 namespace percuss::acquire {
 namespace {
 
-// Signals that may be the force or an acceleration, as the options name them.
+// Signals that may be the force or an acceleration, with the names that the options accept.
 struct Candidates {
   std::vector<CsvColumn> signals;
   std::vector<std::span<const double>> samples;

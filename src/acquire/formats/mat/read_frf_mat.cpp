@@ -152,7 +152,7 @@ const MatVariable* coherence_of(const MatFile& file, const MatVariable& frf, Sto
     only = &variable;
   }
   if (only != nullptr)
-    out.record.notes.emplace_back(one_line(only->name, 40) + " is taken as the coherence of the FRFs");
+    out.record.notes.push_back(information(one_line(only->name, 40) + " is taken as the coherence of the FRFs"));
   return only;
 }
 
@@ -255,9 +255,9 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   if (!frequencies.note.empty()) out.record.notes.emplace_back(frequencies.note);
   describe_mat_channels(file, layout.channels, out);
   if (layout.points > 1 && !is_named_frf) {
-    out.record.notes.emplace_back(fmt::format(
+    out.record.notes.push_back(information(fmt::format(
         "the {} FRFs of {} are taken as points of {}", layout.points * layout.channels, one_line(frf.name, 40),
-        layout.channels == 1 ? "one channel" : fmt::format("{} channels", layout.channels)));
+        layout.channels == 1 ? "one channel" : fmt::format("{} channels", layout.channels))));
   }
   out.unit = parse_frf_unit(mat_text(file, "unit"));
   if (!out.unit) out.unit = parse_frf_unit(unit_in(file, frf.name));

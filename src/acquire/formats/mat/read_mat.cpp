@@ -118,8 +118,8 @@ MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const st
     error.guess.rate_known = true;
     throw error;
   }
-  table.notes.emplace_back(fmt::format("{} is {}: taken as {} channels of one row", one_line(first.name, 40),
-                                       shape_name(first.shape), first.size() / layout.samples));
+  table.notes.push_back(information(fmt::format("{} is {}: taken as {} channels of one row", one_line(first.name, 40),
+                                                shape_name(first.shape), first.size() / layout.samples)));
   return layout;
 }
 

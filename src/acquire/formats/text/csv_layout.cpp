@@ -1,7 +1,10 @@
 #include "acquire/formats/text/csv_layout.hpp"
 
+#include <fmt/format.h>
+
 #include "acquire/formats/text/text_check.hpp"
 #include "core/error.hpp"
+#include "core/io/thousands_separators.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -24,6 +27,11 @@ CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content) {
   if (has_two_kinds_of_comma(text, probes, layout.dialect)) {
     throw InputError("commas separate the cells and mark decimals", file,
                      "save it with semicolons or tabs between the cells, or with decimal points");
+  }
+  const std::string grouped = with_thousands_separators(text, probes, layout.dialect);
+  if (!grouped.empty()) {
+    throw InputError(fmt::format("numbers hold thousands separators (\"{}\")", one_line(to_utf8(grouped), 40)), file,
+                     "save it without them");
   }
   layout.number_columns = find_number_columns(probes, layout.dialect);
   if (!layout.number_columns.empty() && layout.number_columns.back() >= kMaxColumns - 1)

@@ -102,6 +102,7 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 }
 
 constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
+constexpr double kMinFrequencyStep = 0.05;   // of a column without a name: as times, these would be below 20 Hz
 
 std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
   std::vector<double> samples(std::min(table.lines(), max_samples));
@@ -114,8 +115,12 @@ RoleGuess guess_of(const CsvTable& table, const CsvColumns& known, const ReadOpt
   const auto read = [&](std::size_t index, std::size_t max) { return first_samples(table, index, max); };
   RoleGuess guess = guess_roles(table.header().columns, known, options, read);
   const std::vector<CsvColumn>& columns = table.header().columns;
-  guess.frf_table = columns.front().index == 0 && columns.front().has_numbers && names_frfs(table.header()) &&
-                    rises_evenly(read(0, kRisingSamples));
+  if (columns.front().index == 0 && columns.front().has_numbers) {
+    const std::vector<double> first = read(0, kRisingSamples);
+    const bool pairs = !table.header().named && columns.size() >= 3 && columns.size() % 2 == 1 && first.size() > 1 &&
+                       first[1] - first[0] >= kMinFrequencyStep;
+    guess.frf_table = (names_frfs(table.header()) || pairs) && rises_evenly(first);
+  }
   guess.rate_known = guess.rate_known || table.header().fs_Hz || options.fs_Hz || clock_column(table);
   return guess;
 }

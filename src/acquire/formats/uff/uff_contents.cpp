@@ -66,9 +66,9 @@ std::vector<Message> uff_notes(const UffContents& contents) {
   if (!connections.lines.empty() && contents.nodes_m.empty()) notes.emplace_back("lines without nodes are not used");
   if (!connections.unreadable.empty()) notes.emplace_back("not used: " + connections.unreadable);
   if (connections.other_elements > 0)
-    notes.emplace_back(fmt::format("elements of other kinds: {}, not used", connections.other_elements));
-  if (contents.shapes > 0) notes.emplace_back(fmt::format("mode shapes: {}, not used", contents.shapes));
-  if (!unused.empty()) notes.emplace_back("data sets not used: " + unused);
+    notes.push_back(information(fmt::format("elements of other kinds: {}, not used", connections.other_elements)));
+  if (contents.shapes > 0) notes.push_back(information(fmt::format("mode shapes: {}, not used", contents.shapes)));
+  if (!unused.empty()) notes.push_back(information("data sets not used: " + unused));
   return notes;
 }
 

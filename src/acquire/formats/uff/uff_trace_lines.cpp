@@ -68,8 +68,8 @@ class LineReader {
   UffTraceLines result() { return std::move(out_); }
 
  private:
-  // Calls take(fields, head, rest) for each entry of a set. `head` is the entry's first line, `fields` what follows its
-  // number there, `rest` the lines below.
+  // Calls take(fields, head, rest) for each entry of a set: `head` is the entry's first line, `fields` are the fields
+  // of this line after the entry's number, `rest` are the lines after it.
   template <class Take>
   void for_each_entry(const UffSet& set, Take&& take) {
     std::string_view rest = set.text;

@@ -51,12 +51,12 @@ std::vector<int> points_of(const MatFile& file) {
   return points;
 }
 
-TEST(ReadFrfMat, UsesCompanionsOfRealNumbersOnly) {
+TEST(ReadFrfMat, UsesCoherenceAndStandardDeviationOnlyIfTheyAreReal) {
   const StoredFrfs good = read_frf_mat(one_point(numbers("coherence", {1, 3}, {0.5, 0.6, 0.7})), {}).value();
   EXPECT_THAT(good.frfs[0].coherence, ElementsAre(0.5, 0.6, 0.7));
   EXPECT_THAT(good.record.notes, IsEmpty());
   const StoredFrfs upright = read_frf_mat(one_point(numbers("coherence", {3, 1}, {0.5, 0.6, 0.7})), {}).value();
-  EXPECT_THAT(upright.frfs[0].coherence, ElementsAre(0.5, 0.6, 0.7)) << "vectors of one length";
+  EXPECT_THAT(upright.frfs[0].coherence, ElementsAre(0.5, 0.6, 0.7)) << "vectors of equal length";
   for (const std::string name : {"coherence", "frf_std"}) {
     for (const MatVariable& other :
          {text(name, "abc"), complex(name, {1, 3}, {1, 1, 1}), numbers(name, {1, 2}, {1, 1})}) {
