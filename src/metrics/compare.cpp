@@ -18,8 +18,7 @@ bool kinds_agree(const ComparedMode& a, const ComparedMode& b) {
 }
 
 bool frequencies_match(const ComparedMode& a, const ComparedMode& b, double furthest) {
-  return kinds_agree(a, b) && a.freq_Hz > 0 && b.freq_Hz > 0 &&
-         std::abs(b.freq_Hz - a.freq_Hz) <= furthest * std::max(a.freq_Hz, b.freq_Hz);
+  return kinds_agree(a, b) && a.freq_Hz > 0 && b.freq_Hz > 0 && std::abs(b.freq_Hz - a.freq_Hz) <= furthest * a.freq_Hz;
 }
 
 ModePair pair_of(const ComparedDocument& a, const ComparedDocument& b, std::size_t i, std::size_t k) {

@@ -40,7 +40,7 @@ struct ComparedDocument {
 };
 
 struct PairOptions {
-  double furthest = 0.25;  // largest relative difference of frequency
+  double furthest = 0.25;  // largest difference of frequency, relative to the first document's
   double min_mac = 0.6;    // smallest MAC, where both modes have shapes
 };
 

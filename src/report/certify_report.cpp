@@ -157,21 +157,21 @@ std::string certify_json(const metrics::Session& s, const metrics::Certification
 }
 
 TextTable locations_table(const metrics::Session& s, const metrics::Certification& c) {
-  const bool besr = s.metric != metrics::PerformanceMetric::besr, moi = s.bat.moi_ozin2.has_value();
-  const bool bbcor = moi && s.metric != metrics::PerformanceMetric::bbcor;
+  const bool besr_column = s.metric != metrics::PerformanceMetric::besr, moi = s.bat.moi_ozin2.has_value();
+  const bool bbcor_column = moi && s.metric != metrics::PerformanceMetric::bbcor;
   std::vector<TextTable::Column> columns{{"location", TextTable::Align::right},
                                          {"shots", TextTable::Align::right},
                                          {name_of(s.metric), TextTable::Align::right}};
-  if (besr) columns.push_back({"BESR", TextTable::Align::right});
-  if (bbcor) columns.push_back({"BBCOR", TextTable::Align::right});
+  if (besr_column) columns.push_back({"BESR", TextTable::Align::right});
+  if (bbcor_column) columns.push_back({"BBCOR", TextTable::Align::right});
   if (moi) columns.push_back({"batted-ball speed", TextTable::Align::right});
   columns.push_back({""});
   TextTable table(columns);
   for (const metrics::TestedLocation& l : c.locations) {
     std::vector<std::string> cells{fmt::format("{:.1f} in", l.z_in), fmt::format("{}", l.valid),
                                    value_with_std(l.mean, l.std_error)};
-    if (besr) cells.push_back(fmt::format("{:.4f}", l.metrics.besr));
-    if (bbcor) cells.push_back(fmt::format("{:.4f}", *l.metrics.bbcor));
+    if (besr_column) cells.push_back(fmt::format("{:.4f}", l.metrics.besr));
+    if (bbcor_column) cells.push_back(fmt::format("{:.4f}", *l.metrics.bbcor));
     if (moi) cells.push_back(fmt::format("{:.2f} mph", *l.metrics.bbs_mph));
     cells.emplace_back(c.sweet_spot_in == l.z_in ? "sweet spot" : l.complete ? "" : "not complete");
     table.add(std::move(cells));

@@ -36,6 +36,11 @@ std::string frequency_text(const metrics::ComparedMode& mode) {
   return value_with_std(mode.freq_Hz, mode.freq_std_Hz) + " Hz";
 }
 
+// Modes of beams are numbered from 0, as in the tables of the models; all others from 1.
+std::string mode_number(const metrics::ComparedDocument& document, std::size_t m) {
+  return std::to_string(document.schema == "percuss/model-beam/1" ? m : m + 1);
+}
+
 ReportText modes_text(const std::vector<metrics::ComparedDocument>& documents,
                       const std::vector<Comparison>& comparisons) {
   std::vector<TextTable::Column> heads{{"mode", TextTable::Align::right}, {"family"}};
@@ -46,7 +51,7 @@ ReportText modes_text(const std::vector<metrics::ComparedDocument>& documents,
   for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
     const metrics::ComparedMode& mode = documents.front().modes[m];
     if (!(mode.freq_Hz > 0)) continue;
-    std::vector<std::string> cells{fmt::format("{}", m + 1), mode.family, frequency_text(mode)};
+    std::vector<std::string> cells{mode_number(documents.front(), m), mode.family, frequency_text(mode)};
     for (const Comparison& c : comparisons) {
       const metrics::ModePair* pair = pair_at(c, m);
       std::string cell =

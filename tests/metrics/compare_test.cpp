@@ -73,7 +73,7 @@ TEST(PairModes, PairsByShapeWherePossible) {
   EXPECT_NEAR(paired.pairs[0].mac->value, 1, 1e-12);
 }
 
-// Each pair of modes decides by itself whether it pairs by shape: the first modes have none here.
+// Each pair of modes decides by itself whether it pairs by shape. Here the first modes have no shape.
 TEST(PairModes, PairsByShapeAlthoughTheFirstModesHaveNone) {
   ComparedDocument a = document_with({50, 100, 104}), b = document_with({52, 101, 103});
   const auto shape = [](double x, double y, double z) {

@@ -46,7 +46,9 @@ Deflection drift_free(const ImpactSignal& signal, const DeflectionOptions& optio
   ZeroMeanCorrection late{.bias = Eigen::Vector2d::Zero(), .covariance = rest.covariance};
   if (rigid_known || !options.free_body)
     late = zero_mean_correction(swing, signal.fs_Hz, options.highpass_corner_Hz, rest);
-  Deflection out{.method = DeflectionMethod::drift_free, .bias_mps2 = rest.bias(0) + late.bias(0), .held = late.held};
+  Deflection out{.method = DeflectionMethod::drift_free,
+                 .bias_mps2 = rest.bias(0) + late.bias(0),
+                 .zero_mean_corrected = late.held};
   out.std_m.resize(accel.size());
   const double largest = largest_magnitude(motion.deflection_m);
   for (std::size_t i = 0; i < accel.size(); ++i) {
@@ -133,7 +135,7 @@ Deflection by_modes(const ImpactSignal& signal, const DeflectionOptions& options
           .velocity_mps = std::move(modal.velocity_mps),
           .deflection_m = std::move(modal.deflection_m),
           .std_m = std::move(modal.std_m),
-          .rigid_motion_left_out = !(signal.rigid_per_kg > 0) && !drift_free(signal, options).held};
+          .rigid_motion_left_out = !(signal.rigid_per_kg > 0) && !drift_free(signal, options).zero_mean_corrected};
 }
 
 }  // namespace

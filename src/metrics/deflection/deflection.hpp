@@ -36,11 +36,11 @@ struct DeflectionOptions {
 struct Deflection {
   DeflectionMethod method = DeflectionMethod::drift_free;
   std::vector<double> velocity_mps, deflection_m;
-  std::vector<double> std_m;  // of the deflection; empty where the method has none
-  double bias_mps2 = 0;       // subtracted from the acceleration
-  bool held = false;          // the late deflection served to correct the drift (ZeroMeanCorrection)
-  std::size_t peak = 0;       // sample of the largest significant deflection
-  double peak_m = 0;          // signed; NaN, like peak_std_m and forward_m, where no deflection is significant
+  std::vector<double> std_m;         // of the deflection; empty where the method has none
+  double bias_mps2 = 0;              // subtracted from the acceleration
+  bool zero_mean_corrected = false;  // the late deflection served to correct the drift (ZeroMeanCorrection)
+  std::size_t peak = 0;              // sample of the largest significant deflection
+  double peak_m = 0;                 // signed; NaN, like peak_std_m and forward_m, where no deflection is significant
   double peak_std_m = 0;
   bool larger_later = false;  // larger values follow the peak, but their standard deviation grows faster than they
   // modal only: rigid-body motion is left out, and the record does not show that the structure returns to rest

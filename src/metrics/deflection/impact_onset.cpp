@@ -15,18 +15,18 @@ constexpr double kLowest = 4;          // standard deviations of the noise
 constexpr double kHighest = 0.25;      // of the first extreme
 constexpr double kClearExtreme = 0.2;  // of the largest sample
 constexpr double kFloor = 1e-3;        // of the first extreme: misfit of (1)
-// An anti-alias filter rings before the touch: so many samples before the rise may swing to the other side.
+// An anti-alias filter rings before the touch: up to this many samples before the rise may have the opposite sign.
 constexpr std::size_t kFilterRinging = 8;
 constexpr double kSmear_samples = 0.5;  // by which such a filter may shift the start of the rise
 constexpr double kMinPower = 0.5, kMaxPower = 2.5;
 constexpr int kPowers = 9, kTimes = 48, kPasses = 4;
-// Standard deviations of b and d of (1) before the samples are known. A half-sine has b = 0, d = −0.01; a structure of
-// several modes struck by a haversine about −0.2.
+// Standard deviations of b and d of (1) before the samples are known. A half-sine has b = 0 and
+// d = −0.01; responses of several modes have larger ones.
 const Eigen::Vector2d kCurvature{0.3, 0.2};
 constexpr double kNegligible = 20;  // in the logarithm of a probability
 
-// The first extreme that is clear of precursors. It ends where the signal falls to half of it: noise does not fall so
-// far.
+// The first extreme that is larger than the filter's ringing. The search ends where the signal falls to half of this
+// extreme: noise alone does not fall so far.
 std::size_t first_extreme(std::span<const double> x, std::size_t first) {
   const double largest = extremes_of(x).max_distance_from(0);
   std::size_t top = std::min(first, x.size() - 1);
@@ -106,7 +106,7 @@ ImpactOnset impact_onset(std::span<const double> x, double fs_Hz, std::size_t fi
   const std::size_t top = first_extreme(x, first);
   const double extreme = std::abs(x[top]), sign = std::copysign(1.0, x[top]);
   const double least = std::max(kLowest * noise, kLowest * kFloor * extreme);
-  // The rise leads to the extreme without a sample within the noise.
+  // The rise begins after the last sample before the extreme that is within the noise.
   std::size_t from = top;
   while (from > 0 && sign * x[from - 1] > least) --from;
   const auto at = static_cast<double>(from);

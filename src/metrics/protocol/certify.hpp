@@ -56,7 +56,7 @@ enum class CertifyVerdict { in_progress, pass, fail, undecided, no_limit };
 const char* name_of(CertifyVerdict verdict);
 
 struct NextAction {
-  std::string code;  // condition_bat, condition_balls, restore_climate, lot_hit, shoot, stop
+  std::string code;  // check_bat, condition_bat, condition_balls, restore_climate, lot_hit, shoot, stop
   std::optional<double> z_in, target_mph;
   std::size_t left = 0;  // remaining hits or shots
   std::string ball;      // the least used of the usable balls; empty: a new one

@@ -23,6 +23,8 @@ std::string ball_to_use(const Certification& c) {
 
 NextAction action_for_conditions(const Certification& c) {
   const ProtocolFinding& first = c.conditions.front();
+  if (first.code == "implausible_value")
+    return {.code = "check_bat", .message = "check the bat's readings: " + first.message};
   const bool bat = first.code == "bat_conditioning", balls = first.code == "ball_conditioning";
   return {.code = bat     ? "condition_bat"
                   : balls ? "condition_balls"

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "metrics/protocol/certify.hpp"
 #include "metrics/protocol/performance.hpp"
+#include "metrics/protocol/plausibility.hpp"
 #include "metrics/protocol/resolution.hpp"
 
 namespace percuss::metrics {
@@ -22,6 +23,16 @@ void check_pairs(const std::vector<double>& pairs_mph, const char* code, const c
   if (*high - *low <= tolerance_mph + kReadingTolerance) return;
   reasons.push_back({code, fmt::format("the gates' {} speeds differ by {:.2f} mph, more than {:g} mph", way,
                                        *high - *low, tolerance_mph)});
+}
+
+// A verdict from a moment of inertia in another unit would be wrong without a sign of it.
+void check_bat_readings(const SessionBat& bat, std::vector<ProtocolFinding>& reasons) {
+  BatReadings readings{.length_m = UncertainValue(bat.length_in * kInch_m)};
+  BatMetrics metrics;
+  if (bat.weight_oz) readings.mass_kg = UncertainValue(*bat.weight_oz * kOunce_kg);
+  if (bat.moi_ozin2) readings.moi_kgm2 = metrics.moi_kgm2 = UncertainValue(*bat.moi_ozin2 * kOunceInch2_kgm2);
+  for (const MetricsWarning& warning : implausible_values(readings, metrics))
+    reasons.push_back({warning.code, warning.message});
 }
 
 void check_ball(const SessionShot& shot, BallUse& ball, const ProtocolLimits& limits,
@@ -83,6 +94,7 @@ double value_of(const Session& session, const SessionShot& shot, double target_m
 
 std::vector<ProtocolFinding> condition_findings(const Session& session, const ProtocolLimits& limits) {
   std::vector<ProtocolFinding> out;
+  check_bat_readings(session.bat, out);
   check_conditioning(session, limits, out);
   check_climate(session, {}, limits, out);
   return out;

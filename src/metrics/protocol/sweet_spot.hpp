@@ -27,9 +27,9 @@ struct SearchStep {
 };
 
 /// The next step of the search for the sweet spot, from the performance at the tested locations. 6, 5 and 7 in come
-/// first. Then comes the neighbour of the best towards 6 in (for 6 in itself: on the better side), then its outer
-/// neighbour. Where a neighbour is within the margin, the untested locations beside the two come next. The search ends
-/// after at most high − low + 1 locations, all between low and high. Among equals the location nearest 6 in is the
+/// first. Then come the two neighbours of the best: first the one towards 6 in (for 6 in itself: on the better side),
+/// then the other. Where a neighbour is within the margin, the untested locations beside the two come next. The search
+/// ends after at most high − low + 1 locations, all between low and high. Among equals the location nearest 6 in is the
 /// best.
 /// source  [8] in docs/theory/sources.md, section 3.5; docs/theory/performance.md decides what [8] leaves open.
 SearchStep next_location(const std::map<HalfInches, double>& tested, const SearchRules& rules = {});

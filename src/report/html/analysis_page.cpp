@@ -91,8 +91,10 @@ std::string quoted_modes_key(const std::vector<identify::ModeClassification>& cl
 namespace {
 
 std::string frf_sentence(const pipeline::Analysis& analysis) {
-  return fmt::format("{} frequency responses of {} spectral lines, {:.4g} Hz apart.", analysis.frfs().size(),
-                     analysis.lines().count, analysis.lines().df_Hz());
+  const acquire::LineRange& lines = analysis.lines();
+  return fmt::format("{} frequency responses of {} spectral lines from {:.4g} to {:.4g} Hz, {:.4g} Hz apart.",
+                     analysis.frfs().size(), lines.count, lines.freq_Hz(0), lines.freq_Hz(lines.count - 1),
+                     lines.df_Hz());
 }
 
 std::string hits_sentence(const pipeline::Analysis& analysis) {

@@ -79,11 +79,12 @@ std::string page_warnings(const std::vector<pipeline::Warning>& warnings) {
   return items.empty() ? "" : "<ul class=\"warnings\" aria-label=\"Warnings\">\n" + items + "</ul>\n";
 }
 
-std::string page_provenance(const std::vector<acquire::InputFile>& inputs, const Provenance& provenance) {
+std::string page_provenance(const std::vector<acquire::InputFile>& inputs, const Provenance& provenance, bool folded) {
   TextTable files({{"input"}, {"bytes", TextTable::Align::right}, {"SHA-256"}});
   for (const acquire::InputFile& file : inputs)
     files.add({one_line(input_name(file.path), 400), fmt::format("{}", file.bytes), digest_of(file)});
-  return "<details>\n<summary>Version, command and input files</summary>\n" +
+  return std::string(folded ? "<details>" : "<details open>") +
+         "\n<summary>Version, command and input files</summary>\n" +
          page_paragraph(fmt::format("percuss {}, {} UTC", version(), provenance.made_at)) + "<pre>" +
          html_escape(one_line(provenance.command, 4000)) + "</pre>\n" + (inputs.empty() ? "" : files.html()) +
          "</details>\n";

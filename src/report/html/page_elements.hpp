@@ -29,7 +29,8 @@ std::string page_panel(const char* kind, const std::string& description);
 /// A figure with a chart.
 std::string page_chart(const LineChart& chart);
 std::string page_warnings(const std::vector<pipeline::Warning>& warnings);
-std::string page_provenance(const std::vector<acquire::InputFile>& files, const Provenance& provenance);
+std::string page_provenance(const std::vector<acquire::InputFile>& files, const Provenance& provenance,
+                            bool folded = true);
 /// A heading for files: the name of the first without its folder, with "and 3 more".
 std::string file_list_title(const std::vector<std::string>& paths);
 /// The same for the files of a record.

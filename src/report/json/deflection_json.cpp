@@ -30,7 +30,7 @@ Json deflected_hit_json(const pipeline::Analysis& analysis, const pipeline::Defl
           {"method", name_of(d.method)},
           {"bias_mps2", d.bias_mps2},
           {"drift_m", d.drift_m},
-          {"held", d.held}};
+          {"held", d.zero_mean_corrected}};
 }
 
 }  // namespace

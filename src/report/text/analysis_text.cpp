@@ -43,8 +43,9 @@ std::string frf_text(const pipeline::Analysis& analysis) {
   std::string averages = fmt::format("{}", least->frf.averages);
   if (most->frf.averages != least->frf.averages) averages += fmt::format(" to {}", most->frf.averages);
   if (most->frf.averages == 0) averages = "not stated";
-  return fmt::format("FRFs: {} spectral lines, {:.4g} Hz apart; averages: {}\n", analysis.lines().count,
-                     analysis.lines().df_Hz(), averages);
+  const acquire::LineRange& lines = analysis.lines();
+  return fmt::format("FRFs: {} spectral lines from {:.4g} to {:.4g} Hz, {:.4g} Hz apart; averages: {}\n", lines.count,
+                     lines.freq_Hz(0), lines.freq_Hz(lines.count - 1), lines.df_Hz(), averages);
 }
 
 // The lowest coherence of several FRFs.

@@ -119,7 +119,7 @@ TEST(Deflection, RemovesBiasAndDriftWithinItsStandardDeviation) {
     for (std::size_t i = 0; i < test.accel_mps2.size(); ++i)
       test.accel_mps2[i] += bias + drift * static_cast<double>(i) / test.fs_Hz + 0.3 * gauss(random);
     const Deflection found = deflection_of(signal_of(test));
-    EXPECT_TRUE(found.held);
+    EXPECT_TRUE(found.zero_mean_corrected);
     EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 0.002 * largest(test.deflection_m));
     for (std::size_t i = 2100; i < test.deflection_m.size(); i += 1000, ++count) {
       const double z = (found.deflection_m[i] - test.deflection_m[i]) / found.std_m[i];
@@ -178,11 +178,12 @@ TEST(Deflection, KeepsTheRigidBodyMotionOfAFreeBody) {
   ImpactSignal signal = signal_of(test);
   const Deflection unknown = deflection_of(signal, {.free_body = true});
   EXPECT_NEAR(unknown.deflection_m.back(), test.deflection_m.back(), 1e-3 * std::abs(test.deflection_m.back()));
-  EXPECT_FALSE(deflection_of(signal).held);  // the motion does not return, which contradicts a held structure
+  EXPECT_FALSE(
+      deflection_of(signal).zero_mean_corrected);  // the motion does not return, which contradicts a held structure
   signal.force_N = test.force_N;
   signal.rigid_per_kg = 1 / mass_kg;
   const Deflection known = deflection_of(signal);
-  EXPECT_TRUE(known.held);
+  EXPECT_TRUE(known.zero_mean_corrected);
   EXPECT_NEAR(known.deflection_m.back(), test.deflection_m.back(), 1e-3 * std::abs(test.deflection_m.back()));
 }
 

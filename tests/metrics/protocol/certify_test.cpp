@@ -119,9 +119,20 @@ TEST(Certify, AcceptsAPlateauWhereAsked) {
   EXPECT_EQ(certify(flat, {.accept_plateau = true}).verdict, CertifyVerdict::fail);
   Session pointed = fresh_session();
   run_session(pointed, peak);
-  const Certification unasked = certify(pointed, {.accept_plateau = true});
-  EXPECT_EQ(unasked.verdict, CertifyVerdict::pass);
-  EXPECT_THAT(codes_of(unasked.remarks), testing::Not(Contains("plateau")));
+  const Certification without_plateau = certify(pointed, {.accept_plateau = true});
+  EXPECT_EQ(without_plateau.verdict, CertifyVerdict::pass);
+  EXPECT_THAT(codes_of(without_plateau.remarks), testing::Not(Contains("plateau")));
+}
+
+TEST(Certify, WithholdsTheVerdictForAnImplausibleBat) {
+  Session s = fresh_session();
+  run_session(s, peak);
+  EXPECT_EQ(certify(s).verdict, CertifyVerdict::pass);
+  s.bat.moi_ozin2 = 96;
+  const Certification c = certify(s);
+  EXPECT_EQ(c.verdict, CertifyVerdict::in_progress);
+  EXPECT_EQ(c.next.code, "check_bat");
+  EXPECT_THAT(c.next.message, testing::HasSubstr("a moment of inertia of 96 oz in² is implausible"));
 }
 
 TEST(Certify, WaitsForConditioningAndClimate) {

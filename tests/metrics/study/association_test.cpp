@@ -106,7 +106,8 @@ TEST(Association, HasIntervalsOfTheStatedCoverage) {
   EXPECT_NEAR(classes.pearson, 0.95, kAllowed);
 }
 
-// "At most 5 %" for every size: exact below 13 bats, where the steps of the distribution keep the rate below it.
+// The rate is at most 5 % for every size. Below 13 bats the test is exact, and the steps of its distribution keep the
+// rate below 5 %.
 TEST(Association, HasAtMostTheStatedFalsePositivesInSmallClasses) {
   constexpr double kAllowed = 0.05 + 0.015;  // three standard deviations in 2000 runs
   for (const auto& [bats, classes] : std::vector<std::pair<std::size_t, std::size_t>>{

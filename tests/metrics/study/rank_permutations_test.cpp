@@ -79,7 +79,8 @@ TEST(RankPermutations, EqualAnEnumerationOfClasses) {
   EXPECT_NEAR(permutation_p({four, other}), Enumeration({four, other}).p(), kRounding);
   const RankedClass five{{-4, -2, 0, 2, 4}, {-4, 0, -2, 4, 2}}, three{{-2, 0, 2}, {-2, 0, 2}};
   const double exact = Enumeration({four, five, three}).p(), p = permutation_p({four, five, three});
-  EXPECT_GE(p, exact - kRounding);  // rounding to the grid only raises it
+  EXPECT_GE(p,
+            exact - kRounding);  // classes of different sizes are convolved on a grid, and rounding to it only raises p
   EXPECT_LT(p, 1.05 * exact);
 }
 
