@@ -5,9 +5,11 @@ Measures percuss on measured structures and on simulated imperfect tests. Rewrit
 DOCS/accuracy.md and the section "Imperfect tests" of DOCS/stress.md; the other sections stay. The ordinary build and
 the other documents need none of these data.
 
-  --data      folder with a folder per measured set: independent.json (reference modes), and records that may be copied
+  --data      folder with a folder per measured set: independent.json (reference modes), and its record where
+              the licence permits a copy
   --measured  folder with the sets that come from public repositories: violin_back, spruce_plates (CSV)
-  --outcomes  outcomes of the imperfect tests: the JSON file that score_reality.py writes
+  --outcomes  outcomes of the imperfect tests: JSON, a list of {scenario, level, seed, outcome}; the tests and
+              their scorer are not part of this repository
   --percuss   the tool (default: build/release/tools/percuss)
 """
 import argparse
@@ -148,7 +150,7 @@ def row(name, document, reference, z=(), hits=True):
 
 
 def survey_of_points(tool, folder, work):
-    """Joins the hits of each point of the violin back to a record. Surveys all points, and two halves of the points."""
+    """Joins the hits of each point of the violin's back plate into one record. Surveys all points, and two halves of the points."""
     points = collections.defaultdict(list)
     for path in sorted(glob.glob(os.path.join(folder, '*_acq_*.csv'))):
         points[path.rsplit('_acq_', 1)[0]].append(path)

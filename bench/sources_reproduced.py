@@ -19,8 +19,8 @@ from sources import baseball, cricket, sweet_spot  # noqa: E402
 from sources.page import places_in, same_line, wrapped  # noqa: E402
 
 ABOUT = """\
-percuss holds what three works ask for: a bat laboratory [8], a designer of cricket bats [9] and a paper on the sweet
-spot [10] ([sources](../theory/sources.md)). This page compares percuss with them. It lists every table and figure that
+percuss implements the computations of three works: a thesis on baseball bats [8], a work on the design of cricket bats
+[9] and a paper on the sweet spot [10] ([sources](../theory/sources.md)). This page compares percuss with them. It lists every table and figure that
 software can make, with the source's number and the command. For each table and figure that percuss does not make, it
 states the reason. "Commands" are the numbers of the commands below its table; all commands of the page run in order, in
 one empty folder.

@@ -17,7 +17,7 @@ exclude_patterns = ["build", ".*"]
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "percuss_pages", "sphinx.ext.napoleon", "breathe"]
 myst_heading_anchors = 3
-suppress_warnings = ["misc.highlighting_failure"]  # consoles with a quotation over several lines
+suppress_warnings = ["misc.highlighting_failure"]  # console examples with a quoted argument over several lines
 highlight_language = "none"  # of blocks without a language: equations and layouts
 napoleon_google_docstring = False
 napoleon_use_ivar = True  # "Attributes" of a class does not declare its properties again

@@ -124,9 +124,9 @@ Structure structure_of(std::string_view bytes) {
   return out;
 }
 
-// Changes one field of a message, mostly a size or an address of its type.
+// Changes one field of a message. Which fields depends on the message's type; most are sizes or addresses.
 void change_message(std::string& bytes, const Message& message, Random& random) {
-  const auto odd = odd_number(random);
+  const auto odd = unusual_number(random);
   const std::size_t at = message.at;
   switch (message.type) {
     case kDataspace:
@@ -170,7 +170,7 @@ void mutate_hdf5(std::string& bytes, Random& random) {
     message.size_at - message.type_at == 2 ? set_number(bytes, message.type_at, type)
                                            : set_number(bytes, message.type_at, static_cast<std::uint8_t>(type));
   } else if (action == 2) {
-    set_number(bytes, message.size_at, static_cast<std::uint16_t>(odd_number(random)));
+    set_number(bytes, message.size_at, static_cast<std::uint16_t>(unusual_number(random)));
   } else if (action == 3) {  // the contents of another message
     const Message& other = found.messages[below(random, found.messages.size())];
     const std::size_t count = std::min(message.size, other.size);

@@ -101,11 +101,11 @@ void change_data(Element& element, Random& random) {
     element.data[random() % 2] = static_cast<char>(random() % 20);  // class, or complex, global and logical
   } else if (element.type == kInt32) {
     if (random() % 4 == 0) element.data.resize(element.data.size() + (random() % 2 == 0 ? 4 : 0));
-    set_number(element.data, 4 * below(random, words), static_cast<std::uint32_t>(odd_number(random)));
+    set_number(element.data, 4 * below(random, words), static_cast<std::uint32_t>(unusual_number(random)));
   } else if (element.type == kInt8) {
     element.data = one_of(kNames, random);
   } else if (!element.data.empty()) {
-    set_number(element.data, 8 * below(random, element.data.size() / 8), odd_number(random));
+    set_number(element.data, 8 * below(random, element.data.size() / 8), unusual_number(random));
   }
 }
 
@@ -127,7 +127,7 @@ void mutate_mat(std::string& bytes, Random& random) {
       break;
     case 1:
       element.size_error =
-          static_cast<std::int64_t>(odd_number(random)) - static_cast<std::int64_t>(element.data.size());
+          static_cast<std::int64_t>(unusual_number(random)) - static_cast<std::int64_t>(element.data.size());
       break;
     case 2:
       element.data.resize(below(random, 2 * element.data.size() + 9));

@@ -59,7 +59,7 @@ std::string list_word(Random& random, bool sizes) {
   std::string list;
   for (std::size_t n = 1 + random() % 4; n > 0; --n) {
     if (!list.empty()) list += ',';
-    list += sizes && random() % 6 == 0 ? std::to_string(odd_number(random)) : number_word(random);
+    list += sizes && random() % 6 == 0 ? std::to_string(unusual_number(random)) : number_word(random);
   }
   return list;
 }
@@ -149,7 +149,7 @@ void mutate_recipe(std::string& recipe, const Grammar& grammar, Random& random) 
 
 }  // namespace
 
-std::uint64_t odd_number(Random& random) {
+std::uint64_t unusual_number(Random& random) {
   static constexpr std::uint64_t kNumbers[] = {
       0,   1,     2,     3,     4,          7,          8,          16,          127,         128,         255,
       256, 32767, 65535, 65536, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x100000000, 1ULL << 40U, 1ULL << 62U, ~0ULL};

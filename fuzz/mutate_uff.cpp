@@ -50,7 +50,7 @@ void change_field(std::string& line, Random& random) {
       "1.00000E+00", "0.00000E+00", "-1.0000E+00", "1.0000E-300", "1.0000E+400", "NaN", "*****", "1.0D+03", ""};
   const std::size_t width = one_of(kWidths, random), fields = line.size() / width;
   if (fields == 0) return;
-  const std::uint64_t number = odd_number(random);
+  const std::uint64_t number = unusual_number(random);
   const std::string text =
       random() % 3 == 0 ? one_of(kReals, random) : std::to_string(static_cast<std::int32_t>(number));
   put_field(line, width * below(random, fields), width, text);

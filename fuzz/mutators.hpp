@@ -34,7 +34,7 @@ const Item& one_of(const Item (&items)[count], Random& random) {
 }
 
 /// A number at the limits of types, sizes and formats, or a small one.
-std::uint64_t odd_number(Random& random);
+std::uint64_t unusual_number(Random& random);
 
 /// Little-endian numbers in binary files; 0 beyond the end, where writing does nothing.
 template <class Number>

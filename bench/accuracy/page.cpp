@@ -88,8 +88,8 @@ multiple of the unavoidable work: reading the bytes of the file, and one bare FF
 ## Method
 
 - **Truth.** `percuss synth` computes the records from closed forms, so frequencies, damping ratios, residues, FRFs and
-  deflections are known exactly. Force and response pass the same anti-alias filter; then noise is added. No measured
-  method has a part in the synthesis.
+  deflections are known exactly. Force and response pass the same anti-alias filter; then noise is added. The
+  synthesis uses none of the methods under test.
 - **Error.** The RMS over all noisy runs, modes and channels: 64 runs in the main case, 16 in the others. With six modes
   the uncertainty of such an RMS is 4 % and 7 %.
 - **Bound.** The Cramér–Rao bound follows from the Fisher information of the exact signals, with a known force:
@@ -203,7 +203,7 @@ multiples of one bare transform of 65 536 values.
 `modal` moves the modes exactly between impulses of the contact force and has fourth order in the step. By default it
 chooses a step with which the restitution converges to 1e-9. The published `small-increment` keeps the force constant in
 each step and has first order. It is faster only for errors of a hundredth: its longest steps are Pareto-optimal, its
-shorter ones are not ({} figures in all). It stays for comparison with published figures.
+shorter ones are not ({} of its cases). It stays for comparison with published figures.
 )",
                      case_table(task, main), picture(task), not_optimal(task, "small-increment"));
 }

@@ -95,7 +95,7 @@ def model_rows(s):
         name, _, unit = key.partition('_')
         s.number('table 2', 'default ' + name, value, curve['constants'][key], [s.curve], ' kg' if unit else '', 4)
     s.row('table 2', 'c2', '100 in the table, 90.5 in the script', '%g' % curve['constants']['c2'],
-          'the script made the figures; `--c2 100` is the other', [s.curve, s.table2])
+          'the script, which made the figures, has 90.5; `--c2 100` gives the value of the table', [s.curve, s.table2])
     s.within('figure 54', 'hoop frequency of the largest COR', 1100, 1300, curve['peak']['hoop_hz'], [s.curve], ' Hz',
              1)
     s.within('figure 54', 'the same with c2 = 100', 1100, 1300, table2['peak']['hoop_hz'], [s.table2], ' Hz', 1)

@@ -5,7 +5,8 @@ PLACES = 'at=0.025:0.065:0.545'
 BATS = {'composite': (4000, 1200, 2.24), 'other': (3000, 800, 2.6)}  # EI, T, ρA
 
 # The test of the source, with the modes of a model beam: a ball strikes nine points, three times each, and an
-# accelerometer under the point is the only channel. The blow has the momentum and the duration of the model's.
+# accelerometer under the point is the only channel. The pulse has the momentum and the
+# duration of the impact in the model.
 IMPACT_TEST = r'''cat > impact-test.sh <<'END'
 # NAME EI T RHO-A: nine struck points, three blows each, without force; and a hammer test of the same bat
 percuss model beam --ei $2 --torsion $3 --rho-a $4 --modes 5 -o $1.beam.csv -o $1.beam.json --quiet > /dev/null
@@ -69,7 +70,7 @@ T = 800 N·m/rad, ρA = 2.6 kg/m, takes its place.""", 'tables 1 to 3; figures 1
 
 
 def impact_test(s, name, stiffness, torsion, mass):
-    """The commands that make a test of a bat, analyse its hammer test, and set all three beside each other."""
+    """The commands that make an impact test and a hammer test of a bat, and compare both with the model beam."""
     beam = 'ei=%g,rho_a=%g,torsion=%g,length=0.57' % (stiffness, mass, torsion)
     return [s.command('sh impact-test.sh %s %g %g %g' % (name, stiffness, torsion, mass)),
             s.command('percuss analyze %s-hammer.h5 --band 5:5000 --object other -o %s.modal.json --quiet > /dev/null'
@@ -137,7 +138,7 @@ def fill(s):
         s.row(place, 'largest deflection, model over impact test (%s, synthetic), from 25 to 545 mm' % what,
               '%g%s' % (factor, '' if name == 'composite' else ' at the tip'),
               '%.4f to %.4f' % (ratios[0], ratios[-1]),
-              'the test follows the model but for its damping and the form of its blow, a half sine', s.tests[name])
+              'the test differs from the model in its damping and in its pulse, a half sine', s.tests[name])
     speeds = [one['speed_mps'] for one in s.document('composite.impact.json')['impact_speeds']]
     s.number('theory', 'speed of the ball from the light beam to the first touch (synthetic), mean', 5,
              sum(speeds) / len(speeds), s.tests['composite'], ' m/s', 4)

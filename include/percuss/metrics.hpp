@@ -1,5 +1,6 @@
 #pragma once
-/// A bat's performance in numbers: drop, moment of inertia, BESR, BBS, BBCOR. SI units; docs/theory/performance.md.
+/// A bat's performance in numbers: drop, moment of inertia, BESR, BBS, BBCOR. SI units, except drop (weight in
+/// ounces minus length in inches); docs/theory/performance.md.
 ///
 /// @code
 /// #include <iostream>

@@ -43,8 +43,8 @@ struct WriteOptions {
   PageTitle title{};          // of .html
 };
 
-/// errors  InputError, also of the other overloads: the file exists, or cannot be written; the extension is not known,
-/// or its format cannot hold the data; the logo cannot be used.
+/// All overloads throw InputError: the file exists, or cannot be written; the extension is not known, or its format
+/// cannot hold the data; the logo cannot be used.
 
 /// .h5 .hdf5 .csv .mat .uff .unv .wav .rf64 .w64
 void write(const std::string& path, const Record& record, const WriteOptions& options = {});

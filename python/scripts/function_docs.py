@@ -39,6 +39,8 @@ def annotation(option: Option) -> str:
     """The type of a keyword, apart from None for not given."""
     if option.is_flag:
         return "bool"
+    if option.id == "logo":
+        return "Path"
     if option.is_file:
         return "File | Sequence[File]" if option.repeatable else "File"
     if option.choices:
@@ -70,10 +72,10 @@ def _in_words(option: Option) -> str:
         return f"{named} or a list of them" if option.list else named
     kind = annotation(option)
     words = {
-        "bool": "bool", "File": "path, array, dict or Result", "File | Sequence[File]": "path, array, dict or Result, or a list of them",
+        "bool": "bool", "Path": "path", "File": "path, array, dict or Result", "File | Sequence[File]": "path, array, dict or Result, or a list of them",
         "int": "int", "int | Sequence[int]": "int or list of int",
         "int | str | Sequence[int | str]": "int, str, or a list of them", "float": "float", "Numbers": "float or list of float", "Quantity": "float",
-        "Quantities": "float or list of float", "Band": "(low, high)", "Rate": "float", "Assignments": "dict or str", "str": "str", "str | int": "str or int",
+        "Quantities": "float or list of float", "Band": "(low, high)", "Rate": "float or str", "Assignments": "dict or str", "str": "str", "str | int": "str or int",
         "Texts": "str or list of str", "str | Sequence[float]": "str, float or list of float",
     }  # fmt: skip
     if kind == "Range":

@@ -19,7 +19,7 @@ RECORDS = (DATA[0], DATA[1], "path, array or Record", DATA[3].replace("; or reco
 
 @dataclass(frozen=True)
 class Function:
-    """`name` is the function's in percuss or in a module of it; `parts` are the positional parameters (name, type, type in
+    """`name` is the name of the function in percuss or in one of its modules; `parts` are the positional parameters (name, type, type in
     words, text); `imports` say where the type of the result is."""
 
     name: str

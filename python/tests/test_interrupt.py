@@ -10,7 +10,7 @@ SOON_S = 2.0  # checks come every few milliseconds; the rest is for a busy machi
 
 HEAD = """
 import signal, time, numpy as np, percuss
-signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell without job control ignores it in the background
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell without job control starts background jobs with SIGINT ignored
 def timed(call):
     begun = time.monotonic()
     try: call()

@@ -126,7 +126,7 @@ model::TubeShell shell_of(const Tube& tube, std::size_t n) {
     throw InputError("the wall is not thinner than the radius", "Tube::wall_m", "give a smaller one");
   if (!(tube.poisson >= 0 && tube.poisson < 0.5))
     throw InputError("not a Poisson's ratio", "Tube::poisson", "give a number from 0 to below 0.5");
-  if (n < 2) throw InputError("a hoop mode has two waves around or more", "n", "give 2 or more");
+  if (n < 2) throw InputError("a hoop mode has two or more waves around the circumference", "n", "give 2 or more");
   return {.outer_diameter_m = tube.outer_diameter_m,
           .wall_m = tube.wall_m,
           .length_m = tube.length_m,

@@ -11,10 +11,10 @@ void Retries::run(const std::function<void()>& work) {
     try {
       return work();
     } catch (const MachineFault&) {
-      // Another thread may clear lasts_ at any time: only the comparison with the end keeps `wait` within waits_.
+      // Another thread may clear fault_lasts_ at any time: only the comparison with the end keeps `wait` within waits_.
       const bool last_attempt = wait == waits_.end();
-      if (last_attempt) lasts_ = true;
-      if (last_attempt || lasts_) throw;
+      if (last_attempt) fault_lasts_ = true;
+      if (last_attempt || fault_lasts_) throw;
     }
     std::this_thread::sleep_for(*wait);
   }

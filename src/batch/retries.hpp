@@ -15,11 +15,11 @@ class Retries {
 
   /// errors  MachineFault: the last attempt failed; the other errors of `work`
   void run(const std::function<void()>& work);
-  void end_of_fault() { lasts_ = false; }
+  void end_of_fault() { fault_lasts_ = false; }
 
  private:
   const std::vector<std::chrono::milliseconds>& waits_;
-  std::atomic<bool> lasts_{false};
+  std::atomic<bool> fault_lasts_{false};
 };
 
 }  // namespace percuss::batch

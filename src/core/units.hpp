@@ -32,7 +32,7 @@ struct Unit {
 
 /// Parses the name of a unit as instruments write it.
 ///   force N mN kN lbf lb-f kgf · acceleration m/s^2 mm/s^2 cm/s^2 in/s^2 ft/s^2 g mg · voltage V mV µV · time s ms us
-///   min angle deg rad · length m mm cm in ft · mass kg lb lbs oz ·
+///   min · angle deg rad · length m mm cm in ft · mass kg lb lbs oz ·
 ///   pressure Pa kPa mPa uPa · velocity m/s mm/s cm/s in/s ft/s
 /// Squares may be ^2, **2, 2 or ² (UTF-8 or Latin-1), products and quotients m/s/s, m*s^-2, m·s-2, m_s2 or mps2; micro
 /// is u or µ. Case matters where it changes the unit (mg is milli-g; Mg is unknown). Surrounding spaces and brackets

@@ -22,7 +22,7 @@ double origin_of(const acquire::Hit& hit) { return static_cast<double>(hit.peak 
 
 LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz) {
   LineRange lines{.fs_Hz = fs_Hz, .samples = samples};
-  // A line within a millionth of a bin of an edge is inside the band: users type edges as round numbers.
+  // A line within a millionth of the line spacing of an edge is inside the band: users type edges as round numbers.
   const double edge = 1e-6;
   const std::size_t last = samples / 2;
   const auto top = static_cast<double>(last);

@@ -58,7 +58,7 @@ Eigen::MatrixXd covariance_of(const std::vector<FittedMode>& modes) {
 void complete(CompletedDecays& completed, const Eigen::MatrixXd& components, FrfDataset& few,
               std::vector<FittedMode>& found) {
   double truncation = max_remaining_amplitude(few, found);
-  while (truncation > kCompleted) {
+  while (truncation > kMinTruncation) {
     const std::vector<Pole> poles = poles_of(found);
     completed.add_missing_decays(poles, residues_at(completed.set(), poles));
     few = principal_frfs(completed.set(), components);
@@ -158,7 +158,8 @@ std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, co
     const std::size_t before = found.size();
     found = fit_sequentially(few, pass);
     if (found.empty() || max_remaining_amplitude(set, found) > kMaxRemainingAmplitude) return std::nullopt;
-    if (found.size() != before && CompletedDecays::from_records(set)) complete(completed, components, few, found);
+    if (found.size() != before && CompletedDecays::truncation_is_known(set))
+      complete(completed, components, few, found);
   }
   const std::vector<Pole> poles = poles_of(found);
   bool scatters = false;  // any_pair_is_scatter seldom holds, so the refinement runs beside it

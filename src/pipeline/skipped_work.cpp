@@ -84,7 +84,7 @@ class SkippedWorkList {
       const char *name, *code, *what;
     };
     for (const Stage& stage :
-         {Stage{"modes", "modes", "modes"}, Stage{"classes", "classes", "names of the modes (bending or hoop)"},
+         {Stage{"modes", "modes", "modes"}, Stage{"classes", "classes", "types of the modes (bending or hoop)"},
           Stage{"stabilisation", "stabilisation", "the stabilisation diagram"},
           Stage{"modes per hit", "per_hit", "the modes of each hit alone"}}) {
       if (!ran_.contains(stage.name))

@@ -35,7 +35,7 @@ void add_to(std::span<const double> values, double scale, std::size_t offset, Ei
 }
 
 /// Adds the columns for unit residues from sample `first` on: ∂/∂f_r and ∂/∂ζ_r (both still to be multiplied by the
-/// residue), ∂/∂residue_r, ∂/∂(rigid-body line).
+/// residue), ∂/∂residue_r, ∂/∂(rigid-body accelerance).
 void add_columns(const SynthSpec& spec, const Pulse& pulse, std::span<const SynthPole> poles, std::size_t first,
                  MatrixXd& columns) {
   const PulseBasis basis = pulse_basis(pulse, spec.fs_Hz, poles, first, static_cast<std::size_t>(columns.rows()));
@@ -69,8 +69,8 @@ MatrixXd row_products(const Truth& truth, std::span<const TrueHit> hits) {
     const std::size_t count = std::min(chunk, truth.spec.samples - first);
     MatrixXd columns = MatrixXd::Zero(static_cast<Index>(count), size);
     for (const Pulse& pulse : pulses) {
-      const PulseSupport reach = pulse_support(pulse, truth.spec.fs_Hz, poles);
-      if (reach.first >= static_cast<double>(first + count) || reach.last <= static_cast<double>(first)) continue;
+      const PulseSupport support = pulse_support(pulse, truth.spec.fs_Hz, poles);
+      if (support.first >= static_cast<double>(first + count) || support.last <= static_cast<double>(first)) continue;
       add_columns(truth.spec, pulse, poles, first, columns);
     }
     sum.noalias() += columns.transpose() * columns;
@@ -88,7 +88,7 @@ MatrixXd scaled_inverse(const MatrixXd& m) {
   return scale.asDiagonal() * unit.inverse() * scale.asDiagonal();
 }
 
-/// The contribution of one channel at one point to the matrix of (f, ζ). Its residues and rigid-body line are
+/// The contribution of one channel at one point to the matrix of (f, ζ). Its residues and rigid-body accelerance are
 /// eliminated.
 MatrixXd channel_information(const MatrixXd& products, const std::vector<double>& residue_per_kg) {
   const auto modes = static_cast<Index>(residue_per_kg.size());
@@ -123,9 +123,9 @@ CramerRaoBound cramer_rao_bound(const Truth& truth, std::size_t threads) {
   const VectorXd variance = scaled_inverse(information).diagonal();
   CramerRaoBound bound;
   for (Index r = 0; r < modes; ++r) {
-    const auto deviation = [&](Index i) { return variance[i] > 0 ? std::sqrt(variance[i]) : kUnseen; };
-    bound.freq_std_Hz.push_back(deviation(r));
-    bound.damping_ratio_std.push_back(deviation(modes + r));
+    const auto std_of = [&](Index i) { return variance[i] > 0 ? std::sqrt(variance[i]) : kUnseen; };
+    bound.freq_std_Hz.push_back(std_of(r));
+    bound.damping_ratio_std.push_back(std_of(modes + r));
   }
   return bound;
 }

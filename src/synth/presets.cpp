@@ -32,7 +32,7 @@ std::string_view synth_example() {
     "length_m": 0.84,
     "barrel_m": 0.33,          // from the end to the taper: the range of hoop modes
     "radius_m": 0.0333,        // only for the drawing of points
-    "mass_kg": 0.85,           // rigid-body line: mass, inertia about its centre, centre of mass
+    "mass_kg": 0.85,           // rigid body: mass, inertia about its centre, centre of mass
     "inertia_kgm2": 0.045,
     "cm_m": 0.378
     // or "rigid_line_per_kg": [point by point, sensor by sensor]

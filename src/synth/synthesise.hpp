@@ -24,7 +24,7 @@ struct TrueHit {
 };
 
 /// The smallest standard deviations of an unbiased estimator from all hits of one run. The force is known, the
-/// accelerations have white noise, and f, ζ, residues and rigid-body line are unknown.
+/// accelerations have white noise, and f, ζ, residues and rigid-body accelerance are unknown.
 struct CramerRaoBound {
   std::vector<double> freq_std_Hz;
   std::vector<double> damping_ratio_std;
@@ -32,7 +32,8 @@ struct CramerRaoBound {
 
 /// The exact parameters of a record. Accelerance, [point][channel]:
 ///   H(ω) = rigid + Σ_r residue_r (−ω²)/(ω_r² − ω² + 2jζ_rω_rω), unit 1/kg                       (1)
-/// Residues and rigid-body line include the sensors' signs and all gains: (1) is the FRF of the recorded signals.
+/// Residues and rigid-body accelerance include the sensors' signs and all gains: (1) is the FRF of the recorded
+/// signals.
 struct Truth {
   SynthSpec spec;
   std::vector<std::vector<std::vector<double>>> residue_per_kg;  // [point][channel][mode], modes as in spec.modes

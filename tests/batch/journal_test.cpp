@@ -124,7 +124,7 @@ TEST_F(BatchJournal, BelongsToOneProcessAtATime) {
   EXPECT_FALSE(refused_elsewhere());
 }
 
-TEST_F(BatchJournal, ListsRecordsBegunAndNeverFinished) {
+TEST_F(BatchJournal, ListsRecordsBegunTwiceAndNeverFinished) {
   {
     Journal journal = open();
     journal.begin(10);

@@ -88,7 +88,7 @@ class RunShard : public testing::Test {
   std::optional<Manifest> manifest_;
 };
 
-TEST_F(RunShard, LeavesRecordsForTheNextRunWithoutDescriptors) {
+TEST_F(RunShard, WithoutDescriptorsLeavesRecordsForTheNextRun) {
   plan(3);
   std::optional<DescriptorLimit> limit;
   ShardJob three = job();

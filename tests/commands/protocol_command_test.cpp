@@ -65,7 +65,7 @@ TEST(CertifyCommand, StatesTheBatOnItsPage) {
     EXPECT_THAT(page, HasSubstr(part));
 }
 
-// The session's limit of 0.728 is one of NCAA BESR.
+// The session's limit, 0.728, is a limit of the metric NCAA BESR.
 TEST(CertifyCommand, DoesNotJudgeByTheLimitOfAnotherMetric) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("s.csv"), six_shots("34"));

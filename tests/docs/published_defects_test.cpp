@@ -154,7 +154,7 @@ TEST(PublishedDefects, AnImpactKeepsItsMeanAndGetsNoHannWindow) {
   EXPECT_EQ(frf::accel_spectrum(hit, accel, lines, 0), real_dft(accel));
 }
 
-TEST(PublishedDefects, AFrequencyIsNotQuantisedToABinAndHasItsDeviation) {
+TEST(PublishedDefects, AFrequencyIsNotQuantisedToASpectralLineAndHasItsStandardDeviation) {
   for (const double part : {0.11, 0.37, 0.5, 0.82}) {  // of the 1 Hz between two lines
     const pipeline::Analysis analysis =
         analysis_of(test_of_one_second({{.freq_Hz = 300 + part, .damping_ratio = 0.01}}, 1e-4));

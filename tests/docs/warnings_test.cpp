@@ -24,8 +24,8 @@ namespace percuss::warning_pages_test {
 namespace fs = std::filesystem;
 using Codes = std::set<std::string>;
 
-/// The codes of the warnings that a source constructs: the first of the values in braces, before a message. A list of
-/// options, {"angle", "object"}, holds identifiers only.
+/// The codes of the warnings that a source constructs. A code is an identifier that stands first in braces, before a
+/// message. Braces with identifiers only, such as {"angle", "object"}, are a list of options.
 Codes codes_constructed_in(const std::string& source) {
   static const std::regex first(R"re(\{\s*(?:\.code = )?"([a-z][a-z0-9_]+)"\s*,(?!\s*"[a-z0-9_.]+"\s*[,}]))re");
   Codes codes;
@@ -43,7 +43,8 @@ Codes codes_of_findings() {
   return codes;
 }
 
-/// The codes that the layers construct. report, api and batch only pass warnings on: their tables have such braces too.
+/// The codes that the layers construct. report, api and batch are not searched: they only pass warnings on, and their
+/// tables contain similar braces.
 Codes codes_of_sources() {
   Codes codes = codes_of_findings();
   for (const char* folder : {"/src/acquire", "/src/frf", "/src/identify", "/src/model", "/src/metrics", "/src/pipeline",

@@ -26,7 +26,8 @@ std::vector<double> numbers_in(std::string_view line) {
   return out;
 }
 
-// The small test has a bending mode at 200 Hz (1 %, sensors 0.9 and 0.3) and a hoop mode at 700 Hz (0.5 %).
+// The small test has a bending mode at 200 Hz (1 % damping, residues in the ratio 0.9 to 0.3 at the two sensors) and a
+// hoop mode at 700 Hz (0.5 %).
 TEST(ModesUff, ContainsEachModeAs55AndAs2414) {
   const test::ScratchFolder folder;
   test::write_small_test(folder.file("bat.h5"));

@@ -58,7 +58,7 @@ std::vector<Cell> nodes() {
   return {std::move(one), std::move(both), std::move(near)};
 }
 
-// No mode in the band: the rigid-body line, and the flanks of modes below and above the band.
+// No mode in the band: the rigid-body accelerance, and the flanks of modes below and above the band.
 std::vector<Cell> empty_bands() {
   std::vector<Cell> cells;
   for (const double snr_dB : {20.0, 60.0, 0.0}) {

@@ -87,7 +87,7 @@ int TerminalProcess::wait(bool read) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-bool TerminalProcess::is_ordinary() const {
+bool TerminalProcess::has_echo_and_lines() const {
   termios mode{};
   return ::tcgetattr(master_, &mode) == 0 && (mode.c_lflag & ICANON) != 0 && (mode.c_lflag & ECHO) != 0;
 }

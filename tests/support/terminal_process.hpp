@@ -29,7 +29,7 @@ class TerminalProcess {
   /// The exit code; −1 for a signal or after a long time. `read`: takes what is written meanwhile.
   int wait(bool read = true);
   /// The terminal shows what is typed, and delivers lines.
-  bool is_ordinary() const;
+  bool has_echo_and_lines() const;
   /// All that was written and read.
   const std::string& screen() const { return screen_; }
 

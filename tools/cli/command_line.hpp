@@ -51,8 +51,8 @@ class CommandLine {
 
   const Declaration& declaration() const { return declaration_; }
 
-  /// Parses and runs a command line; returns 0 after --help and --version. Throws UsageError for an invalid one. Of a
-  /// host, the words of the last run are not parsed again: parsing takes longer than many of the commands.
+  /// Parses and runs a command line; returns 0 after --help and --version. Throws UsageError for an invalid one. With
+  /// a host, a run with the same words as the last one is not parsed again: parsing takes longer than many commands.
   int run(int argc, const char* const* argv);
 
  private:
@@ -72,7 +72,7 @@ class CommandLine {
   std::unique_ptr<CLI::App> app_;
   std::function<int()> chosen_;
   std::vector<Variables> variables_;
-  std::vector<std::string> kept_words_;  // whose values the variables keep; empty: none
+  std::vector<std::string> kept_words_;  // words of the last parse, whose values are kept; empty: none are
 };
 
 }  // namespace percuss::tools

@@ -51,7 +51,7 @@ RangeText parse_range_with_unit(const OptionId& option, const std::string& text,
 Range parse_range(const OptionId& option, const std::string& text, RangeForm form, std::string_view placeholder) {
   auto [range, unit] = parse_range_with_unit(option, text, kForm, form);
   if (unit.empty()) return range;
-  // The factor from the unit to the placeholder's is the value of 1 with this unit.
+  // The conversion factor: the number 1 with the typed unit, in the placeholder's unit.
   const std::string one = "1" + std::string(unit), converted = in_option_unit(one, placeholder);
   const ParsedNumber factor = parse_number(converted, false);
   if (converted == one || factor.problem != NumberProblem::none)

@@ -13,9 +13,10 @@ void add_exit_codes(CommandLine& line) {
   line.exit_code(kBadInput, "unusable input");
   line.exit_code(kImpossible, "the analysis is impossible (no hit can be used), or its budget is spent");
   line.exit_code(kQualityGate, "a quality gate failed (the bat exceeds its limit or is damaged)");
-  line.exit_code(kPartial,
-                 "some records of a batch failed, or are open because the machine failed: run it again; or a recording "
-                 "ended early");
+  line.exit_code(
+      kPartial,
+      "some records of a batch failed, or the machine failed before all were analysed (run the batch again); or a "
+      "recording ended early");
 }
 
 struct NamedCommand {

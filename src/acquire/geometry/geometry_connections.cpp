@@ -16,8 +16,9 @@ namespace {
 
 constexpr std::size_t kMaxCorners = 100;  // of a face
 constexpr const char* kRowRemedy = "write line,0,1,2 or face,0,1,5,4 with the numbers of points";
+constexpr const char* kCellRemedy = "write the numbers of the connected points, such as 4 5; for faces 4 5 1 / 1 5 6";
 
-void add_numbers(std::string_view text, const std::string& where, std::vector<int>& points) {
+void add_numbers(std::string_view text, const std::string& where, const char* remedy, std::vector<int>& points) {
   constexpr std::string_view kBlanks = " \t";
   for (std::size_t at = text.find_first_not_of(kBlanks); at != std::string_view::npos;) {
     const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
@@ -25,18 +26,18 @@ void add_numbers(std::string_view text, const std::string& where, std::vector<in
     int point = 0;
     const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), point);
     if (error != std::errc{} || rest != word.data() + word.size() || point < 0) {
-      throw InputError(fmt::format("\"{}\" is not a point number", one_line(to_utf8(word), 40)), where, kRowRemedy);
+      throw InputError(fmt::format("\"{}\" is not a point number", one_line(to_utf8(word), 40)), where, remedy);
     }
     points.push_back(point);
     at = text.find_first_not_of(kBlanks, end);
   }
 }
 
-void require_count(const Connection& connection) {
+void require_count(const Connection& connection, const char* remedy) {
   const std::size_t least = connection.face ? 3 : 2;
   if (connection.points.size() < least) {
     throw InputError(connection.face ? "a face with fewer than three corners" : "a line with fewer than two points",
-                     connection.where, kRowRemedy);
+                     connection.where, remedy);
   }
   if (connection.face && connection.points.size() > kMaxCorners)
     throw InputError("a face with more than 100 corners", connection.where, "divide it");
@@ -51,8 +52,8 @@ bool is_connection_row(std::string_view first_cell) {
 
 Connection connection_of_row(const std::vector<std::string_view>& cells, const std::string& where) {
   Connection out{.face = lower_case(trimmed(cells.front())) == "face", .points = {}, .where = where};
-  for (std::size_t i = 1; i < cells.size(); ++i) add_numbers(cells[i], where, out.points);
-  require_count(out);
+  for (std::size_t i = 1; i < cells.size(); ++i) add_numbers(cells[i], where, kRowRemedy, out.points);
+  require_count(out, kRowRemedy);
   return out;
 }
 
@@ -61,12 +62,12 @@ std::vector<Connection> connections_of_cell(std::string_view cell, int point, bo
   for (std::string_view rest = trimmed(cell); !rest.empty();) {
     const std::size_t end = face ? std::min(rest.find('/'), rest.size()) : rest.size();
     std::vector<int> others;
-    add_numbers(rest.substr(0, end), where, others);
+    add_numbers(rest.substr(0, end), where, kCellRemedy, others);
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (face) {
       others.insert(others.begin(), point);
       out.push_back({.face = true, .points = std::move(others), .where = where});
-      require_count(out.back());
+      require_count(out.back(), kCellRemedy);
     } else {
       for (const int other : others) out.push_back({.face = false, .points = {point, other}, .where = where});
     }

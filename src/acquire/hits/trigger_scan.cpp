@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples per task
 constexpr std::size_t kPart = std::size_t{1} << 15;   // samples per read: 256 KiB stay in the cache
-// The samples per value of the envelope last 10 ms, within these limits: at low rates, neighbouring hits stay apart.
+// A block of the envelope lasts 10 ms, but has at least 8 and at most 64 samples. Short blocks keep neighbouring hits
+// apart at low sampling rates.
 constexpr double kBlock_s = 0.01, kMinBlock = 8, kMaxBlock = 64;
 constexpr std::size_t kNoiseSamples = 1024;  // per chunk: give a standard deviation to 4 %
 
@@ -77,7 +78,7 @@ std::size_t largest_in(const std::vector<double>& distance, std::size_t first, s
 // The largest block of each event, ascending.
 std::vector<std::size_t> event_blocks(const std::vector<double>& distance, std::size_t block, double trigger_N,
                                       double separation_s, double fs_Hz) {
-  // Samples in blocks so far apart are apart by the time, wherever they lie in their blocks.
+  // The number of blocks between two blocks whose samples are all at least time_s apart.
   const auto blocks_in = [&](double time_s) {
     return (static_cast<std::size_t>(time_s * fs_Hz) + block - 1) / block + 1;
   };
@@ -89,7 +90,7 @@ std::vector<std::size_t> event_blocks(const std::vector<double>& distance, std::
       continue;
     }
     std::size_t end = std::min(b + apart, distance.size()), best = largest_in(distance, b, end);
-    // Hits of their own before the largest.
+    // An earlier pulse that is a separate hit comes first.
     while (best >= b + own) {
       const std::size_t before = largest_in(distance, b, best - own + 1);
       if (distance[before] < kOwnHitFraction * distance[best]) break;

@@ -113,7 +113,7 @@ void FrameRing::collect_jumps() {
 }
 
 RingRange FrameRing::range_from(std::uint64_t index, std::size_t limit) {
-  const std::uint64_t head = written();  // before the losses: a loss arrives before the frames after it
+  const std::uint64_t head = written();  // first: every loss before these frames is then in collect_jumps()
   collect_jumps();
   const auto after = std::upper_bound(offsets_.begin(), offsets_.end(), index,
                                       [](std::uint64_t at, const Offset& offset) { return at < offset.index; });

@@ -14,7 +14,7 @@
 namespace percuss::acquire {
 
 /// The journal of a session when the disk may be full. Events and findings that cannot be written wait in memory, in
-/// order; samples are offered again by the caller.
+/// order, up to 16 MiB; later ones are dropped. Samples are offered again by the caller.
 class SessionJournal {
  public:
   explicit SessionJournal(JournalWriter writer);
@@ -22,7 +22,7 @@ class SessionJournal {
   SessionJournal(const SessionJournal&) = delete;
   SessionJournal& operator=(const SessionJournal&) = delete;
 
-  /// Appends an event or a finding now, or when there is room again.
+  /// Appends an event or a finding now, or when the disk has room again.
   void append_text(std::string block);
   /// Appends samples. Nothing where the disk refuses them, or refused something less than 0.2 s ago.
   std::optional<std::uint64_t> append_samples(const std::string& block);

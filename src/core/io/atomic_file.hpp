@@ -23,8 +23,8 @@ class AtomicFile {
   /// The kind of temporary file. It is `named` wherever the file system or /proc does not support the other kind.
   enum class Temporary { unnamed_if_possible, named };
   /// The treatment of a symbolic link at the path. `followed` replaces the target of the link. `refused` makes the link
-  /// an error. It is for folders of many files: an unnamed temporary file then costs no search for abandoned files,
-  /// which the owner of the folder removes once with remove_abandoned_files().
+  /// an error; it is for folders of many files. An unnamed temporary file is then opened without a search for abandoned
+  /// files: the owner of the folder calls remove_abandoned_files() once instead.
   enum class Links { followed, refused };
 
   AtomicFile(std::string path, bool force, Temporary kind = Temporary::unnamed_if_possible,

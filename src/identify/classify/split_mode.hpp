@@ -31,7 +31,7 @@ struct SplitMode {
   bool first = false;  // this mode is the lower one
   double separation_std_Hz = 0;
   double first_over_second_dB = 0;    // level difference of the peaks, over all FRFs
-  bool quoted = false;                // this mode's frequency is the quoted one
+  bool quoted = false;                // its frequency stands for the pair, as in source [8]: the first, unless hidden
   std::optional<SplitPlanes> planes;  // where both planes are known
 };
 

@@ -11,28 +11,32 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t kPlanes = 45;     // 2° apart over 90°: every plane comes with the plane at right angles to it
-constexpr double kPairKnown = 0.9;      // prior probability that two partners are one mode in two planes
+constexpr double kPairPrior = 0.9;      // prior probability that two partners are one mode in two planes
 constexpr double kPairAngle_rad = 0.1;  // standard deviation, around 90°, of the angle between a mode's two planes
 constexpr double kBroader = 2;          // width of the size ratio of unrelated modes, over its width in a pair
 constexpr double kMinHoop_Hz = 1000;    // lowest hoop frequency of barrels
 
+// One number per type, in the order of TypePosterior: a prior, likelihoods or weights whose sum is not 1.
+using TypeWeights = TypePosterior;
+
 // Prior probabilities of the types. A bat's lowest mode is a bending mode at 100 to 300 Hz. The higher the lowest
-// mode found is, the likelier the band excludes that mode: the prior becomes uninformative towards kMinHoop_Hz.
-TypePosterior prior_of_lowest(double freq_Hz) {
+// frequency found is, the likelier the band excludes this bending mode: the prior becomes uninformative towards
+// kMinHoop_Hz.
+TypeWeights prior_of_lowest(double freq_Hz) {
   const double hoop = std::clamp(std::pow(freq_Hz / kMinHoop_Hz, 2), 0.01, 1.0);
   return {2 - hoop, hoop, 1};
 }
 
-double sum_of(const TypePosterior& b) { return b[0] + b[1] + b[2]; }
+double sum_of(const TypeWeights& b) { return b[0] + b[1] + b[2]; }
 
-TypePosterior normalised(TypePosterior b) {
+TypePosterior normalised(TypeWeights b) {
   const double sum = sum_of(b);
   if (!(sum > 0)) return {1.0 / 3, 1.0 / 3, 1.0 / 3};
   for (double& p : b) p /= sum;
   return b;
 }
 
-TypePosterior product_of(TypePosterior a, const TypePosterior& b) {
+TypeWeights product_of(TypeWeights a, const TypeWeights& b) {
   for (std::size_t f = 0; f < a.size(); ++f) a[f] *= b[f];
   return a;
 }
@@ -42,7 +46,7 @@ struct ModeTable {
   std::array<double, kPlanes> bending{};
   std::array<double, RatioLikelihood::kPlacements> hoop{};
   double other = 1;
-  TypePosterior prior{1, 1, 1};
+  TypeWeights prior{1, 1, 1};
 };
 
 ModeTable table_of(const TypeEvidence& mode, const RatioLikelihood& likelihood) {
@@ -65,9 +69,9 @@ double independent_density(double log_ratio) { return sech(log_ratio / kBroader)
 
 // Likelihoods of two partners that do not depend on the shared unknowns.
 struct PairTable {
-  TypePosterior size{1, 1, 1};  // of the members' sizes, as one mode of each type
-  double unrelated_modes = 1;   // of the members' sizes, as unrelated modes
-  double right_angle = 1;       // of the angle between the planes
+  TypeWeights size{1, 1, 1};   // of the members' sizes, as one mode of each type
+  double unrelated_modes = 1;  // of the members' sizes, as unrelated modes
+  double right_angle = 1;      // of the angle between the planes
 };
 
 PairTable table_of(const TypeEvidence& one, const TypeEvidence& two, const RatioLikelihood& likelihood) {
@@ -117,24 +121,24 @@ class JointPosterior {
   // s numbers the combinations of the shared unknowns, plane and placement.
   static std::size_t placement_of(std::size_t s) { return s / kPlanes; }
 
-  TypePosterior own_weights(std::size_t s, std::size_t m) const {
+  TypeWeights own_weights(std::size_t s, std::size_t m) const {
     const ModeTable& table = tables_[m];
     return product_of({table.bending[s % kPlanes], table.hoop[placement_of(s)], table.other}, table.prior);
   }
 
   // Weights of the types of mode m, summed over the types of its partner. The total is the same for both partners.
-  TypePosterior joint_weights(std::size_t s, std::size_t m) const {
-    const TypePosterior own = own_weights(s, m);
+  TypeWeights joint_weights(std::size_t s, std::size_t m) const {
+    const TypeWeights own = own_weights(s, m);
     if (!pairs_[m]) return own;
     const std::size_t partner = *modes_[m].partner;
-    const TypePosterior other = own_weights(s, partner);
+    const TypeWeights other = own_weights(s, partner);
     const std::size_t sharper = modes_[m].ratio->std_rad < modes_[partner].ratio->std_rad ? m : partner;
     const double bending = tables_[sharper].bending[s % kPlanes] * tables_[std::min(m, partner)].prior[0];
-    const TypePosterior together =
+    const TypeWeights together =
         product_of({bending * pairs_[m]->right_angle, own[1] * other[1], own[2] * other[2]}, pairs_[m]->size);
-    TypePosterior out{};
+    TypeWeights out{};
     for (std::size_t f = 0; f < out.size(); ++f)
-      out[f] = kPairKnown * together[f] + (1 - kPairKnown) * pairs_[m]->unrelated_modes * own[f] * sum_of(other) / 3;
+      out[f] = kPairPrior * together[f] + (1 - kPairPrior) * pairs_[m]->unrelated_modes * own[f] * sum_of(other) / 3;
     return out;
   }
 

@@ -13,9 +13,11 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSignificantScatter = 3.1;  // normal deviate of χ²: one clean value in 1000
-constexpr double kDecays = 3;                // standard deviations of a damping ratio
-constexpr double kMaxLinear = 0.5;           // step of a hit's rate over the rate's decay, for a linear estimate
+// Normal deviate of χ²; without scatter, one value in 1000 exceeds it.
+constexpr double kSignificantScatter = 3.1;
+constexpr double kMinDampingSignificance = 3;  // standard deviations; below them the oscillation counts as a tone
+constexpr double kMaxLinear =
+    0.5;  // largest step of a hit's pole, over the decay rate, at which a linear estimate holds
 
 struct PoleStd {
   Pole pole;
@@ -67,7 +69,7 @@ void add_scatter(const FittedDecay& decay, Mode& mode) {
 struct RankOne {
   Eigen::VectorXcd hit;      // [hits]
   Eigen::VectorXcd channel;  // [channels]
-  Eigen::VectorXd hit_std;   // [hits] of the real and of the imaginary part of a hit's amplitude in a channel, over std
+  Eigen::VectorXd hit_std;   // [hits] standard deviation of the real (and of the imaginary) part, relative to `std`
   Eigen::VectorXd std;       // [channels] of the real and of the imaginary part
   double excess = 1;         // of the standard deviations: the residual's RMS over the noise, at least 1
 };
@@ -92,14 +94,15 @@ RankOne rank_one(const FittedDecay& decay, Index channels) {
   const auto freedom = static_cast<double>(2 * (hits - 1) * (channels - 1));
   if (freedom > 0) {
     const double chi2 = values.tail(values.size() - 1).squaredNorm();
-    // One variance of the real and one of the imaginary part: χ² of `freedom` real numbers.
+    // Real and imaginary parts each have unit variance: chi2 has `freedom` degrees of freedom.
     if (chi2_deviate(chi2, freedom) > kSignificantScatter) out.excess = std::sqrt(chi2 / freedom);
   }
   out.std *= out.excess;
   return out;
 }
 
-// The channel whose smallest share of a mode's largest amplitude is largest.
+// The channel that observes all modes best. A channel's score is its amplitude in its worst mode, relative to the
+// mode's largest amplitude.
 std::size_t reference_channel(const std::vector<RankOne>& shapes, std::size_t channels) {
   std::size_t best = 0;
   double largest = -1;
@@ -153,7 +156,7 @@ DecayResults modes_of_decays(const FreeDecayFit& fit, std::size_t channels, std:
     const Mode mode = mode_of(fit.decays[d]);
     if (mode.pole.freq_Hz < band_Hz.first || mode.pole.freq_Hz > band_Hz.second) continue;
     if (mode.pole.damping_ratio > kMaxDampingRatio) continue;
-    const bool decays = mode.pole.damping_ratio > kDecays * mode.damping_std;
+    const bool decays = mode.pole.damping_ratio > kMinDampingSignificance * mode.damping_std;
     (decays ? shapes : tone_shapes).push_back(rank_one(fit.decays[d], static_cast<Index>(channels)));
     (decays ? out.modes : out.tones)
         .push_back({.mode = mode, .hits = {}, .energy = fit.energy[d], .rivals_Hz = fit.decays[d].rivals_Hz});

@@ -14,11 +14,11 @@ namespace {
 using Eigen::Index;
 
 constexpr std::size_t kRates = 12;
-constexpr double kSlowest = 0.5;       // decay over the record, in nepers
-constexpr double kFastest = 1.0 / 16;  // of the sampling rate
-constexpr double kFalseAlarms = 1000;  // searches in which noise alone gives one decay
-constexpr double kWeakest = 0.02;      // of the strongest candidate: weaker ones wait until it is fitted
-constexpr double kApart_lines = 6;     // between candidates of one search, beyond three half-power bandwidths
+constexpr double kSlowest = 0.5;                 // decay over the record, in nepers
+constexpr double kFastest = 1.0 / 16;            // of the sampling rate
+constexpr double kSearchesPerFalseAlarm = 1000;  // searches of noise alone that find one decay in all
+constexpr double kWeakest = 0.02;                // of the strongest candidate: weaker ones wait until it is fitted
+constexpr double kApart_lines = 6;  // between candidates of one search, in addition to three half-power bandwidths
 
 std::vector<double> rates_per_s(const DecaySpectra& of) {
   const double slowest = kSlowest * of.line_Hz(), fastest = std::max(slowest, kFastest * of.fs_Hz);
@@ -86,7 +86,7 @@ FilterBank matched_filters(const DecaySpectra& residual, const Eigen::MatrixXd& 
 
 double decay_threshold(std::size_t spectra, std::size_t places) {
   const auto count = static_cast<double>(spectra);
-  const double chance = std::log(kFalseAlarms * static_cast<double>(std::max<std::size_t>(places, 1)));
+  const double chance = std::log(kSearchesPerFalseAlarm * static_cast<double>(std::max<std::size_t>(places, 1)));
   return count + std::sqrt(2 * count * chance) + chance;
 }
 

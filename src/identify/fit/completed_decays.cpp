@@ -27,7 +27,7 @@ CompletedDecays::CompletedDecays(const FrfDataset& cut)
                     [&](std::size_t o) { whole_.channels[o] = cut.channels[o]; });
 }
 
-bool CompletedDecays::from_records(const FrfDataset& cut) {
+bool CompletedDecays::truncation_is_known(const FrfDataset& cut) {
   return std::all_of(cut.points.begin(), cut.points.end(), [](const PointForce& p) { return !p.blocks.empty(); });
 }
 
@@ -35,7 +35,7 @@ void CompletedDecays::add_missing_decays(const std::vector<Pole>& poles, const E
   parallel_for_cost(cut_.channels.size(), kFlopsPerProduct * cut_.lines.count,
                     [&](std::size_t o) { whole_.channels[o].frf = cut_.channels[o].frf; });
   for (std::size_t m = 0; m < poles.size(); ++m) {
-    if (remaining_amplitude(poles[m], cut_.lines) < kCompleted) continue;
+    if (remaining_amplitude(poles[m], cut_.lines) < kMinTruncation) continue;
     const TruncatedDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);
     parallel_for_cost(cut_.channels.size(), kFlopsPerLine * cut_.lines.count, [&](std::size_t o) {
       missing.add_to(whole_.channels[o].frf, residues(static_cast<Index>(o), static_cast<Index>(m)),

@@ -17,8 +17,8 @@ class CompletedDecays {
   const FrfDataset& set() const& { return whole_; }
   FrfDataset set() && { return std::move(whole_); }
 
-  /// False without records: the truncation of the FRFs is then unknown.
-  static bool from_records(const FrfDataset& cut);
+  /// Whether the forces are known; otherwise the truncation of the FRFs is unknown.
+  static bool truncation_is_known(const FrfDataset& cut);
 
   /// Adds the missing decays of these modes to the measured FRFs; residues [channels, modes]. The added decays have a
   /// relative error as large as the truncation of the FRFs to which the residues were fitted.
@@ -30,6 +30,6 @@ class CompletedDecays {
 };
 
 /// The smallest amplitude of a mode at the records' end, relative to its start, that counts as truncation.
-inline constexpr double kCompleted = 1e-9;
+inline constexpr double kMinTruncation = 1e-9;
 
 }  // namespace percuss::identify

@@ -28,8 +28,8 @@ struct HitPoles {
 std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                            const std::vector<ModeWindow>& windows);
 
-/// The same for the modes of one window, [window.modes], by complete local fits: poles may differ by more than one step
-/// can follow. `together` is the local fit of the averaged FRFs, over the same window.
+/// The same for the modes of one window, [window.modes], by complete local fits. They also follow poles too far from
+/// the modes' poles for one Gauss–Newton step. `together` is the local fit of the averaged FRFs, over the same window.
 std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                        const ModeWindow& window);
 

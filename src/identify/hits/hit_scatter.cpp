@@ -12,9 +12,11 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kSignificantScatter = 3.1;  // normal deviate of χ²: one clean value in 1000
-constexpr double kSignificantTrend = 3.7;    // standard deviations of a slope: one clean pair of slopes in 2000
-constexpr double kCoverage = 1.96;           // normal deviate of the 95 % interval, which Student's factor keeps
+// Without scatter, one value in 1000 exceeds this normal deviate of χ², and one pair of slopes in 2000 this number of
+// standard deviations.
+constexpr double kSignificantScatter = 3.1;
+constexpr double kSignificantTrend = 3.7;
+constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval, which Student's factor keeps
 constexpr std::size_t kMinHits = 2;
 // Standard deviations of a residue in one hit. Such a hit determines its pole, unless the pole changes during the hit
 // or differs much from the mean.

@@ -20,12 +20,12 @@ using Eigen::VectorXd;
 
 constexpr double kBroader = 1.3;     // damping ratio over the stronger mode's
 constexpr double kWeaker = 0.5;      // peak over the stronger mode's
-constexpr double kDisagreement = 5;  // standard deviations between the best hit and the others
+constexpr double kDisagreement = 5;  // standard deviations: of the best hit from the others, and of the χ² of all
 // The least standard deviation of a residue ratio between the hits that counts as scatter. Noise of the force, which is
 // largest at a resonance, causes a tenth of it; a pole that moves by a hundredth of the distance between the two poles
 // causes twice as much.
 constexpr double kMinSpread = 0.01;
-constexpr double kMinShare = 0.6;  // smaller over larger residue: a gain or a direction that varies changes it less
+constexpr double kMinShare = 0.6;  // smaller over larger residue: varying gains or directions keep it above this
 
 double peak_of(const Mode& mode) {
   double power = 0;

@@ -14,10 +14,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kScatters = 4.5;   // normal deviate of χ²: one clean value in 300 000
+constexpr double kScatters = 4.5;   // normal deviate of χ²; without scatter, one value in 300 000 exceeds it
 constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval, which Student's factor keeps
 
-// The contributions of the points to one unknown, and their variances by the noise.
+// The standard deviation of an unknown from the scatter of the points' contributions; 0 where the noise explains it.
+// `variance`: of each contribution, by the noise.
 double std_of(const VectorXd& contribution, const VectorXd& variance) {
   double chi2 = 0, squares = 0, sum = 0, sum_of_squares = 0, points = 0;
   for (Index p = 0; p < contribution.size(); ++p) {
@@ -54,7 +55,7 @@ VectorXd point_scatter_std(const VariableProjection& projection, const Projected
   for (Index p = 0; p < count; ++p) {
     const NormalEquations& point = points[static_cast<std::size_t>(p)];
     contribution.col(p) = inverse * (point.right - point.matrix * step);
-    // Of the residual's real and of its imaginary part: half of its variance each.
+    // The real and the imaginary part of the residual each have half of its variance.
     variance.col(p) = 0.5 * (inverse * point.matrix * inverse).diagonal();
   }
   VectorXd std(n);

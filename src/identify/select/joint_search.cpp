@@ -60,7 +60,7 @@ bool must_search(const FrfDataset& set, const std::vector<VectorXcd>& residual, 
 // The FRFs for the search, without truncation; nothing where `set` itself serves. With many points, a start of low
 // damping would give each point columns of its own.
 std::optional<FrfDataset> with_shared_columns(const FrfDataset& set, const std::vector<FittedMode>& modes) {
-  if (set.points.size() < kSharedPoints || set.window_decay_per_s() != 0 || !CompletedDecays::from_records(set))
+  if (set.points.size() < kSharedPoints || set.window_decay_per_s() != 0 || !CompletedDecays::truncation_is_known(set))
     return std::nullopt;
   CompletedDecays completed(set);
   const std::vector<Pole> poles = poles_of(modes);

@@ -17,7 +17,7 @@ struct BallOnBeamState {
 struct BallOnBeamReading {
   double beam_m = 0, beam_mps = 0;
   double approach_m = 0;
-  double contact_event_m = 0;  // above 0 only during contact: approach times 1 + χα̇; the approach where it is negative
+  double contact_event_m = 0;  // above 0 only during contact: approach · (1 + χα̇), or the approach if negative
   double force_N = 0, force_rate_Nps = 0;
   double energy_J = 0;  // of the ball, of the modes, in the contact, and lost
 };

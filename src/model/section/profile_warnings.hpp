@@ -21,8 +21,9 @@ struct ProfileWarning {
 /// The codes of profile warnings, all with the severity warn. docs/reference/warnings.md has a row for each.
 inline constexpr std::string_view kProfileWarningCodes[] = {"long_slices"};
 
-/// The warning long_slices: as points instead of slices, the table would give the elastic modes the frequencies
-/// `other_Hz` instead of `freq_Hz`. The first elastic mode has the number `first_mode`. Nothing for a table of points.
+/// The warning long_slices. `freq_Hz` are the frequencies of the elastic modes with the table read as slices,
+/// `other_Hz` with the table read as points. The first elastic mode has the number `first_mode`. Nothing for a table of
+/// points.
 std::optional<ProfileWarning> profile_warning(const SectionTable& table, const std::vector<double>& freq_Hz,
                                               const std::vector<double>& other_Hz, std::size_t first_mode);
 

@@ -11,12 +11,12 @@ namespace {
 
 using acquire::Finding, acquire::FindingCode, acquire::Severity;
 
-// Second contact over the main pulse. A larger contact is another blow, and more may follow; the spectrum of two equal
+// Second contact over the main pulse. A larger contact is another hit, and more may follow; the spectrum of two equal
 // contacts has zeros.
 constexpr double kMaxUsableRatio = 0.5;
-constexpr std::size_t kEnoughHits = 2;  // that judge each other
+constexpr std::size_t kEnoughHits = 2;  // accepted hits of a point: two can be compared with each other
 
-// Whether the gate includes the second contact, and this contact is no blow of its own. The gate leaves out spikes, and
+// Whether the gate includes the second contact, and this contact is no hit of its own. The gate leaves out spikes, and
 // contacts before the samples of the hit.
 bool holds_second_contact(const acquire::Hit& hit, const Finding& finding, double fs_Hz) {
   if (finding.code == FindingCode::double_hit && finding.value > kMaxUsableRatio) return false;

@@ -136,10 +136,10 @@ void Guide::collect_events() {
 
 bool Guide::is_attempt(const LongPush& push) {
   const double size_N = std::abs(push.peak_N), usual_N = typical(&Session::Blow::peak_N);
-  const bool strong = size_N >= kStrongPush * (usual_N > 0 ? usual_N : std::abs(told_push_.peak_N));
-  const bool handling = told_push_.peak > 0 && push.peak < told_push_.peak + static_cast<std::uint64_t>(fs_Hz_);
+  const bool strong = size_N >= kStrongPush * (usual_N > 0 ? usual_N : std::abs(reported_push_.peak_N));
+  const bool handling = reported_push_.peak > 0 && push.peak < reported_push_.peak + static_cast<std::uint64_t>(fs_Hz_);
   if (!strong || handling) return false;
-  told_push_ = push;
+  reported_push_ = push;
   return true;
 }
 

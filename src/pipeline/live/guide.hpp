@@ -54,7 +54,7 @@ class Guide {
   void command(SessionEvent::Kind kind, int point = 0);
   /// Adds what the capture states about the stream. Losses are known from the samples.
   void add_finding(const acquire::CaptureFinding& finding) { faults_.add(finding); }
-  /// No more samples and findings will come: judges the last blow, and tells the faults that follow it.
+  /// No more samples and findings will come: judges the last blow, and reports the faults after it to the observer.
   void finish();
 
   const Session& session() const { return session_; }
@@ -153,7 +153,7 @@ class Guide {
   std::deque<SessionEvent> past_commands_;
   SessionFaults faults_;
   std::uint64_t noted_ = 0;  // losses before this frame are in faults_
-  LongPush told_push_;       // the last one that was told
+  LongPush reported_push_;   // the last push that was reported to the observer
   bool complete_ = false;    // what happens after the last blow does not concern the session
 };
 

@@ -27,8 +27,8 @@ class RowStore {
   /// errors  InputError: the disk is full, and more than max_waiting_bytes wait for room.
   void append(const std::vector<std::vector<double>>& signals);
   std::size_t samples() const { return samples_; }
-  /// Samples first … of a signal; signal 0 is the force. Several threads may call at once, also during append().
-  /// errors  InputError: the file cannot be read.
+  /// Reads samples first … first + out.size() − 1 of a signal; signal 0 is the force. Several threads may call at once,
+  /// also during append(). errors  InputError: the file cannot be read.
   void read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) const;
 
  private:

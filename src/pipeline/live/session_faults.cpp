@@ -9,14 +9,15 @@ namespace {
 using acquire::CaptureFault, acquire::CaptureFinding, acquire::FaultKind;
 
 constexpr std::size_t kMaxFaults = 100'000;
-constexpr double kOneFault_s = 1;  // between samples without a number
+constexpr double kOneFault_s = 1;  // unusable samples (NaN, infinite) that are closer together count as one fault
 
 bool is_loss(CaptureFault fault) {
   return fault == CaptureFault::gap || fault == CaptureFault::overrun || fault == CaptureFault::dropped ||
          fault == CaptureFault::not_a_number || fault == CaptureFault::resumed;
 }
 
-// What a record stores. An overload is a verdict, and the journal is gone when the record is whole.
+// The kind under which a record stores a fault. Overloads are not stored, because the grading of the hits finds them;
+// faults of the journal are not, because a complete record no longer needs the journal.
 std::optional<FaultKind> stored_kind(CaptureFault fault) {
   switch (fault) {
     case CaptureFault::gap:
@@ -125,7 +126,7 @@ std::vector<CaptureFinding> SessionFaults::finish(bool finished_before) {
   std::vector<CaptureFinding> out = std::exchange(pending_, {});
   if (finished_before)
     std::erase_if(out, [](const CaptureFinding& finding) { return finding.fault != CaptureFault::clock_drift; });
-  // Frames that were dropped after the last one that arrived.
+  // The remaining reasons are frames that were dropped after the last frame that arrived.
   std::erase_if(reasons_, [](const CaptureFinding& reason) { return reason.fault == CaptureFault::resumed; });
   if (!finished_before) out.insert(out.end(), reasons_.begin(), reasons_.end());
   reasons_.clear();

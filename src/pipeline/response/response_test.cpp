@@ -42,7 +42,7 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
   const double least = std::max(static_cast<double>(kMinSamples), kShortest * median(lengths));
   const bool any_shown = std::any_of(hits.begin(), hits.end(), [](const auto& hit) { return hit.impact.whole_pulse; });
   for (std::size_t h = 0; h < hits.size(); ++h) {
-    // Its blow may lie anywhere in the row.
+    // Without a visible pulse, the impact may lie anywhere in the row.
     if (any_shown && !hits[h].impact.whole_pulse) {
       hits[h].accepted = false;
       hits[h].reason = "no impact rises above the noise, as it does in other rows";
@@ -110,7 +110,7 @@ std::vector<identify::ModeClassification> classified(const ResponseTest& test) {
   return identify::classify(modes, sensors, overlays_dB, test.options.classes);
 }
 
-// The clearest modes, in ascending frequency.
+// Keeps the `count` modes with the most energy, in ascending frequency.
 void keep_most_energetic(std::vector<identify::DecayMode>& modes, std::size_t count) {
   if (modes.size() <= count) return;
   std::vector<double> energy;

@@ -61,8 +61,8 @@ std::vector<Warning> tones(const ResponseTest& test) {
   for (const identify::DecayMode& tone : test.found.tones)
     list += fmt::format("{}{:.5g} Hz", list.empty() ? "" : ", ", tone.mode.pole.freq_Hz);
   if (list.empty()) return {};
-  return {{"tone", fmt::format("{}: no decay within three standard deviations, so this is no mode of the structure "
-                               "but hum or a machine",
+  return {{"tone", fmt::format("{}: the damping is within three standard deviations of zero, so this is hum or a "
+                               "machine, no mode of the structure",
                                list)}};
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 // Cost of a mode that a hit does not show: equal to √2 bandwidths off, or to 1 bandwidth off with unlike residues.
 constexpr double kGap = 2;
-constexpr double kSignificantScatter = 2.3;  // normal deviate of χ²: one clean value in 100
+constexpr double kSignificantScatter = 2.3;  // normal deviate of χ²; without scatter, one value in 100 exceeds it
 constexpr double kDoubling = 0.7;            // of a damping ratio, in nepers: costs as much as one bandwidth
 
 // The squared difference of the residues at a point over their squared size: 0 for equal residues, at most 1. Unlike a

@@ -85,7 +85,7 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
   }
   add_motion_left_out(test, out);
   const bool drifts = std::any_of(test.deflections.begin(), test.deflections.end(), [](const auto* deflection) {
-    return deflection->method == metrics::DeflectionMethod::drift_free && !deflection->held;
+    return deflection->method == metrics::DeflectionMethod::drift_free && !deflection->zero_mean_corrected;
   });
   if (drifts && !test.free_body) {
     out.push_back(with_remedy(

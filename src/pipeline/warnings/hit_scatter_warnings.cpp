@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "core/io/significant_digits.hpp"
+
 namespace percuss::pipeline {
 namespace {
 
@@ -103,8 +105,8 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
   const std::string drift = named_modes(
       modes, [](const Mode& mode) { return mode.drift ? std::abs(mode.drift->freq_change_per_hit) : 0; },
       [](const Mode& mode) {
-        return fmt::format("{} by {:.2g} ± {:.1g} ppm per hit", mode.drift->freq_change_per_hit < 0 ? "falls" : "rises",
-                           kPpm * std::abs(mode.drift->freq_change_per_hit), kPpm * mode.drift->std);
+        return fmt::format("{} by {} ppm per hit", mode.drift->freq_change_per_hit < 0 ? "falls" : "rises",
+                           value_with_std(kPpm * std::abs(mode.drift->freq_change_per_hit), kPpm * mode.drift->std));
       });
   if (!drift.empty()) {
     out.push_back(with_remedy(
@@ -116,7 +118,7 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
   const std::string rest = named_modes(modes, unexplained_rank, [](const Mode& mode) {
     std::string text;
     if (mode.hit_scatter_Hz > 0)
-      text = fmt::format("frequency by {:.2g} ppm", kPpm * mode.hit_scatter_Hz / mode.pole.freq_Hz);
+      text = fmt::format("frequency by {} ppm", significant(kPpm * mode.hit_scatter_Hz / mode.pole.freq_Hz, 2));
     if (mode.hit_scatter_damping > 0) {
       text += fmt::format("{}damping by {:.2g} %", text.empty() ? "" : ", ",
                           100 * mode.hit_scatter_damping / mode.pole.damping_ratio);

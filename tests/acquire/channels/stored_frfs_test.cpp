@@ -43,7 +43,7 @@ TEST(StoredFrfs, TurnsEveryKindIntoAnAccelerance) {
 }
 
 // Accelerance of one mode: its phase falls by π for exp(+jωt).
-TEST(StoredFrfs, TellsFrfsOfTheOtherSignOfTime) {
+TEST(StoredFrfs, RecognisesFrfsForTheOppositeTimeDependence) {
   StoredFrfs frfs = stored();
   std::vector<double> freq_Hz(200);
   for (std::size_t k = 0; k < freq_Hz.size(); ++k) freq_Hz[k] = static_cast<double>(k);

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 
 constexpr double kRounding = 1e-12;
 
-double along(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
@@ -76,7 +76,7 @@ TEST(StructureMesh, ConnectsRowsAndColumnsOfAGrid) {
   for (const auto& normal : mesh.normals) EXPECT_NEAR(normal[2], 1, kRounding);
 }
 
-// The normal of an upright plate has a positive coordinate, whichever way its corners run.
+// The normal of an upright plate points to the positive side of its largest component, whichever way the corners run.
 TEST(StructureMesh, FindsTheNormalOfAnUprightPlate) {
   Points points;
   for (int i = 0; i < 4; ++i) {
@@ -131,7 +131,7 @@ TEST(StructureMesh, ClosesASurfaceAroundABox) {
   EXPECT_EQ(mesh.faces.size(), 2 * points.size() - 4) << "Euler: a closed surface through all points";
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (points[p][0] == 0 || points[p][0] == 2) continue;
-    EXPECT_GT(along(mesh.normals[p], {0, points[p][1], points[p][2]}), 0) << "outwards at point " << p;
+    EXPECT_GT(dot(mesh.normals[p], {0, points[p][1], points[p][2]}), 0) << "outwards at point " << p;
   }
 }
 
@@ -157,7 +157,8 @@ TEST(StructureMesh, IsEmptyForPointsThatHaveNoSize) {
 }
 
 TEST(StructureMesh, LeavesManyPointsUnconnected) {
-  const Points points(3000, {0, 0, 0});
+  Points points;
+  for (int i = 0; i < 3000; ++i) points.push_back({0.1 * i, 0, 0});
   EXPECT_TRUE(structure_mesh(points).lines.empty());
 }
 

@@ -172,7 +172,8 @@ TEST(HitFindings, AcceptAPulseAtTheVeryEnd) {
   }
 }
 
-// A blow of its own excites the row's response, however late it comes; less than 5 % of the hit may be the hand's.
+// A second contact excites the response, however late it comes. A late force below 5 % of the peak is not reported: it
+// may come from the hand on the hammer.
 TEST(HitFindings, ReportALateSecondHit) {
   const std::size_t late = kSamples - 1000;
   for (const double ratio : {0.06, 0.7, 0.04}) {

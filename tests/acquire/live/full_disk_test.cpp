@@ -14,7 +14,7 @@
 
 namespace percuss::acquire::full_disk_test {
 
-// Times real time. Sanitizers make the simulated device slower.
+// Speed of the simulated device, in multiples of real time. Sanitizers make it slower.
 #ifdef PERCUSS_SANITIZED
 #define PERCUSS_DISK_SPEED "2"
 #else
@@ -66,7 +66,7 @@ std::vector<CaptureFault> faults(const std::vector<CaptureFinding>& findings) {
 constexpr std::uint64_t kSecond = 25600;  // in frames
 const StoreOptions kStore{.ring_s = 8};
 
-// The disk is full for as long as the ring lasts: nothing is lost, neither for the reader nor for the journal.
+// The disk is full for less time than the ring buffer holds: neither the reader nor the journal loses a frame.
 TEST(FullDisk, IsSurvivedByTheRing) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.journal");
@@ -95,7 +95,8 @@ TEST(FullDisk, IsSurvivedByTheRing) {
   EXPECT_EQ(journal.findings()[0].fault, CaptureFault::journal_failed);
 }
 
-// Longer than that, the reader still gets every frame; the hole of the journal is stated in it.
+// The disk is full for longer than the ring buffer holds. The reader still gets every frame, and the journal states
+// which frames it lacks.
 TEST(FullDisk, LeavesAStatedHoleInTheJournal) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.journal");

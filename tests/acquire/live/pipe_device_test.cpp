@@ -95,7 +95,7 @@ const std::string kTwoSignals = R"({"fs_hz": 1000.5, "continuous": true, "rows":
                                 R"({"name": "hammer", "measures": "force", "si_at_full_scale": 512},)"
                                 R"({"name": "tip", "measures": "acceleration", "si_at_full_scale": -4096}]})";
 
-// As the file: of the same bytes.
+// The scales are those of a WAV file of the same bytes.
 TEST(PipeDevice, KeepsTheScalesOfAWavThatPercussWrote) {
   const std::string stream = wav_with_calibration(kTwoSignals, bytes_of_numbers(std::int16_t{16384}, std::int16_t{1}));
   EXPECT_THAT(values_of("wav", stream), ElementsAre(256, -0.125));
@@ -107,7 +107,7 @@ TEST(PipeDevice, KeepsTheScalesOfAWavThatPercussWrote) {
   EXPECT_THAT(device->format().stream.full_scales, ElementsAre(512, 4096));
 }
 
-// A set-up with units is about the stored numbers.
+// Units in a set-up apply to the stored numbers. The scales of the stream are then not used.
 TEST(PipeDevice, LeavesNumbersToASetUpWithUnits) {
   const std::string stream = wav_with_calibration(kTwoSignals, bytes_of_numbers(std::int16_t{16384}, std::int16_t{1}));
   const FilledPipe pipe(stream);

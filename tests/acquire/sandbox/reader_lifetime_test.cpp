@@ -47,7 +47,7 @@ class ReaderLifetime : public testing::Test {
       while (true) reader->wait(reader->load());
     };
   }
-  /// Kills a process that runs `start` once the reader has stated its id, and expects the reader's end.
+  /// Runs `start` in a child process. Kills the child when the reader has stated its id, and expects the reader to end.
   void expect_end_of_reader_with_process(const std::function<void()>& start) {
     const pid_t process = ::fork();
     if (process == 0) {

@@ -39,7 +39,7 @@ TEST_F(MatlabInputs, MayHoldTheTimeBesideTheSignal) {
       200, kFrequencyTolerance_Hz);
 }
 
-// As an analyser saves them: spectra beside the signals, and names that do not tell the force.
+// As an analyser saves them: spectra beside the signals, and names that do not show which signal is the force.
 TEST_F(MatlabInputs, WithoutRolesGetTheCommandThatWorks) {
   const std::size_t n = record_.force_N.size();
   test::MatBuilder(file("all.mat"), test::MatLevel::v5)

@@ -45,8 +45,8 @@ TEST(RecordCommand, WritesARecordWithTheSameAnalysis) {
   EXPECT_EQ(std::count(accepted.begin(), accepted.end(), true), 5);
 }
 
-// The last screen, the document and the report are those of an analysis with the same object.
-TEST(RecordCommand, TakesWhatIsStruck) {
+// The last screen and the document are those of an analysis with the same object.
+TEST(RecordCommand, AppliesTheObjectOption) {
   const Bench bench;
   const auto tube = bench.record("sim:aluminium-bat", {"--hits", "2"});
   EXPECT_THAT(tube.out, HasSubstr("bending 1"));
@@ -82,7 +82,7 @@ TEST(RecordCommand, StopsWhenTheGoalIsMet) {
   EXPECT_EQ(bench.record("sim:aluminium-bat", {"--until", "", "--force"}).code, 2);
 }
 
-// While more blows may still be struck, not only at the end.
+// The message comes while more blows may still be struck, not only at the end.
 TEST(RecordCommand, NamesAGoalForAModeThatTheTestLacks) {
   const Bench bench;
   const std::string record = "percuss record -o t.h5 --device sim:aluminium-bat,hits=99 --hits 99 --until 'hoop 7<1Hz'";
@@ -116,7 +116,7 @@ TEST(RecordCommand, AnalysesAReplayedRecordAlike) {
   EXPECT_THAT(bench.run({"analyze", "t.h5", "--band", "60:3200"}).out, Not(HasSubstr("the capture lost")));
   const auto replayed = of("t.h5"), original = of("r.h5");
   ASSERT_EQ(replayed.size(), original.size());
-  // The windows differ by some samples: the fits agree to about the ± of 1e-6.
+  // The windows differ by some samples, so the frequencies agree only to about their relative ±, 1e-6.
   for (std::size_t m = 0; m < original.size(); ++m) EXPECT_NEAR(replayed[m], original[m], 2e-6 * original[m]);
 }
 
@@ -146,7 +146,7 @@ TEST(RecordCommand, TakesRangesOfChannels) {
   EXPECT_FALSE(bench.bytes("t.h5") == expected);
 }
 
-// The file does not say which of its columns is the force, nor the sensitivity of that.
+// The file states neither which column is the force nor the sensitivity of the hammer.
 TEST(RecordCommand, ReplaysAFileWithTheSetUp) {
   const Bench bench;
   ASSERT_EQ(bench.run({"synth", "aluminium-bat", "-o", "r.csv"}).code, 0);

@@ -33,7 +33,7 @@ TEST(RecordFiles, NamesAFailedReportAndPrintsTheDocument) {
   EXPECT_THAT(none.err, HasSubstr("no report is written"));
 }
 
-// Before a blow is struck, not after the last one.
+// Unusable paths are refused before a blow is struck, not after the last one.
 TEST(RecordFiles, ChecksItsFilesBeforeItBegins) {
   const Bench bench;
   const auto refusal = [&](const std::string& output, const std::vector<std::string>& more) {
@@ -166,7 +166,7 @@ TEST(RecordFiles, AreFoundFromAnotherFolder) {
   EXPECT_TRUE(bench.has("begun/r.html"));
   const std::string expected = bench.bytes("begun/t.h5");
   fs::remove(bench.folder.file("begun/t.h5"));
-  // By other paths: the same files.
+  // The same files may be named by other paths.
   fs::copy(bench.folder.file("journal"), bench.folder.file("begun/t.h5.journal"));
   const auto named = bench.run({"record", "--resume", "begun/t.h5", "--fast", "--geometry", "begun/g.csv", "--setup",
                                 bench.folder.file("begun/s.json"), "--device", "file:./begun/r.h5"});

@@ -45,9 +45,9 @@ TEST(RecordTerminal, ShowsBlowsModesAndAPrompt) {
   EXPECT_TRUE(terminal.shows("Blow 1 of 5: accepted"));
   EXPECT_TRUE(terminal.shows("rejected: two contacts"));
   EXPECT_TRUE(terminal.shows("strike: blow 2 of 5"));
-  EXPECT_FALSE(terminal.is_ordinary());
+  EXPECT_FALSE(terminal.has_echo_and_lines());
   EXPECT_EQ(terminal.wait(), 0);
-  EXPECT_TRUE(terminal.is_ordinary());
+  EXPECT_TRUE(terminal.has_echo_and_lines());
   EXPECT_THAT(terminal.screen(), HasSubstr("modes in Hz: "));
   EXPECT_EQ(std::count(terminal.screen().begin(), terminal.screen().end(), '\a'), 6);
 }
@@ -65,7 +65,7 @@ TEST(RecordTerminal, ObeysKeys) {
   EXPECT_TRUE(terminal.shows("there is no point 9"));
   terminal.type("q");
   EXPECT_EQ(terminal.wait(), 0);
-  EXPECT_TRUE(terminal.is_ordinary());
+  EXPECT_TRUE(terminal.has_echo_and_lines());
   EXPECT_GE(terminal.blows(), 2U);
 }
 
@@ -75,7 +75,7 @@ TEST(RecordTerminal, IsRestoredAfterSignals) {
     EXPECT_TRUE(terminal.shows("Blow 1 of 5: accepted"));
     terminal.send(signal);
     EXPECT_EQ(terminal.wait(), 6) << signal;
-    EXPECT_TRUE(terminal.is_ordinary()) << signal;
+    EXPECT_TRUE(terminal.has_echo_and_lines()) << signal;
     EXPECT_GE(terminal.blows(), 1U);
     EXPECT_TRUE(std::filesystem::exists(terminal.file("t.h5.journal")));
     EXPECT_THAT(terminal.screen(), HasSubstr("percuss record --resume t.h5"));
@@ -84,7 +84,7 @@ TEST(RecordTerminal, IsRestoredAfterSignals) {
   EXPECT_TRUE(terminal.shows("Blow 1 of 5: accepted"));
   terminal.send(SIGQUIT);  // ends it at once; the journal stays
   EXPECT_EQ(terminal.wait(), -1);
-  EXPECT_TRUE(terminal.is_ordinary());
+  EXPECT_TRUE(terminal.has_echo_and_lines());
   EXPECT_TRUE(std::filesystem::exists(terminal.file("t.h5.journal")));
 }
 
@@ -95,14 +95,14 @@ TEST(RecordTerminal, GoesOnAfterAStop) {
   EXPECT_TRUE(terminal.shows("Blow 1 of 30: accepted"));
   terminal.send(SIGTSTP);
   EXPECT_TRUE(terminal.shows("Blow 2 of 30: accepted"));
-  EXPECT_FALSE(terminal.is_ordinary());
+  EXPECT_FALSE(terminal.has_echo_and_lines());
   terminal.send(SIGSTOP);
   terminal.send(SIGCONT);
   EXPECT_TRUE(terminal.shows("Blow 3 of 30: accepted"));
-  EXPECT_FALSE(terminal.is_ordinary());
+  EXPECT_FALSE(terminal.has_echo_and_lines());
   terminal.type("q");
   EXPECT_EQ(terminal.wait(), 0);
-  EXPECT_TRUE(terminal.is_ordinary());
+  EXPECT_TRUE(terminal.has_echo_and_lines());
 }
 
 // Nobody reads the terminal: its buffer is full after some lines.

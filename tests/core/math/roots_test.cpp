@@ -190,9 +190,9 @@ TEST(PolynomialRoots, AreFoundFromEqualStarts) {
 
 TEST(PolynomialRoots, MayBeZeroOrEqual) {
   const VectorXcd zero = VectorXcd::Zero(3);
-  EXPECT_LE(distance(zero, polynomial_roots(coefficients(zero), spiral(3))), 1e-4);  // the third root of rounding
+  EXPECT_LE(distance(zero, polynomial_roots(coefficients(zero), spiral(3))), 1e-4);  // cube root of rounding
   const VectorXcd twice{{Value(0.5, 0.5), Value(0.5, 0.5)}};
-  EXPECT_LE(distance(twice, polynomial_roots(coefficients(twice), spiral(2))), 1e-6);  // the square root of rounding
+  EXPECT_LE(distance(twice, polynomial_roots(coefficients(twice), spiral(2))), 1e-6);  // square root of rounding
 }
 
 TEST(PolynomialRoots, AreNoneForAConstant) {

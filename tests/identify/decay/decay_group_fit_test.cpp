@@ -104,7 +104,7 @@ TEST(DecayGroupFit, IsExactWithoutNoise) {
   }
 }
 
-TEST(DecayGroupFit, ReachesTheCramerRaoBoundWithHonestDeviations) {
+TEST(DecayGroupFit, ReachesTheCramerRaoBoundWithTrueStandardDeviations) {
   constexpr double kNoise = 0.5;
   constexpr int kSeeds = 300;
   const Eigen::MatrixXd lowest = bound(kNoise);
@@ -126,7 +126,8 @@ TEST(DecayGroupFit, ReachesTheCramerRaoBoundWithHonestDeviations) {
   }
   for (Eigen::Index u = 0; u < unknowns; ++u) {
     const double crb = std::sqrt(lowest(u, u));
-    // 300 seeds give an RMS to 4 % and a mean to 0.06 standard deviations. The tolerances are four times as large.
+    // 300 seeds give an RMS to 4 % and a mean to 0.06 standard deviations. The first two
+    // tolerances are four times as large; the stated standard deviations vary less.
     EXPECT_NEAR(std::sqrt(squares(u) / kSeeds) / crb, 1, 0.16) << u;
     EXPECT_NEAR(sum(u) / kSeeds / crb, 0, 0.24) << u;
     EXPECT_NEAR(std::sqrt(stated(u) / kSeeds) / crb, 1, 0.05) << u;

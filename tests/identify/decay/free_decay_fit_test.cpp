@@ -163,7 +163,7 @@ Eigen::MatrixXd bound(double noise) {
   return fisher.inverse().topLeftCorner(2 * modes, 2 * modes);
 }
 
-TEST(FreeDecays, ReachTheCramerRaoBoundWithHonestDeviations) {
+TEST(FreeDecays, ReachTheCramerRaoBoundWithTrueStandardDeviations) {
   constexpr double kNoise = 0.3;
   constexpr unsigned kSeeds = 60;
   const Eigen::MatrixXd lowest = bound(kNoise);
@@ -180,7 +180,7 @@ TEST(FreeDecays, ReachTheCramerRaoBoundWithHonestDeviations) {
       const Mode& mode = found.modes[m].mode;
       const auto at = static_cast<Eigen::Index>(2 * m);
       const double omega = kTwoPi * truth()[m].pole.freq_Hz;
-      // With small damping, Im s is the frequency and Re s the damping ratio times ω.
+      // With small damping, Im s is 2π times the frequency, and −Re s is the damping ratio times ω.
       const std::array<double, 2> error{mode.pole.damping_ratio - truth()[m].pole.damping_ratio,
                                         mode.pole.freq_Hz - truth()[m].pole.freq_Hz};
       const std::array<double, 2> std{mode.damping_std, mode.freq_std_Hz};
@@ -197,7 +197,8 @@ TEST(FreeDecays, ReachTheCramerRaoBoundWithHonestDeviations) {
   EXPECT_LE(other_counts, 1U);  // a false decay is expected once in 1000 searches
   const double count = kSeeds - static_cast<double>(other_counts);
   for (std::size_t u = 0; u < of_bound.size(); ++u) {
-    // 60 seeds give an RMS to 9 % and a mean to 0.13 standard deviations. The tolerances are four times as large.
+    // 60 seeds give an RMS to 9 % and a mean to 0.13 standard deviations. The first two
+    // tolerances are four times as large; the stated standard deviations vary less.
     EXPECT_NEAR(std::sqrt(of_bound[u] / count), 1, 0.37) << u;
     EXPECT_NEAR(mean[u] / count, 0, 0.52) << u;
     EXPECT_NEAR(std::sqrt(stated[u] / count), 1, 0.1) << u;
@@ -280,7 +281,7 @@ TEST(FreeDecays, LeaveOutTones) {
 }
 
 // Each hit has its own frequency: the ± includes their scatter.
-TEST(FreeDecays, AddTheScatterOfTheHitsToTheDeviation) {
+TEST(FreeDecays, AddTheScatterOfTheHitsToTheStandardDeviation) {
   constexpr double kScatter_Hz = 0.5;
   constexpr std::size_t kMany = 6;
   FreeDecays scattered{.fs_Hz = kFs_Hz, .hits = kMany, .channels = 1, .response = {}};

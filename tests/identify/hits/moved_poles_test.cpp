@@ -63,7 +63,8 @@ TEST(MovedPoles, ResiduesReturnWithThePoles) {
   }
 }
 
-// The mean of resonances that drift is broader than each of them, but has their residue.
+// If a resonance drifts from hit to hit, it is broader in the mean FRF, but has the same residue. So the residue stays
+// when the damping changes.
 TEST(MovedPoles, SeparateModesKeepTheirResidues) {
   Pair pair(900, 1100);
   const std::vector<Mode> truth = pair.modes;

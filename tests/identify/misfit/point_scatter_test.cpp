@@ -43,7 +43,7 @@ std::vector<double> equal(std::size_t points) {
 // alike. The noise gives the frequency of a point a standard deviation of 1.4 mHz; the RMS of the deviations is 48
 // times as large. The pole update is linear in each deviation up to terms of (0.1 Hz/7 Hz)²; 7 Hz is the half-power
 // bandwidth.
-TEST(PointScatter, IsThatOfTheMeanOfThePoints) {
+TEST(PointScatter, IsTheStandardDeviationOfTheMeanOfThePoints) {
   const std::vector<double> off_Hz{0.1, -0.1, 0.05, -0.05, 0.08, -0.08, 0.02, -0.02};
   double squares = 0;
   for (const double off : off_Hz) squares += off * off;
@@ -65,8 +65,8 @@ TEST(PointScatter, NeedsThreePoints) {
   EXPECT_GT(scatter_of({0.1, -0.1, 0}, equal(3), 1)(0), 0);
 }
 
-// Two of eight points determine the pole: the mean of two frequencies 0.1 Hz from it has one degree of freedom, and
-// Student's factor for it. The other points have a hundredth of the residue.
+// Two of eight points determine the pole. Their frequencies are 0.1 Hz above and below it, so their scatter has one
+// degree of freedom; the factor is Student's for one. The other points have a hundredth of the residue.
 TEST(PointScatter, CountsThePointsThatDetermineThePole) {
   const std::vector<double> off_Hz{0.1, -0.1, 0, 0, 0, 0, 0, 0};
   const std::vector<double> residue{1, 1, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01};

@@ -50,7 +50,8 @@ TEST(SynthesisedFrf, FollowsAModeAboveTheBand) {
   EXPECT_LE(1 - synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, kClose);
 }
 
-// Its flank is a quarter of the FRF at the end of the band. Three terms leave 0.6 % of the energy, four 0.12 %.
+// The flank of the mode is a quarter of the FRF at the end of the band. Three terms leave 0.6 % of the energy, four
+// 0.12 %.
 TEST(SynthesisedFrf, FollowsTheFlankOfAModeJustAboveTheBand) {
   Case c;
   test::add_mode(c.set, 0, {2150, 0.03}, 2.0);

@@ -46,7 +46,7 @@ TEST(StructureFit, RecoversStiffnessSpringAndMassFromExactFrequencies) {
   for (std::size_t i = 0; i < measured.size(); ++i) EXPECT_NEAR(fit.model_Hz[i] / measured[i].freq_Hz, 1, 1e-9);
 }
 
-// Frequencies of a slender beam rise with √E: σ_E/E = 2 σ_f/f, and √n less with n frequencies.
+// Frequencies of a slender beam rise with √E: σ_E/E = 2 σ_f/f for one frequency, and 2 σ_f/(f √n) for n.
 TEST(StructureFit, StatesTheClosedFormOfAStandardDeviation) {
   BeamStructure beam = held_bat();
   beam.slender = true;

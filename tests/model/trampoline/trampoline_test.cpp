@@ -13,9 +13,8 @@
 namespace percuss::model::trampoline_test {
 
 // Reference figures: the same equations, solved outside percuss by scipy 1.10 (DOP853 at relative 3e-14). The
-// integration variable is t^(1/4), in steps of at most 2 (ms)^(1/4). The motions of ball and barrel are both
-// integrated. scipy's event search finds where contacts end and begin again. `rebound` promises 1e-10 of the ball's
-// speed.
+// integration variable is t^(1/4). The motions of ball and barrel are both integrated. scipy's event search finds where
+// contacts end and begin again. `rebound` promises 1e-10 of the ball's speed.
 constexpr double kPromised = 1e-10;
 
 const Trampoline kBaseball = baseball_on_barrel();

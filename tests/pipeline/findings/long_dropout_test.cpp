@@ -54,7 +54,7 @@ TEST(LongDropout, MayLastToTheEnd) {
   EXPECT_TRUE(found->to_end);
 }
 
-// Shorter ones are replaced.
+// Dropouts of up to 40 samples are predicted and replaced.
 TEST(LongDropout, IsLongerThanWhatCanBePredicted) {
   std::vector<double> x = decay(1900, 0.003, 30000);
   fill(x, 1003, 40, 0);

@@ -67,7 +67,8 @@ TEST_F(HitAgreement, RejectsOneOutlier) {
   }
 }
 
-// A strong hit at another place dominates the FRFs that explain the others: these, too, are explained badly.
+// Each hit is compared with the FRFs of the other hits. A strong hit at another place dominates these FRFs, so the good
+// hits agree with them badly, too.
 TEST_F(HitAgreement, RejectsTheOddHitThoughItIsNotTheWorst) {
   for (const std::size_t odd : {0U, 1U, 3U}) {
     hits_.clear(), force_.clear(), accel_.clear();

@@ -17,8 +17,8 @@ using Bench = test::GuideBench;
 using test::struck_tube;
 using testing::ElementsAre, testing::HasSubstr;
 
-// The first blow has less before it than the others will have.
-TEST(FirstBlows, GivesRowsTheirDecayWhateverTheFirstBlowHas) {
+// Fewer samples precede the first blow than the later ones.
+TEST(FirstBlows, GivesRowsTheirDecayAfterAnEarlyFirstBlow) {
   GuideOptions options;
   options.pretrigger_s = 1;
   Bench bench(struck_tube("0.3, 4, 8", 12), std::move(options));
@@ -56,7 +56,7 @@ TEST(FirstBlows, TellsRingingFromASilentChannel) {
     EXPECT_EQ(bench.marks()[blow], RowMark::still_ringing) << bench.witness.blows[blow].grade.reason;
 }
 
-// A light contact before the samples of the blow: the hammer touched first.
+// The hammer touches lightly 50 ms before the blow, outside the samples that are kept of the blow.
 TEST(FirstBlows, SeesContactsBeforeTheSamples) {
   Bench bench(struck_tube("0.4, 1.9, 3.4", 5));
   for (std::size_t i = 0; i < 3; ++i) {

@@ -62,15 +62,15 @@ TEST(ResponseTest, IsExactWithoutNoise) {
     EXPECT_NEAR(mode.residues[other].value.real(), kModes[m].shape[other] / kModes[m].shape[ref], 1e-6);
     EXPECT_NEAR(mode.residues[other].value.imag(), 0, 1e-6);
     ASSERT_EQ(test.found.modes[m].hits.size(), 3U);
-    // Amplitudes of the hits are in the ratio of the blows.
+    // The amplitudes of the hits are in the ratio of their forces.
     EXPECT_NEAR(std::abs(test.found.modes[m].hits[1].value / test.found.modes[m].hits[0].value), 0.7, 0.05);
   }
-  // The fit begins after the blow, and soon after it.
+  // The fit begins after the pulse, and soon after it.
   EXPECT_GE(test.start_s, 0.8 * kPulse_s);
   EXPECT_LE(test.start_s, 3 * kPulse_s);
 }
 
-TEST(ResponseTest, StatesHonestDeviationsInNoise) {
+TEST(ResponseTest, StatesTrueStandardDeviationsInNoise) {
   const ResponseTest test = analyse_responses(rows(2), {});
   ASSERT_EQ(test.found.modes.size(), kModes.size());
   for (std::size_t m = 0; m < kModes.size(); ++m) {
@@ -81,8 +81,8 @@ TEST(ResponseTest, StatesHonestDeviationsInNoise) {
   }
 }
 
-// One long row with several blows, as an audio recorder writes it.
-TEST(ResponseTest, FindsTheBlowsOfAContinuousRecord) {
+// One long row with several hits, as an audio recorder writes it.
+TEST(ResponseTest, FindsTheHitsOfAContinuousRecord) {
   const std::vector<double> onsets_s{0.3, 1.4, 2.2};
   std::vector<std::vector<double>> channels(2, std::vector<double>(static_cast<std::size_t>(3.5 * kFs_Hz)));
   for (const double onset_s : onsets_s) add_hit(onset_s, 100, channels);

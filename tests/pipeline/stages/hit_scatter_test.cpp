@@ -56,7 +56,7 @@ std::vector<std::string> warnings_of(const Analysis& analysis) {
 
 // The frequency differs between the hits and follows neither the force nor the order; the ± of each hit's mode contains
 // this scatter.
-TEST(HitScatter, IsPartOfTheDeviationsOfSingleHits) {
+TEST(HitScatter, IsPartOfTheStandardDeviationsOfSingleHits) {
   constexpr std::array kOff{0.0, 1e-3, -1e-3, 2e-3, -2e-3};  // relative to the frequency; standard deviation 1.58e-3
   const auto modes = [&](std::size_t hit) { return Modes{.first_Hz = kFirst_Hz * (1 + kOff.at(hit))}; };
   const Analysis analysis(record_of(modes, kOff.size(), 1), band());

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kWeak_Hz = 620.4;
 
-// The modes after a search at the weak mode of this bandwidth, when only the strong mode is known.
+// The modes after a search at the weak mode, when only the strong mode is known. The phase of the weak mode advances by
+// `turns` from hit to hit.
 std::vector<identify::Mode> modes_after_search(std::size_t hits, double turns, double half_power_Hz = 2) {
   const test::HitsWithPhases test(test::mode_at(kWeak_Hz, half_power_Hz, 1), hits, turns);
   std::vector<identify::Mode> modes = {test.strong};

@@ -38,7 +38,7 @@ TEST(UnmodelledPoleWarnings, CountThePolesBeyondTheirLimit) {
   EXPECT_TRUE(unmodelled_pole_warnings(poles, {200.0, 300.0}).empty());
 }
 
-// Half-power bandwidths of 40 Hz, 50 Hz apart; two are known to hardly better than that.
+// Modes 50 Hz apart with half-power bandwidths of 40 Hz. Two of the frequencies are known only to 25 Hz.
 TEST(CrowdWarnings, NameTheOverlapAndTheModesThatAreHardlyKnown) {
   std::vector<identify::Mode> modes(16);
   for (std::size_t m = 0; m < modes.size(); ++m) {

@@ -110,7 +110,7 @@ TEST_F(AnalysisPage, DrawsThePolesThatNoModeDescribes) {
   EXPECT_THAT(page, HasSubstr("stabilisation diagrams of sections of the band show stable poles"));
   const auto unmodelled_Hz = data_of(page)["stabilisation"]["unmodelled_hz"];
   ASSERT_EQ(unmodelled_Hz.size(), 1U);
-  EXPECT_NEAR(unmodelled_Hz[0].get<double>(), 400, 4) << "a hundredth, an eighth of the bandwidth";
+  EXPECT_NEAR(unmodelled_Hz[0].get<double>(), 400, 4) << "1 % of the frequency, a sixteenth of the bandwidth";
   const auto chart = run_percuss({"analyze", folder_.file("broad.h5"), "--band", "60:1500", "--effort", "quick",
                                   "--picture", "stabilisation", "-o", folder_.file("broad.svg")});
   EXPECT_EQ(chart.code, 0) << chart.err;

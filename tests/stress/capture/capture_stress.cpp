@@ -49,7 +49,7 @@ double memory_MB(const std::string& name) {
   return 0;
 }
 
-// Twice: within the ring, and longer than the ring lasts.
+// Two stalls of the reader: one that the ring buffer covers, and a longer one.
 TEST(CaptureStress, LosesNothingInStallsOf10And20Seconds) {
   const ScratchFolder folder;
   CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,accels=6,fs=51200,hits=10,every=3,end=45"),

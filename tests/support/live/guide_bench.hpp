@@ -16,11 +16,11 @@
 
 namespace percuss::test {
 
-/// Keeps what a guide tells.
+/// Records the calls that a Guide makes to its observer.
 struct GuideWitness : pipeline::GuideObserver {
   std::vector<pipeline::BlowReport> blows;
   std::vector<acquire::CaptureFinding> faults;
-  std::vector<std::string> order;  // what was told: "blow 1", "gap"
+  std::vector<std::string> order;  // of the calls: "blow 1", "gap"
   std::size_t left_out = 0, goals = 0, silent_hammers = 0;
   std::vector<std::size_t> undone;  // by each command
   std::vector<pipeline::LongPush> long_pushes;

@@ -15,7 +15,7 @@ struct MemoryLog : acquire::SessionLog {
   void append_event(const std::string& json) override { events.push_back(json); }
 };
 
-/// A record's first row as the frames of a device: the force, then the responses, in SI units.
+/// A row of a record as the frames of a device: the force, then the responses, in SI units.
 struct LiveSource {
   acquire::StreamFormat format;
   std::vector<double> values;  // [frames × channels]
@@ -25,8 +25,8 @@ struct LiveSource {
   acquire::SampleBlock block(std::size_t first, std::size_t count) const;
 };
 
-/// A tube of three modes at 4096 Hz that one long row shows being struck at these times: 200 Hz and 450 Hz bending,
-/// 700 Hz hoop. `more` is added to the spec.
+/// One long row, sampled at 4096 Hz, of a tube that is struck at these times. Its modes: 200 Hz and 450 Hz (bending),
+/// 700 Hz (hoop). `more` is added to the spec.
 acquire::Record struck_tube(const std::string& times_s, double duration_s, const std::string& more = "");
 
 }  // namespace percuss::test

@@ -17,8 +17,8 @@ void leave_raw_mode();
 /// Whether the process was stopped and goes on, since the last call.
 bool has_continued();
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP ask the session to finish. A second one, more than half a second later,
-/// has its effect of before, which normally ends the process, after the terminal's mode is restored. Writing to a
+/// While it lives, SIGINT, SIGTERM and SIGHUP ask the session to finish. A second signal, more than half a second
+/// later, restores the terminal's mode and takes its previous action, which normally ends the process. Writing to a
 /// closed pipe is an error, not a signal.
 class SessionSignals {
  public:

@@ -123,7 +123,7 @@ void RecordScreen::update(const pipeline::Guide& guide) {
 void RecordScreen::on_blow(const pipeline::BlowReport& blow) {
   if (blow.repeated) return;
   note(pipeline::blow_text(blow, guide_->channels(), plan_));
-  if (silent_) return;  // of the journal
+  if (silent_) return;  // replayed from the journal
   terminal_.bell();
   ask_ = ask_ || blow.grade.accepted();
 }
@@ -145,8 +145,8 @@ void RecordScreen::on_length(std::size_t samples, bool cut_short) {
   if (silent_) return;
   const std::string length = fmt::format("  each blow takes {:.2f} s", static_cast<double>(samples) / fs_Hz_);
   note(cut_short ? length +
-                       ": the first blow was cut short before its decay had ended; for longer ones, begin anew and "
-                       "wait after it, or state the length"
+                       ": the first blow was cut short before its decay had ended; to record longer blows, start a "
+                       "new session and let the first one decay, or state the length"
                  : length);
 }
 

@@ -16,7 +16,7 @@ struct SoundCardInput {
 std::vector<SoundCardInput> sound_card_inputs(const std::string& proc_asound = "/proc/asound",
                                               const std::string& dev_snd = "/dev/snd");
 
-/// Why the card that a name means cannot be opened: "hw:1,0", alone or in brackets after other words.
+/// Throws if the card cannot be opened. `name` is "hw:1,0", or ends in it in brackets: "485B39: USB Audio (hw:1,0)".
 /// errors  InputError: no permission; busy
 void check_card_is_free(const std::vector<SoundCardInput>& cards, const std::string& name);
 

@@ -104,7 +104,7 @@ TEST(ReadFrfText, TakesTheColumnBeforeAPhaseForItsMagnitude) {
   EXPECT_THAT(refusal("frequency,csd,phase\n0,1,1\n1,1,1\n"), HasSubstr("no partner"));
 }
 
-// Degrees change by 180 at a resonance.
+// Phases within ±π that span more than π/2, as at a resonance, are radians. Other phases are degrees.
 TEST(ReadFrfText, TellsRadiansFromDegrees) {
   const auto radians = read("Hz,mag,phase\n0,1,0\n1,10,1.570796\n2,100,-3.14159\n");
   EXPECT_LE(std::abs(radians.frfs[0].value[1] - Complex(0, 10)), 1e-5);

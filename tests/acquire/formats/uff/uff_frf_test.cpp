@@ -75,7 +75,7 @@ TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
   EXPECT_EQ(record.kind, acquire::FrfKind::accelerance);
 }
 
-// The response and the reference of an FRF at one node, in one direction.
+// A driving point has response and reference at the same node, in the same direction.
 TEST(UffFrf, NamesDrivingPoints) {
   std::string text;
   for (const int node : {4, 9}) {

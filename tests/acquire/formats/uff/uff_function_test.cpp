@@ -221,7 +221,7 @@ TEST(UffContents, ReadsNodesOfBothKindsInTheirUnitsAndSystems) {
   EXPECT_TRUE(std::isnan(geometry[0][0]));
 }
 
-// Systems 1 (global) and 3 (rotated) by data set 2420, which is not read.
+// Data set 2420 defines the systems 1 (equal to the global system) and 3 (rotated). Only the first is understood.
 TEST(UffContents, LeavesOutNodesInSystemsThatItDoesNotRead) {
   const auto row = [](double x, double y, double z) { return fmt::format("{:25.16E}{:25.16E}{:25.16E}\n", x, y, z); };
   const std::string origin = row(0, 0, 0);
