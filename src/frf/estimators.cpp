@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/math/complex.hpp"
+#include "core/math/wide_loops.hpp"
 
 namespace percuss::frf {
 namespace {
@@ -29,6 +30,18 @@ double rms_ratio(const CrossSpectra& spectra) {
   const double ff = std::accumulate(spectra.ff.begin(), spectra.ff.end(), 0.0);
   const double aa = std::accumulate(spectra.aa.begin(), spectra.aa.end(), 0.0);
   return aa > 0 ? std::sqrt(aa / ff) : 1;
+}
+
+// Adds the spectra of a hit at the lines first … end − 1.
+PERCUSS_WIDE_LOOPS void add_hit(const Complex* f, const Complex* a, std::size_t first, std::size_t end,
+                                CrossSpectra& sum) {
+  double *ff = sum.ff.data(), *aa = sum.aa.data();
+  Complex* fa = sum.fa.data();
+  for (std::size_t k = first; k < end; ++k) {
+    ff[k] += std::norm(f[k]);
+    aa[k] += std::norm(a[k]);
+    fa[k] += conj_times(f[k], a[k]);
+  }
 }
 
 }  // namespace
@@ -60,11 +73,7 @@ CrossSpectra cross_spectra(std::span<const std::span<const Complex>> force,
       const auto f = force[h];
       const auto a = accel[h];
       assert(f.size() == lines && a.size() == lines);
-      for (std::size_t k = first; k < end; ++k) {
-        sum.ff[k] += std::norm(f[k]);
-        sum.aa[k] += std::norm(a[k]);
-        sum.fa[k] += conj_times(f[k], a[k]);
-      }
+      add_hit(f.data(), a.data(), first, end, sum);
     }
   }
   return sum;

@@ -47,7 +47,7 @@ def calibrate(
         computes.
     mass : float in kg
         Set the free mass, including its accelerometer.
-    fs : float in Hz, optional
+    fs : float or str in Hz, optional
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
     trigger : float, optional

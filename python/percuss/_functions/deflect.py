@@ -5,7 +5,7 @@ from typing import Literal, Sequence
 
 from .._call import command_function, of_data
 from .._results import Deflection
-from .._types import Assignments, Band, Data, File, Numbers, Quantities, Quantity, Range, Rate, Texts
+from .._types import Assignments, Band, Data, File, Numbers, Path, Quantities, Quantity, Range, Rate, Texts
 
 
 @command_function("deflect", "deflect")
@@ -62,7 +62,7 @@ def deflect(
     operator: str | None = None,
     specimen: str | None = None,
     note: str | None = None,
-    logo: File | None = None,
+    logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
 ) -> Deflection:
     """Compute the deflection under an impact from the acceleration at the struck point.
@@ -101,7 +101,7 @@ def deflect(
     beam : dict or str, optional
         Compare modes and deflections with this beam of percuss model: ei, rho_a, torsion, length,
         support, ball_mass, speed, hertz.
-    fs : float in Hz, optional
+    fs : float or str in Hz, optional
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
     band : (low, high), optional
@@ -163,7 +163,7 @@ def deflect(
         State what was tested on the page.
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
-    logo : path, array, dict or Result, optional
+    logo : path, optional
         Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.

@@ -5,7 +5,7 @@ from typing import Literal, Sequence
 
 from .._call import command_function, of_data
 from .._tests import AveragedFrf
-from .._types import Band, Data, File, Numbers, Quantities, Rate, Texts
+from .._types import Band, Data, File, Numbers, Path, Quantities, Rate, Texts
 
 
 @command_function("frf", "frf")
@@ -52,7 +52,7 @@ def frf(
     operator: str | None = None,
     specimen: str | None = None,
     note: str | None = None,
-    logo: File | None = None,
+    logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
     kind: Literal["accelerance", "mobility", "receptance"] | None = None,
 ) -> AveragedFrf:
@@ -69,7 +69,7 @@ def frf(
         acceleration in m/s², with `fs`, in the shapes that `Record` takes; or records; or FRFs.
         Arrays are not copied: do not change them before the function returns, or while the result
         still computes.
-    fs : float in Hz, optional
+    fs : float or str in Hz, optional
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
     band : (low, high), optional
@@ -131,7 +131,7 @@ def frf(
         State what was tested on the page.
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
-    logo : path, array, dict or Result, optional
+    logo : path, optional
         Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.

@@ -40,7 +40,7 @@ def info(
     ----------
     *paths : path
         Files of any kind that `read` accepts.
-    fs : float in Hz, optional
+    fs : float or str in Hz, optional
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
     df : float in Hz, optional

@@ -5,7 +5,7 @@ from typing import Literal
 
 from .._call import command_function, of_documents
 from .._results import Result
-from .._types import File
+from .._types import File, Path
 
 
 @command_function("metrics.certify", "certify")
@@ -21,7 +21,7 @@ def certify(
     operator: str | None = None,
     specimen: str | None = None,
     note: str | None = None,
-    logo: File | None = None,
+    logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Check a bat's test session: valid shots, next impact position, verdict.
@@ -50,7 +50,7 @@ def certify(
         State what was tested on the page.
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
-    logo : path, array, dict or Result, optional
+    logo : path, optional
         Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.

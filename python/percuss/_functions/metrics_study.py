@@ -21,7 +21,7 @@ def study(
     operator: str | None = None,
     specimen: str | None = None,
     note: str | None = None,
-    logo: File | None = None,
+    logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
     keep_formulas: bool = False,
 ) -> Result:
@@ -58,7 +58,7 @@ def study(
         State what was tested on the page.
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
-    logo : path, array, dict or Result, optional
+    logo : path, optional
         Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.

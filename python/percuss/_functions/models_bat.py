@@ -5,7 +5,7 @@ from typing import Literal, Sequence
 
 from .._call import command_function, of_documents
 from .._results import Result
-from .._types import File, Numbers, Quantity, Range
+from .._types import File, Numbers, Path, Quantity, Range
 
 _Fit = Literal["young", "shear", "density", "torsion", "added-mass"]
 
@@ -45,7 +45,7 @@ def bat(
     operator: str | None = None,
     specimen: str | None = None,
     note: str | None = None,
-    logo: File | None = None,
+    logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Predict the modes of a bat from its profile, and exit speeds along it.
@@ -130,7 +130,7 @@ def bat(
         State what was tested on the page.
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
-    logo : path, array, dict or Result, optional
+    logo : path, optional
         Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.

@@ -5,7 +5,7 @@ from typing import Literal, Sequence
 
 from .._call import command_function, of_documents
 from .._results import Result
-from .._types import File, Numbers, Quantity, Range
+from .._types import File, Numbers, Path, Quantity, Range
 
 _Fit = Literal["ei", "torsion", "rho-a", "young", "shear", "density", "added-mass"]
 
@@ -41,7 +41,7 @@ def beam(
     operator: str | None = None,
     specimen: str | None = None,
     note: str | None = None,
-    logo: File | None = None,
+    logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Predict natural frequencies, nodes and shapes of a beam.
@@ -118,7 +118,7 @@ def beam(
         State what was tested on the page.
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
-    logo : path, array, dict or Result, optional
+    logo : path, optional
         Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.

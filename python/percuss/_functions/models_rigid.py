@@ -5,7 +5,7 @@ from typing import Literal
 
 from .._call import command_function, of_documents
 from .._results import Result
-from .._types import File, Quantity, Range
+from .._types import Path, Quantity, Range
 
 
 @command_function("models.rigid", "model rigid")
@@ -26,7 +26,7 @@ def rigid(
     operator: str | None = None,
     specimen: str | None = None,
     note: str | None = None,
-    logo: File | None = None,
+    logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Predict the exit speed of a ball from a rigid bat at each impact position.
@@ -68,7 +68,7 @@ def rigid(
         State what was tested on the page.
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
-    logo : path, array, dict or Result, optional
+    logo : path, optional
         Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.

@@ -5,7 +5,7 @@ from typing import Literal
 
 from .._call import command_function, of_documents
 from .._results import Result
-from .._types import File, Quantity, Range
+from .._types import Path, Quantity, Range
 
 
 @command_function("models.shell", "model shell")
@@ -26,7 +26,7 @@ def shell(
     operator: str | None = None,
     specimen: str | None = None,
     note: str | None = None,
-    logo: File | None = None,
+    logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
 ) -> Result:
     """Predict hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Flügge.
@@ -69,7 +69,7 @@ def shell(
         State what was tested on the page.
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
-    logo : path, array, dict or Result, optional
+    logo : path, optional
         Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.

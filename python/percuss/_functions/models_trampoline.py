@@ -5,7 +5,7 @@ from typing import Literal, Sequence
 
 from .._call import command_function, of_documents
 from .._results import Result
-from .._types import Assignments, File, Numbers, Quantity, Range
+from .._types import Assignments, File, Numbers, Path, Quantity, Range
 
 
 @command_function("models.trampoline", "model trampoline")
@@ -33,7 +33,7 @@ def trampoline(
     operator: str | None = None,
     specimen: str | None = None,
     note: str | None = None,
-    logo: File | None = None,
+    logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
     keep_formulas: bool = False,
 ) -> Result:
@@ -94,7 +94,7 @@ def trampoline(
         State what was tested on the page.
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
-    logo : path, array, dict or Result, optional
+    logo : path, optional
         Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.

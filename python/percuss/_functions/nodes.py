@@ -5,7 +5,7 @@ from typing import Literal, Sequence
 
 from .._call import command_function, of_data
 from .._results import Nodes
-from .._types import Band, Data, File, Numbers, Quantities, Range, Rate, Texts
+from .._types import Band, Data, File, Numbers, Path, Quantities, Range, Rate, Texts
 
 
 @command_function("nodes", "nodes")
@@ -53,7 +53,7 @@ def nodes(
     operator: str | None = None,
     specimen: str | None = None,
     note: str | None = None,
-    logo: File | None = None,
+    logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
 ) -> Nodes:
     """Locate the nodes of bending modes from a scan of impacts.
@@ -73,7 +73,7 @@ def nodes(
         Set the positions of the hits from the end of the barrel, in the order of points or files: a
         range or a list such as 3,3.5,5in; in inches unless a unit (in, m, mm, cm, ft) follows
         (default: from the record's geometry).
-    fs : float in Hz, optional
+    fs : float or str in Hz, optional
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
     band : (low, high), optional
@@ -135,7 +135,7 @@ def nodes(
         State what was tested on the page.
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
-    logo : path, array, dict or Result, optional
+    logo : path, optional
         Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.

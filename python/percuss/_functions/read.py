@@ -34,7 +34,7 @@ def read(
     ----------
     *paths : path
         HDF5, MAT, UFF, LabVIEW, sound, CSV or text.
-    fs : float in Hz, optional
+    fs : float or str in Hz, optional
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
     df : float in Hz, optional

@@ -54,12 +54,18 @@ InterpolationWeights interpolation_weights() {
   return weights;
 }
 
-// Band-limited interpolation: a short pulse has few samples near its top.
+// Band-limited interpolation: a short pulse has few samples near its top. Only between the samples beside the largest
+// that are below kLow of it; the others are not looked at.
 std::vector<double> interpolated(const std::vector<double>& x) {
   static const InterpolationWeights weights = interpolation_weights();
-  std::vector<double> out((x.size() - 1) * kOversampling + 1);
+  auto begin = static_cast<std::size_t>(std::max_element(x.begin(), x.end()) - x.begin());
+  std::size_t last = begin;
+  const double low = kLow * x[begin];
+  while (begin > 0 && x[begin] >= low) --begin;
+  while (last + 1 < x.size() && x[last] >= low) ++last;
+  std::vector<double> out((last - begin) * kOversampling + 1);
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const std::size_t at = i / kOversampling, step = i % kOversampling;
+    const std::size_t at = begin + i / kOversampling, step = i % kOversampling;
     if (step == 0) {
       out[i] = x[at];
       continue;

@@ -212,8 +212,7 @@ void SandboxProcess::report_crash() {
     reaped = ended(status);
     if (reaped < 0 && fork_server_ != nullptr) {
       child_ = -1;
-      throw MachineFault("the process that starts the readers has ended", path_,
-                         "open the file again, or trust the input", {"trust_input"});
+      report_no_process();  // the fork server could not start one, or has ended
     }
     if (reaped != child_) ::usleep(10'000);
   }

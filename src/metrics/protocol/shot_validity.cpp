@@ -31,8 +31,7 @@ void check_bat_readings(const SessionBat& bat, std::vector<ProtocolFinding>& rea
   BatMetrics metrics;
   if (bat.weight_oz) readings.mass_kg = UncertainValue(*bat.weight_oz * kOunce_kg);
   if (bat.moi_ozin2) readings.moi_kgm2 = metrics.moi_kgm2 = UncertainValue(*bat.moi_ozin2 * kOunceInch2_kgm2);
-  for (const MetricsWarning& warning : implausible_values(readings, metrics))
-    reasons.push_back({warning.code, warning.message});
+  for (const auto& found : implausible_values(readings, metrics)) reasons.push_back({found.code, found.message});
 }
 
 void check_ball(const SessionShot& shot, BallUse& ball, const ProtocolLimits& limits,

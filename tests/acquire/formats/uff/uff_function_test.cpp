@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "acquire/formats/uff/uff_contents.hpp"
+#include "core/error.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/uff_text.hpp"
@@ -213,7 +214,7 @@ TEST(UffContents, ReadsNodesOfBothKindsInTheirUnitsAndSystems) {
   EXPECT_THAT(contents.nodes_m.at(5), ElementsAre(-0.001, -0.001, 2));
   EXPECT_THAT(contents.nodes_m.at(12), ElementsAre(1, 0.002, 0)) << "SI is the stored value divided by its factor";
   EXPECT_THAT(uff_trace_lines(contents, 1), ElementsAre(TraceLine{4, 11}));
-  EXPECT_THAT(uff_notes(contents), ElementsAre(Message("data sets not used: 9999 (1)")));
+  EXPECT_THAT(uff_notes(contents), ElementsAre(information("data sets not used: 9999 (1)")));
   std::vector<Message> notes;
   const auto geometry = uff_geometry(contents, 0, notes);
   ASSERT_EQ(geometry.size(), 13U);
