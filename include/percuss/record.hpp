@@ -70,21 +70,20 @@ enum class FrfKind { accelerance, mobility, receptance };
 /// The user's statements about a file. Each overrides what the file states.
 struct ReadOptions {
   std::optional<double> fs_Hz{};
-  std::string fs_variable{};                       // the variable of a MAT file that holds the rate
-  std::optional<double> df_Hz{};                   // spacing of FRFs, for files that do not state it
-  std::string force_channel{};                     // name of the column, or number, counted from 1
-  std::vector<std::string> accel_channel{};        // likewise, in the order wanted
-  std::string force_unit{};                        // of the stored forces: "lbf", "V"
-  std::string unit{};                              // of the stored accelerations: "g", "cm/s2", "V"
-  std::vector<double> force_scale{};               // N per stored unit; one for all files or one per file
-  std::vector<double> accel_scale{};               // m/s² per stored unit; one for all or one per channel
-  std::optional<double> force_sensitivity_VpN{};   // for forces stored in volts
-  std::vector<double> accel_sensitivity_Vpmps2{};  // for accelerations in volts; one for all or one per channel
-  std::vector<double>
-      pressure_sensitivity_VpPa{};  // for sound pressures in volts, in a test without force; one or one per channel
-  std::vector<double> angle_rad{}, position_m{};  // per acceleration channel
-  std::string setup{};                            // path of a channel set-up, JSON
-  std::optional<FrfKind> frf_kind{};              // of a file of FRFs
+  std::string fs_variable{};                        // the variable of a MAT file that holds the rate
+  std::optional<double> df_Hz{};                    // spacing of FRFs, for files that do not state it
+  std::string force_channel{};                      // name of the column, or number, counted from 1
+  std::vector<std::string> accel_channel{};         // likewise, in the order wanted
+  std::string force_unit{};                         // of the stored forces: "lbf", "V"
+  std::string unit{};                               // of the stored accelerations: "g", "cm/s2", "V"
+  std::vector<double> force_scale{};                // N per stored unit; one for all files or one per file
+  std::vector<double> accel_scale{};                // m/s² per stored unit; one for all or one per channel
+  std::optional<double> force_sensitivity_VpN{};    // for forces stored in volts
+  std::vector<double> accel_sensitivity_Vpmps2{};   // for accelerations in volts; one for all or one per channel
+  std::vector<double> pressure_sensitivity_VpPa{};  // for microphones in volts, in a test without force; one or several
+  std::vector<double> angle_rad{}, position_m{};    // per acceleration channel
+  std::string setup{};                              // path of a channel set-up, JSON
+  std::optional<FrfKind> frf_kind{};                // of a file of FRFs
   FileGrouping files = FileGrouping::automatic;
   bool force_optional = false;  // accept a file without force, for deflections
   bool trust_input = false;     // read MAT, HDF5 and sound files in this process, not in a sandbox

@@ -8,7 +8,7 @@
 namespace percuss {
 inline namespace core {
 
-/// A message that only informs.
+/// A message that states only how something was read or done: nothing is in doubt.
 inline Message information(std::string text) {
   Message message(std::move(text));
   message.information = true;

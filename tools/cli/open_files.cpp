@@ -92,14 +92,15 @@ bool is_no_record(const std::exception_ptr& error) {
   }
 }
 
-// A table of something else beside the records of a folder: a command that reads it as a record would be wrong advice.
+// Refuses a table of something else, such as a set-up, beside the records of a folder. The error of the file alone
+// would suggest a command that reads it as a record.
 void refuse_beside_others(const std::exception_ptr& error, const std::string& path) {
   try {
     std::rethrow_exception(error);
   } catch (const acquire::AmbiguousColumns& ambiguous) {
     throw InputError(ambiguous.problem(), path,
                      "if it is no test as the other files of the folder are, move it, or name those by a pattern");
-  } catch (...) {
+  } catch (...) {  // another error stays as it is
   }
 }
 

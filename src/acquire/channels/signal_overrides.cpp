@@ -103,12 +103,11 @@ SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* 
   return choice;
 }
 
-void note_other_rate(double file_Hz, double used_Hz, std::vector<Message>& notes) {
+void note_other_rate(const std::string& source, double file_Hz, double stated_Hz, std::vector<Message>& notes) {
   constexpr double kSame = 0.01;
-  if (!(file_Hz > 0) || std::abs(used_Hz / file_Hz - 1) <= kSame) return;
-  notes.emplace_back(
-      fmt::format("the file states {:.6g} Hz; the rate of {:.6g} Hz is used, as requested", file_Hz, used_Hz),
-      std::vector<OptionId>{"fs"});
+  if (!(file_Hz > 0) || std::abs(file_Hz / stated_Hz - 1) <= kSame) return;
+  notes.emplace_back(fmt::format("{} gives {:.6g} Hz; the stated rate is used", source, file_Hz),
+                     std::vector<OptionId>{"fs"});
 }
 
 Quantity response_quantity(const SignalInfo& signal, const SignalOverrides& choice, bool has_force) {

@@ -28,8 +28,9 @@ SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* 
 SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
                                 std::size_t count);
 
-/// Notes that the sampling rate in use differs by more than 1 % from the rate that the file states (0: none).
-void note_other_rate(double file_Hz, double used_Hz, std::vector<Message>& notes);
+/// Notes that the user's sampling rate differs by more than 1 % from the rate of the file (0 or less: none). `source`:
+/// what gives the file's rate, "the column t_s".
+void note_other_rate(const std::string& source, double file_Hz, double stated_Hz, std::vector<Message>& notes);
 
 /// What a response measures: a pressure, if its unit or its sensitivity says so and no force was recorded (a
 /// microphone); else an acceleration. FRFs of a pressure have other units than percuss states.

@@ -170,7 +170,7 @@ Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOp
   open->roles = roles;
   const std::string where = table_name(open->table);
   record.fs_Hz = checked_rate_Hz(options.fs_Hz.value_or(open->table.fs_Hz), where);
-  note_other_rate(open->table.fs_Hz, record.fs_Hz, record.notes);
+  if (options.fs_Hz) note_other_rate("the file", open->table.fs_Hz, record.fs_Hz, record.notes);
   describe_table(*open, options, record);
   if (record.rows.empty()) throw InputError("no samples", where, "record at least one hit");
   for (const RowInfo& row : record.rows) {

@@ -54,8 +54,8 @@ InterpolationWeights interpolation_weights() {
   return weights;
 }
 
-// Band-limited interpolation: a short pulse has few samples near its top. Only between the samples beside the largest
-// that are below kLow of it; the others are not looked at.
+// Band-limited interpolation of the top of a pulse, which has few samples there if it is short. The top reaches to the
+// next sample on either side that is below kLow of the largest one.
 std::vector<double> interpolated(const std::vector<double>& x) {
   static const InterpolationWeights weights = interpolation_weights();
   auto begin = static_cast<std::size_t>(std::max_element(x.begin(), x.end()) - x.begin());

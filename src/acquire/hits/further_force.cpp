@@ -83,8 +83,8 @@ class ForceSearch {
 
   double white_noise_N() const { return noise_N_ / std::sqrt(static_cast<double>(2 * half_ + 1)); }
 
-  // Whether no smoothed force outside the pulse exceeds the least threshold, and no force after it the noise: then
-  // there is nothing to find.
+  // Whether there is nothing to find: outside the pulse, no smoothed force exceeds the least threshold, and after the
+  // pulse, no sample of the force exceeds the noise.
   bool is_noise(std::size_t pulse_end) const {
     const double least = std::max(kNoise * white_noise_N(), kMinFraction * main_);
     const auto before = static_cast<std::size_t>(std::max(0.0, pulse_.rise - guard_));

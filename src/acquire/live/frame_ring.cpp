@@ -113,7 +113,7 @@ void FrameRing::collect_jumps() {
 }
 
 RingRange FrameRing::range_from(std::uint64_t index, std::size_t limit) {
-  const std::uint64_t head = written();  // first: every loss before these frames is then in collect_jumps()
+  const std::uint64_t head = written();  // read first: collect_jumps() then finds every loss before these frames
   collect_jumps();
   const auto after = std::upper_bound(offsets_.begin(), offsets_.end(), index,
                                       [](std::uint64_t at, const Offset& offset) { return at < offset.index; });

@@ -62,7 +62,8 @@ struct ColumnCells {
 std::string with_thousands_separators(std::string_view text, const std::vector<std::string_view>& probes,
                                       const CsvDialect& dialect) {
   std::vector<std::string_view> lines = probes;
-  for (std::size_t n = 0; n < kHeadLines && !text.empty(); ++n) {
+  const char* const end = probes.empty() ? nullptr : probes.back().data();  // the first of the probes in the text
+  for (std::size_t n = 0; n < kHeadLines && !text.empty() && text.data() != end; ++n) {
     const std::string_view line = take_line(text, dialect.line_end);
     if (!is_skipped(line, dialect)) lines.push_back(line);
   }

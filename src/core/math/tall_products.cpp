@@ -45,25 +45,6 @@ PERCUSS_WIDE_LOOPS Complex dot_real(const double* a, const Complex* b, Index n) 
   return {sum[0] + sum[2], sum[1] + sum[3]};
 }
 
-PERCUSS_WIDE_LOOPS void subtract_scaled(Complex* from, const double* column, Complex factor, Index n) {
-  auto* to = reinterpret_cast<double*>(from);
-  const double re = factor.real(), im = factor.imag();
-  for (Index k = 0; k < n; ++k) {
-    to[2 * k] -= column[k] * re;
-    to[2 * k + 1] -= column[k] * im;
-  }
-}
-
-PERCUSS_WIDE_LOOPS void subtract_scaled(Complex* from, const Complex* column, Complex factor, Index n) {
-  auto* to = reinterpret_cast<double*>(from);
-  const double* c = parts_of(column);
-  const double re = factor.real(), im = factor.imag();
-  for (Index k = 0; k < n; ++k) {
-    to[2 * k] -= c[2 * k] * re - c[2 * k + 1] * im;
-    to[2 * k + 1] -= c[2 * k] * im + c[2 * k + 1] * re;
-  }
-}
-
 // task(j) for every column of `matrix`; `others` columns are multiplied with each.
 template <class Task>
 void over_columns(const MatrixXcd& matrix, Index others, const Task& task) {
@@ -74,6 +55,31 @@ void over_columns(const MatrixXcd& matrix, Index others, const Task& task) {
 }
 
 }  // namespace
+
+PERCUSS_WIDE_LOOPS void add_scaled(Complex* to, double factor, const Complex* column, std::size_t count) {
+  auto* sum = reinterpret_cast<double*>(to);
+  const double* c = parts_of(column);
+  for (std::size_t k = 0; k < 2 * count; ++k) sum[k] += factor * c[k];
+}
+
+PERCUSS_WIDE_LOOPS void add_scaled(Complex* to, Complex factor, const double* column, std::size_t count) {
+  auto* sum = reinterpret_cast<double*>(to);
+  const double re = factor.real(), im = factor.imag();
+  for (std::size_t k = 0; k < count; ++k) {
+    sum[2 * k] += column[k] * re;
+    sum[2 * k + 1] += column[k] * im;
+  }
+}
+
+PERCUSS_WIDE_LOOPS void add_scaled(Complex* to, Complex factor, const Complex* column, std::size_t count) {
+  auto* sum = reinterpret_cast<double*>(to);
+  const double* c = parts_of(column);
+  const double re = factor.real(), im = factor.imag();
+  for (std::size_t k = 0; k < count; ++k) {
+    sum[2 * k] += c[2 * k] * re - c[2 * k + 1] * im;
+    sum[2 * k + 1] += c[2 * k] * im + c[2 * k + 1] * re;
+  }
+}
 
 MatrixXcd adjoint_product(const MatrixXcd& left, const MatrixXcd& right) {
   MatrixXcd out(left.cols(), right.cols());
@@ -110,14 +116,14 @@ MatrixXcd transposed_product(const MatrixXd& left, const MatrixXcd& right) {
 void subtract_product(MatrixXcd& from, const MatrixXcd& columns, const MatrixXcd& factors) {
   over_columns(from, columns.cols(), [&](Index j) {
     for (Index i = 0; i < columns.cols(); ++i)
-      subtract_scaled(from.col(j).data(), columns.col(i).data(), factors(i, j), from.rows());
+      add_scaled(from.col(j).data(), -factors(i, j), columns.col(i).data(), static_cast<std::size_t>(from.rows()));
   });
 }
 
 void subtract_product(MatrixXcd& from, const MatrixXd& columns, const MatrixXcd& factors) {
   over_columns(from, columns.cols(), [&](Index j) {
     for (Index i = 0; i < columns.cols(); ++i)
-      subtract_scaled(from.col(j).data(), columns.col(i).data(), factors(i, j), from.rows());
+      add_scaled(from.col(j).data(), -factors(i, j), columns.col(i).data(), static_cast<std::size_t>(from.rows()));
   });
 }
 
@@ -135,7 +141,7 @@ ColumnFit fit_columns(const MatrixXcd& columns, const MatrixXcd& inverse_gram, c
       shares = inverse_gram.lazyProduct(shares).eval();
       fit.amplitude.col(j) += shares;
       for (Index i = 0; i < columns.cols(); ++i)
-        subtract_scaled(left.data(), columns.col(i).data(), shares(i), left.size());
+        add_scaled(left.data(), -shares(i), columns.col(i).data(), static_cast<std::size_t>(left.size()));
     }
   });
   return fit;

@@ -26,6 +26,12 @@ Eigen::MatrixXcd transposed_product(const Eigen::MatrixXd& left, const Eigen::Ma
 void subtract_product(Eigen::MatrixXcd& from, const Eigen::MatrixXcd& columns, const Eigen::MatrixXcd& factors);
 void subtract_product(Eigen::MatrixXcd& from, const Eigen::MatrixXd& columns, const Eigen::MatrixXcd& factors);
 
+/// to += factor · column. shapes: to [count], column [count].
+void add_scaled(std::complex<double>* to, double factor, const std::complex<double>* column, std::size_t count);
+void add_scaled(std::complex<double>* to, std::complex<double> factor, const double* column, std::size_t count);
+void add_scaled(std::complex<double>* to, std::complex<double> factor, const std::complex<double>* column,
+                std::size_t count);
+
 struct ColumnFit {
   Eigen::MatrixXcd amplitude;  // [a, outputs]
   Eigen::MatrixXcd residual;   // [n, outputs]

@@ -16,8 +16,8 @@
 namespace percuss {
 inline namespace core {
 
-/// Four numbers for one operation of such a processor, two of others. Functions neither take nor return them: the
-/// calling convention depends on the processor.
+/// Four numbers, which AVX2 adds or multiplies in one operation, and other processors in two. No function takes or
+/// returns them: the calling convention depends on the processor.
 using FourDoubles = double __attribute__((vector_size(32)));
 
 }  // namespace core

@@ -16,8 +16,7 @@ using Eigen::Index;
 // Normal deviate of χ²; without scatter, one value in 1000 exceeds it.
 constexpr double kSignificantScatter = 3.1;
 constexpr double kMinDampingSignificance = 3;  // standard deviations; below them the oscillation counts as a tone
-constexpr double kMaxLinear =
-    0.5;  // largest step of a hit's pole, over the decay rate, at which a linear estimate holds
+constexpr double kMaxLinear = 0.5;  // step of a hit's pole over the decay rate: beyond it, a linear estimate fails
 
 struct PoleStd {
   Pole pole;

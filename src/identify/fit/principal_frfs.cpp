@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/math/decompositions.hpp"
-#include "core/math/wide_loops.hpp"
+#include "core/math/tall_products.hpp"
 #include "core/parallel/parallel.hpp"
 #include "identify/noise/line_noise.hpp"
 
@@ -66,12 +66,6 @@ MatrixXd gram_of(const MatrixXd& rows) {
   return gram;
 }
 
-PERCUSS_WIDE_LOOPS void add_scaled(Complex* sum, const Complex* frf, double factor, std::size_t count) {
-  auto* to = reinterpret_cast<double*>(sum);
-  const auto* from = reinterpret_cast<const double*>(frf);
-  for (std::size_t i = 0; i < 2 * count; ++i) to[i] += factor * from[i];
-}
-
 }  // namespace
 
 MatrixXd principal_components(const FrfDataset& set, std::size_t max_components) {
@@ -99,7 +93,7 @@ FrfDataset principal_frfs(const FrfDataset& set, const MatrixXd& components) {
     for (Index i = 0; i < components.cols(); ++i) {
       Complex* const sum = out.channels[static_cast<std::size_t>(i)].frf.data() + first;
       for (Index o = 0; o < components.rows(); ++o)
-        add_scaled(sum, set.channels[static_cast<std::size_t>(o)].frf.data() + first, components(o, i), count);
+        add_scaled(sum, components(o, i), set.channels[static_cast<std::size_t>(o)].frf.data() + first, count);
     }
   });
   out.points.push_back(std::move(force));

@@ -35,7 +35,7 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::v
 /// The sum over the modes in (1) for each FRF, [channels][lines of the set].
 std::vector<Eigen::VectorXcd> modal_sums(const FrfDataset& set, const std::vector<Mode>& modes);
 
-/// The same FRFs from modal_sums() of the set.
+/// synthesised_frfs() from modal_sums() of the same set and modes.
 std::vector<SynthesisedFrf> frfs_from_sums(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& sums,
                                            const acquire::LineRange& band);
 

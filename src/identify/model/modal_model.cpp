@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/math/complex.hpp"
+#include "core/math/tall_products.hpp"
 #include "core/math/wide_loops.hpp"
 #include "core/units.hpp"
 
@@ -158,10 +159,6 @@ PERCUSS_WIDE_LOOPS void add_decay(std::span<Complex> sum, Complex residue, const
   }
 }
 
-PERCUSS_WIDE_LOOPS void add_scaled(std::span<Complex> sum, Complex residue, const Complex* column) {
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += times(residue, column[i]);
-}
-
 }  // namespace
 
 PointForce point_force(std::vector<frf::ForceBlock> blocks, std::vector<frf::Spectrum> spectra,
@@ -273,7 +270,7 @@ ModeValues::ModeValues(const Pole& pole, double window_decay_per_s, const acquir
 }
 
 void ModeValues::add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const {
-  add_scaled(sum, residue, whole_.data());
+  add_scaled(sum.data(), residue, whole_.data(), sum.size());
   if (missing_ && !decays_within_record(pole_, force, lines_)) missing_->add_to(sum, -residue, force);
 }
 

@@ -23,9 +23,9 @@ constexpr double kForceNoise = 8;       // standard deviations of the gain error
 constexpr std::size_t kGainLines = 64;  // lines at most at which the error is computed
 constexpr double kUnknownGain =
     1e-3;  // gain error assumed for an unknown force: typical of a good hammer near its bandwidth
-constexpr double kDynamicRange =
-    1e-5;                          // of the largest line: smaller peaks are within the error of the fit's polynomial
-constexpr double kMinSplit = 0.5;  // bandwidths between two modes after a split …
+// Of the largest line: smaller peaks are within the error of the fit's polynomial.
+constexpr double kDynamicRange = 1e-5;
+constexpr double kMinSplit = 0.5;           // bandwidths between two modes after a split …
 constexpr double kMinResolvedSplit = 0.05;  // … where their residual is only noise
 constexpr double kNoiseAlone =
     1.5;  // ratio of residual to noise: below it, the residual is only noise, without misfit or frequency scatter

@@ -20,7 +20,7 @@ std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::v
 /// Stable poles (stable_poles) within the force's bandwidth and farther than a half-power bandwidth from every mode.
 /// The residual has a resonance there, with a quarter of the energy or more. Ascending.
 std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode>& modes);
-/// The same from modal_sums() of the modes.
+/// The same poles, from modal_sums() of the set and the modes.
 std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode>& modes,
                                    const std::vector<Eigen::VectorXcd>& sums);
 

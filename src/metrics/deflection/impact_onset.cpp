@@ -20,8 +20,8 @@ constexpr std::size_t kFilterRinging = 8;
 constexpr double kSmear_samples = 0.5;  // by which such a filter may shift the start of the rise
 constexpr double kMinPower = 0.5, kMaxPower = 2.5;
 constexpr int kPowers = 9, kTimes = 48, kPasses = 4;
-// Standard deviations of b and d of (1) before the samples are known. A half-sine has b = 0 and
-// d = −0.01; responses of several modes have larger ones.
+// Standard deviations of b and d of (1) before the samples are known. A half-sine has b = 0 and d = −0.01; responses
+// of several modes have larger ones.
 const Eigen::Vector2d kCurvature{0.3, 0.2};
 constexpr double kNegligible = 20;  // in the logarithm of a probability
 

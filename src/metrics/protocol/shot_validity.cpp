@@ -25,7 +25,7 @@ void check_pairs(const std::vector<double>& pairs_mph, const char* code, const c
                                        *high - *low, tolerance_mph)});
 }
 
-// A verdict from a moment of inertia in another unit would be wrong without a sign of it.
+// A moment of inertia in another unit makes the verdict wrong, and no shot shows it.
 void check_bat_readings(const SessionBat& bat, std::vector<ProtocolFinding>& reasons) {
   BatReadings readings{.length_m = UncertainValue(bat.length_in * kInch_m)};
   BatMetrics metrics;

@@ -29,6 +29,7 @@ std::string page_panel(const char* kind, const std::string& description);
 /// A figure with a chart.
 std::string page_chart(const LineChart& chart);
 std::string page_warnings(const std::vector<pipeline::Warning>& warnings);
+/// Version, command and input files. `folded`: for a page whose scripts unfold them on paper.
 std::string page_provenance(const std::vector<acquire::InputFile>& files, const Provenance& provenance,
                             bool folded = true);
 /// A heading for files: the name of the first without its folder, with "and 3 more".

@@ -58,8 +58,11 @@ InputDataSet open_required(const InputHdf5& file, const std::string& name) {
 double read_rate_Hz(const OpenRecord& open, const ReadOptions& options, std::vector<Message>& notes) {
   const InputHdf5& file = open.file;
   if (options.fs_Hz) {
-    if (const auto own = hdf5::number_attribute(file.id(), "fs", file.path() + ": attribute fs", 1))
-      note_other_rate(own->front(), *options.fs_Hz, notes);
+    try {
+      if (const auto own = hdf5::number_attribute(file.id(), "fs", file.path(), 1))
+        note_other_rate("the file", own->front(), *options.fs_Hz, notes);
+    } catch (const InputError&) {  // the stated rate replaces an unusable one
+    }
     return checked_rate_Hz(*options.fs_Hz, "the rate stated");
   }
   std::vector<std::pair<hdf5::Id, std::string>> places{{file.id(), file.path() + ": attribute fs"},

@@ -9,6 +9,7 @@
 
 #include "acquire/channels/role_guess.hpp"
 #include "acquire/formats/mat/mat_description.hpp"
+#include "acquire/formats/mat/mat_matrix_lines.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
 #include "core/io/csv_header.hpp"
 
@@ -24,29 +25,13 @@ bool is_frf_word(const std::string& name) {
   return std::find(kWords.begin(), kWords.end(), lower_case(field_name(name))) != kWords.end();
 }
 
-// The numbers of a matrix with its columns in sequence, whether the lines run down or across.
-struct MatrixRows {
-  std::size_t count = 0, columns = 0;
-  bool across = false;
-
-  std::size_t at(std::size_t line, std::size_t column) const {
-    return across ? line * columns + column : column * count + line;
-  }
-};
-
-std::vector<double> column_of(const std::vector<double>& numbers, const MatrixRows& lines, std::size_t column) {
-  std::vector<double> out(lines.count);
-  for (std::size_t i = 0; i < lines.count; ++i) out[i] = numbers[lines.at(i, column)];
-  return out;
-}
-
 bool counts_by_one(const std::vector<double>& x) { return std::abs(x[1] - x[0] - 1) < 1e-9; }
 
 // The columns from `first` on, lines down.
-std::vector<double> columns_from(const std::vector<double>& numbers, const MatrixRows& lines, std::size_t first) {
+std::vector<double> columns_from(const std::vector<double>& numbers, const MatrixLines& lines, std::size_t first) {
   std::vector<double> out;
-  for (std::size_t c = first; c < lines.columns; ++c) {
-    const std::vector<double> column = column_of(numbers, lines, c);
+  for (std::size_t c = first; c < lines.columns(); ++c) {
+    const std::vector<double> column = lines.column(numbers, c);
     out.insert(out.end(), column.begin(), column.end());
   }
   return out;
@@ -55,25 +40,23 @@ std::vector<double> columns_from(const std::vector<double>& numbers, const Matri
 // The abscissa, which leaves `variable`; nothing where it has none.
 std::vector<double> take_abscissa(MatVariable& variable) {
   if (variable.is_text || variable.shape.size() != 2 || is_own_description(variable.name)) return {};
-  const bool across = variable.shape[1] > variable.shape[0];
-  const MatrixRows lines{
-      .count = variable.shape[across ? 1 : 0], .columns = variable.shape[across ? 0 : 1], .across = across};
-  if (lines.count < kMinRows || lines.columns < 2 || lines.columns > kMaxColumns) return {};
-  std::vector<double> abscissa = column_of(variable.real, lines, 0);
-  const bool frf = variable.is_complex() || (is_frf_word(variable.name) && lines.columns == 3);
+  const MatrixLines lines(variable);
+  if (lines.count() < kMinRows || lines.columns() < 2 || lines.columns() > kMaxColumns) return {};
+  std::vector<double> abscissa = lines.column(variable.real, 0);
+  const bool frf = variable.is_complex() || (is_frf_word(variable.name) && lines.columns() == 3);
   if (!rises_evenly(abscissa) || (!frf && counts_by_one(abscissa))) return {};
   if (variable.is_complex()) {
-    const std::vector<double> imaginary = column_of(variable.imaginary, lines, 0);
+    const std::vector<double> imaginary = lines.column(variable.imaginary, 0);
     if (std::any_of(imaginary.begin(), imaginary.end(), [](double x) { return x != 0; })) return {};
     variable.imaginary = columns_from(variable.imaginary, lines, 1);
   } else if (frf) {
-    variable.imaginary = column_of(variable.real, lines, 2);
-    variable.real = column_of(variable.real, lines, 1);
-    variable.shape = {lines.count, 1};
+    variable.imaginary = lines.column(variable.real, 2);
+    variable.real = lines.column(variable.real, 1);
+    variable.shape = {lines.count(), 1};
     return abscissa;
   }
   variable.real = columns_from(variable.real, lines, 1);
-  variable.shape = {lines.count, lines.columns - 1};
+  variable.shape = {lines.count(), lines.columns() - 1};
   variable.columns_taken = 1;
   return abscissa;
 }

@@ -10,8 +10,11 @@
 #include <utility>
 
 #include "acquire/channels/column_words.hpp"
+#include "acquire/formats/mat/mat_description.hpp"
+#include "acquire/formats/mat/mat_matrix_lines.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
 #include "core/io/csv_header.hpp"
+#include "core/io/parse_number.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -21,19 +24,13 @@ constexpr std::array<std::string_view, 13> kNameLists{
     "channelnames", "signalnames", "columnnames", "columnlabels", "header",  "headers"};
 constexpr std::array<std::string_view, 4> kUnitLists{"unit", "units", "channelunits", "signalunits"};
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
-}
-
 // The rows of a char array, which MATLAB fills with blanks to one length.
 std::vector<std::string> rows_of(const MatVariable& variable) {
   const std::size_t rows = variable.shape.size() == 2 ? variable.shape[0] : 0;
   if (rows < 2 || variable.text.size() != rows * variable.shape[1]) return {};
   std::vector<std::string> out(rows);
   for (std::size_t i = 0; i < variable.text.size(); ++i) out[i % rows] += variable.text[i];
-  for (std::string& row : out) row = trimmed(row);
+  for (std::string& row : out) row = std::string(trimmed(row));
   return out;
 }
 
@@ -51,7 +48,7 @@ std::vector<std::string> list_named(const MatFile& file, std::span<const std::st
       continue;
     }
     list_name = name;
-    texts.push_back(trimmed(variable.text));
+    texts.emplace_back(trimmed(variable.text));
   }
   return texts;
 }
@@ -68,7 +65,7 @@ bool are_names_of_channels(const std::vector<std::string>& names, const MatFile&
 MatVariable* matrix_with(MatFile& file, std::size_t names) {
   MatVariable* found = nullptr;
   for (MatVariable& variable : file.variables) {
-    if (variable.is_text || variable.shape.size() != 2) continue;
+    if (!may_be_signal(variable) || variable.shape.size() != 2) continue;
     const auto [shorter, longer] = std::minmax(variable.shape[0], variable.shape[1]);
     if (shorter == longer || (shorter != names && shorter + variable.columns_taken != names)) continue;
     if (found != nullptr) return nullptr;
@@ -77,33 +74,32 @@ MatVariable* matrix_with(MatFile& file, std::size_t names) {
   return found;
 }
 
-std::vector<double> column_of(const MatVariable& matrix, std::size_t column) {
-  const bool across = matrix.shape[1] > matrix.shape[0];
-  const std::size_t count = std::max(matrix.shape[0], matrix.shape[1]), columns = matrix.size() / count;
-  std::vector<double> out(count);
-  for (std::size_t i = 0; i < count; ++i) out[i] = matrix.real[across ? i * columns + column : column * count + i];
-  return out;
+// Whether the options name the matrix or one of its columns, "data(:,2)".
+bool is_named(const MatVariable& matrix, const ReadOptions& options) {
+  std::vector<std::string> names = options.accel_channels;
+  names.push_back(options.force_channel);
+  for (const ChannelSetup& entry : options.setup) names.push_back(entry.name);
+  const std::string own = lower_case(matrix.name);
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return lower_case(name.substr(0, name.find("(:,"))) == own; });
 }
 
 }  // namespace
 
 void split_named_columns(MatFile& file, const ReadOptions& options) {
-  const auto is_column = [](const std::string& name) { return name.find("(:,") != std::string::npos; };
-  if (is_column(options.force_channel) ||
-      std::any_of(options.accel_channels.begin(), options.accel_channels.end(), is_column))
-    return;
   if (std::any_of(file.variables.begin(), file.variables.end(), [](const MatVariable& v) { return v.is_complex(); }))
     return;
   const std::vector<std::string> names = list_named(file, kNameLists);
   if (!are_names_of_channels(names, file)) return;
   MatVariable* const matrix = matrix_with(file, names.size());
-  if (matrix == nullptr) return;
+  if (matrix == nullptr || is_named(*matrix, options)) return;
   const std::vector<std::string> units = list_named(file, kUnitLists);
-  const std::size_t columns = std::min(matrix->shape[0], matrix->shape[1]), named_times = names.size() - columns;
+  const MatrixLines lines(*matrix);
+  const std::size_t columns = lines.columns(), named_times = names.size() - columns;
   std::vector<MatVariable> split;
   for (std::size_t c = 0; c < columns; ++c) {
     const std::string& name = names[c + named_times];
-    std::vector<double> samples = column_of(*matrix, c);
+    std::vector<double> samples = lines.column(matrix->real, c);
     split.push_back({.name = name, .shape = {samples.size(), 1}, .real = std::move(samples)});
     if (units.size() != names.size() || units[c + named_times].empty()) continue;
     const std::string& unit = units[c + named_times];

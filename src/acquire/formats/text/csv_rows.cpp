@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "acquire/channels/axis_unit.hpp"
+#include "acquire/channels/signal_overrides.hpp"
 #include "acquire/record/point_number.hpp"
 #include "acquire/record/sampling_rate.hpp"
 #include "core/error.hpp"
@@ -172,7 +173,6 @@ double clock_rate_Hz(const CsvTable& table, std::size_t index, const std::vector
 // Notes that the first and the last time of the first row contradict the stated rate.
 void note_other_times(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows, double fs_Hz,
                       std::vector<Message>& notes) {
-  constexpr double kSame = 0.01;
   if (!columns.time || rows.front().info.samples < 2) return;
   const auto to_s = s_per_unit(columns.time->unit);
   const auto time_at = [&](std::size_t line) {
@@ -182,11 +182,9 @@ void note_other_times(const CsvTable& table, const CsvColumns& columns, const st
   const auto last = time_at(rows.front().first_line + rows.front().info.samples - 1);
   if (!to_s || first.problem != NumberProblem::none || last.problem != NumberProblem::none) return;
   const double length_s = (last.value - first.value) * *to_s;
-  const double times_Hz = static_cast<double>(rows.front().info.samples - 1) / length_s;
-  if (!(length_s > 0) || std::abs(times_Hz / fs_Hz - 1) <= kSame) return;
-  notes.emplace_back(
-      fmt::format("the column {} gives {:.6g} Hz; the stated rate is used", columns.time->name, times_Hz),
-      std::vector<OptionId>{"fs"});
+  if (!(length_s > 0)) return;
+  note_other_rate("the column " + columns.time->name, static_cast<double>(rows.front().info.samples - 1) / length_s,
+                  fs_Hz, notes);
 }
 
 }  // namespace

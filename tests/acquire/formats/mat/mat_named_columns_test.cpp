@@ -90,6 +90,7 @@ TEST(MatNamedColumns, StayAMatrixWhereTheNamesDoNotTell) {
   EXPECT_TRUE(unchanged(file_of({force, accel, data(), data("more")}))) << "two matrices";
   EXPECT_TRUE(unchanged(file_of({force, accel, data(), numbers("Acc", {1, 1}, {1})}))) << "a name that is taken";
   EXPECT_TRUE(unchanged(file_of({force, accel, data()}), {.force_channel = "data(:,1)"})) << "a column is asked for";
+  EXPECT_TRUE(unchanged(file_of({force, accel, data()}), {.accel_channels = {"Data"}})) << "the matrix is asked for";
   MatFile frfs = file_of({force, accel, data(), numbers("H", {4, 1}, {1, 2, 3, 4})});
   frfs.variables[3].imaginary = {1, 2, 3, 4};
   EXPECT_TRUE(unchanged(frfs)) << "FRFs";
