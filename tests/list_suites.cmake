@@ -12,7 +12,7 @@ set(long_computations ChannelFindings Examples Help IdentifyModes ImpactOnset La
                       TrampolineFit Tutorial)
 # No other suite runs beside these: they measure time, or read a device that keeps no time and overflows where the reader
 # is late.
-set(timed_suites GuideLatency PortAudio)
+set(timed_suites GuideLatency)
 set(tests "")
 foreach(suite IN LISTS suites)
   string(REGEX MATCH "[^ \n]+\\." suite "${suite}")

@@ -1,15 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <thread>
 #include <vector>
 
-#include "acquire/live/capture_stream.hpp"
+#include "acquire/live/frame_ring.hpp"
 #include "acquire/live/list_devices.hpp"
 #include "acquire/live/open_device.hpp"
 #include "acquire/live/sound_cards/portaudio_library.hpp"
@@ -18,7 +18,7 @@
 #include "support/scratch_folder.hpp"
 
 // PortAudio itself, with ALSA's plug-in `file` in place of a sound card. The plug-in keeps no time, and after the
-// end of its file it repeats its last buffer, so the tests stop by count.
+// end of its file it repeats its last buffer, so the test reads one file of frames.
 namespace percuss::acquire::portaudio_test {
 
 using namespace std::chrono_literals;
@@ -67,24 +67,25 @@ std::unique_ptr<Device> open_bench(const std::string& name,
 
 TEST(PortAudio, DeliversEveryBitOfAnAlsaDevice) {
   const AlsaConfiguration alsa;
-  CaptureStream stream(open_bench("alsa:bench"), {});
-  EXPECT_EQ(stream.format().device, "bench");
-  EXPECT_EQ(stream.format().channels, 2U);
-  EXPECT_EQ(stream.format().fs_Hz, 51200);
-  EXPECT_EQ(stream.format().full_scale, 1);
-  std::size_t frames = 0, wrong = 0;
-  constexpr std::size_t kWanted = kSanitized ? 50000 : 250000;  // a slow reader: ALSA drops frames later
-  while (frames < kWanted && stream.end() == StreamEnd::none) {
-    const auto block = stream.next(500ms);
-    if (!block) continue;
-    if (block->first_frame != frames) break;  // the ring may overflow later: the device keeps no time
-    const std::size_t values = std::min(block->values.size(), 2 * (kWanted - frames));
-    for (std::size_t i = 0; i < values; ++i)
-      wrong += block->values[i] == number(frames + i / 2, i % 2) * 0x1p-31 ? 0U : 1U;
-    frames += block->frames;
-  }
-  stream.stop();
-  EXPECT_GE(frames, kWanted);
+  const auto device = open_bench("alsa:bench");
+  const StreamFormat& format = device->format().stream;
+  EXPECT_EQ(format.device, "bench");
+  EXPECT_EQ(format.channels, 2U);
+  EXPECT_EQ(format.fs_Hz, 51200);
+  EXPECT_EQ(format.full_scale, 1);
+  // A ring that nobody reads keeps the first frames, however fast the device is.
+  FrameRing ring({device->format().type, 2, {0, 1}, {0x1p-31, 0x1p-31}}, kFileFrames);
+  const auto deadline = std::chrono::steady_clock::now() + 60s;
+  device->start(ring);
+  while (ring.written() < kFileFrames && device->check() == StreamEnd::none &&
+         std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(1ms);
+  device->stop();
+  ASSERT_EQ(ring.written(), kFileFrames);
+  std::vector<double> values(2 * kFileFrames);
+  ring.read(0, values);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) wrong += values[i] == number(i / 2, i % 2) * 0x1p-31 ? 0U : 1U;
   EXPECT_EQ(wrong, 0U);
 }
 
