@@ -10,8 +10,7 @@ set(long_suites FuzzCorpus Truncation Limits Study Help ChannelFindings Survey H
 # Long computations. Under the sanitizers, .ci/run leaves them out, and .ci/full runs them.
 set(long_computations ChannelFindings Examples Help IdentifyModes ImpactOnset LargestDeflection Study Survey
                       TrampolineFit Tutorial)
-# No other suite runs beside these: they measure time, or read a device that keeps no time and overflows where the reader
-# is late.
+# No other suite runs beside these: they measure time.
 set(timed_suites GuideLatency)
 set(tests "")
 foreach(suite IN LISTS suites)
