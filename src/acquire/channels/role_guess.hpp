@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxGuessedSignals = 64;  // more than a command li
 /// The largest ratio between the hammer_measure() of two hammers. That of a response is 20 times its hammer's or more.
 inline constexpr double kMaxMeasureRatio = 10;
 /// The largest hammer_measure() of a hammer. A haversine of 5 ms in 0.3 s has 4e-4, the decay of a mode of 2 kHz and 1
-/// % in 1 s has 4e-3.
+/// % in 1 s has 5e-3.
 inline constexpr double kMaxHammerMeasure = 1e-3;
 
 /// The likely force and accelerations of a file that does not name them, as the options accept them. Empty: no guess.
@@ -30,8 +30,8 @@ struct RoleGuess {
   bool frf_table = false;  // the file is a table of FRFs: real and imaginary parts beside a column that rises evenly
 };
 
-/// The share of samples in which a signal lives: (Σ x²)² / (N Σ x⁴), where x is the distance from the median (of 262144
-/// evenly spaced samples at most). A hammer pulse has a few thousandths, a decay more, noise 1/3. 1 for a constant
+/// The share of samples in which a signal is active: (Σ x²)² / (N Σ x⁴), where x is the distance from the median (of at
+/// most 262144 evenly spaced samples). A hammer pulse has a few thousandths, a decay more, noise 1/3. 1 for a constant
 /// signal and for numbers that are not finite. (1)
 double active_share(std::span<const double> samples);
 
@@ -42,11 +42,11 @@ double hammer_measure(std::span<const double> samples);
 /// Whether the numbers rise evenly, as times do: none is more than half a step from its place. False for fewer than 8.
 bool rises_evenly(std::span<const double> samples);
 
-/// Guesses the roles that are not known from the samples: a first signal that rises evenly is the time, the signal with
-/// the smallest hammer_measure() the force unless its unit is another's, all others are accelerations. The roles in
-/// `known` stay, as do the accelerations that the options name and the roles of their set-up. `read` gives up to the
-/// demanded number of samples. A single signal is an acceleration. `name_of`: how the options name a signal; by default
-/// its name if it is unique and holds no character that a shell changes, else its number.
+/// Guesses the unknown roles from the samples. A first signal that rises evenly is the time. The force is the signal
+/// with the smallest hammer_measure() among those that neither a unit nor the user states to be responses. All others
+/// are accelerations, also a single signal. The force in `known` stays, as do the accelerations that the options name
+/// and the roles of their set-up. `read` gives up to the demanded number of samples. `name_of`: how the options name a
+/// signal; by default its name if it is unique and holds no character that a shell changes, else its number.
 /// errors  None: a signal that cannot be read is no candidate.
 RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& known, const ReadOptions& options,
                       const std::function<std::vector<double>(std::size_t index, std::size_t max_samples)>& read,

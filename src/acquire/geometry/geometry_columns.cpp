@@ -14,7 +14,7 @@ namespace percuss::acquire {
 namespace {
 
 constexpr double kMaxAssumed_m = 10;               // of lengths without a unit; larger ones are probably in mm or in
-constexpr std::size_t kLengthsAndAngles = kLines;  // the fields from kX to here have units
+constexpr std::size_t kLengthsAndAngles = kLines;  // the fields from kX to before kLines have units
 
 constexpr std::array<std::array<std::string_view, 3>, kGeometryFields> kNames = {{{"point", "node", "no"},
                                                                                   {"x"},

@@ -9,13 +9,14 @@ namespace percuss::acquire {
 /// The smallest change from one sample to the next, an estimate of the recorder's resolution. 0 for a constant.
 double resolution_of(std::span<const double> x);
 
+inline constexpr std::size_t kClippingBlock = 512;
+
 /// The number of samples at the extreme values of x when these look like clipping, otherwise 0. Two patterns count:
 /// - at least three equal samples in a row, with a neighbour further away than beside a smooth peak at this resolution;
 /// - several peaks that end at the same value, with hardly a sample just below it, where an oscillation spends most of
 ///   its time.
 /// An extreme equal to `rest` is not clipping: a one-sided signal rests there before and after.
 /// `blocks` are block_extremes of x by kClippingBlock. `around` contains x; the resolution is found in it.
-inline constexpr std::size_t kClippingBlock = 512;
 std::size_t count_clipped_samples(std::span<const double> x, std::span<const Extremes> blocks,
                                   std::span<const double> around, double rest);
 

@@ -1,5 +1,7 @@
 #include "core/math/tall_products.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "core/math/wide_loops.hpp"
@@ -45,6 +47,82 @@ PERCUSS_WIDE_LOOPS Complex dot_real(const double* a, const Complex* b, Index n) 
   return {sum[0] + sum[2], sum[1] + sum[3]};
 }
 
+constexpr Index kLeft = 3, kRight = 4;  // columns per tile: their sums stay in registers
+
+double total(const FourDoubles& sum) { return sum[0] + sum[1] + (sum[2] + sum[3]); }
+
+// dots[left][right] = Σ left·right of n numbers. A variable for each sum: the compiler would keep an array in memory.
+PERCUSS_WIDE_LOOPS void dot_tile(const std::array<const double*, kLeft>& left,
+                                 const std::array<const double*, kRight>& right, Index n,
+                                 std::array<double, kLeft * kRight>& dots) {
+  FourDoubles a0{}, a1{}, a2{}, b0{}, b1{}, b2{}, c0{}, c1{}, c2{}, d0{}, d1{}, d2{}, x0{}, x1{}, x2{}, y{};
+  Index k = 0;
+  for (; k + 3 < n; k += 4) {
+    std::memcpy(&x0, left[0] + k, sizeof(y));
+    std::memcpy(&x1, left[1] + k, sizeof(y));
+    std::memcpy(&x2, left[2] + k, sizeof(y));
+    std::memcpy(&y, right[0] + k, sizeof(y));
+    a0 += x0 * y;
+    a1 += x1 * y;
+    a2 += x2 * y;
+    std::memcpy(&y, right[1] + k, sizeof(y));
+    b0 += x0 * y;
+    b1 += x1 * y;
+    b2 += x2 * y;
+    std::memcpy(&y, right[2] + k, sizeof(y));
+    c0 += x0 * y;
+    c1 += x1 * y;
+    c2 += x2 * y;
+    std::memcpy(&y, right[3] + k, sizeof(y));
+    d0 += x0 * y;
+    d1 += x1 * y;
+    d2 += x2 * y;
+  }
+  dots = {total(a0), total(b0), total(c0), total(d0), total(a1), total(b1),
+          total(c1), total(d1), total(a2), total(b2), total(c2), total(d2)};
+  for (std::size_t i = 0; i < dots.size(); ++i) {
+    for (Index at = k; at < n; ++at) dots[i] += left[i / kRight][at] * right[i % kRight][at];
+  }
+}
+
+constexpr Index kStrip = 8;  // rows of a strip of a product
+
+// out[j][0 … kStrip) = Σ_i columns[i·stride …]·factors[j][i], for kRight columns of the result.
+PERCUSS_WIDE_LOOPS void product_tile(const double* columns, Index stride, Index count,
+                                     const std::array<const double*, kRight>& factors,
+                                     const std::array<double*, kRight>& out) {
+  FourDoubles a0{}, a1{}, b0{}, b1{}, c0{}, c1{}, d0{}, d1{}, x0{}, x1{};
+  for (Index i = 0; i < count; ++i) {
+    std::memcpy(&x0, columns + i * stride, sizeof(x0));
+    std::memcpy(&x1, columns + i * stride + 4, sizeof(x1));
+    a0 += factors[0][i] * x0;
+    a1 += factors[0][i] * x1;
+    b0 += factors[1][i] * x0;
+    b1 += factors[1][i] * x1;
+    c0 += factors[2][i] * x0;
+    c1 += factors[2][i] * x1;
+    d0 += factors[3][i] * x0;
+    d1 += factors[3][i] * x1;
+  }
+  const auto store = [](double* to, const FourDoubles& first, const FourDoubles& second) {
+    std::memcpy(to, &first, sizeof(first));
+    std::memcpy(to + 4, &second, sizeof(second));
+  };
+  store(out[0], a0, a1);
+  store(out[1], b0, b1);
+  store(out[2], c0, c1);
+  store(out[3], d0, d1);
+}
+
+// The columns first … first + N − 1 of a matrix; beyond the last column, the last one again.
+template <std::size_t N, class Matrix>
+auto columns_of(Matrix& matrix, Index first) {
+  std::array<decltype(matrix.data()), N> columns;
+  for (std::size_t i = 0; i < N; ++i)
+    columns[i] = matrix.data() + std::min(first + static_cast<Index>(i), matrix.cols() - 1) * matrix.outerStride();
+  return columns;
+}
+
 // task(j) for every column of `matrix`; `others` columns are multiplied with each.
 template <class Task>
 void over_columns(const MatrixXcd& matrix, Index others, const Task& task) {
@@ -72,12 +150,20 @@ PERCUSS_WIDE_LOOPS void add_scaled(Complex* to, Complex factor, const double* co
 }
 
 PERCUSS_WIDE_LOOPS void add_scaled(Complex* to, Complex factor, const Complex* column, std::size_t count) {
-  auto* sum = reinterpret_cast<double*>(to);
-  const double* c = parts_of(column);
   const double re = factor.real(), im = factor.imag();
-  for (std::size_t k = 0; k < count; ++k) {
-    sum[2 * k] += c[2 * k] * re - c[2 * k + 1] * im;
-    sum[2 * k + 1] += c[2 * k] * im + c[2 * k + 1] * re;
+  const FourDoubles turn{-im, im, -im, im};
+  auto* sums = reinterpret_cast<double*>(to);
+  FourDoubles x{}, sum{};
+  std::size_t k = 0;
+  for (; k + 1 < count; k += 2) {
+    std::memcpy(&x, column + k, sizeof(x));
+    std::memcpy(&sum, sums + 2 * k, sizeof(sum));
+    sum += x * re + __builtin_shufflevector(x, x, 1, 0, 3, 2) * turn;
+    std::memcpy(sums + 2 * k, &sum, sizeof(sum));
+  }
+  if (k < count) {
+    const Complex last = column[k];
+    to[k] += Complex(last.real() * re - last.imag() * im, last.imag() * re + last.real() * im);
   }
 }
 
@@ -110,6 +196,40 @@ MatrixXcd transposed_product(const MatrixXd& left, const MatrixXcd& right) {
   over_columns(right, left.cols(), [&](Index j) {
     for (Index i = 0; i < left.cols(); ++i) out(i, j) = dot_real(left.col(i).data(), right.col(j).data(), left.rows());
   });
+  return out;
+}
+
+MatrixXd tall_transposed_product(const Eigen::Ref<const MatrixXd>& left, const Eigen::Ref<const MatrixXd>& right) {
+  MatrixXd out(left.cols(), right.cols());
+  std::array<double, kLeft * kRight> dots{};
+  for (Index j = 0; j < right.cols(); j += kRight) {
+    for (Index i = 0; i < left.cols(); i += kLeft) {
+      dot_tile(columns_of<kLeft>(left, i), columns_of<kRight>(right, j), left.rows(), dots);
+      const Index height = std::min(kLeft, left.cols() - i), width = std::min(kRight, right.cols() - j);
+      using Dots = Eigen::Matrix<double, kLeft, kRight, Eigen::RowMajor>;
+      out.block(i, j, height, width) = Eigen::Map<const Dots>(dots.data()).topLeftCorner(height, width);
+    }
+  }
+  return out;
+}
+
+MatrixXd tall_product(const Eigen::Ref<const MatrixXd>& columns, const Eigen::Ref<const MatrixXd>& factors) {
+  MatrixXd out(columns.rows(), factors.cols());
+  const Index whole = columns.rows() / kStrip * kStrip;
+  for (Index row = 0; row < whole; row += kStrip) {
+    for (Index j = 0; j < out.cols(); j += kRight) {
+      auto to = columns_of<kRight>(out, j);
+      for (double*& at : to) at += row;
+      product_tile(columns.data() + row, columns.outerStride(), columns.cols(), columns_of<kRight>(factors, j), to);
+    }
+  }
+  for (Index row = whole; row < columns.rows(); ++row) {
+    for (Index j = 0; j < out.cols(); ++j) {
+      double sum = 0;  // in the order of a tile, so that a row gives the same bits in any strip
+      for (Index i = 0; i < columns.cols(); ++i) sum += factors(i, j) * columns(row, i);
+      out(row, j) = sum;
+    }
+  }
   return out;
 }
 

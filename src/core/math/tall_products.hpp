@@ -21,6 +21,12 @@ Eigen::MatrixXcd adjoint_gram(const Eigen::MatrixXcd& columns);
 
 /// leftᵀ·right. shapes: left [n, a], right [n, b], result [a, b].
 Eigen::MatrixXcd transposed_product(const Eigen::MatrixXd& left, const Eigen::MatrixXcd& right);
+Eigen::MatrixXd tall_transposed_product(const Eigen::Ref<const Eigen::MatrixXd>& left,
+                                        const Eigen::Ref<const Eigen::MatrixXd>& right);
+
+/// columns·factors. shapes: columns [n, a], factors [a, b], result [n, b].
+Eigen::MatrixXd tall_product(const Eigen::Ref<const Eigen::MatrixXd>& columns,
+                             const Eigen::Ref<const Eigen::MatrixXd>& factors);
 
 /// from −= columns·factors. shapes: from [n, b], columns [n, a], factors [a, b].
 void subtract_product(Eigen::MatrixXcd& from, const Eigen::MatrixXcd& columns, const Eigen::MatrixXcd& factors);

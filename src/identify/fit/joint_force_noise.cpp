@@ -1,6 +1,7 @@
 // The effect of the force channel's noise on a joint fit: a gain error ε(ω) adds ε·H to every FRF of its point.
 #include <algorithm>
 
+#include "core/math/tall_products.hpp"
 #include "core/parallel/parallel.hpp"
 #include "identify/fit/joint_projection.hpp"
 #include "identify/noise/force_noise.hpp"
@@ -40,35 +41,34 @@ std::vector<std::vector<std::size_t>> by_point(const FrfDataset& set, const Join
 
 void JointProjection::add_force_noise(const JointState& state, const JointPart& part, ForceErrors of,
                                       MatrixXd& covariance) const {
-  const MatrixXd projection = part.inverse * (part.columns.transpose() * part.slopes);
-  const MatrixXd synthesised = part.columns * part.amplitude;
+  const MatrixXd projection = part.inverse * tall_transposed_product(part.columns, part.slopes);
+  const MatrixXd synthesised = tall_product(part.columns, part.amplitude);
   const std::vector<std::size_t> lines = bins_.middles();
   const auto points = by_point(set_, part);
   std::vector<MatrixXd> pole_scores(points.size());
-  parallel_for_cost(points.size(), kFlopsPerProduct * lines.size() * static_cast<std::size_t>(part.slopes.cols()),
-                    [&](std::size_t p) {
-                      const MatrixXcd errors =
-                          gain_errors(set_, set_.channels[part.channels[points[p].front()]].point, lines, of);
-                      for (const std::size_t i : points[p]) {
-                        if (errors.size() == 0) break;
-                        const auto o = static_cast<Index>(i);
-                        const MatrixXd response_error = times_response(errors, synthesised.col(o));
-                        const MatrixXd score = part.slopes.transpose() * response_error -
-                                               projection.transpose() * (part.columns.transpose() * response_error);
-                        const MatrixXd contribution = residue_matrix(state, part, o).transpose() * score /
-                                                      noise_(static_cast<Index>(part.channels[i]));
-                        if (pole_scores[p].size() == 0)
-                          pole_scores[p] = MatrixXd::Zero(contribution.rows(), contribution.cols());
-                        pole_scores[p] += contribution;
-                      }
-                    });
+  parallel_for_cost(
+      points.size(), kFlopsPerProduct * lines.size() * static_cast<std::size_t>(part.slopes.cols()),
+      [&](std::size_t p) {
+        const MatrixXcd errors = gain_errors(set_, set_.channels[part.channels[points[p].front()]].point, lines, of);
+        for (const std::size_t i : points[p]) {
+          if (errors.size() == 0) break;
+          const auto o = static_cast<Index>(i);
+          const MatrixXd response_error = times_response(errors, synthesised.col(o));
+          const MatrixXd score = tall_transposed_product(part.slopes, response_error) -
+                                 projection.transpose() * tall_transposed_product(part.columns, response_error);
+          const MatrixXd contribution =
+              residue_matrix(state, part, o).transpose() * score / noise_(static_cast<Index>(part.channels[i]));
+          if (pole_scores[p].size() == 0) pole_scores[p] = MatrixXd::Zero(contribution.rows(), contribution.cols());
+          pole_scores[p] += contribution;
+        }
+      });
   for (const MatrixXd& pole_score : pole_scores) {
     if (pole_score.size() > 0) covariance += pole_score * pole_score.transpose();
   }
 }
 
 void JointProjection::add_residue_variance(const JointState& state, const JointPart& part, MatrixXd& variance) const {
-  const MatrixXd synthesised = part.columns * part.amplitude;
+  const MatrixXd synthesised = tall_product(part.columns, part.amplitude);
   const std::vector<std::size_t> lines = bins_.middles();
   const auto points = by_point(set_, part);
   parallel_for_cost(
@@ -79,7 +79,7 @@ void JointProjection::add_residue_variance(const JointState& state, const JointP
           if (errors.size() == 0) break;
           const auto o = static_cast<Index>(i);
           const MatrixXd residue_errors =
-              part.inverse * (part.columns.transpose() * times_response(errors, synthesised.col(o)));
+              part.inverse * tall_transposed_product(part.columns, times_response(errors, synthesised.col(o)));
           for (std::size_t m = 0; m < state.model.poles.size(); ++m) {
             const auto first = static_cast<Index>(part.first[m]);
             const double line = set_.lines.position(state.model.poles[m].freq_Hz);

@@ -5,6 +5,7 @@
 
 #include "core/budget.hpp"
 #include "core/math/linear_algebra.hpp"
+#include "core/math/tall_products.hpp"
 #include "core/parallel/parallel.hpp"
 #include "identify/model/residual_terms.hpp"
 
@@ -132,7 +133,7 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
     if (columns_per_term == 2) turn(part.columns.col(at), part.columns.col(at + 1));
   }
   check_budget();
-  part.inverse = inverse_gram(MatrixXd(part.columns.transpose() * part.columns));
+  part.inverse = inverse_gram(tall_transposed_product(part.columns, part.columns));
   part.amplitude.resize(part.columns.cols(), plan.data.cols());
   part.residual.resize(rows, plan.data.cols());
   const Index strips = (plan.data.cols() + kStrip - 1) / kStrip;
@@ -147,12 +148,12 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
 void JointProjection::solve_channels(const Plan& plan, Index first, Index count, JointPart& part) {
   auto amplitude = part.amplitude.middleCols(first, count);
   auto residual = part.residual.middleCols(first, count);
-  amplitude = part.inverse * (part.columns.transpose() * plan.data.middleCols(first, count));
-  residual = plan.data.middleCols(first, count) - part.columns * amplitude;
+  amplitude = part.inverse * tall_transposed_product(part.columns, plan.data.middleCols(first, count));
+  residual = plan.data.middleCols(first, count) - tall_product(part.columns, amplitude);
   // Iterative refinement: the normal equations alone lose half of the digits.
-  const MatrixXd correction = part.inverse * (part.columns.transpose() * residual);
+  const MatrixXd correction = part.inverse * tall_transposed_product(part.columns, residual);
   amplitude += correction;
-  residual -= part.columns * correction;
+  residual -= tall_product(part.columns, correction);
 }
 
 NormalEquations JointProjection::normal_equations(const JointState& state) const {
@@ -161,10 +162,10 @@ NormalEquations JointProjection::normal_equations(const JointState& state) const
   for (const JointPart& part : state.parts) {
     check_budget();  // with hundreds of modes, each of these products takes up to a second
     // The slopes with their projection on the columns removed (Kaufman's Jacobian).
-    const MatrixXd cross = part.columns.transpose() * part.slopes;
+    const MatrixXd cross = tall_transposed_product(part.columns, part.slopes);
     check_budget();
-    const MatrixXd gram = part.slopes.transpose() * part.slopes - cross.transpose() * part.inverse * cross;
-    const MatrixXd score = part.slopes.transpose() * part.residual;
+    const MatrixXd gram = tall_transposed_product(part.slopes, part.slopes) - cross.transpose() * part.inverse * cross;
+    const MatrixXd score = tall_transposed_product(part.slopes, part.residual);
     for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const auto o = static_cast<Index>(i);
       check_budget();

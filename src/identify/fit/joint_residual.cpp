@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/tall_products.hpp"
 #include "core/parallel/parallel.hpp"
 #include "identify/fit/joint_projection.hpp"
 
@@ -55,8 +56,8 @@ void JointProjection::subtract_model(const MatrixXcd& columns, const JointPart& 
     // The amplitudes are real, so that one product serves real and imaginary parts.
     const MatrixXcd strip = columns.middleRows(first, count);
     const MatrixXd share =
-        Eigen::Map<const MatrixXd>(reinterpret_cast<const double*>(strip.data()), 2 * count, strip.cols()) *
-        part.amplitude;
+        tall_product(Eigen::Map<const MatrixXd>(reinterpret_cast<const double*>(strip.data()), 2 * count, strip.cols()),
+                     part.amplitude);
     for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const Eigen::Map<const VectorXcd> frf(set_.channels[part.channels[i]].frf.data() + from, count);
       const auto* made = reinterpret_cast<const Complex*>(share.col(static_cast<Index>(i)).data());

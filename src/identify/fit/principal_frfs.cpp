@@ -60,8 +60,8 @@ MatrixXd gram_of(const MatrixXd& rows) {
                       const Index first = static_cast<Index>(strip) * kColumnsPerTask,
                                   count = std::min(kColumnsPerTask, rows.cols() - first);
                       const Index below = rows.cols() - first;
-                      gram.block(first, first, below, count).noalias() =
-                          rows.rightCols(below).transpose() * rows.middleCols(first, count);
+                      gram.block(first, first, below, count) =
+                          tall_transposed_product(rows.rightCols(below), rows.middleCols(first, count));
                     });
   return gram;
 }
@@ -90,10 +90,17 @@ FrfDataset principal_frfs(const FrfDataset& set, const MatrixXd& components) {
     for (std::size_t p = 1; p < set.points.size() && !force.ff.empty(); ++p) {
       for (std::size_t k = first; k < first + count; ++k) force.ff[k] += set.points[p].ff[k];
     }
-    for (Index i = 0; i < components.cols(); ++i) {
-      Complex* const sum = out.channels[static_cast<std::size_t>(i)].frf.data() + first;
-      for (Index o = 0; o < components.rows(); ++o)
-        add_scaled(sum, components(o, i), set.channels[static_cast<std::size_t>(o)].frf.data() + first, count);
+    // Real and imaginary parts in turn, as a column of twice the length.
+    const auto parts = static_cast<Index>(2 * count);
+    MatrixXd frfs(parts, components.rows());
+    for (Index o = 0; o < frfs.cols(); ++o) {
+      const Complex* frf = set.channels[static_cast<std::size_t>(o)].frf.data() + first;
+      frfs.col(o) = Eigen::Map<const VectorXd>(reinterpret_cast<const double*>(frf), parts);
+    }
+    const MatrixXd sums = tall_product(frfs, components);
+    for (Index i = 0; i < sums.cols(); ++i) {
+      Complex* frf = out.channels[static_cast<std::size_t>(i)].frf.data() + first;
+      Eigen::Map<VectorXd>(reinterpret_cast<double*>(frf), parts) = sums.col(i);
     }
   });
   out.points.push_back(std::move(force));

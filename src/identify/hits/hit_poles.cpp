@@ -35,16 +35,17 @@ VectorXd noise_of(const ProjectedState& state, const std::vector<VectorXcd>& dat
   return noise;
 }
 
-double residual_energy(const ProjectedState& state, const FrfDataset& set, std::size_t hit, const VectorXd& noise) {
-  double energy = 0;
+// [hits] energy of the residual over the noise.
+std::vector<double> residual_energies(const ProjectedState& state, const HitFrfs& hits, const VectorXd& noise) {
+  std::vector<double> energies(hits.points.size());
   for (const ProjectedPart& part : state.parts) {
     for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const std::size_t o = part.channels[i];
-      if (set.channels[o].point != hit) continue;
-      energy += part.residual.col(static_cast<Index>(i)).squaredNorm() / std::pow(noise(static_cast<Index>(o)), 2);
+      energies[hits.set.channels[o].point] +=
+          part.residual.col(static_cast<Index>(i)).squaredNorm() / std::pow(noise(static_cast<Index>(o)), 2);
     }
   }
-  return energy;
+  return energies;
 }
 
 HitPole hit_pole(const Pole& pole, double freq_std_Hz, double damping_std, const Pole& start) {
@@ -67,13 +68,14 @@ void step_window(const FrfDataset& set, const HitFrfs& hits, const std::vector<M
   const VectorXd noise = noise_of(state, data, freedom);
   projection.set_weight(noise);
   const auto normal = projection.normal_equations_by_point(state, poles.size());
+  const std::vector<double> energies = residual_energies(state, hits, noise);
   const std::size_t channels = data.size() / hits.points.size();
   for (std::size_t h = 0; h < hits.points.size(); ++h) {
     const Eigen::MatrixXd inverse = inverse_gram(normal[h].matrix);
     const VectorXd step = inverse * normal[h].right;
     const double degrees =
         std::max(1.0, 2 * freedom * static_cast<double>(channels) - 2 * static_cast<double>(poles.size()));
-    const double left = residual_energy(state, hits.set, h, noise) - step.dot(normal[h].right);
+    const double left = energies[h] - step.dot(normal[h].right);
     for (std::size_t i = 0; i < poles.size(); ++i) {
       const auto f = static_cast<Index>(2 * i);
       const double scale = std::max(left, 0.0) / degrees;

@@ -20,7 +20,8 @@ std::vector<ModeWindow> mode_windows(const FrfDataset& set, const std::vector<Mo
   std::vector<Pole> poles;
   poles.reserve(modes.size());
   for (const Mode& mode : modes) poles.push_back(mode.pole);
-  WindowedFit fit(set);
+  const FrfDataset lines{.lines = set.lines};  // the windows follow from the lines and the poles alone
+  WindowedFit fit(lines);
   fit.replace(poles);
   std::vector<ModeWindow> windows;
   std::size_t next = 0;  // groups are ascending, like the modes
@@ -45,10 +46,17 @@ ModeWindow window_around(const FrfDataset& set, const std::vector<Mode>& modes, 
 
 void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window,
                           const std::vector<std::size_t>& residue_of, std::vector<Eigen::VectorXcd>& data) {
-  for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (std::find(window.modes.begin(), window.modes.end(), m) != window.modes.end()) continue;
+  struct OtherMode {
+    std::size_t mode;
     std::optional<ModeValues> values;  // of the last pole
-    for (std::size_t o = 0; o < data.size(); ++o) {
+  };
+  std::vector<OtherMode> others;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (std::find(window.modes.begin(), window.modes.end(), m) == window.modes.end())
+      others.push_back({.mode = m, .values = {}});
+  }
+  for (std::size_t o = 0; o < data.size(); ++o) {
+    for (auto& [m, values] : others) {
       const Residue& residue = modes[m].residues[residue_of[o]];
       const Pole pole = residue.own_pole.value_or(modes[m].pole);
       if (!values || !(values->pole() == pole))

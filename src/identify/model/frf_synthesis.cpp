@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "core/math/tall_products.hpp"
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
 
@@ -39,23 +40,17 @@ class TermFit {
     upper_ = factors.matrixQR().topRows(used);
   }
 
-  // The coefficients of the terms in `rest`; subtracts the terms from it.
-  Eigen::VectorXcd take_from(Eigen::VectorXcd& rest) const {
-    const Eigen::Index used = basis_.cols();
+  // The coefficients of the terms in `rest` [lines, 1]; subtracts the terms from it.
+  Eigen::VectorXcd take_from(Eigen::MatrixXcd& rest) const {
+    Eigen::MatrixXcd shares;
+    if constexpr (std::is_same_v<Scalar, double>)
+      shares = transposed_product(basis_, rest);
+    else
+      shares = adjoint_product(basis_, rest);
+    subtract_product(rest, basis_, shares);
     Eigen::VectorXcd coefficients = Eigen::VectorXcd::Zero(kTerms);
-    if constexpr (std::is_same_v<Scalar, double>) {
-      // The real and the imaginary part are fitted side by side: half the work of complex products.
-      using Parts = Eigen::Matrix<double, 2, Eigen::Dynamic>;
-      Eigen::Map<Parts> parts(reinterpret_cast<double*>(rest.data()), 2, rest.size());
-      const Parts shares = parts * basis_;
-      parts.noalias() -= shares * basis_.transpose();
-      const Parts solved = upper_.template triangularView<Eigen::Upper>().solve(shares.transpose()).transpose();
-      for (Eigen::Index t = 0; t < used; ++t) coefficients(t) = {solved(0, t), solved(1, t)};
-    } else {
-      const Eigen::VectorXcd shares = basis_.adjoint() * rest;
-      rest.noalias() -= basis_ * shares;
-      coefficients.head(used) = upper_.template triangularView<Eigen::Upper>().solve(shares);
-    }
+    const Eigen::MatrixXcd upper = upper_.template cast<Complex>();
+    coefficients.head(basis_.cols()) = upper.triangularView<Eigen::Upper>().solve(shares).col(0);
     return coefficients;
   }
 
@@ -126,7 +121,7 @@ double synthesise(const FrfDataset& set, std::size_t o, std::size_t first, const
   const auto begin = channel.frf.begin() + static_cast<std::ptrdiff_t>(first);
   const std::vector<Complex> measured(begin, begin + lines);
   const Eigen::Map<const Eigen::VectorXcd> frf(measured.data(), lines);
-  Eigen::VectorXcd rest = frf - sum;
+  Eigen::MatrixXcd rest = frf - sum;
   const Eigen::VectorXcd fitted = std::visit([&](const auto& of) { return of.take_from(rest); }, terms);
   const Eigen::VectorXcd whole = frf - rest;  // (1)
   made = {.point = channel.point,
@@ -134,7 +129,7 @@ double synthesise(const FrfDataset& set, std::size_t o, std::size_t first, const
           .value = {whole.data(), whole.data() + lines},
           .terms = {fitted.data(), fitted.data() + kTerms}};
   made.frac = frac(measured, made.value);
-  made.noise_share = noise_share(rest);
+  made.noise_share = noise_share(rest.col(0));
   double power = 0;
   for (const Complex& h : measured) power += std::norm(h);
   return power;

@@ -139,9 +139,15 @@ PERCUSS_WIDE_LOOPS void add_decay(std::span<Complex> sum, Complex residue, const
   std::array<double, kBlock> rr{}, ii{}, ri{}, ir{};
   for (std::size_t begin = 0; begin < sum.size(); begin += kBlock) {
     const std::size_t count = std::min(kBlock, sum.size() - begin);
-    for (auto* part : {&rr, &ii, &ri, &ir}) part->fill(0);
     // conj(F)·q and conj(F)·conj(q) share their products.
-    for (std::size_t h = 0; h < q.size(); ++h) {
+    const Complex* first = force.spectra[0].get() + column.first + begin;
+    for (std::size_t i = 0; i < count; ++i) {
+      rr[i] = first[i].real() * q[0].real();
+      ii[i] = first[i].imag() * q[0].imag();
+      ri[i] = first[i].real() * q[0].imag();
+      ir[i] = first[i].imag() * q[0].real();
+    }
+    for (std::size_t h = 1; h < q.size(); ++h) {
       const Complex* f = force.spectra[h].get() + column.first + begin;
       for (std::size_t i = 0; i < count; ++i) {
         rr[i] += f[i].real() * q[h].real();

@@ -32,6 +32,16 @@ TEST(Median, DoesNotDependOnTheOrder) {
   } while (std::next_permutation(x.begin(), x.end()));
 }
 
+TEST(Median, OfAnyNumberOfValuesIsThatOfTheSortedOnes) {
+  for (std::size_t count = 1; count < 40; ++count) {
+    std::vector<double> x(count);
+    for (std::size_t i = 0; i < count; ++i) x[i] = static_cast<double>(i * 7 % 13) - 0.3 * static_cast<double>(i % 3);
+    std::vector<double> sorted = x;
+    std::sort(sorted.begin(), sorted.end());
+    EXPECT_EQ(median(x), 0.5 * (sorted[count / 2] + sorted[(count - 1) / 2])) << count;
+  }
+}
+
 TEST(RobustStd, IsTheScaledMedianDeviation) {
   constexpr double kTolerance = 1e-15;  // one rounding
   EXPECT_LE(std::abs(robust_std({1, 2, 3, 4, 100}) - 1.4826022185056018), kTolerance);

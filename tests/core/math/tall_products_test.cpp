@@ -28,6 +28,27 @@ TEST(TallProducts, AgreeWithEigen) {
   }
 }
 
+// Every remainder of the tiles: 3 columns on the left, 4 on the right, 8 rows of a product, 4 of a sum.
+TEST(TallProducts, OfRealMatricesAgreeWithEigen) {
+  for (const Eigen::Index n : {1, 3, 4, 11, 100}) {
+    for (const Eigen::Index a : {0, 1, 2, 3, 7}) {
+      for (const Eigen::Index b : {0, 1, 4, 5}) {
+        const MatrixXd left = MatrixXd::Random(n, a), right = MatrixXd::Random(n, b), factors = MatrixXd::Random(a, b);
+        EXPECT_LE((tall_transposed_product(left, right) - left.transpose() * right).norm(), kRounding);
+        EXPECT_LE((tall_product(left, factors) - left * factors).norm(), kRounding);
+      }
+    }
+  }
+}
+
+TEST(TallProducts, OfPartsAreThePartsOfTheProductToTheLastBit) {
+  const MatrixXd left = MatrixXd::Random(53, 7), right = MatrixXd::Random(53, 9), factors = MatrixXd::Random(7, 9);
+  EXPECT_EQ(tall_transposed_product(left.middleCols(2, 4), right.middleCols(3, 2)),
+            tall_transposed_product(left, right).block(2, 3, 4, 2));
+  EXPECT_EQ(tall_product(left.middleRows(5, 41), factors.middleCols(3, 2)),
+            tall_product(left, factors).block(5, 3, 41, 2));
+}
+
 TEST(TallProducts, OfColumnsWithThemselvesAreHermitianToTheLastBit) {
   const MatrixXcd a = MatrixXcd::Random(31, 4);
   const MatrixXcd gram = adjoint_gram(a);

@@ -52,7 +52,7 @@ Layout layout_of(const InputDataSet& force, const InputDataSet& accel, const Inp
   check_force_shape(f, file.where("force"));
   check_accel_shape(accel, file);
   Layout layout{.rows = f.size() == 2 ? f[0] : 1, .samples = f.back(), .force_has_rows = f.size() == 2};
-  // Two dimensions are [hits, samples] where the force has hits, else [channels, samples].
+  // Two dimensions are [hits, samples] if the force has as many hits, else [channels, samples].
   layout.accel_has_rows = a.size() == 3 || (a.size() == 2 && layout.force_has_rows && a[0] == layout.rows);
   layout.accel_has_channels = a.size() == 3 || (a.size() == 2 && !layout.accel_has_rows);
   layout.channels = layout.accel_has_channels ? a[a.size() - 2] : 1;

@@ -42,8 +42,8 @@ class MatFlattener {
   void add_numbers(const std::string& name, const matvar_t* variable);
   void add_text(const std::string& name, const matvar_t* variable);
   void add_structure(const std::string& name, const matvar_t* variable);
-  // Adds a structure array whose elements are channels of these names. The only samples of a channel get its name, so
-  // that a unit in the name is found; several keep their fields' names, too.
+  // Adds a structure array whose elements are channels of these names. If only one field holds samples, its variables
+  // are named as the channels, so that a unit in the name is found; otherwise CHANNEL.FIELD.
   void add_channels(const std::vector<std::string>& names, const std::vector<MatField>& fields);
   // Adds the cells of a cell array, or one field of a structure array: as one matrix with a row per element if all
   // elements are real arrays of equal size and equal name, else one by one.

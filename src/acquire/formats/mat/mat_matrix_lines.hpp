@@ -6,7 +6,7 @@
 
 namespace percuss::acquire {
 
-/// A matrix as lines with a number per column. Its longer side counts the lines, which run down or across.
+/// A matrix as lines with a number per column. Its longer side counts the lines: a wide matrix is read transposed.
 class MatrixLines {
  public:
   /// Precondition: the variable has two dimensions.

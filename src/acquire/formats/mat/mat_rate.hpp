@@ -21,8 +21,8 @@ const MatVariable* real_matrix(const MatFile& file, std::string_view name);
 
 /// The sampling rate: from the options, else from a number named fs, sample_rate, dt and the like, else from a time
 /// vector. Nothing when there is none.
-/// errors  InputError: the variable that options.fs_variable names is not a number, rates disagree, a time vector is
-/// uneven.
+/// errors  InputError: the variable that options.fs_variable names (a rate or a time vector) is missing or holds no
+/// real numbers, rates disagree, a time vector is uneven.
 std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& options);
 
 /// The value of the scalar variable that matches the earliest of `names`; nothing when none matches. Letter case and

@@ -93,8 +93,8 @@ void require_real(const MatVariable& variable, const std::string& file) {
     throw InputError(one_line(variable.name, 63) + " is complex", file, "save the samples of a record as real numbers");
 }
 
-// The layout of a record without a force. One of several channels without a name that says what they measure could be
-// the force.
+// The layout of a record without a force. If a variable holds several channels and nothing says that they are
+// responses, one of them could be the force: the roles are then ambiguous.
 MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index,
                                const ReadOptions& options, SignalTable& table) {
   const MatVariable& first = open.file.variables[index[roles.accel.front()]];

@@ -21,7 +21,7 @@ struct CsvRow {
 /// rows.
 std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns);
 
-/// The first column of times of day among the leftmost four; a text with them has no other time column.
+/// The first column of times of day among the leftmost four. It gives the rate if the text has no other time column.
 std::optional<std::size_t> clock_column(const CsvTable& table);
 
 /// The sampling rate: the user's, else from the time column and the header, which must agree. Times of day that give no

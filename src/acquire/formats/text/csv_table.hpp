@@ -42,8 +42,7 @@ class CsvTable {
   void for_each_cell(std::size_t index,
                      const std::function<void(std::size_t line, std::string_view cell)>& visit) const;
 
-  /// The cell of a data line as written; empty where there is none. For the first lines: it counts lines from the
-  /// start.
+  /// The cell of a data line as written; empty where there is none. Slow for late lines: counts lines from the start.
   std::string_view cell(std::size_t index, std::size_t line) const;
 
   /// "x.csv: line 12, column 3 (force_N)".

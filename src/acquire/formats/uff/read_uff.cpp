@@ -125,8 +125,8 @@ std::size_t number_of(const UffFunction* function, const std::vector<const UffFu
   return static_cast<std::size_t>(std::find(functions.begin(), functions.end(), function) - functions.begin()) + 1;
 }
 
-// Without a force all functions are signals of one row, so that the guess lists those of every hit. Where the functions
-// make rows of the guessed force and its responses, the guess is made of the first row, by the functions' numbers.
+// Without a force all functions are signals of one row, so that the guess lists the functions of every hit. If they
+// make rows of the guessed force and its responses, the numbers of the first row's functions replace the guess.
 void guess_one_row(const std::vector<const UffFunction*>& functions, const std::vector<std::string>& names,
                    const std::string& file, RoleGuess& guess) {
   const auto by_name = std::find(names.begin(), names.end(), guess.force);

@@ -7,8 +7,8 @@ namespace percuss::acquire {
 
 /// The time record in a universal file: its functions 58 for which is_time_record holds (docs/reference/formats.md,
 /// "UFF"). A row is a force with the responses that belong to it (uff_rows).
-/// errors  InputError with file and line: damaged sets, no time records, functions of one row with different lengths
-/// or rates; AmbiguousColumns: no function is recognisable as the force.
+/// errors  InputError with file and line: damaged sets, no time records, different lengths within a row, different
+/// rates; AmbiguousColumns: no function is recognisable as the force.
 Record open_uff(const FileBytes& file, const ReadOptions& options = {});
 Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& options);
 

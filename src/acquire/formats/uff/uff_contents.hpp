@@ -30,7 +30,7 @@ struct UffContents {
 /// lines are not an error (UffTraceLines::unreadable).
 UffContents read_uff_contents(const FileBytes& file);
 
-/// Messages about the content that is not used, such as "data sets not used: 2467 (1), 773 (2)" or "mode shapes: 3, not
+/// Messages about the content that is not used, such as "data sets not used: 773 (2), 2467 (1)" or "mode shapes: 3, not
 /// used".
 std::vector<Message> uff_notes(const UffContents& contents);
 
@@ -42,8 +42,8 @@ std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset);
 /// The faces whose corners are all in the file, by point.
 std::vector<TraceFace> uff_trace_faces(const UffContents& contents, int offset);
 
-/// The statements of percuss in a function's fifth line ("percuss; node = point + 1; dx = 3.90625e-05") and fourth line
-/// ("averages = 5; angle_deg = 90; ").
+/// The statements of percuss in a function's fifth line ("percuss; node = point + 1; dx = 3.90625e-05"), fourth line
+/// ("averages = 5; angle_deg = 90; ") and second line ("estimator = H1").
 struct UffAnnotation {
   bool by_percuss = false;
   bool continuous = false;

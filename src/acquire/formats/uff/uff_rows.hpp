@@ -15,7 +15,8 @@ using UffRow = std::vector<const UffFunction*>;
 ///   each force ends a row;
 ///   each force has a row, and of the responses with one degree of freedom and quantity, the k-th is in the k-th row.
 /// Without forces all functions are one row.
-/// errors  InputError: the responses do not divide evenly among the forces, or differ in length or step within a row.
+/// errors  InputError: the responses do not divide evenly among the forces, lengths differ within a row, or steps
+/// differ between any two functions.
 std::vector<UffRow> uff_rows(const std::vector<const UffFunction*>& functions, const std::vector<bool>& is_force,
                              const std::string& file);
 
