@@ -95,8 +95,8 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalP
         const double from_poles =
             (derivatives.row(m) * covariance.cast<Complex>() * derivatives.row(m).adjoint())(0).real();
         const Pole& pole = fit.poles[static_cast<std::size_t>(m)];
-        fit.residue_std(o, m) =
-            std::sqrt(std::max(0.0, window.of_residue(pole) * linear + 0.5 * window.of_pole(pole) * from_poles));
+        fit.residue_std(o, m) = std::sqrt(
+            std::max(0.0, window.of_residue(pole) * linear + 0.5 * window.of_residue_by_pole(pole) * from_poles));
       }
       const auto residual = part.residual.col(column);
       const double freedom = std::max(1.0, static_cast<double>(residual.size() - static_cast<Index>(modes) - 2));

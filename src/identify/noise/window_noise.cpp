@@ -31,9 +31,15 @@ double WindowNoise::of_residue(const Pole& pole) const {
   return fall_ > 0 ? std::max(1.0, max_factor() * share(pole)) : 1;
 }
 
-// The effect of a pole's change grows with time, so that later samples weigh more.
+// The effect of a pole's change grows with time. The residue is fitted together with the pole.
 double WindowNoise::of_pole(const Pole& pole) const {
-  return fall_ > 0 ? std::max(1.0, max_factor() * std::pow(share(pole), 3)) : 1;
+  const double r = share(pole);
+  return fall_ > 0 ? std::max(1.0, max_factor() * r * (1 - 2 * r + 2 * r * r)) : 1;
+}
+
+double WindowNoise::of_residue_by_pole(const Pole& pole) const {
+  const double r = share(pole);
+  return fall_ > 0 ? std::max(1.0, max_factor() * r * (3 - 4 * r + 2 * r * r)) : 1;
 }
 
 }  // namespace percuss::identify

@@ -18,9 +18,11 @@ class WindowNoise {
   double roughness() const;
   /// The largest factor: for a feature much broader than the correlation.
   double max_factor() const;
-  /// The factor for a mode's residue, and for its frequency and damping ratio, with equal weights of the lines.
-  double of_residue(const Pole& pole) const;
+  /// The factors with equal weights of the lines: for a mode's frequency and damping ratio, for its residue with a
+  /// known pole, and for what the deviation of the pole adds to the residue's variance.
   double of_pole(const Pole& pole) const;
+  double of_residue(const Pole& pole) const;
+  double of_residue_by_pole(const Pole& pole) const;
 
  private:
   double share(const Pole& pole) const;

@@ -60,7 +60,11 @@ void take_joint_mode(const FrfDataset& set, const JointFit& joint, std::size_t m
   Mode& mode = found.mode;
   found.joint = true;
   mode.pole = joint.poles[m];
-  const double of_pole = std::sqrt(window.of_pole(mode.pole)), of_residue = std::sqrt(window.of_residue(mode.pole));
+  const double of_pole = std::sqrt(window.of_pole(mode.pole));
+  // Each of n FRFs has a share 1/n in the pole. Alone, it doubles the variance of its residue.
+  const double by_pole = 1 / static_cast<double>(set.channels.size());
+  const double of_residue =
+      std::sqrt((window.of_residue(mode.pole) + by_pole * window.of_residue_by_pole(mode.pole)) / (1 + by_pole));
   mode.freq_std_Hz = std::hypot(of_pole * joint.freq_std_Hz(i), kRounding * mode.pole.freq_Hz);
   mode.damping_std = std::hypot(of_pole * joint.damping_std(i), kRoundingDamping * mode.pole.damping_ratio);
   const bool is_new = mode.residues.empty();

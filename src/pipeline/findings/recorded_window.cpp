@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kMinBlocks = 16;     // of a response after the hit; Hann window: in the last half
 constexpr double kMinFall = 0.15;          // of the logarithm over the fitted part: 14 %
+constexpr double kMaxEnd = 0.7;            // of the level before the hit; windows of recorders fall further
 constexpr double kClear = 8;               // standard deviations of the decay
 constexpr double kMaxMismatch = 0.15;      // of the logarithm of the level at the hit
 constexpr double kMaxCurvature = 0.12;     // of the logarithm: difference of the halves' falls, relative
@@ -120,11 +121,12 @@ std::optional<RecordedWindow> find_recorded_window(const std::vector<NoiseHistor
     const double fall = -line.slope * (levels.time_s.back() - levels.time_s[first]);
     const bool straight = std::abs(early.slope - late.slope) <
                           std::max(-kMaxCurvature * line.slope, 4 * std::hypot(early.slope_std, late.slope_std));
-    if (fall > kMinFall && -line.slope > kClear * line.slope_std && straight &&
+    const double end_level = std::exp(line.at_zero + line.slope * levels.time_s.back());
+    if (fall > kMinFall && end_level < kMaxEnd && -line.slope > kClear * line.slope_std && straight &&
         std::abs(line.at_zero) < start_tolerance(responses, line)) {
       return RecordedWindow{.decay_per_s = -line.slope,
                             .decay_std = line.slope_std,
-                            .end_level = std::exp(line.at_zero + line.slope * levels.time_s.back()),
+                            .end_level = end_level,
                             .start_level = std::exp(line.at_zero)};
     }
   }

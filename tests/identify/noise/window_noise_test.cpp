@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -50,13 +52,24 @@ TEST(WindowNoise, HasTheFactorsOfWeightedLeastSquaresOverTime) {
   for (const double decay_per_s : {2.0, 4.6, 20.0}) {
     const WindowNoise noise(windowed(decay_per_s));
     const double mean = sum(decay_per_s, 2, 0, 0, 0).real() / kSamples;
-    const auto factor = [&](int growth) {
-      return sum(decay_per_s, 4, mode_decay_per_s, growth, 0).real() /
-             sum(decay_per_s, 2, mode_decay_per_s, growth, 0).real() / mean;
+    // The fit of a residue (growth 0) and a pole (growth 1) with equal weights, and the covariance of what it finds.
+    const auto moments = [&](int power) {
+      Eigen::Matrix2d of;
+      for (int i = 0; i < 2; ++i) {
+        for (int j = 0; j < 2; ++j) of(i, j) = sum(decay_per_s, power, mode_decay_per_s, i + j, 0).real();
+      }
+      return of;
     };
-    EXPECT_NEAR(noise.of_residue(pole) / factor(0), 1, 10 * kSampled);
-    EXPECT_NEAR(noise.of_pole(pole) / std::max(1.0, factor(2)), 1, 10 * kSampled);
-    EXPECT_GE(noise.max_factor(), noise.of_residue(pole));
+    const Eigen::Matrix2d normal = moments(2), noisy = moments(4), inverse = normal.inverse();
+    const Eigen::Matrix2d covariance = inverse * noisy * inverse / mean;
+    const double known = 1 / normal(0, 0), known_windowed = noisy(0, 0) * known * known / mean;
+    const auto expect_factor = [&](double found, double exact) {
+      EXPECT_NEAR(found / std::max(1.0, exact), 1, 10 * kSampled) << decay_per_s;
+    };
+    expect_factor(noise.of_residue(pole), known_windowed / known);
+    expect_factor(noise.of_pole(pole), covariance(1, 1) / inverse(1, 1));
+    expect_factor(noise.of_residue_by_pole(pole), (covariance(0, 0) - known_windowed) / (inverse(0, 0) - known));
+    EXPECT_GE(noise.max_factor(), noise.of_residue_by_pole(pole));
   }
 }
 
@@ -67,6 +80,7 @@ TEST(WindowNoise, IsWhiteWithoutAWindow) {
   EXPECT_EQ(noise.max_factor(), 1);
   EXPECT_EQ(noise.of_pole(pole), 1);
   EXPECT_EQ(noise.of_residue(pole), 1);
+  EXPECT_EQ(noise.of_residue_by_pole(pole), 1);
 }
 
 // If the fit took the lines as independent, two of three records would give spurious modes, and the standard deviations
