@@ -54,7 +54,7 @@ struct ArrayTest {
   std::shared_ptr<void> owner;
 };
 
-/// A checksum of at most 512 numbers, spread over all signals. It differs if the arrays were refilled or scaled.
+/// A checksum of at most 512 numbers, spread over at most 64 signals. It differs if the arrays were refilled or scaled.
 std::uint64_t sample_checksum(const ArrayTest& test);
 
 /// The record of the arrays, equal to the record of a file with the same content: the options set units, scales, angles

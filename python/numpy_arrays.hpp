@@ -45,12 +45,12 @@ Object array_of(std::vector<Value> values, std::vector<std::size_t> shape = {}) 
   return array_of({.first = kept->data(), .shape = std::move(shape), .type = type_name<Value>(), .owner = kept});
 }
 
-/// A one-dimensional array of Python: its numbers in place.
+/// An array of Python, of any shape: its numbers in place.
 struct GivenArray {
   const std::byte* first = nullptr;
   std::vector<std::size_t> shape;
-  std::vector<std::ptrdiff_t> strides_bytes;
-  std::string type;  // as NumPy writes it
+  std::vector<std::ptrdiff_t> strides_bytes;  // empty: contiguous
+  std::string type;                           // as NumPy writes it
 };
 GivenArray given_array(const Object& array);
 

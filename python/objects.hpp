@@ -118,8 +118,8 @@ class Dictionary {
   Object dictionary_;
 };
 
-/// Calls that have released Python's lock. At the end of the interpreter, Python ends a thread that takes the lock,
-/// from within C++ functions, which aborts the process. stop_calls() ends the calls of daemon threads before.
+/// Calls that have released Python's lock. While the interpreter ends, Python ends each thread that takes the lock.
+/// Within C++ functions, this aborts the process. Therefore stop_calls() ends the calls of daemon threads first.
 inline std::atomic<int> calls_without_lock{0};
 inline std::atomic<bool> calls_must_stop{false};
 

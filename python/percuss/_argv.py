@@ -20,6 +20,9 @@ _SHELL_ONLY = {
     "help", "output", "json", "force", "quiet", "example", "example_table", "list", "frf", "modes_file",
 }  # fmt: skip
 
+# Files and folders that a command writes.
+_WRITTEN = {"figures", "blind", "table"}
+
 _PLAIN = (str, int, float)
 _ENCODING, _ON_ERROR = sys.getfilesystemencoding(), sys.getfilesystemencodeerrors()  # as os.fsencode
 
@@ -41,10 +44,11 @@ class Option:
         self.id = self.flag.lstrip("-").replace("-", "_")
         self.keyword = self.id + "_" if self.id in ("from", "lambda") else self.id
         self.is_flag = not self.shown
-        self.is_file = self.shown in ("FILE", "FOLDER")
+        self.is_written = self.id in _WRITTEN and self.shown in ("FILE", "FOLDER")
+        self.is_file = self.shown in ("FILE", "FOLDER") and not self.is_written
         # Whether the option takes a range or, instead, a list: START:STEP:END|POSITION,...
         self.may_be_list = any(":" not in form and form.endswith(",...") for form in self.shown.split("|"))
-        self._takes_plain = not self.is_flag and not self.is_file
+        self._takes_plain = not self.is_flag and not self.is_file and not self.is_written
 
     def words(self, value: Any, files: MemoryFiles) -> list[str]:
         """The command-line words that set this value; none for None, which means not given."""
@@ -56,6 +60,10 @@ class Option:
             if not isinstance(value, (bool, np.bool_)):
                 raise TypeError(f"{self.keyword} must be True or False, not {value!r}")
             return [self.flag] if value else []
+        if self.is_written:
+            if not isinstance(value, (str, bytes, os.PathLike)):
+                raise TypeError(f"{self.keyword} must be the path of a file or folder to write, not {type(value).__name__}")
+            return [f"{self.flag}={os.fsdecode(value)}"]
         if self.is_file:
             several = value if self.repeatable and isinstance(value, (list, tuple)) else [value]
             return [f"{self.flag}={files.path(one, self.keyword)}" for one in several]

@@ -45,7 +45,7 @@ class Frf:
     averages : int, optional
         Hits behind each response; 0 if not known.
     exponential : float, optional
-        Fraction that an exponential window over force and response had fallen to at the end of each record, as of
+        Fraction that an exponential window over force and response had fallen to at the end of each record, as in
         `analyze`. The record is taken to last 1/(spacing of the frequencies). Damping is corrected for it.
 
     Raises

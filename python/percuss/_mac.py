@@ -64,6 +64,10 @@ def _at_common_places(a: Analysis, b: Analysis) -> tuple[np.ndarray, np.ndarray]
     common = [place for place in mine if place in set(others)]
     if not common:
         raise InputError("the results have no point and channel in common", "mac", "compare tests of the same points and channels")
+    if len(common) < 2:
+        raise InputError(
+            "the results have only one point and channel in common", "mac", "compare tests of several: of one place, MAC is always 1"
+        )
     pick = lambda values, places: values[:, [places.index(one) for one in common]]  # noqa: E731
     return pick(a._shape_values, mine), pick(b._shape_values, others)
 

@@ -19,7 +19,8 @@ class Survey(Analysis):
     scale_std : array (modes,)
         Relative standard deviation of the scale of each shape in 1/√kg, common to its places; 0 for other shapes.
     shape_points, shape_channels : array (places,)
-        From 0. With a roving hammer all channels contribute to a place, and its channel is 0.
+        Number of the point, and index of the channel from 0. With a roving hammer all channels contribute to a place, and
+        its channel is 0.
     mac : array (modes, modes)
         0 … 1.
     cmif : array (lines, values)
@@ -53,7 +54,7 @@ class Survey(Analysis):
 
     @property
     def shape_points(self) -> np.ndarray:
-        """(places,) index of the point, from 0."""
+        """(places,) number of the point."""
         return self._shape("points")
 
     @property

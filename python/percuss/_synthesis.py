@@ -23,7 +23,7 @@ def synthesised(analysis: Any, s: np.ndarray, kind: str, residual_terms: bool) -
     if kind not in orders:
         raise UsageError(f"cannot be {kind!r}", "give accelerance, mobility or receptance", ["kind"])
     omega = 2 * np.pi * analysis.frequency_hz[:, None]
-    # Divided by the powers of s here, the terms of mobility and receptance are finite at 0 Hz, apart from `lower`.
+    # The powers of s are cancelled here, so the terms of mobility and receptance are finite at 0 Hz, except `lower`.
     power = 2 - orders[kind]
     modal = s**power / (s**2 + 2 * analysis.damping_ratio[:, None] * omega * s + omega**2)
     out = np.einsum("mpc,ml->pcl", analysis.residues, modal)

@@ -39,7 +39,7 @@ def annotation(option: Option) -> str:
     """The type of a keyword, apart from None for not given."""
     if option.is_flag:
         return "bool"
-    if option.id == "logo":
+    if option.id == "logo" or option.is_written:
         return "Path"
     if option.is_file:
         return "File | Sequence[File]" if option.repeatable else "File"
@@ -79,9 +79,10 @@ def _in_words(option: Option) -> str:
         "Texts": "str or list of str", "str | Sequence[float]": "str, float or list of float",
     }  # fmt: skip
     if kind == "Range":
-        parts = re.split(r"[|\[]", option.shown.removesuffix(",..."))[0].lower().replace("_", " ")
+        form = option.shown.removesuffix(",...").split("|")[0].lower().replace("_", " ")
+        parts = re.sub(r"\[[a-z]*\]", "", form)  # a unit; Python takes SI units
         several = " or a list of them" if option.repeatable or option.list else " or a list" if option.may_be_list else ""
-        return "(" + ", ".join(parts.split(":")) + ")" + several
+        return "(" + parts.replace("[:", "[, ").replace(":", ", ") + ")" + several
     return words[kind] + unit
 
 

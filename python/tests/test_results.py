@@ -169,6 +169,22 @@ def test_functions_take_a_synthetic_test_as_its_record(bat):
     assert percuss.frf([bat], band=band).json == percuss.frf(bat.record, band=band).json
 
 
+def test_the_text_of_a_result_shows_its_warnings():
+    bat = percuss.synth("wood-bat", seed=3).record
+    accel = np.array(bat.accel_mps2)
+    accel[1] = 0
+    found = percuss.analyze(np.array(bat.force_n), accel, fs=bat.fs_hz, band=BAND, object="other")
+    assert [one["code"] for one in found.warnings] == ["dead_channel"]
+    assert "accel 2 is constant" in " ".join(str(found).split())
+
+
+def test_mac_of_a_single_common_place_is_an_error(barrel):
+    frf = barrel.frf()
+    one = percuss.analyze(percuss.Frf(frf.frequency_hz, frf.H[:1, :1]), band=BAND, effort="quick", object="other")
+    with pytest.raises(percuss.InputError, match="only one point and channel"):
+        percuss.mac(barrel, one)
+
+
 def test_comparisons_name_their_documents(bat, found, tmp_path):
     beside = percuss.analyze(bat.record, band=BAND, compare=found)
     assert str(beside).count("analysis") >= 1 and "/proc" not in str(beside) + beside._repr_html_()
@@ -177,6 +193,8 @@ def test_comparisons_name_their_documents(bat, found, tmp_path):
     whole = percuss.compare(found, found, percuss.models.beam(support="free"), read, read.to_dict(), furthest=40)
     path = str(tmp_path / "bat.h5")
     assert [one["path"] for one in whole.documents] == ["analysis", "analysis (2)", "model beam", path, f"{path} (2)"]
+    impact = percuss.deflect(bat.record, band=BAND, compare=found)
+    assert "/proc" not in str(impact) + impact._repr_html_()
     whole.save(tmp_path / "all.html")
     beside.save(tmp_path / "beside.html")
     for shown in (str(whole), whole._repr_html_(), whole.json):
@@ -301,7 +319,8 @@ def test_deflections_from_modes_scatter_as_their_standard_deviations_state():
     peaks = np.array([[hit["peak_m"] for hit in one.hits] for one in found])
     stated = np.array([[hit["peak_std_m"] for hit in one.hits] for one in found])
     ratio = np.sqrt(np.mean(stated**2) / np.mean(np.var(peaks, axis=0, ddof=1)))
-    # The scatter of 5 times 15 values is known to 9 %. The ± also counts what the noise hides: up to half of it.
+    # The scatter of 5 times 15 values is known to 9 %. The ± also counts motion that the noise
+    # hides, so it may reach twice the scatter.
     assert 0.75 < ratio < 2
 
 
@@ -320,7 +339,7 @@ def test_the_remedies_of_deflections_lead_away_from_the_method_that_failed():
 
 
 def test_deviations_of_scaled_shapes_include_the_scale():
-    """The document states the scale's apart; an element of a shape in 1/√kg is known no better than its scale."""
+    """The document states the scale's deviation apart. An element of a shape in 1/√kg is known no better than its scale."""
     scan = percuss.survey(percuss.synth("bat-scan").record, band=BAND, effort="quick", driving_point=(0, 0))
     shapes = [mode["shape"] for mode in scan.to_dict()["modes"]]
     assert any(one["scale_std"] > 0 for one in shapes)

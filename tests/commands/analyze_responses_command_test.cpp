@@ -171,7 +171,7 @@ TEST_F(AnalyzeResponses, WritesATableOfSeveralTests) {
   EXPECT_GE(row, 2 * test::kPing.size());
 }
 
-// --modes-file writes the table of tests with a force: a row per mode, point and channel.
+// --modes-file writes the same table as for a test with a force: a row per mode, point and channel.
 TEST_F(AnalyzeResponses, WritesTheModesThatAreAskedFor) {
   const auto outcome = run_percuss(
       {"analyze", "ping.wav", "--modes-file", "found.csv", "-o", "ping.modes.csv", "-o", "m.json", "--quiet"},

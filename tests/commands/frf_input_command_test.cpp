@@ -167,14 +167,14 @@ TEST_F(FrfInput, IsConvertedByFrf) {
   EXPECT_EQ(lines_of(outcome.out).size(), 943U);
 }
 
-TEST_F(FrfInput, RejectsOptionsThatDoNotApplyToFrfs) {
+TEST_F(FrfInput, RejectsOptionsThatDoNotApplyToTheInput) {
   const std::string frfs = file("accelerance.csv");
   const std::vector<std::pair<std::vector<std::string>, int>> cases{
       {{frfs, "--fs", "100"}, 3},          {{frfs, "--exponential", "0.1"}, 3},
       {{frfs, "--estimator", "h2"}, 3},    {{frfs, "--reject-hit", "1"}, 3},
       {{frfs, "--band", "60:2000"}, 3},    {{frfs, "--frf-kind", "impedance"}, 2},
       {{frfs, file("bat.h5")}, 3},         {{frfs, file("mobility.h5"), "--files", "hits"}, 2},
-      {{frfs, "--accel-channel", "7"}, 3},
+      {{frfs, "--accel-channel", "7"}, 3}, {{file("bat.h5"), "--frf-kind", "mobility"}, 2},
   };
   for (auto [arguments, code] : cases) {
     arguments.insert(arguments.begin(), "analyze");

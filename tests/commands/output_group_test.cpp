@@ -77,7 +77,7 @@ TEST_F(OutputGroups, AppearTogether) {
   EXPECT_THAT(files(), UnorderedElementsAre("a.json", "a.h5", "a.csv"));
 }
 
-// The first line of a table tells what it holds.
+// The column names of a table show whether it holds modes or FRFs.
 TEST_F(OutputGroups, HoldModesOrFrfsByNameOrOption) {
   const auto outcome = run_percuss({"analyze", record_, "--quiet", "--frf", folder_.file("a.csv"), "--modes-file",
                                     folder_.file("b.csv"), "-o", folder_.file("frf.csv"), "-o",

@@ -98,6 +98,7 @@ int run(const Options& options) {
   if (!options.record.empty()) {
     if (checks.size() != 1)
       throw std::invalid_argument(fmt::format("--record needs one cell, --only selects {}", checks.size()));
+    if (!checks.front().record) throw std::invalid_argument("--record: this check has no record");
     acquire::write_record(options.record, checks.front().record(options.record_run), true);
     return 0;
   }

@@ -40,7 +40,7 @@ std::vector<std::size_t> parse_hits(const OptionId& option, const std::vector<st
     const auto range = number_range(piece);
     if (range && range->first == 0)
       throw OptionError::wrong_value(option, piece, "hits count from 1, as in the table of hits");
-    if (!range || hits.size() + (range->second - range->first) > kMaxListedNumber)
+    if (!range || hits.size() + (range->second - range->first) >= kMaxListedNumber)
       throw OptionError::wrong_value(option, piece, std::string("give ") + kHitsRequirement);
     for (std::size_t number = range->first; number <= range->second; ++number) hits.push_back(number - 1);
   }

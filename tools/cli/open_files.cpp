@@ -259,6 +259,11 @@ Measurements open_measurements(const ReadFlags& given) {
                      has_in_memory_inputs(flags) ? "data in memory" : flags.paths[i],
                      "analyse the two kinds separately");
   }
+  if (flags.frf_kind && !out.records.empty()) {
+    throw OptionError({"frf_kind"},
+                      "cannot be set for a record of force and acceleration: it is the kind of given FRFs",
+                      "leave it out; the FRFs of a record are computed in the kind that is asked for");
+  }
   return out;
 }
 

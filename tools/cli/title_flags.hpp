@@ -19,7 +19,7 @@ struct TitleFlags {
 void add_title_flags(Command& command, TitleFlags& flags);
 
 /// The statements with the files read. errors  InputError: a file that cannot be read, or is no picture; OptionError: a
-/// text that is too long or is not UTF-8.
+/// text that is too long.
 report::TitleBlock title_block(const TitleFlags& flags);
 
 }  // namespace percuss::tools

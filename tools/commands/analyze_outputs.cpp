@@ -116,7 +116,7 @@ void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSe
 
 std::string text_of(const AnalyzeResults& results, std::size_t width, bool sketch, OptionWriter write_option) {
   std::string text;
-  const bool warnings = !results.flags.output.quiet;
+  const bool warnings = results.flags.output.host != nullptr || !results.flags.output.quiet;  // a host is always quiet
   for (const Test& test : results.tests) {
     if (results.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
     text += report::analysis_text(*test.analysis, {.sections = results.sections,

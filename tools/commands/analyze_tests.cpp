@@ -41,12 +41,12 @@ pipeline::Warning files_disagree(const pipeline::Analysis& joined, const pipelin
       "state how the files belong together, if they are hits of one point");
 }
 
-// Several files are one test unless the user says otherwise or their FRFs disagree.
 [[noreturn]] void refuse_disagreeing(const pipeline::Analysis& analysis, const pipeline::Warning& said) {
   throw InputError(said.message.substr(0, said.message.find(" and are not averaged")), analysis.record().source(),
                    "write one file at a time, or state how the files belong together", {"files"});
 }
 
+// Several files are one test unless the user says otherwise or their FRFs disagree.
 std::vector<Test> tests_of_joined(const AnalyzeFlags& flags, const std::vector<acquire::Record>& records) {
   std::vector<acquire::Record> joined;
   joined.push_back(acquire::join_records(records, flags.read.files));

@@ -45,7 +45,7 @@ void add_compare(CommandLine& line) {
   command.about(
       "Pairs the modes of the first document with the modes of each other document, by frequency and shape, and shows "
       "the differences. Compares the deflections of two documents likewise. analyze, survey, deflect and model write "
-      "such documents with --json or -o FILE.json.");
+      "such documents with --json.");
   command.example("percuss compare test.json model.json", "Compare a test with a model");
   command.example("percuss compare test.json model.json --furthest 40 -o compared.csv",
                   "Pair modes up to 40 % apart, and write a table");

@@ -99,7 +99,8 @@ int deflect_files(const DeflectFlags& flags) {
   report.text = report::deflection_text(analysis, test);
   if (flags.comparison.wanted()) {
     const ImpactModes modes = modes_of_impacts(analysis);
-    const report::CommandReport compared = impact_comparison(flags.comparison, analysis, test, modes);
+    const report::CommandReport compared =
+        impact_comparison(flags.comparison, flags.output.host, analysis, test, modes);
     report.json = report::with_comparison(report.json, modes.modes, compared.json);
     report.text += std::string("\n");
     report.text += compared.text;

@@ -6,6 +6,7 @@
 
 #include "cli/option_error.hpp"
 #include "cli/option_units.hpp"
+#include "cli/output.hpp"
 #include "core/io/parse_number.hpp"
 #include "model/beam/beam.hpp"
 #include "model/impact/impact.hpp"
@@ -110,11 +111,15 @@ ImpactModes modes_of_impacts(const pipeline::Analysis& analysis) {
   return out;
 }
 
-report::CommandReport impact_comparison(const ComparisonFlags& flags, const pipeline::Analysis& analysis,
-                                        const pipeline::ImpactTest& test, const ImpactModes& modes) {
+report::CommandReport impact_comparison(const ComparisonFlags& flags, const Host* host,
+                                        const pipeline::Analysis& analysis, const pipeline::ImpactTest& test,
+                                        const ImpactModes& modes) {
   std::vector<metrics::ComparedDocument> documents{document_of(analysis, test, modes)};
   for (const std::string& path : flags.compared) {
-    for (metrics::ComparedDocument& one : report::read_documents(path)) documents.push_back(std::move(one));
+    for (metrics::ComparedDocument& one : report::read_documents(path)) {
+      one.name = with_display_names(host, one.name);
+      documents.push_back(std::move(one));
+    }
   }
   if (!flags.beam.empty()) documents.push_back(document_of(beam_of(flags.beam), test));
   return report::compare_report(documents);

@@ -9,6 +9,7 @@
 #include "report/html/command_report.hpp"
 
 namespace percuss::tools {
+struct Host;
 
 /// What an impact test is compared with.
 struct ComparisonFlags {
@@ -25,9 +26,10 @@ struct ImpactModes {
 ImpactModes modes_of_impacts(const pipeline::Analysis& analysis);
 
 /// The impact test beside documents and a model beam: frequencies, largest deflections and their ratio. The model's
-/// ball has the measured speed, or the stated one; without a speed, frequencies alone are compared.
+/// ball has the stated speed, or else the measured one; without a speed, frequencies alone are compared.
 /// errors  OptionError: an unknown key or a wrong value; InputError: as report::read_documents.
-report::CommandReport impact_comparison(const ComparisonFlags& flags, const pipeline::Analysis& analysis,
-                                        const pipeline::ImpactTest& test, const ImpactModes& modes);
+report::CommandReport impact_comparison(const ComparisonFlags& flags, const Host* host,
+                                        const pipeline::Analysis& analysis, const pipeline::ImpactTest& test,
+                                        const ImpactModes& modes);
 
 }  // namespace percuss::tools

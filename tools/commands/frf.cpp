@@ -108,8 +108,7 @@ int frf(const FrfFlags& flags) {
 
 void add_frf(CommandLine& line) {
   auto flags = line.values<FrfFlags>();
-  Command command = line.command("frf", "Average FRFs and coherence, as CSV on standard output or into files",
-                                 [flags] { return frf(*flags); });
+  Command command = line.command("frf", "Average FRFs and coherence", [flags] { return frf(*flags); });
   command.about(
       "Averages the accepted hits of records to frequency response functions (FRFs) and coherence, without fitting "
       "modes. Accelerance is in (m/s²)/N, mobility in (m/s)/N, receptance in m/N. The table has one row per "

@@ -25,7 +25,7 @@ def compare(
 
     Pairs the modes of the first document with the modes of each other document, by frequency and
     shape, and shows the differences. Compares the deflections of two documents likewise. analyze,
-    survey, deflect and model write such documents or -o FILE.json.
+    survey, deflect and model write such documents.
 
     Parameters
     ----------

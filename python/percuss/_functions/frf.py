@@ -56,7 +56,7 @@ def frf(
     paper: Literal["a4", "letter"] | None = None,
     kind: Literal["accelerance", "mobility", "receptance"] | None = None,
 ) -> AveragedFrf:
-    """Average FRFs and coherence, as CSV on standard output or into files.
+    """Average FRFs and coherence.
 
     Averages the accepted hits of records to frequency response functions (FRFs) and coherence,
     without fitting modes. Accelerance is in (m/s²)/N, mobility in (m/s)/N, receptance in m/N. The

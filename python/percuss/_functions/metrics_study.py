@@ -11,11 +11,11 @@ from .._types import File, Path, Texts
 @command_function("metrics.study", "study")
 def study(
     *tables: Path,
-    figures: File | None = None,
+    figures: Path | None = None,
     program: Texts | None = None,
     hoop_curve: File | None = None,
-    blind: File | None = None,
-    table: File | None = None,
+    blind: Path | None = None,
+    table: Path | None = None,
     title: str | None = None,
     customer: str | None = None,
     operator: str | None = None,
@@ -36,7 +36,7 @@ def study(
     ----------
     *tables : path
         Tables, or documents that name their bat (analyses and metrics with `bat_id`, certify, abi).
-    figures : path, array, dict or Result, optional
+    figures : path, optional
         Write every figure as picture and table into this folder.
     program : str or list of str, optional
         Count the bats of these certification programs in statements, trends and correlations;
@@ -44,9 +44,9 @@ def study(
         all: every bat.
     hoop_curve : path, array, dict or Result, optional
         Draw this model over the hoop figures; a document of percuss model trampoline.
-    blind : path, array, dict or Result, optional
+    blind : path, optional
         Replace the ids of the bats by neutral ones, and write the key to this file.
-    table : path, array, dict or Result, optional
+    table : path, optional
         Write the joined table.
     title : str, optional
         Set the title of the page (default: the name of the file).

@@ -63,7 +63,7 @@ def impact(
         Set the stiffness of the torsion spring at x = 0 (default: 1200).
     length : float in m, optional
         Set the length of the beam (default: 0.57).
-    layer : (young, width, height) or a list of them, optional
+    layer : (young, width, height[, density]) or a list of them, optional
         Add a layer of the section, from the underside up, in Pa, m, m and kg/m³; layers replace
         `ei`, and layers with a density also `rho_a`.
     profile : path, array, dict or Result, optional

@@ -78,7 +78,8 @@ Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, con
     frf.value[k] *= by;
     if (!frf.std.empty()) frf.std[k] *= std::abs(by);
     if (std::abs(frf.value[k]) <= kMaxSample) continue;
-    throw InputError(fmt::format("the FRF at {:.6g} Hz is too large", record.lines.freq_Hz(k)), where,
+    const char* const problem = std::isfinite(std::abs(frf.value[k])) ? "too large" : "not a finite number";
+    throw InputError(fmt::format("the FRF at {:.6g} Hz is {}", record.lines.freq_Hz(k), problem), where,
                      "correct the number or the scale");
   }
   return frf;

@@ -21,7 +21,11 @@ using Ring = std::map<long, RingPoint>;  // by angle in 0.001°
 // The pairs of neighbours on a ring, by angle.
 std::vector<std::pair<long, long>> neighbours_on(const Ring& ring) {
   std::vector<std::pair<long, long>> out;
-  for (auto p = ring.begin(); std::next(p) != ring.end(); ++p) out.emplace_back(p->first, std::next(p)->first);
+  for (auto p = ring.begin(); std::next(p) != ring.end(); ++p) {
+    const auto next = std::next(p);
+    if (ring.size() == 2 || next->second.angle_rad - p->second.angle_rad <= kMaxOpening_rad)
+      out.emplace_back(p->first, next->first);
+  }
   const double opening = ring.begin()->second.angle_rad + kFullTurn_rad - ring.rbegin()->second.angle_rad;
   if (ring.size() > 2 && opening <= kMaxOpening_rad) out.emplace_back(ring.rbegin()->first, ring.begin()->first);
   return out;

@@ -119,6 +119,20 @@ TEST(ModelBeamCommand, NamesTheInvalidOption) {
   }
 }
 
+TEST(ModelBeamCommand, TakesTwoColumnsWithoutNamesAsPositionAndDiameter) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("named.csv"), "position,diameter\n0,0.03\n0.3,0.03\n0.6,0.02\n");
+  test::write_bytes(folder.file("bare.csv"), "0,0.03\n0.3,0.03\n0.6,0.02\n");
+  std::vector<std::string> tables;
+  for (const char* name : {"named.csv", "bare.csv"}) {
+    const auto outcome = test::run_percuss(
+        {"model", "beam", "--profile", folder.file(name), "--young", "1e10", "--density", "600", "--support", "free"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    tables.push_back(outcome.out);
+  }
+  EXPECT_EQ(tables[0], tables[1]);
+}
+
 // The uniform beam as a table of its section, and a fit of its stiffness and spring.
 TEST(ModelBeamCommand, ReadsATableOfSections) {
   const test::ScratchFolder folder;

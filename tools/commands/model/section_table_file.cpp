@@ -96,7 +96,7 @@ std::vector<ProfileColumn> columns_of(const NumberTable& table, const SectionTab
                                       const std::string& where) {
   const std::size_t count = table.rows.front().values.size();
   const std::string& place = table.headers.empty() ? table.rows.front().place : where;
-  std::vector<std::string> names = names_of(table, form.unnamed);
+  std::vector<std::string> names = names_of(table, count == 2 ? std::vector<std::string>{} : form.unnamed);
   names.resize(count);
   std::vector<ProfileColumn> columns;
   columns.reserve(count);

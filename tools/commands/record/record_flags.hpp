@@ -36,8 +36,8 @@ struct RecordFlags {
   }
 };
 
-/// The options that a resumed session takes from its journal, as one line of JSON, and back. The report and the pace
-/// may be given anew. Checksums tell whether the geometry and the set-up are still the same.
+/// The options that a resumed session takes from its journal, as one line of JSON, and back. --report and --fast may be
+/// given anew. Checksums tell whether the geometry and the set-up are still the same.
 /// errors  InputError at `where`: not such a text; InputError: the geometry or the set-up has changed; OptionError: a
 /// given option contradicts the session
 std::string settings_json(const RecordFlags& flags);

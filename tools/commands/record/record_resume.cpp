@@ -53,8 +53,8 @@ std::uint64_t first_frame_of(const acquire::JournalReader& journal) {
   return ranges.empty() ? std::numeric_limits<std::uint64_t>::max() : ranges.front().first;
 }
 
-// The end of a session overwrites the file, also with fewer blows where the journal was damaged. The file may have one
-// row more, which the end of the device cut short.
+// The end of a resumed session overwrites the file. Refuses a file with more blows than the journal, which may be
+// damaged. The file may have one row more, which the end of the device cut short.
 void refuse_loss(const std::string& path, const Interrupted& interrupted, bool overwrite) {
   if (!fs::exists(path) || (overwrite && !acquire::is_hdf5(path))) return;
   const std::vector<acquire::RowInfo> rows = rows_of(path);

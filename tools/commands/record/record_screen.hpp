@@ -22,7 +22,8 @@ class RecordScreen : public pipeline::GuideObserver {
   void begin(const acquire::StreamFormat& format, const pipeline::Guide& guide);
   void resumed(const pipeline::Guide& guide);
   void note(const std::string& text);
-  /// Shows the prompt and, on a terminal, what the test is worth; anywhere, goals for modes that the test lacks.
+  /// Shows the prompt and, on a terminal, the problems of the test and the precision of its modes. Names goals whose
+  /// modes were not found, with or without a terminal.
   void update(const pipeline::Guide& guide);
   /// The summary. Names accepted blows that the analysis of all blows rejects.
   void end(const pipeline::Guide& guide, const SessionResult& result);

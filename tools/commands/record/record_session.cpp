@@ -39,7 +39,7 @@ using Kind = pipeline::SessionEvent::Kind;
 
 constexpr double kKeptBefore_s = 1;  // of silence before the first blow, in the journal
 
-// The guide tells of losses where the samples show them. Troubles of the disk do not wait for samples.
+// The guide reports losses when the samples show them. Faults of the disk are reported at once.
 void take_findings(acquire::CaptureStream& stream, pipeline::Guide& guide, RecordScreen& screen,
                    std::uint64_t& missing_frames) {
   for (const acquire::CaptureFinding& finding : stream.take_findings()) {

@@ -33,8 +33,8 @@ std::size_t columns_of(int terminal) {
   return ::ioctl(terminal, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-// The terminal as a file of its own that never waits: one that nobody reads would hold up the end of the session. The
-// standard output stays as other programs share it. −1: not possible.
+// The terminal as a file of its own that never waits: one that nobody reads would hold up the end of the session.
+// Standard output itself stays blocking, because other programs share it. −1: not possible.
 int open_again(int terminal) {
   std::array<char, 256> name{};
   if (::ttyname_r(terminal, name.data(), name.size()) != 0) return -1;
