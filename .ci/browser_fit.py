@@ -76,7 +76,7 @@ def check_fit(driver, path, check, load, survey):
 
 
 def check_paper(driver, path, check, load):
-    """On paper the plots fill the width, and no heading stands alone at the end of a page."""
+    """On paper the plots fill the width, and nothing is wider than the paper."""
     load(driver, path)
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print", "features": []})
     driver.execute_script("window.dispatchEvent(new Event('beforeprint'))")

@@ -52,7 +52,7 @@ def seen_in(document, mode):
 
 
 def check_halves_of_hits(path, document):
-    """Modes are real where independent hits show them, too, with the same frequencies."""
+    """Real modes also appear in each half of the hits, with the same frequencies."""
     halves = [percuss("analyze", path, "--band", "400:8000", "--reject-hit", hits)[1] for hits in ("4,5", "1-3")]
     seen = [[seen_in(half, mode) for half in halves] for mode in document["modes"]]
     once = sum(any(both) for both in seen)

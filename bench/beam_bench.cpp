@@ -3,7 +3,7 @@
 #include "model/beam/beam.hpp"
 #include "model/impact/impact.hpp"
 
-// Limit: impact_three_sweeps takes at most 100 ms on one core. The default beam is a composite bat.
+// Limit: impact_three_sweeps takes at most 100 ms on one core. The default beam is a composite cricket bat.
 namespace percuss {
 namespace {
 

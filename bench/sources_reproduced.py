@@ -25,7 +25,7 @@ software can make, with the source's number and the command. For each table and 
 states the reason. "Commands" are the numbers of the commands below its table; all commands of the page run in order, in
 one empty folder.
 
-None of them publishes records, or the points of figures. Where the source shows measurements, the command shows
+None of the three works publishes records, or the points of figures. Where the source shows measurements, the command shows
 the same figure of a synthetic test or population, which is no evidence about bats; the row says so. "text" and
 "theory" rows are numbers outside figures.
 

@@ -8,8 +8,8 @@
 
 namespace percuss::report {
 
-/// One line per sample: hit, channel, time from the row's beginning, velocity, deflection and its standard deviation
-/// (empty where the method has none).
+/// One line per sample: hit, channel, time from the row's beginning, velocity, deflection, its standard deviation
+/// (empty where the method has none), point, position (empty where not known).
 std::string deflection_csv(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test);
 
 /// /deflection_m, /velocity_mps, /deflection_std_m [hits, channels, samples], filled up with NaN; /hit, /point [hits],

@@ -12,7 +12,7 @@ namespace percuss::synth {
 namespace {
 
 constexpr std::uint64_t kBlowStream = 11, kSessionNoiseStream = 12;
-constexpr double kFaintest = 20;           // a decay ends below e^−20, a thirtieth of the last bit of 24
+constexpr double kBlowDecayExponent = 20;  // a decay ends below e^−20: a sixtieth of a step of 24 bits
 constexpr double kOrdinaryHeadroom = 1.5;  // full scale over the largest value of an ordinary blow
 constexpr double kClippedPeak = 1.8;       // over the full scale
 constexpr double kWeakPeak = 0.04;         // over the usual peak
@@ -87,7 +87,7 @@ BlowRenderer::Active BlowRenderer::active_of(std::size_t number) const {
   }
   double longest_s = 0;
   for (const SynthPole& pole : poles_)
-    longest_s = std::max(longest_s, kFaintest / (2 * std::numbers::pi * pole.freq_Hz * pole.damping_ratio));
+    longest_s = std::max(longest_s, kBlowDecayExponent / (2 * std::numbers::pi * pole.freq_Hz * pole.damping_ratio));
   out.first_frame = out.pulses.front().onset_s * spec.fs_Hz - kFilterHalfWidth - 1;
   out.last_frame = (out.pulses.back().onset_s + width_s + longest_s) * spec.fs_Hz + kFilterHalfWidth + 1;
   return out;

@@ -23,7 +23,7 @@ std::span<const SynthPreset> synth_presets();
 /// errors  InputError with the list of names.
 SynthSpec synth_preset(std::string_view name);
 
-/// A spec with every key and a comment on each.
+/// A spec with comments and every key. Keys that exclude another key stand in the comments.
 std::string_view synth_example();
 
 }  // namespace percuss::synth

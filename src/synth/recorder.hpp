@@ -19,8 +19,8 @@ struct RecorderRange {
   double force_step_N, accel_step_mps2;
 };
 
-/// The range of the recorder for one run. An automatic full scale is 1.5 times the largest value of `clean`, the
-/// signals without noise.
+/// The range of the recorder for one run. An automatic full scale is 1.5 times the sum of the bias and the largest
+/// value of `clean`, the signals without noise.
 RecorderRange recorder_range(const SynthRecorder& recorder, const SynthSamples& clean);
 
 /// Records one row in place: adds noise, bias and drift, then clips and quantises. `row` counts over the whole test and

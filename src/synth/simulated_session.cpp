@@ -38,7 +38,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// The options by name; each is taken once, and the rest is unknown.
+/// The options by name. Reading an option removes it; options that remain are unknown.
 class SessionOptions {
  public:
   explicit SessionOptions(std::string_view text) : parts_(split(text, ',')) {
@@ -135,7 +135,7 @@ std::map<std::size_t, BlowKind> faulty_blows(SessionOptions& options) {
   return kinds;
 }
 
-// A fault takes the place of no good blow: the tester repeats it. A late blow is good.
+// A faulty blow does not count towards the hits of its point: the tester strikes again. A late blow counts.
 void plan_blows(SessionOptions& options, SimulatedSession& session) {
   std::vector<std::size_t> points =
       options.whole_numbers("points", 0, static_cast<double>(session.spec.points.size() - 1));
@@ -168,7 +168,7 @@ void plan_blows(SessionOptions& options, SimulatedSession& session) {
   session.end_s = options.number("end", 0, kMaxTime_s).value_or(next_s - every_s + std::max(kAfterLast_s, every_s));
 }
 
-/// The band of a spec tells its truth alone; at a lower rate it ends where the samples do.
+/// The band of a spec only marks modes in the truth document. At a lower sampling rate, it ends at half that rate.
 void change_rate(SynthSpec& spec, double fs_Hz) {
   if (fs_Hz == spec.fs_Hz) return;
   spec.fs_Hz = fs_Hz;

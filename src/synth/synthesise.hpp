@@ -42,7 +42,7 @@ struct Truth {
   std::vector<double> accel_noise_mps2;                          // [channel], standard deviation
   std::vector<double> accel_clean_rms_mps2;                      // [channel]
   double force_noise_N = 0;
-  std::optional<CramerRaoBound> bound;  // present with noise on every acceleration
+  std::optional<CramerRaoBound> bound;  // present with at least one mode and noise on every acceleration
 };
 
 struct SyntheticTest {

@@ -11,7 +11,7 @@ namespace percuss::pipeline {
 /// Findings about the channels, from the modes that they measured.
 struct ChannelFindings {
   std::vector<ChannelDelay> delays;            // that remain after any correction
-  std::vector<ChannelDelay> corrected_delays;  // that the phases established and the analysis took out
+  std::vector<ChannelDelay> corrected_delays;  // that were taken out: stated, or established by the phases
   std::vector<ChannelClock> clocks;
   std::vector<ChannelPair> pairs;
   double largest_velocity_mps = 0;

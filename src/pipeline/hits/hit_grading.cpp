@@ -21,9 +21,9 @@ bool names_hit(const std::vector<std::size_t>& list, const std::vector<std::size
   return contains(list, i) || (contains(list, kEveryHit) && !contains(other, i));
 }
 
-void require_hits(const std::vector<std::size_t>& numbers, std::size_t hits, const acquire::Record& record,
+void require_hits(const std::vector<std::size_t>& indices, std::size_t hits, const acquire::Record& record,
                   const char* option) {
-  for (const std::size_t i : numbers) {
+  for (const std::size_t i : indices) {
     if (i < hits || i == kEveryHit) continue;
     throw InputError(fmt::format("there is no hit {} among {} hits", i + 1, hits), record.source(),
                      "hits count from 1, as in the table of hits", {option});

@@ -12,22 +12,22 @@ namespace percuss::pipeline {
 
 /// The user's demands on the hits.
 struct HitDemands {
-  std::vector<std::size_t> accept, reject;  // hit numbers
+  std::vector<std::size_t> accept, reject;  // indices of hits, or kEveryHit
   std::optional<double> high_Hz;            // upper end of the band, which the bandwidth of the force should reach
 };
 
-/// Stands for all hits in a list of hit numbers.
+/// Stands for all hits in a list of hit indices.
 inline constexpr std::size_t kEveryHit = std::numeric_limits<std::size_t>::max();
 
-/// Whether `list` names hit i: by its number, or by kEveryHit where `other` does not name the number.
+/// Whether `list` names hit i: by its index, or by kEveryHit where `other` does not hold this index.
 bool names_hit(const std::vector<std::size_t>& list, const std::vector<std::size_t>& other, std::size_t i);
 
-/// errors  InputError: a number of `numbers`, the value of `option`, that none of the `hits` hits has.
-void require_hits(const std::vector<std::size_t>& numbers, std::size_t hits, const acquire::Record& record,
+/// errors  InputError: an index in `indices`, the value of `option`, that none of the `hits` hits has.
+void require_hits(const std::vector<std::size_t>& indices, std::size_t hits, const acquire::Record& record,
                   const char* option);
 
 /// Accepts hits by their force and by the user's demands.
-/// errors  InputError: a hit number that does not exist.
+/// errors  InputError: an index of a hit that does not exist.
 std::vector<AnalysedHit> grade_by_force(std::vector<acquire::Hit> found, const acquire::Record& record,
                                         const HitDemands& demands);
 

@@ -35,7 +35,7 @@ struct Reason {
   std::string reason, remedy;
 };
 
-// The response moves more than before the first blow.
+// Whether the response moves more than its noise: the least motion before any blow so far.
 bool rings_before(const BlowCircumstances& at, std::size_t channel) {
   return channel < at.rest.size() && at.rest[channel].before_mps2 > kMoving * at.rest[channel].noise_mps2;
 }
@@ -126,7 +126,7 @@ Reason two_contacts(double ratio, double apart_s, bool smaller_first) {
   return {RowMark::double_hit, what, "strike shorter: let the hammer bounce off"};
 }
 
-// By the last blow, or by an earlier contact of this one.
+// The structure rings from the last blow, or from an earlier contact of this one.
 Reason ringing(const BlowCircumstances& at) {
   if (at.contact_before > 0) return two_contacts(at.contact_before, at.contact_before_s, true);
   return {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
@@ -165,7 +165,7 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
   }
   if (hit.gated_N.empty() || acquire::rejects(hit.findings)) {
     std::string remedy = "strike freely and once";
-    if (at.first_blows) remedy += is_hammer_there(context);
+    if (at.all_rejected) remedy += is_hammer_there(context);
     return {RowMark::no_pulse, "no clean pulse", remedy};
   }
   const double peak_N = std::abs(hit.peak_N);
@@ -267,7 +267,7 @@ std::vector<AnalysedHit> analysed(acquire::Record record, const AnalysisOptions&
   }
 }
 
-// A single row is searched for hits: its hit has all its samples.
+// The analysis searches a record of one row for hits. With the blow's own pre-trigger, the hit spans the whole row.
 AnalysisOptions options_of(const BlowCircumstances& at, const BlowContext& context) {
   AnalysisOptions options = context.options;
   options.hits.pretrigger_s = static_cast<double>(at.pretrigger) / context.channels.description.fs_Hz;

@@ -36,7 +36,7 @@ struct BlowCircumstances {
   std::size_t pretrigger = 0;  // samples
   std::vector<Rest> rest{};    // [responses]
   bool none_accepted = false;  // up to now
-  bool first_blows = false;    // … although there were blows
+  bool all_rejected = false;   // there were blows, and none is accepted
   bool length_stated = false;  // by the user, not by the decay of the first blow
   double clipped_at_N = 0;     // the force at which blows were clipped before; 0: none was, or at different ones
 };
@@ -45,7 +45,7 @@ struct BlowCircumstances {
 struct BlowGrade {
   acquire::RowMark mark = acquire::RowMark::none;
   std::string reason{};  // what is wrong: "two contacts, the second 31 % of the first"
-  std::string remedy{};  // what to do: "let the hammer bounce back"
+  std::string remedy{};  // what to do: "strike shorter: let the hammer bounce off"
   double peak_N = 0, pulse_s = 0, bandwidth_Hz = 0;
   std::optional<double> force_range{}, accel_range{};  // part of full scale
   std::size_t accel_channel = 0;                       // that has accel_range

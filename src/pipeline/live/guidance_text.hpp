@@ -38,7 +38,7 @@ std::string left_out_text(double time_s, bool too_early);
 std::string silent_hammer_text(const LiveChannels& channels, std::optional<double> trigger_N, bool later);
 /// A push at this time was too long for a blow.
 std::string long_push_text(const LongPush& push, double time_s);
-/// The end: "22 of 24 points are complete; 113 blows count, 9 rejected, 2 undone".
+/// The end: "22 of 24 points complete; 113 blows count, 9 rejected, 2 undone".
 std::string summary_text(const Session& session);
 
 }  // namespace percuss::pipeline

@@ -17,7 +17,7 @@ struct BlowReport {
   int point = 0;
   std::size_t blow = 1;  // of `hits`: its number among the accepted blows of its point, if it counts
   BlowGrade grade;
-  bool sets_range = false;  // among the first blows, and the strongest so far
+  bool sets_range = false;  // among the first blows, and not much weaker than an earlier one
   bool repeated = false;    // its verdict was given in the interrupted session
   bool one_more = false;    // the point has its blows, but this one is doubtful
 };

@@ -35,7 +35,7 @@ double strongest_tone(std::vector<double> x) {
 
 }  // namespace
 
-// From row to row of a replayed record.
+// Whether the loss is a pause between the rows of a replayed record.
 bool Guide::is_pause(const SampleLoss& loss) const {
   return !loss.channel && format_.is_pause(loss.frames, loss.overrun);
 }
@@ -68,14 +68,15 @@ std::vector<SampleLoss> Guide::force_losses(std::uint64_t first, std::uint64_t l
   return losses;
 }
 
-// The samples by which a blow at the very beginning lacks its pre-trigger. The others of its length have it.
+// Samples of pre-trigger that a blow at the very beginning lacks. Later windows have them, so the common length counts
+// them.
 std::size_t Guide::missing_pretrigger(const Window& window) const {
   if (window.first != start_frame_ || format_.pause_frames > 0) return 0;
   const std::size_t whole = pretrigger_of(window.event.rise), own = window.event.peak - window.first;
   return whole > own ? whole - own : 0;
 }
 
-// The decay of such a blow would be judged without its noise.
+// Whether too few samples precede the blow to measure the noise, against which its decay is judged.
 bool Guide::too_early(const Window& window) const {
   const std::size_t usual = std::min(pretrigger_of(0), acquire::pretrigger_samples(channels_.description, {}));
   return missing_pretrigger(window) > 0 && 2 * (window.event.peak - window.first) < usual;
@@ -170,7 +171,7 @@ BlowCircumstances Guide::circumstances(const Window& window) const {
                        .pretrigger = static_cast<std::size_t>(window.event.peak - window.first),
                        .rest = rest_,
                        .none_accepted = session_.accepted() == 0,
-                       .first_blows = session_.accepted() == 0 && !session_.blows().empty(),
+                       .all_rejected = session_.accepted() == 0 && !session_.blows().empty(),
                        .length_stated = options_.length_s.has_value(),
                        .clipped_at_N = clipped_at_N()};
   // The analysis sees contacts within the samples.

@@ -16,7 +16,7 @@ struct SessionPlan {
   std::size_t hits = 5;        // accepted blows at each
 };
 
-/// A blow, or what the operator chose, at a frame of the stream.
+/// A blow, a consequence of it (regraded, enough) or a command of the operator, at a frame of the stream.
 struct SessionEvent {
   enum class Kind { blow, regraded, undo, redo, next, go_to, pause, finish, enough };
   Kind kind = Kind::blow;

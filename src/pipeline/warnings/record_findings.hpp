@@ -8,8 +8,8 @@
 namespace percuss::pipeline {
 
 /// Warnings about faults of the recording: `lost_samples`, `dropout`, `spike`, `zero_shift`, `offset`, `hum`, `tone`,
-/// `already_windowed`, and the warnings of force_findings(). Each message states the number that decided, the
-/// consequence and the remedy.
+/// `already_windowed`, and `response_clipped`, `aliasing` and `duplicate` of force_findings.hpp. Each message states
+/// the number that decided, the consequence and the remedy.
 std::vector<Warning> record_findings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                      const HitResponses& responses);
 

@@ -75,7 +75,7 @@ Json samples_json(const HitSamples& samples, double min_step) {
 Json hits_plot_json(const pipeline::Analysis& analysis) {
   Json out = Json::array();
   for (const HitCurves& hit : hit_curves(analysis, analysis.hits().size() > kManyHits ? kHitsOfMany : kHitsShown)) {
-    out.push_back({{"name", fmt::format("hit {}", hit.number + 1)},
+    out.push_back({{"name", fmt::format("hit {}", hit.index + 1)},
                    {"accepted", hit.accepted},
                    {"bandwidth_hz", hit.bandwidth_Hz},
                    {"force_n", samples_json(hit.force_N, 0)},

@@ -109,7 +109,6 @@ std::string shapes_plot_data(const pipeline::Survey& survey) {
   return ascii_text(Json{{"shapes",
                           {{"layout", name_of_layout(frame.mesh.layout)},
                            {"points", vectors_json(frame.mesh.points, 0)},
-                           {"numbers", frame.mesh.number},
                            {"lines", frame.mesh.lines},
                            {"faces", frame.mesh.faces},
                            {"normals", vectors_json(frame.mesh.normals, kNormalStep)},

@@ -9,7 +9,7 @@ namespace percuss::report {
 // Members of the document percuss/analysis/1, each as JSON text. Precondition: the analysis has computed the results
 // that they show.
 
-/// Hit number `i`.
+/// The hit with index `i`.
 std::string hit_json(const acquire::Record& record, std::size_t i, const pipeline::AnalysedHit& hit);
 struct ModeJson {
   double window_decay_per_s = 0;

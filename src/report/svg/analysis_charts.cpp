@@ -90,7 +90,7 @@ LineChart coherence_chart(const pipeline::Analysis& analysis, const std::vector<
 }
 
 ChartCurve curve_of_hit(const HitCurves& hit, const HitSamples& samples, double unit, std::size_t style) {
-  ChartCurve curve{.name = fmt::format("hit {}{}", hit.number + 1, hit.accepted ? "" : ", rejected"), .style = style};
+  ChartCurve curve{.name = fmt::format("hit {}{}", hit.index + 1, hit.accepted ? "" : ", rejected"), .style = style};
   for (std::size_t i = 0; i < samples.value.size(); ++i) {
     curve.x.push_back((samples.first + static_cast<double>(i) * samples.step) * unit);
     curve.y.push_back(samples.value[i]);

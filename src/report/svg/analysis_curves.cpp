@@ -156,7 +156,7 @@ std::vector<HitCurves> hit_curves(const pipeline::Analysis& analysis, std::size_
     if (hit.gated_N.empty()) continue;
     const bool seen = !hits[i].responses.empty();
     Decay decay = seen ? decay_of(analysis, hit, 0) : Decay{};
-    out.push_back({.number = i,
+    out.push_back({.index = i,
                    .accepted = hits[i].accepted,
                    .bandwidth_Hz = hit.bandwidth_Hz,
                    .force_N = {.first = static_cast<double>(hit.gate_first) / fs_Hz - hit.onset_s,

@@ -28,7 +28,7 @@ struct HitSamples {
 
 /// The plotted curves of a hit.
 struct HitCurves {
-  std::size_t number = 0;
+  std::size_t index = 0;
   bool accepted = false;
   double bandwidth_Hz = 0;
   HitSamples force_N;        // over seconds from the onset; zero outside

@@ -13,7 +13,7 @@ namespace percuss::report {
 namespace {
 
 constexpr double kCell = 240, kMargin = 12, kTitle = 32, kName = 24;
-constexpr std::size_t kBeside = 3;
+constexpr std::size_t kPerRow = 3;
 constexpr int kColourSteps = 4;  // on each side of grey
 
 struct Box {
@@ -84,7 +84,7 @@ SvgFragment shape_svg(const std::string& title, const std::vector<DeformedShape>
     box.cover(drawing.rest);
     box.cover(drawing.moved);
   }
-  const std::size_t beside = std::clamp<std::size_t>(drawings.size(), 1, kBeside);
+  const std::size_t beside = std::clamp<std::size_t>(drawings.size(), 1, kPerRow);
   const std::size_t rows = (drawings.size() + beside - 1) / beside;
   SvgFragment piece{.body = fmt::format("<title>{0}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
                                         "<text x=\"{1}\" y=\"20\" font-size=\"15\">{0}</text>\n",

@@ -29,7 +29,7 @@ std::string reason_of(const pipeline::AnalysedHit& hit) {
   return "its point has better hits";
 }
 
-// The part of the record in which the user let hits be sought, and the length of a hit.
+// The time selection and the length of a hit, where the user set them.
 void add_selection(const acquire::HitOptions& options, Sentences& out) {
   if (options.from_s > 0 || options.to_s) {
     out.push_back(fmt::format("The user chose the samples from {:.6g} s{}; hits elsewhere were left out.",
@@ -43,11 +43,12 @@ void add_hits(const pipeline::Analysis& analysis, Sentences& out) {
   const auto& hits = analysis.hits();
   add_selection(analysis.options().hits, out);
   const std::size_t used = pipeline::accepted_hits(hits).size();
-  out.push_back(fmt::format("{} found where the force leaves its rest (1.1), (1.2); {} used.",
-                            hits.size() == 1 ? "1 hit was" : fmt::format("{} hits were", hits.size()),
-                            used == hits.size() ? (used == 1 ? "it was" : "all were")
-                            : used == 1         ? "1 was"
-                                                : fmt::format("{} were", used)));
+  out.push_back(
+      fmt::format("{} found where the force differs from its baseline by more than the noise (1.1), (1.2); {} used.",
+                  hits.size() == 1 ? "1 hit was" : fmt::format("{} hits were", hits.size()),
+                  used == hits.size() ? (used == 1 ? "it was" : "all were")
+                  : used == 1         ? "1 was"
+                                      : fmt::format("{} were", used)));
   std::size_t listed = 0, more = 0;
   for (std::size_t h = 0; h < hits.size(); ++h) {
     if (hits[h].accepted) {

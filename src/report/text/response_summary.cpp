@@ -29,7 +29,8 @@ FirstMotion first_motion(const pipeline::Analysis& analysis, std::size_t channel
   return out;
 }
 
-// Points may differ in direction. The hits of one point agree, because vote_first_motion() discards outvoted hits.
+// Points may differ in direction. The hits of one point agree, because vote_first_motion() discards the first motion of
+// an outvoted hit.
 std::string direction(const FirstMotion& motion) {
   if (motion.with > 0 && motion.against > 0)
     return fmt::format("with the push in {} hits, against it in {}", motion.with, motion.against);

@@ -29,7 +29,7 @@ std::vector<double> sine(std::size_t samples) {
   return x;
 }
 
-// m of N samples are on: (m)²/(N m). A sine: (1/2)²/(3/8).
+// (Σ x²)²/(N Σ x⁴): m²/(N m) for m equal samples of N, the others at rest; (1/2)²/(3/8) for a sine.
 TEST(ActiveShare, HasItsClosedForms) {
   EXPECT_NEAR(active_share(pulse(1000, 20, 300)), 0.02, kRounding);
   EXPECT_NEAR(active_share(pulse(1000, 20, -300)), 0.02, kRounding);

@@ -55,7 +55,8 @@ TEST(FindHits, CutsALongRecordFromEachPretriggerToTheNext) {
   for (const Hit& hit : hits) EXPECT_FALSE(rejects(hit.findings));
 }
 
-// A slow pulse has rest before it, too: twice its rise from 5 % of the peak, 85.6 % of half a haversine.
+// The samples of a hit begin before a slow pulse, too: twice the rise time before the peak. The rise from 5 % of the
+// peak is 85.6 % of half a haversine.
 TEST(FindHits, BeginsALongPulseAtRest) {
   std::vector<double> x(100'000);
   test::add_haversine(x, 20'000, 512, 200);  // 20 ms
@@ -70,7 +71,7 @@ TEST(FindHits, BeginsALongPulseAtRest) {
   EXPECT_EQ(stated[0].first, 20'256U - 512U);
 }
 
-// An AC-coupled channel swings back after a long pulse, by 4 % of its peak; a response in its place rings.
+// An AC-coupled channel swings back after a long pulse, by 5 % of its peak; a response in its place rings.
 TEST(FindHits, TellsAnUndershootFromARingingForce) {
   std::vector<double> coupled(60'000), ringing(60'000);
   test::add_haversine(coupled, 20'000, 256, 200);

@@ -126,7 +126,7 @@ TEST(GradeResponse, TakesTheFilterBeforeTheHitForNoMotion) {
 
 // Blows that follow one another too soon: before each, the structure rings as at the end.
 TEST(GradeResponse, FindsMotionBeforeTheHitOfACutDecay) {
-  auto again = ringing(4000), noisy = again;  // ends at -26 dB
+  auto again = ringing(4000), noisy = again;  // ends at −24 dB
   for (std::size_t n = 0; n < kSamples; ++n) {
     const auto t = static_cast<double>(n);
     again[n] += 2 * std::exp(-t / 4000) * std::cos(0.05 * t);

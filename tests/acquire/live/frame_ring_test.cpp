@@ -64,7 +64,7 @@ TEST(FrameRing, PutsAllChannelsIntoTheChosenOrder) {
   EXPECT_THAT(values(ring, 0, 6), ElementsAre(2, 10, 300, 5, 40, 600));
 }
 
-// What finds no room is counted, and the frames after it have later numbers.
+// Frames that find no room are counted, and the numbers of later frames include them.
 TEST(FrameRing, CountsWhatItDrops) {
   FrameRing ring(layout(1), 3);
   const std::vector<std::int32_t> frames{0, 1, 2, 3, 4};
@@ -103,7 +103,7 @@ TEST(FrameRing, SeparatesFramesAtALossThatTheDeviceStates) {
   EXPECT_EQ(ring.index_of(0), 0U);
 }
 
-// More losses than the consumer was told of at once: the frames after them are lost too, but never misnumbered.
+// More losses than the ring stores for its consumer: the frames after them are dropped too, but never misnumbered.
 TEST(FrameRing, NumbersFramesRightAfterManyLosses) {
   FrameRing ring(layout(1), 10000);
   std::int32_t number = 0;

@@ -54,8 +54,8 @@ TEST(CrowdedFit, IsForManyModesThatOverlap) {
   EXPECT_FALSE(are_crowded(sharp, 1560));
 }
 
-// Stable poles of rounding errors, of a misfit or of coarse steps are many, too. Almost none of them shows as a peak,
-// or together they are wider than the band.
+// Rounding errors, a misfit or coarse quantisation give many stable poles, too. Almost none of them shows as a peak, or
+// their bandwidths cover more than the band.
 TEST(CrowdedFit, IsNotForStablePolesThatShowNoPeaks) {
   std::vector<Pole> wide = crowd();
   for (Pole& pole : wide) pole.damping_ratio *= 3;

@@ -45,7 +45,7 @@ TEST(VectorFitting, ReturnsThePolesOfFrfsWithoutNoise) {
   expect_near(found, truth, 1e-6);
 }
 
-// A hundredth of a bandwidth: the noise is a thousandth of the FRFs.
+// The noise is below a thousandth of the peaks.
 TEST(VectorFitting, FindsThemAmongMorePolesThanModes) {
   const std::vector<Pole> truth = twelve_poles();
   expect_near(vector_fitting_poles(set_of(truth, 1e-3), 16, 0), truth, 0.05);

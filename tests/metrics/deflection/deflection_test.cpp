@@ -247,7 +247,8 @@ TEST(Deflection, FromModesDoesNotTakeNoiseForMissingMotion) {
   std::normal_distribution<double> normal(0, kNoise * std::sqrt(squares / static_cast<double>(test.accel_mps2.size())));
   for (double& a : test.accel_mps2) a += normal(engine);
   const Deflection found = by_exact_modes(test);
-  // The products of N samples of noise scatter by σ²√N, which is kNoise/12 of the motion in its root; twice that.
+  // The sum of N products of noise samples scatters by σ²√N. Its root is kNoise/12 of the motion; the limit is twice
+  // that.
   EXPECT_LT(found.peak_std_m, kNoise / 6 * std::abs(found.peak_m));
 }
 
@@ -284,7 +285,7 @@ TEST(Deflection, FromModesScattersByTheNoiseOfTheForceAsItsStandardDeviationStat
     for (double& f : test.force_N) f += f != 0 ? normal(engine) : 0;
     squares += std::pow(by_exact_modes(test).deflection_m[stated.peak] - stated.peak_m, 2);
   }
-  // A standard deviation from 100 values has one of 7 %; three of them.
+  // A standard deviation from 100 values scatters by 7 %; the limit is three times that.
   EXPECT_NEAR(std::sqrt(squares / kRepeats) / stated.peak_std_m, 1, 0.21);
 }
 

@@ -21,8 +21,8 @@ using testing::ElementsAre;
 
 constexpr const char* kFiveTimes = "0.4, 1.9, 3.4, 4.9, 6.4";
 
-// Losses, and samples that are no numbers, are told between the verdicts where they happened.
-TEST(GuideFaults, TellsFaultsInTheOrderOfSamples) {
+// Lost samples, and samples that are no numbers, are reported between the verdicts on the blows, in the order of time.
+TEST(GuideFaults, ReportsFaultsInTheOrderOfSamples) {
   const acquire::Record tube = struck_tube(kFiveTimes, 8);
   const auto play = [](Bench& bench, std::size_t block) {
     for (std::size_t i = 3000; i < 3200; ++i) bench.source.values[3 * i + 2] = std::nan("");  // between the blows
@@ -50,7 +50,7 @@ TEST(GuideFaults, TellsFaultsInTheOrderOfSamples) {
   }
 }
 
-// The device's end after the last blow does not concern the session, however late or early it is noticed.
+// A device that is unplugged after the last blow does not concern the session.
 TEST(GuideFaults, LeavesOutWhatHappensAfterTheLastBlow) {
   Bench bench(struck_tube(kFiveTimes, 8));
   bench.play(0, bench.source.frames());
@@ -73,7 +73,7 @@ TEST(GuideFaults, StatesWhyFramesAreMissing) {
 
 TEST(GuideFaults, KeepsTheFaultsOfAnInterruptedSession) {
   Bench bench(struck_tube(kFiveTimes, 8));
-  // The journal's samples begin at frame 400; two faults were before, one is in its samples.
+  // The journal's samples begin at frame 400. Of these three faults, they show the second gap only.
   bench.guide->resume_from({},
                            {{.fault = acquire::CaptureFault::gap, .frame = 300, .count = 100},
                             {.fault = acquire::CaptureFault::gap, .frame = 8200, .count = 200},
@@ -90,7 +90,7 @@ TEST(GuideFaults, KeepsTheFaultsOfAnInterruptedSession) {
   EXPECT_THAT(kinds, ElementsAre(gap, gap, unplugged, resumed));
 }
 
-// The trigger needs the force alone; the dead channel is named, once, and its memory stays flat.
+// The trigger needs only the force. A channel without numbers is named once, and the memory does not grow.
 TEST(GuideFaults, NamesAChannelThatDeliversNoNumbers) {
   Bench bench(struck_tube(kFiveTimes, 8));
   for (std::size_t i = 2; i < bench.source.values.size(); i += 3) bench.source.values[i] = std::nan("");
@@ -108,7 +108,7 @@ TEST(GuideFaults, NamesAChannelThatDeliversNoNumbers) {
   EXPECT_EQ(force.witness.faults[0].channel, 0U);
 }
 
-// Two blows within half a second give no length; neither vanishes without a word.
+// A blow that is followed by another within half a second cannot set the length. It is not recorded, but reported.
 TEST(GuideFaults, SaysWhatItDoesNotRecord) {
   Bench bench(struck_tube("0.4, 0.7, 2.2, 3.7", 5));
   bench.play_all();
@@ -136,7 +136,7 @@ TEST(GuideFaults, MarksBlowsThatLostSamples) {
   EXPECT_NE(json.find("rejected while it was recorded: samples were lost"), std::string::npos);
 }
 
-TEST(GuideFaults, TellsTheEndOfTheRecordingFromALoss) {
+TEST(GuideFaults, DistinguishesTheEndOfTheRecordingFromALoss) {
   Bench bench(struck_tube(kFiveTimes, 8));
   bench.play(0, 8000);  // the second blow rings on
   bench.guide->finish();

@@ -34,7 +34,7 @@ TEST(Guide, RecordsTheAskedBlows) {
   const acquire::Record record = bench.guide->record();
   ASSERT_EQ(record.rows.size(), 5U);
   EXPECT_TRUE(record.faults.empty());
-  // The length was chosen until the decay has ended: the slowest mode falls by 52 dB in 0.4 s.
+  // The chosen length covers the whole decay: the slowest mode falls by 52 dB in 0.4 s.
   EXPECT_GE(record.rows[0].samples, 1600U);
   EXPECT_LT(record.rows[0].samples, 4096U);
   const std::string json = analysis_document(record);
@@ -101,7 +101,7 @@ TEST(Guide, RejectsBlowsInTheDecayOfTheLast) {
   EXPECT_EQ(bench.witness.blows[1].grade.reason, "struck again before the decay ended");
 }
 
-// Pushes that are too long for a hammer are told, once a second; the hammer is not silent then.
+// A push that is too long for a blow is reported, at most once a second. It shows that the hammer is not silent.
 TEST(Guide, TellsOfPushesThatAreTooLong) {
   Bench bench(struck_tube("2.9, 4.4", 7));
   const auto push = [&](double at_s, double length_s, double peak_N) {
@@ -312,7 +312,7 @@ std::vector<std::string> texts_of(const std::vector<pipeline::SessionProblem>& p
   return out;
 }
 
-// A hammer that is connected the wrong way round is told at the bench, not by the report.
+// A hammer that is connected the wrong way round is reported during the session, not only afterwards.
 TEST(SessionQuality, NamesWhatMakesResultsWrong) {
   acquire::Record tube = struck_tube("0.4", 1);
   const auto problems = [&](double sign) {
@@ -327,7 +327,7 @@ TEST(SessionQuality, NamesWhatMakesResultsWrong) {
   EXPECT_THAT(problems(-1), ElementsAre(HasSubstr("wrong sign")));
 }
 
-// What further blows would repeat is told at once, too.
+// A fault of the set-up, which further blows would repeat, is reported at once, too.
 TEST(SessionQuality, NamesWhatIsWrongWithTheSetUp) {
   acquire::Record record = struck_tube("0.4", 1);
   for (acquire::SignalInfo& signal : record.accel) signal.angle_rad.reset();

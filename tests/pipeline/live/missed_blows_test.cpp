@@ -28,7 +28,7 @@ void cut_force(Bench& bench, double from_s) {
     bench.source.values[kChannels * frame] = 0.001 * std::sin(0.9 * static_cast<double>(frame));
 }
 
-TEST(MissedBlows, AreToldAfterOthers) {
+TEST(MissedBlows, AreReportedAfterOtherBlows) {
   Bench bench(struck_tube(kFiveTimes, 8), {.plan = {.hits = 9}});
   cut_force(bench, 3);
   bench.play_all();
@@ -36,7 +36,7 @@ TEST(MissedBlows, AreToldAfterOthers) {
   EXPECT_EQ(bench.witness.silent_hammers, 3U);
 }
 
-TEST(MissedBlows, AreToldBelowATriggerLevel) {
+TEST(MissedBlows, AreReportedBelowATriggerLevel) {
   GuideOptions options{.plan = {.hits = 9}};
   options.trigger_N = 150;
   Bench bench(struck_tube(kFiveTimes, 8), std::move(options));
@@ -48,7 +48,7 @@ TEST(MissedBlows, AreToldBelowATriggerLevel) {
 }
 
 // Motion that is much smaller than after a blow, a pause, or a sensor that is on its way to the next point.
-TEST(MissedBlows, AreNoHandling) {
+TEST(MissedBlows, AreNotReportedForHandling) {
   Bench weak(struck_tube(kFiveTimes, 8), {.plan = {.hits = 9}});
   cut_force(weak, 3);
   for (auto frame = static_cast<std::size_t>(3 * kFs_Hz); frame < weak.source.frames(); ++frame)

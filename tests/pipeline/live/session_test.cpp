@@ -73,7 +73,7 @@ TEST(Session, StaysAtAPointInDoubt) {
   EXPECT_THAT(session.doubtful_points(), ElementsAre(1));
 }
 
-// The first blow of a point was the wrong one: the next are told to be unlike it, until four can vote.
+// The first blow of a point was the wrong one: the next blows differ from it, until four can vote.
 TEST(Session, StaysUntilFourBlowsTellThatTheFirstWasWrong) {
   Session session({.points = {0, 1}, .hits = 2});
   strike(session, 1);

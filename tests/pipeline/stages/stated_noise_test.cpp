@@ -14,7 +14,7 @@ namespace percuss::pipeline::stated_noise_test {
 constexpr identify::Pole kPole{.freq_Hz = 150, .damping_ratio = 0.008};
 constexpr std::size_t kSeeds = 40;
 // The RMS of 40 normal numbers is known to 11 %; the limits are three times as far.
-constexpr double kLeast = 0.67, kMost = 1.33;
+constexpr double kMinRms = 0.67, kMaxRms = 1.33;
 
 Complex accelerance(double freq_Hz) {
   const Complex s(0, kTwoPi * freq_Hz);
@@ -61,10 +61,10 @@ Rms rms_of_deviations(double relative, const std::vector<double>& floor_of) {
 }
 
 void expect_true(const Rms& rms) {
-  EXPECT_GT(rms.freq, kLeast);
-  EXPECT_LT(rms.freq, kMost);
-  EXPECT_GT(rms.damping, kLeast);
-  EXPECT_LT(rms.damping, kMost);
+  EXPECT_GT(rms.freq, kMinRms);
+  EXPECT_LT(rms.freq, kMaxRms);
+  EXPECT_GT(rms.damping, kMinRms);
+  EXPECT_LT(rms.damping, kMaxRms);
 }
 
 TEST(StatedNoise, GivesTrueStandardDeviationsForEvenNoise) { expect_true(rms_of_deviations(0, {0.05})); }

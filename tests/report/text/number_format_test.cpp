@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace percuss::report::number_test {
+namespace percuss::report::number_format_test {
 
 TEST(ValueWithStd, HasTwoDigitsOfTheStdAndAsManyDecimalsOfTheValue) {
   EXPECT_EQ(value_with_std(169.000341, 0.00042), "169.00034 ± 0.00042");
@@ -63,4 +63,4 @@ TEST(ForceText, HasThreeDigitsAndNoExponent) {
   EXPECT_EQ(force_text(0.01234), "0.0123 N");
 }
 
-}  // namespace percuss::report::number_test
+}  // namespace percuss::report::number_format_test

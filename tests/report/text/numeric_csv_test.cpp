@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace percuss::report::columns_test {
+namespace percuss::report::numeric_csv_test {
 
 TEST(NumericCsv, WritesNumbersThatReadBackEqual) {
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -18,4 +18,4 @@ TEST(NumericCsv, PutsWordsAfterNumbers) {
   EXPECT_EQ(numeric_csv({{"cor", {0.5}}}, {{"bat", {"=a"}}}, CsvFormulas::keep), "cor,bat\n0.5,=a\n");
 }
 
-}  // namespace percuss::report::columns_test
+}  // namespace percuss::report::numeric_csv_test

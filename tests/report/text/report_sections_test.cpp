@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss::report::sections_test {
+namespace percuss::report::report_sections_test {
 
 TEST(ParseSections, KnowsEachSectionByName) {
   EXPECT_EQ(parse_report_sections({"hits", "frf", "coherence", "modes", "classes"}), default_sections());
@@ -14,4 +14,4 @@ TEST(ParseSections, KnowsEachSectionByName) {
 
 TEST(ParseSections, RefusesOthers) { EXPECT_THROW(parse_report_sections({"hits", "Modes"}), UsageError); }
 
-}  // namespace percuss::report::sections_test
+}  // namespace percuss::report::report_sections_test

@@ -58,7 +58,7 @@ TEST_F(MatResponse, IsReadFromVectorsAndMatrices) {
   }
 }
 
-// percuss's own layout, and a number per hit that tells hits from channels.
+// percuss's own layout; and a matrix whose columns are hits, not channels, because `point` has a number for each.
 TEST_F(MatResponse, KnowsHitsByTheLayoutOrByAVariableOfTheirNumber) {
   std::vector<double> values;  // [hits, channels, samples] = [2, 3, 5]: 100 h + 10 c + i
   for (std::size_t i = 0; i < 5; ++i)

@@ -85,7 +85,7 @@ TEST(UffRoles, FollowNumbersInTheOrderOfTheFile) {
   expect_two_hits(two_hits("a", "b"), {.force_channel = "2", .accel_channels = {"1"}});
   expect_two_hits(two_hits("a", "b"),
                   {.setup = {{.name = "2", .role = "force"}, {.name = "1", .role = "acceleration"}}});
-  // Functions of one name are one row, whose numbers stay.
+  // Two functions of one name form a single row, so the options keep their numbers.
   const Record one =
       open_uff(csv_bytes(unstated("a", 3) + unstated("a", 1)), {.force_channel = "2", .accel_channels = {"1"}});
   ASSERT_EQ(one.rows.size(), 1U);
