@@ -41,11 +41,11 @@ def responses_given(values: Any, name: str, kind: Any, lines: int) -> np.ndarray
     array = _unmasked(values, name)
     if array.dtype.kind not in ("iufc" if kind is complex else "iuf"):
         raise TypeError(f"{name} holds no numbers: give an array (points, channels, lines)")
-    if kind is complex and array.dtype.kind != "c":
-        raise InputError("real numbers without a phase", name, "give complex responses: magnitude * np.exp(1j * phase)")
     if not 1 <= array.ndim <= 3 or array.size == 0 or array.shape[-1] != lines:
         shape = " × ".join(str(one) for one in array.shape) or "one number"
         raise InputError(f"{shape} values for {lines} frequencies", name, "give (points, channels, lines), (channels, lines) or (lines,)")
+    if kind is complex and array.dtype.kind != "c":
+        raise InputError("real numbers without a phase", name, "give complex responses: magnitude * np.exp(1j * phase)")
     made = np.array(array.reshape((1,) * (3 - array.ndim) + array.shape), dtype=kind)
     bad = np.argwhere(~np.isfinite(made))
     if len(bad):

@@ -172,7 +172,7 @@ def test_functions_take_a_synthetic_test_as_its_record(bat):
 def test_the_text_of_a_result_shows_its_warnings():
     bat = percuss.synth("wood-bat", seed=3).record
     accel = np.array(bat.accel_mps2)
-    accel[1] = 0
+    accel[:, 1] = 0
     found = percuss.analyze(np.array(bat.force_n), accel, fs=bat.fs_hz, band=BAND, object="other")
     assert [one["code"] for one in found.warnings] == ["dead_channel"]
     assert "accel 2 is constant" in " ".join(str(found).split())

@@ -40,8 +40,9 @@ class AmbiguousColumns : public InputError {
 /// Finds the columns by the options (name, name without unit, or 1-based number; letter case aside), then by the roles
 /// of the set-up, else by unit and by words in the name. `file` is its name in messages.
 /// errors  AmbiguousColumns: no column (unless the force is optional) or several could be the force, or none is an
-/// acceleration. InputError: an option names a column that is missing, not unique, without numbers, or named twice.
-/// Messages about a missing column or several possible forces list the columns.
+/// acceleration. InputError: an option names a column that is missing, not unique, without numbers, or named twice; or
+/// the set-up names a missing column and no option names the accelerations. Messages about a missing column or several
+/// possible forces list the columns.
 CsvColumns find_csv_columns(const CsvHeader& header, const ReadOptions& options, const std::string& file);
 
 /// The set-up's entry for a column, or nullptr.

@@ -111,8 +111,8 @@ std::vector<Contact> contacts_of(const TriggerScan& scan, const Record& record, 
   return contacts;
 }
 
-// The end of the search for contacts after the row's largest. What a blow of its own excites is in the response,
-// however late it comes. A late spike, shorter than half the pulse, is no force.
+// The end of the search for contacts after the row's largest. A later blow excites the response, too, so the search
+// extends beyond it, however late it comes. A late spike, shorter than half the pulse, is no blow.
 std::size_t end_of_scan(const TriggerScan& scan, const Record& record, std::size_t row, const SampleRange& part,
                         const HitOptions& options) {
   const std::size_t reach = samples_to_scan(record.fs_Hz);

@@ -12,12 +12,15 @@ struct SampleRange {
   std::size_t first, last;
 };
 
-/// The times of the options, converted to samples.
-/// errors  InputError: no samples between `from_s` and `to_s`; fewer than two samples in `length_s`
+/// The time selection of the options in a row.
+/// errors  InputError: no samples between `from_s` and `to_s`
 SampleRange select_time_range(const Record& record, std::size_t row, const HitOptions& options);
 /// `rise`: samples from the beginning of the pulse to its peak. Without a stated time, a pre-trigger is at least twice
 /// as long: a pulse that rises slowly has rest before it, too.
 std::size_t pretrigger_samples(const Record& record, const HitOptions& options, std::size_t rise = 0);
+
+/// `length_s` in samples; nothing if it is not stated.
+/// errors  InputError: fewer than two samples
 std::optional<std::size_t> selected_length(const Record& record, const HitOptions& options);
 
 }  // namespace percuss::acquire

@@ -26,7 +26,7 @@ struct JournalEvent {
 /// leaves such a rest. Memory does not grow with the samples, and is bounded for any file.
 class JournalReader {
  public:
-  /// errors  InputError: not readable, not a journal, of a newer version; its blocks contradict each other; more than
+  /// errors  InputError: not readable, not a journal, of another version; its blocks contradict each other; more than
   /// 64 MiB of events, or a million gaps
   explicit JournalReader(std::string path);
   JournalReader(const JournalReader&) = delete;

@@ -41,7 +41,8 @@ class JournalWriter {
   std::uint64_t size_bytes() const;
   const std::string& path() const { return path_; }
   /// The first frame number that a resumed session may use: one second after the last frame of the journal, so that
-  /// nobody takes the sessions for continuous. 0 for a new journal.
+  /// nobody takes the sessions for continuous; directly after it if resumed with `seamless`. 0 for a journal without
+  /// samples.
   std::uint64_t next_frame() const { return next_frame_; }
 
  private:

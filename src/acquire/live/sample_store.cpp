@@ -211,7 +211,7 @@ void SampleStore::make_room() {
       const std::uint64_t kept = std::max({read_, begun_ ? written_ : 0, ring_.released()});
       lost_by_reader = release - std::min(release, kept);
     }
-    // Such a device waits for the journal, but not for a full disk.
+    // A device without a clock waits for the journal, but not for a full disk.
     if (begun_ && pace_ != DevicePace::clock && head - release > full && !journal_->fault().empty())
       release = std::max(release, std::min(read_, head - full));
     if (begun_ && release > written_) {

@@ -14,7 +14,9 @@ namespace {
 
 constexpr std::size_t kDateHead_bytes = std::size_t{1} << 16U, kMaxHeadLines = 400, kMaxDate_bytes = 60;
 
-std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\r\n\"'\0") {
+constexpr std::string_view kBlanks{" \t\r\n\"'\0", 7};  // with the NUL that ends texts of sound files
+
+std::string_view trimmed(std::string_view text, std::string_view blanks = kBlanks) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);

@@ -130,6 +130,7 @@ void serialize_signal(Serializer& out, const SignalInfo& signal) {
   out.put(signal.angle_rad.value_or(kUnknown));
   out.put(signal.position_m.value_or(kUnknown));
   out.put(static_cast<std::uint64_t>(signal.measures == Quantity::pressure));
+  out.put(static_cast<std::uint64_t>(signal.unit_assumed));
 }
 
 SignalInfo deserialize_signal(Deserializer& in) {
@@ -140,6 +141,7 @@ SignalInfo deserialize_signal(Deserializer& in) {
   signal.angle_rad = if_known(in.get<double>());
   signal.position_m = if_known(in.get<double>());
   if (in.get<std::uint64_t>() != 0) signal.measures = Quantity::pressure;
+  signal.unit_assumed = in.get<std::uint64_t>() != 0;
   return signal;
 }
 

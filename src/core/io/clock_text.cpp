@@ -12,7 +12,7 @@ namespace {
 
 bool is_numeral(char c) { return c >= '0' && c <= '9'; }
 
-// Takes up to `most` digits off the front. Nothing where there are none or more.
+// Removes the digits at the front and returns their value. Nothing without a digit or with more than `most` digits.
 std::optional<double> take_digits(std::string_view& text, std::size_t most, int& count) {
   double value = 0;
   std::size_t digits = 0;

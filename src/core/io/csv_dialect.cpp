@@ -49,7 +49,7 @@ bool in_most(const std::vector<std::string_view>& lines, char wanted) {
   return 2 * static_cast<std::size_t>(count) > lines.size();
 }
 
-// Only words such as "0,25 -1,5e3": digits on both sides of one comma, no point.
+// Only numbers such as "0,25 -1,5e3 7": at least two, one or more with a decimal comma, none with a point.
 bool is_comma_decimals(std::string_view line) {
   std::size_t words = 0, with_comma = 0;
   for (std::string_view cell; take_blank_separated(line, cell); ++words) {

@@ -40,7 +40,7 @@ CsvDialect find_dialect(const std::vector<std::string_view>& probes, char line_e
 
 /// Whether commas seem to be both delimiters and decimal marks, as in "0,05,1,5" under two names. Considers the lines
 /// of numbers among the first 64 lines of the text, and the probes. All of these conditions must hold:
-///   the delimiter is the comma, and there are at least two names;
+///   the delimiter is the comma, no quoted number has a comma, and there are at least two names;
 ///   no line of numbers contains a point;
 ///   most probes have more cells than there are names, and no line has more than twice as many;
 ///   the number of cells varies, or is twice the names in every line, or a cell is padded with zeros ("05").

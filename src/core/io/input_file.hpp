@@ -27,7 +27,8 @@ FileBytes lazy_input(const std::string& path, std::uint64_t limit_bytes);
 /// Checks the first bytes (up to 64 KiB) before the rest is read. Throws InputError for a wrong kind of file.
 using HeadCheck = std::function<void(std::string_view head)>;
 
-/// Checks all bytes read so far (`text`), each time more bytes have arrived. Throws InputError to stop reading.
+/// Checks all bytes read so far (`text`), each time more bytes have arrived after the first 64 KiB. Throws InputError
+/// to stop reading.
 using GrowthCheck = std::function<void(std::string_view text)>;
 
 /// `path` for messages: "standard input" for "-".

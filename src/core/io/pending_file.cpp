@@ -201,7 +201,6 @@ void PendingFile::fail(std::string_view problem) const {
   throw_system_error(problem, error, path_, remedy_for(error));
 }
 
-// The file is complete under its name.
 void PendingFile::sync_folder() const noexcept { sync_folder_named(folder_.c_str()); }
 
 void sync_folder(const std::string& path) { sync_folder_named(folder_of(path).c_str()); }

@@ -4,7 +4,8 @@
 namespace percuss {
 inline namespace core {
 
-/// `value` with `digits` significant digits, never rounded to zero. Examples with 3: 12.0, 0.0432, 1520 and 1.20e-07.
+/// `value` with `digits` significant digits, and with all digits before the decimal point; never rounded to zero.
+/// Examples with 3: 12.0, 0.0432, 1523 and 1.20e-07.
 std::string significant(double value, int digits);
 
 /// "169.00034 ± 0.00042": the standard deviation with two significant digits, the value with as many decimals. For a

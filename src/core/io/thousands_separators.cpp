@@ -18,8 +18,8 @@ std::size_t digits_at(std::string_view cell, std::size_t at) {
 
 enum class Grouping { none, whole, possible, certain };
 
-// Whether digits stand in groups of thousands. "5,040" may also have a decimal mark; "1,005,040", "5,040.5" and "5'040"
-// do not. A number that begins with 0 has no groups.
+// Whether digits stand in groups of thousands. The comma of "5,040" may be a decimal mark instead; "1,005,040",
+// "5,040.5" and "5'040" are certain. A number that begins with 0 has no groups.
 Grouping grouping_of(std::string_view cell) {
   if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
   std::size_t at = digits_at(cell, 0);
@@ -51,7 +51,7 @@ struct ColumnCells {
     if (grouping == Grouping::certain) ++certain;
     if (grouping == Grouping::certain || (grouping == Grouping::possible && example.empty())) example = cell;
   }
-  // `quoted_commas`: only quotes keep the commas from separating the cells, which nobody chooses for decimals.
+  // `quoted_commas`: the numbers are quoted because the comma also separates cells. Nobody writes decimals so.
   bool holds_separators(bool quoted_commas) const {
     return certain >= kLeast || (other == 0 && possible >= kLeast && (whole >= kLeast || quoted_commas));
   }

@@ -43,7 +43,7 @@ struct LevenbergMarquardtOptions {
   double step_tolerance = 1e-12;                                   // a step below this size ends the search
   // While the damping is at most initial_damping, an expected decrease below this fraction of the cost ends the search.
   double cost_tolerance = 0;
-  // So many steps in a row that each lower the cost by less than cost_tolerance end the search; 0: none do.
+  // The search ends after this many steps in a row that each lower the cost by less than cost_tolerance; 0: never.
   int max_small_decreases = 0;
 };
 

@@ -52,8 +52,8 @@ class DecayProblem : public LeastSquaresProblem {
   double cost() const override { return cost_of(now_); }
 
   // The variance of a line's real and imaginary part, per hit and channel: one per channel from the residual, times the
-  // levels of the hits. A variance per hit from its residual would give hits less weight whose frequency differs from
-  // the others', and would understate the scatter. Sets the weights.
+  // levels of the hits. A variance per hit from its residual would give less weight to hits whose frequency differs
+  // from the others', and would understate the scatter. Sets the weights.
   Eigen::VectorXd set_weights_from_residual() {
     const auto channels = static_cast<Index>(of_.channels), hits = static_cast<Index>(of_.hits);
     const auto modes = static_cast<double>(now_.rates.size());

@@ -62,7 +62,7 @@ LevenbergMarquardtSummary descend(const JointProjection& projection, JointState&
 
 class JointFitter {
  public:
-  // Without derivatives, only residues_at_start() of exact poles is known.
+  // Without derivatives, only residues_at_start() with an empty covariance may be called.
   JointFitter(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options,
               ColumnContent need = ColumnContent::derivatives)
       : set_(set), options_(options), need_(need), projection_(set, start, options.core_share) {

@@ -111,7 +111,7 @@ LocalFit fit_by_residual(const FrfDataset& set, const std::vector<VectorXcd>& da
   return fit_locally(set, data, residual_weights(fit_locally(set, data, ones, start, options)), start, options);
 }
 
-// Complete fits of all hits with these poles, as one sum of squares.
+// A separate fit of each hit, started at these poles: the sums of the costs and of the degrees of freedom.
 struct HitCosts {
   double cost = 0, degrees = 0;
 };

@@ -26,7 +26,7 @@ std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const Hit
                                                 std::size_t mode);
 
 /// [modes] whether the residues of each follow the force at some point; nothing where no point can tell. Two hits of a
-/// point only tell that they do not: such a mode is doubtful.
+/// point can only show that the residues do not follow the force: such a mode is doubtful.
 std::vector<std::optional<bool>> follow_force(const FrfDataset& set, const HitFrfs& hits,
                                               const std::vector<Mode>& modes);
 

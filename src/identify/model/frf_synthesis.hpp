@@ -24,8 +24,9 @@ struct SynthesisedFrf {
 ///   FRAC = |Σ_k conj(H) Ĥ|² / (Σ|H|² Σ|Ĥ|²)                                                              (2)
 ///   noise share of the residual ε = H − Ĥ, which is rough from line to line where it is noise:
 ///   Σ|ε(k) − (ε(k−1) + ε(k+1))/2|² / (3/2 Σ|ε|²)                                                         (3)
-/// φ_r includes the truncated decay (mode_column), with the point's own pole where it has one. r_0 is the mass line;
-/// r_2, r_4 and r_6 are the first terms of the series for the modes above the band.
+/// Under an exponential window of decay σ, jω + σ replaces jω in s. φ_r includes the truncated decay (mode_column),
+/// with the point's own pole where it has one. r_0 is the mass line; r_2, r_4 and r_6 are the first terms of the series
+/// for the modes above the band.
 /// shapes  modes' residues in the order of set.channels; `band` within set.lines.
 /// source  [4] in docs/theory/sources.md.
 /// theory (5.5)

@@ -20,8 +20,8 @@ constexpr double kMaxOverlap = 1;
 constexpr std::size_t kMinFound = 5;
 constexpr double kHighOverlap = 1;    // from here on, some modes are known to hardly better than their bandwidth
 constexpr double kKnownShare = 0.9;   // … below, almost all are known
-constexpr double kFirstCount = 1.5;   // times the modes known: pairs of poles at first
-constexpr double kCountGrowth = 1.3;  // … and in each further trial
+constexpr double kFirstCount = 1.5;   // pole pairs of the first trial, over the number of known modes
+constexpr double kCountGrowth = 1.3;  // factor of this number from one trial to the next
 constexpr std::size_t kMaxCount = 150;
 constexpr double kMaxProducts = 5e10;  // of all fits together: about half a minute
 constexpr double kCoreShare = 0.1;     // bins around the poles, of a bandwidth
@@ -29,7 +29,7 @@ constexpr double kResolution = 0.2;    // of a bandwidth
 constexpr double kGainPerUnknown = 5;  // half the logarithm of the number of lines
 constexpr double kNeeded = 6;          // standard deviations of a residue
 constexpr double kLossPerUnknown = 3;  // of a mode that is hardly known: noise alone gains about 1
-constexpr double kKnownMode = 3;       // … of a mode that is known
+constexpr double kKnownMode = 3;       // standard deviations of the largest residue of a mode that is known
 constexpr int kCrowdFits = 12;
 constexpr int kTrialSteps = 8, kCrowdSteps = 150;  // while poles are dropped; of the last fit
 constexpr int kSmallDecreases = 5;                 // steps in a row
@@ -68,7 +68,7 @@ double likelihood_per_unknown(const FrfDataset& set, const JointFit& fewer, cons
   return likelihood_ratio(set, fewer.residual, more.residual) / static_cast<double>(modes * unknowns_per_mode(set));
 }
 
-// The residues at the poles of vector fitting, of the number of poles that the FRFs ask for.
+// The residues at poles from vector fitting. The number of poles grows as long as the likelihood gains enough.
 std::optional<JointFit> start_of(const FrfDataset& set, const std::vector<Pole>& known) {
   std::optional<JointFit> best;
   for (double count = kFirstCount * static_cast<double>(known.size()); count <= static_cast<double>(kMaxCount);

@@ -58,7 +58,7 @@ std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>&
   return starts;
 }
 
-// Whether another fit gains enough for its additional modes, of which so many are clear.
+// Whether another fit gains enough for its additional modes. `clear`: the number of clear modes among them.
 bool is_better(const FrfDataset& set, const JointFit& fit, const JointFit& other, std::size_t clear) {
   const std::size_t more = other.poles.size() > fit.poles.size() ? other.poles.size() - fit.poles.size() : 1;
   return likelihood_ratio(set, fit.residual, other.residual) >

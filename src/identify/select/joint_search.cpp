@@ -20,7 +20,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXcd;
 
-constexpr int kFinalFits = 3;             // of the last fit: without its partners it may approach its end slowly
+constexpr int kFinalFits = 3;             // of settled_fit(): without the scatter partners, a fit may converge slowly
 constexpr std::size_t kSharedPoints = 3;  // with fewer points, shared columns save no work
 
 std::vector<FittedMode> joint_modes(const FrfDataset& set, const JointFit& fit) {

@@ -8,8 +8,8 @@
 namespace percuss::identify {
 
 /// The joint fit from these poles without insignificant modes; nothing where it does not settle. A coarse tolerance
-/// serves until no more modes are dropped. A fit that neither converges nor drops a mode is not repeated; one that
-/// converged coarsely is continued until it has had `final_fits`.
+/// serves until no more modes are dropped. A coarse fit that neither converges nor drops a mode is not repeated. A fit
+/// at the final tolerance is continued until it converges, in at most `final_fits` fits.
 std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget,
                                     int final_fits = 1);
 

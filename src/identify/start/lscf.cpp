@@ -17,7 +17,7 @@ using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 
 // Free part of the circle times the model order. With less, the two ends of the band cannot differ; with more, the
-// powers of z become nearly dependent on the lines.
+// powers of z become nearly linearly dependent at the lines.
 constexpr double kGap = 8;
 constexpr double kMaxGap = 0.3;
 constexpr std::size_t kMaxModelOrder = 100;

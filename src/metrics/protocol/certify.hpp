@@ -80,16 +80,17 @@ struct Certification {
 
 /// Judges a session at any stage and states the next action. Shots are judged in their order, and a later shot never
 /// changes the judgement of an earlier one. The mean of a location is the mean of its first six valid shots.
-/// A bat fails as soon as a complete location exceeds the limit or damage is seen. It passes only when the sweet spot
-/// is found and every tested location keeps the limit.
+/// A bat fails as soon as damage is seen. Once the lot's correction is known and no condition is violated, it also
+/// fails as soon as a complete location exceeds the limit. It passes only when the sweet spot is found and every tested
+/// location keeps the limit.
 /// errors  InputError: BBCOR without the bat's moment of inertia.
 Certification certify(const Session& session, const ProtocolLimits& limits = {});
 
-/// Violated limits of the laboratory and of conditioning.
+/// Violated limits of the laboratory and of conditioning, and implausible readings of the bat.
 std::vector<ProtocolFinding> condition_findings(const Session& session, const ProtocolLimits& limits = {});
 
-/// Judges one shot and counts the impact of its ball. A violated condition makes every shot invalid, but a shot's own
-/// temperature and humidity replace the session's.
+/// Judges one shot and counts the impact of its ball. A violated limit of the laboratory or of conditioning makes every
+/// shot invalid, but a shot's own temperature and humidity replace the session's.
 JudgedShot judge_shot(const Session& session, const SessionShot& shot, double target_mph, BallUse& ball,
                       const ProtocolLimits& limits);
 

@@ -11,8 +11,8 @@ struct PeriodEstimate {
   std::string problem;
 };
 
-/// The mean of repeated readings of the period. The standard error comes from their scatter, and is never below the
-/// error of a reading to `resolution_s`.
+/// The mean of repeated readings of the period. The standard error combines the scatter of the n readings and the
+/// error of reading to `resolution_s`, each divided by √n.
 PeriodEstimate mean_period(const std::vector<double>& periods_s, double resolution_s = 0);
 
 /// The period from the times at which a swinging bat crosses one light gate. Crossings in the two directions alternate.

@@ -9,7 +9,7 @@ double reading_std(double step);
 /// Rounds a value to the nearest multiple of `step`, halves away from zero. A step of 0 changes nothing.
 double recorded(double value, double step);
 
-/// Tolerance for the binary form of decimal readings at a limit: 146.4 − 145.4 is slightly more than 1.
+/// Tolerance for the binary form of decimal readings at a limit: 0.690 − 0.676 is slightly less than 0.014.
 inline constexpr double kReadingTolerance = 1e-9;
 
 /// The resolutions of the readings of bat and ball, [8] in docs/theory/sources.md, sections 3.2 and 3.4, in the units

@@ -46,7 +46,7 @@ struct TrendLine {
 /// ends at these ranks of the N sorted slopes:
 ///   up to 12 points: c + 1 and N − c. c is the largest number such that a random order of as many ranks as there are
 ///   different x has at most c inversions with a probability of at most 2.5 %; unbounded where there is no such c
-///   else (N ∓ 1.96 √(n(n−1)(2n+5)/18))/2                                                            (P17)
+///   else (N − q)/2 and (N + q)/2 + 1, q = 1.96 √(n(n−1)(2n+5)/18)                                   (P17)
 /// The line withstands outliers up to 29 % of the points. None for fewer than 3 different values of x.
 /// source  [17]
 std::optional<TrendLine> trend_line_of(const ClassPoints& points);

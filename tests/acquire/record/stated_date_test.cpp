@@ -36,6 +36,8 @@ TEST(StatedDate, IsInTheHeaderOfAMatFile) {
 TEST(StatedDate, IsInTheChunksOfASoundFile) {
   const std::string head("RIFF\0\0\0\0WAVE", 12);
   EXPECT_EQ(stated_date(head + std::string("LIST\x16\0\0\0INFOICRD\x0A\0\0\0", 20) + "2026-11-20"), "2026-11-20");
+  EXPECT_EQ(stated_date(head + std::string("LIST\x17\0\0\0INFOICRD\x0B\0\0\0", 20) + std::string("2026-11-20\0", 11)),
+            "2026-11-20");
   std::string bext(602, '\0');
   bext.replace(320, 18, "2026-11-2014:03:22");
   EXPECT_EQ(stated_date(head + std::string("bext\x5A\x02\0\0", 8) + bext), "2026-11-20 14:03:22");

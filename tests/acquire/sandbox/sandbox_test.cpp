@@ -75,6 +75,16 @@ TEST_F(Sandbox, OpensTheSameRecord) {
   }
 }
 
+TEST_F(Sandbox, TellsWhichUnitsAreAssumed) {
+  const Record there = sandboxed([] {
+    Record record = small_record();
+    record.force.unit_assumed = true;
+    return record;
+  });
+  EXPECT_TRUE(there.force.unit_assumed);
+  EXPECT_FALSE(there.accel.front().unit_assumed);
+}
+
 TEST_F(Sandbox, ServesMoreThanOneTransfer) {
   std::vector<double> force(400'000), accel(400'000);
   for (std::size_t i = 0; i < force.size(); ++i) {
