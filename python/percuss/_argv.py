@@ -20,7 +20,7 @@ _SHELL_ONLY = {
     "help", "output", "json", "force", "quiet", "example", "example_table", "list", "frf", "modes_file",
 }  # fmt: skip
 
-# Files and folders that a command writes.
+# Options for files and folders that a command writes.
 _WRITTEN = {"figures", "blind", "table"}
 
 _PLAIN = (str, int, float)
@@ -44,11 +44,11 @@ class Option:
         self.id = self.flag.lstrip("-").replace("-", "_")
         self.keyword = self.id + "_" if self.id in ("from", "lambda") else self.id
         self.is_flag = not self.shown
-        self.is_written = self.id in _WRITTEN and self.shown in ("FILE", "FOLDER")
+        self.is_written = self.id in _WRITTEN
         self.is_file = self.shown in ("FILE", "FOLDER") and not self.is_written
         # Whether the option takes a range or, instead, a list: START:STEP:END|POSITION,...
         self.may_be_list = any(":" not in form and form.endswith(",...") for form in self.shown.split("|"))
-        self._takes_plain = not self.is_flag and not self.is_file and not self.is_written
+        self._takes_plain = not (self.is_flag or self.is_file or self.is_written)
 
     def words(self, value: Any, files: MemoryFiles) -> list[str]:
         """The command-line words that set this value; none for None, which means not given."""

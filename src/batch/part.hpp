@@ -33,7 +33,7 @@ struct FinishedShard {
   std::string sha256;       // of part-i.jsonl
 };
 
-/// The first line of part-i.partial, and the content of part-i.ok, both without a line end.
+/// The first line of part-i.partial and of part-i.jsonl, and the content of part-i.ok. Both without a line end.
 std::string label_line(const ShardLabel& label);
 std::string finished_line(const FinishedShard& part);
 

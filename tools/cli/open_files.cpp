@@ -261,8 +261,8 @@ Measurements open_measurements(const ReadFlags& given) {
   }
   if (flags.frf_kind && !out.records.empty()) {
     throw OptionError({"frf_kind"},
-                      "cannot be set for a record of force and acceleration: it is the kind of given FRFs",
-                      "leave it out; the FRFs of a record are computed in the kind that is asked for");
+                      "cannot be set for a record of force and acceleration: it is the kind of the FRFs in a file",
+                      "leave it out");
   }
   return out;
 }

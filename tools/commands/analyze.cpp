@@ -66,8 +66,11 @@ int analyze(const AnalyzeFlags& flags) {
   if (!flags.compared.empty())
     made->comparison = comparison_of(flags, made->document, made->tests.front().analysis->record().source());
   const std::shared_ptr<const AnalyzeResults> results = made;
-  const std::string text =
-      flags.output.json ? "" : text_of(*results, terminal_width(), can_plot_in_terminal(), flag_of);
+  const std::string text = flags.output.json ? ""
+                                             : text_of(*results, {.width = terminal_width(),
+                                                                  .warnings = !flags.output.quiet,
+                                                                  .sketch = can_plot_in_terminal(),
+                                                                  .write_option = flag_of});
   progress.stop();
   write_outputs(flags, *results);
   print(flags.output, flags.output.json ? results->document : text);

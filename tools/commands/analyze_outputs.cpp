@@ -22,7 +22,6 @@
 #include "report/modes_uff.hpp"
 #include "report/svg/analysis_charts.hpp"
 #include "report/text/analysis_tables.hpp"
-#include "report/text/analysis_text.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -114,20 +113,18 @@ void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSe
     throw OptionError({}, "several tests cannot be integrated to deflection or compared", remedy);
 }
 
-std::string text_of(const AnalyzeResults& results, std::size_t width, bool sketch, OptionWriter write_option) {
+std::string text_of(const AnalyzeResults& results, report::TextOptions options) {
+  options.sections = results.sections;
+  options.per_hit = results.flags.per_hit;
   std::string text;
-  const bool warnings = results.flags.output.host != nullptr || !results.flags.output.quiet;  // a host is always quiet
   for (const Test& test : results.tests) {
     if (results.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
-    text += report::analysis_text(*test.analysis, {.sections = results.sections,
-                                                   .width = width,
-                                                   .per_hit = results.flags.per_hit,
-                                                   .warnings = warnings,
-                                                   .sketch = sketch,
-                                                   .write_option = write_option});
-    if (test.deflection)
-      text += "\n" + report::deflection_tables(*test.analysis, *test.deflection).text(width, write_option, warnings);
-    if (results.comparison) text += "\n" + results.comparison->text.text(width, write_option, warnings);
+    text += report::analysis_text(*test.analysis, options);
+    const auto add = [&](const report::ReportText& part) {
+      text += "\n" + part.text(options.width, options.write_option, options.warnings);
+    };
+    if (test.deflection) add(report::deflection_tables(*test.analysis, *test.deflection));
+    if (results.comparison) add(results.comparison->text);
   }
   return text;
 }
@@ -201,7 +198,7 @@ CommandResult outcome_of(const std::shared_ptr<const AnalyzeResults>& results, c
   for (const Test& test : results->tests) outcome.analyses.emplace_back(results, test.analysis.get());
   if (const auto& deflection = results->tests.front().deflection) outcome.deflection = {results, &*deflection};
   outcome.text = [results](std::size_t width, OptionWriter write_option) {
-    return text_of(*results, width, false, write_option);
+    return text_of(*results, {.width = width, .write_option = write_option});
   };
   outcome.html = [results] { return html_of(*results); };
   outcome.save = [results, captured](const std::string& path, bool force) {

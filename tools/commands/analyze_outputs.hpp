@@ -9,6 +9,7 @@
 #include "commands/analyze_tests.hpp"
 #include "commands/bat_label.hpp"
 #include "report/html/command_report.hpp"
+#include "report/text/analysis_text.hpp"
 
 namespace percuss::tools {
 
@@ -38,9 +39,8 @@ bool holds_several_tests(const AnalyzeFlags& flags);
 /// Rejects, before anything is computed, outputs and sections that allow only one test. Throws UsageError.
 void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSection>& sections, std::size_t tests);
 
-/// The text for a terminal. `sketch` adds a plot of the FRFs in characters; `write_option` writes the options of
-/// warnings.
-std::string text_of(const AnalyzeResults& results, std::size_t width, bool sketch, OptionWriter write_option);
+/// The text for a terminal. The results decide on the sections and on the modes of single hits.
+std::string text_of(const AnalyzeResults& results, report::TextOptions options);
 
 /// Writes all output files of the flags.
 void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results);

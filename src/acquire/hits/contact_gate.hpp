@@ -19,9 +19,9 @@ inline constexpr double kMaxSecondContact = 0.05;
 /// Adds `double_hit` for the largest of the contacts.
 void grade_second_pulse(Hit& hit, const std::vector<SecondPulse>& contacts, double fs_Hz);
 
-/// Adds `no_pulse` where the force still rings 25 to 50 ms after its peak, or is farther from its rest than the
-/// undershoot of an AC-coupled channel: a response in the place of the force. `x` are the samples of the hit, `peak`
-/// the index of its peak.
+/// Adds `no_pulse` where the force still rings 25 to 50 ms after its peak or has not returned to its rest: a response
+/// in the place of the force. The limit against the pulse is wider, for the undershoot of an AC-coupled channel. `x`
+/// are the samples of the hit, `peak` the index of its peak.
 void grade_lasting_force(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz);
 
 }  // namespace percuss::acquire

@@ -9,9 +9,9 @@ namespace percuss::acquire {
 /// A fault of the capture. None is repaired silently; all are stored in the journal.
 enum class CaptureFault {
   gap,             // the device states how many frames it lost
-  overrun,         // the device lost an unknown number of frames
+  overrun,         // a buffer of the device overflowed; `count` is 0 where the lost frames are not known
   dropped,         // the ring was full: percuss lost frames
-  not_in_journal,  // the disk was full: frames were analysed, but are not in the journal
+  not_in_journal,  // frames are not in the journal: the disk was full, or memory held them no longer
   journal_failed,  // the journal cannot be written at present; `text` says why
   clock_drift,     // the device's rate differs from the stated one; `value` is the relative difference
   not_a_number,    // samples of a channel are NaN or infinite

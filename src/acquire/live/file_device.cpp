@@ -36,7 +36,8 @@ bool is_number(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// Whether the set-up must serve to read the file, which was read without it. A number means a channel of the device.
+// Whether the file, read as `plain` without the set-up, must be read again with it. A number names a channel of the
+// device, not a signal of the file.
 bool needs_setup(const Record& plain, const std::vector<ChannelSetup>& setup) {
   if (setup.empty()) return false;
   const auto needed = [&](const ChannelSetup& entry) {
@@ -49,7 +50,7 @@ bool needs_setup(const Record& plain, const std::vector<ChannelSetup>& setup) {
   return !plain.has_force || std::any_of(setup.begin(), setup.end(), needed);
 }
 
-// The set-up as far as it does not concern the numbers, which are in SI units now.
+// Roles, angles and positions. Signs and units have been applied: the samples are in SI units.
 std::vector<ChannelSetup> applied_setup(const Record& record) {
   std::vector<ChannelSetup> out;
   const auto add = [&](const SignalInfo& signal, const char* role) {
@@ -75,7 +76,7 @@ ReplayedFile open_with_setup(const std::string& path, const DeviceOptions& optio
   return {open_at_own_rate(path, {.setup = options.setup}, options), true};
 }
 
-// A device has a set-up in place of the reader's options.
+// Errors name the option `setup` in place of the reader's options, which a device does not have.
 ReplayedFile open_replayed(const std::string& path, const DeviceOptions& options) {
   try {
     return open_with_setup(path, options);

@@ -23,7 +23,7 @@ struct JournalEvent {
 };
 
 /// The content of a journal up to its last whole block. What follows a damaged block is not used: an interrupted write
-/// leaves such a rest. Memory does not grow with the samples, and is bounded for any file.
+/// leaves such a rest. Samples stay in the file: 16 bytes of memory for 32 blocks of them.
 class JournalReader {
  public:
   /// errors  InputError: not readable, not a journal, of another version; its blocks contradict each other; more than

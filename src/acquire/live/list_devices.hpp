@@ -16,7 +16,7 @@ struct ListedDevice {
   double default_fs_Hz = 0;        // 0: not known
   std::vector<double> rates_Hz{};  // common rates that it offers
   std::optional<UsbFrontEnd> front_end{};
-  std::string problem{};  // why it cannot record: "busy", "no permission"; empty: it can
+  std::string problem{};  // why it cannot record: "busy", "no permission", "cannot be opened"; empty: it can
 };
 
 /// The folders that describe the sound cards; copies for tests.

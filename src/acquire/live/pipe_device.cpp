@@ -88,7 +88,7 @@ bool states_scales(const std::vector<ChannelSetup>& setup) {
   });
 }
 
-// As a file of the same bytes: each channel in SI units.
+// Takes the rate and the names. If `scaled`, each channel is in SI units, as in a file of the same bytes.
 void take_calibration(const SoundCalibration& calibration, bool scaled, DeviceFormat& format) {
   const bool whole = format.type == SampleType::int32;
   StreamFormat& stream = format.stream;

@@ -36,8 +36,8 @@ struct SampleBlock {
 
 enum class StreamEnd { none, finished, unplugged, rate_changed, failed };
 
-/// The samples of a running device, for the thread that analyses. Blocks arrive in order, each once. With a journal,
-/// the stream keeps all samples while the reader stalls.
+/// The samples of a running device, for the thread that analyses. Blocks arrive in order, each once. With a journal
+/// on a disk that has room, the stream keeps all samples while the reader stalls.
 class SampleStream {
  public:
   SampleStream() = default;

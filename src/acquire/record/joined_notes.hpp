@@ -11,7 +11,8 @@ struct NotesOfFile {
   std::vector<Message> notes;
 };
 
-/// The notes of several files, each once: after the files that it concerns, or alone where it concerns all of them.
+/// The notes of several files, each once. A note that does not concern all files begins with the first file that it
+/// concerns and the number of the others.
 std::vector<Message> joined_notes(const std::vector<NotesOfFile>& files);
 
 }  // namespace percuss::acquire

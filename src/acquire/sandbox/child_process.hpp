@@ -5,8 +5,8 @@
 
 namespace percuss::acquire {
 
-/// As fork(). A child of the process's first thread is killed when the process ends. The kernel counts the end of the
-/// thread that forks, so a child of another thread needs end_with_parent.
+/// As fork(). A child of the process's first thread is killed when the process ends. The kernel would kill the
+/// child of another thread when that thread ends, so such a child needs end_with_parent.
 int fork_child();
 
 /// Closes all descriptors of this process but these, which become 0, 1, …. Descriptors of the file `path` remain under

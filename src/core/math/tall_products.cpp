@@ -16,8 +16,6 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-const double* parts_of(const Complex* z) { return reinterpret_cast<const double*>(z); }
-
 // Σ conj(a)·b. Four independent sums each, because an addition to a sum waits for the one before it.
 PERCUSS_WIDE_LOOPS Complex dot_conj(const Complex* a, const Complex* b, Index n) {
   FourDoubles straight{}, crossed{}, x{}, y{};
@@ -51,32 +49,27 @@ constexpr Index kLeft = 3, kRight = 4;  // columns per tile: their sums stay in 
 
 double total(const FourDoubles& sum) { return sum[0] + sum[1] + (sum[2] + sum[3]); }
 
-// dots[left][right] = Σ left·right of n numbers. A variable for each sum: the compiler would keep an array in memory.
+// dots[i][j] = Σ left[i]·right[j] of n numbers. Each sum is a variable: the compiler would keep an array in memory.
 PERCUSS_WIDE_LOOPS void dot_tile(const std::array<const double*, kLeft>& left,
                                  const std::array<const double*, kRight>& right, Index n,
                                  std::array<double, kLeft * kRight>& dots) {
-  FourDoubles a0{}, a1{}, a2{}, b0{}, b1{}, b2{}, c0{}, c1{}, c2{}, d0{}, d1{}, d2{}, x0{}, x1{}, x2{}, y{};
+  FourDoubles a0{}, a1{}, a2{}, b0{}, b1{}, b2{}, c0{}, c1{}, c2{}, d0{}, d1{}, d2{}, x0{}, x1{}, x2{};
   Index k = 0;
   for (; k + 3 < n; k += 4) {
-    std::memcpy(&x0, left[0] + k, sizeof(y));
-    std::memcpy(&x1, left[1] + k, sizeof(y));
-    std::memcpy(&x2, left[2] + k, sizeof(y));
-    std::memcpy(&y, right[0] + k, sizeof(y));
-    a0 += x0 * y;
-    a1 += x1 * y;
-    a2 += x2 * y;
-    std::memcpy(&y, right[1] + k, sizeof(y));
-    b0 += x0 * y;
-    b1 += x1 * y;
-    b2 += x2 * y;
-    std::memcpy(&y, right[2] + k, sizeof(y));
-    c0 += x0 * y;
-    c1 += x1 * y;
-    c2 += x2 * y;
-    std::memcpy(&y, right[3] + k, sizeof(y));
-    d0 += x0 * y;
-    d1 += x1 * y;
-    d2 += x2 * y;
+    std::memcpy(&x0, left[0] + k, sizeof(x0));
+    std::memcpy(&x1, left[1] + k, sizeof(x1));
+    std::memcpy(&x2, left[2] + k, sizeof(x2));
+    const auto add = [&](const double* column, FourDoubles& sum0, FourDoubles& sum1, FourDoubles& sum2) {
+      FourDoubles y{};
+      std::memcpy(&y, column + k, sizeof(y));
+      sum0 += x0 * y;
+      sum1 += x1 * y;
+      sum2 += x2 * y;
+    };
+    add(right[0], a0, a1, a2);
+    add(right[1], b0, b1, b2);
+    add(right[2], c0, c1, c2);
+    add(right[3], d0, d1, d2);
   }
   dots = {total(a0), total(b0), total(c0), total(d0), total(a1), total(b1),
           total(c1), total(d1), total(a2), total(b2), total(c2), total(d2)};
@@ -123,6 +116,16 @@ auto columns_of(Matrix& matrix, Index first) {
   return columns;
 }
 
+// to += factor · column.
+PERCUSS_WIDE_LOOPS void add_scaled(Complex* to, Complex factor, const double* column, std::size_t count) {
+  auto* sum = reinterpret_cast<double*>(to);
+  const double re = factor.real(), im = factor.imag();
+  for (std::size_t k = 0; k < count; ++k) {
+    sum[2 * k] += column[k] * re;
+    sum[2 * k + 1] += column[k] * im;
+  }
+}
+
 // task(j) for every column of `matrix`; `others` columns are multiplied with each.
 template <class Task>
 void over_columns(const MatrixXcd& matrix, Index others, const Task& task) {
@@ -133,21 +136,6 @@ void over_columns(const MatrixXcd& matrix, Index others, const Task& task) {
 }
 
 }  // namespace
-
-PERCUSS_WIDE_LOOPS void add_scaled(Complex* to, double factor, const Complex* column, std::size_t count) {
-  auto* sum = reinterpret_cast<double*>(to);
-  const double* c = parts_of(column);
-  for (std::size_t k = 0; k < 2 * count; ++k) sum[k] += factor * c[k];
-}
-
-PERCUSS_WIDE_LOOPS void add_scaled(Complex* to, Complex factor, const double* column, std::size_t count) {
-  auto* sum = reinterpret_cast<double*>(to);
-  const double re = factor.real(), im = factor.imag();
-  for (std::size_t k = 0; k < count; ++k) {
-    sum[2 * k] += column[k] * re;
-    sum[2 * k + 1] += column[k] * im;
-  }
-}
 
 PERCUSS_WIDE_LOOPS void add_scaled(Complex* to, Complex factor, const Complex* column, std::size_t count) {
   const double re = factor.real(), im = factor.imag();
@@ -214,6 +202,7 @@ MatrixXd tall_transposed_product(const Eigen::Ref<const MatrixXd>& left, const E
 }
 
 MatrixXd tall_product(const Eigen::Ref<const MatrixXd>& columns, const Eigen::Ref<const MatrixXd>& factors) {
+  if (columns.cols() == 0) return MatrixXd::Zero(columns.rows(), factors.cols());  // no data to point into
   MatrixXd out(columns.rows(), factors.cols());
   const Index whole = columns.rows() / kStrip * kStrip;
   for (Index row = 0; row < whole; row += kStrip) {

@@ -13,7 +13,7 @@ inline namespace core {
 /// leftᴴ·right. shapes: left [n, a], right [n, b], result [a, b].
 Eigen::MatrixXcd adjoint_product(const Eigen::MatrixXcd& left, const Eigen::MatrixXcd& right);
 
-/// leftᴴ·right[first … first + left.size()].
+/// leftᴴ·right[first … first + left.size() − 1].
 std::complex<double> adjoint_dot(const Eigen::VectorXcd& left, const Eigen::VectorXcd& right, Eigen::Index first = 0);
 
 /// columnsᴴ·columns. shapes: columns [n, a], result [a, a].
@@ -33,8 +33,6 @@ void subtract_product(Eigen::MatrixXcd& from, const Eigen::MatrixXcd& columns, c
 void subtract_product(Eigen::MatrixXcd& from, const Eigen::MatrixXd& columns, const Eigen::MatrixXcd& factors);
 
 /// to += factor · column. shapes: to [count], column [count].
-void add_scaled(std::complex<double>* to, double factor, const std::complex<double>* column, std::size_t count);
-void add_scaled(std::complex<double>* to, std::complex<double> factor, const double* column, std::size_t count);
 void add_scaled(std::complex<double>* to, std::complex<double> factor, const std::complex<double>* column,
                 std::size_t count);
 

@@ -13,8 +13,8 @@ struct ResidueCoherence {
   std::size_t hits = 0;
 };
 
-/// Whether the residues follow the force: independent phases give a higher coherence once in a thousand times. Nothing
-/// with fewer than three hits, which do not show whether the phases are independent.
+/// True where the residues follow the force: independent phases reach their coherence at most once in a thousand times.
+/// Nothing with fewer than three hits, which do not show whether the phases are independent.
 std::optional<bool> follows_force(const ResidueCoherence& point);
 
 /// [points of set] for the mode window.modes[mode]. Each hit is fitted over the window at the modes' poles, which gives

@@ -17,8 +17,8 @@ namespace {
 constexpr Eigen::Index kTerms = 4;
 constexpr std::size_t kFlopsPerModeLine = 40;  // operations per spectral line and mode
 
-// The least-squares fit of the residual terms 1, s², s⁴, s⁶ to an FRF; s over its largest value. By QR: over a narrow
-// band the powers of s are nearly dependent. With fewer lines than terms, the last coefficients are 0.
+// The least-squares fit of the residual terms 1, s², s⁴, s⁶ to an FRF; s is divided by the highest ω. By QR: over a
+// narrow band the powers of s are nearly dependent. With fewer lines than terms, the last coefficients are 0.
 template <class Scalar>
 class TermFit {
  public:

@@ -20,11 +20,11 @@ struct SynthesisedFrf {
 };
 
 /// Every FRF of the set from the modes' residues and four residual terms, which are fitted by least squares:
-///   H(k) = Σ_r A_r φ_r(k) + r_0 + r_2 s² + r_4 s⁴ + r_6 s⁶,  s = jω over its value at the band's end       (1)
+///   H(k) = Σ_r A_r φ_r(k) + r_0 + r_2 s² + r_4 s⁴ + r_6 s⁶,  s = jω/ω_end, ω_end at the band's end        (1)
 ///   FRAC = |Σ_k conj(H) Ĥ|² / (Σ|H|² Σ|Ĥ|²)                                                              (2)
 ///   noise share of the residual ε = H − Ĥ, which is rough from line to line where it is noise:
 ///   Σ|ε(k) − (ε(k−1) + ε(k+1))/2|² / (3/2 Σ|ε|²)                                                         (3)
-/// Under an exponential window of decay σ, jω + σ replaces jω in s. φ_r includes the truncated decay (mode_column),
+/// Under an exponential window of decay σ, s = (jω + σ)/ω_end. φ_r includes the truncated decay (mode_column),
 /// with the point's own pole where it has one. r_0 is the mass line; r_2, r_4 and r_6 are the first terms of the series
 /// for the modes above the band.
 /// shapes  modes' residues in the order of set.channels; `band` within set.lines.

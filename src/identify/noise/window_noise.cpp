@@ -27,19 +27,19 @@ double WindowNoise::share(const Pole& pole) const {
   return (decay_per_s + decay_per_s_) / (decay_per_s + 2 * decay_per_s_);
 }
 
-double WindowNoise::of_residue(const Pole& pole) const {
-  return fall_ > 0 ? std::max(1.0, max_factor() * share(pole)) : 1;
-}
+double WindowNoise::factor(double of_share) const { return fall_ > 0 ? std::max(1.0, max_factor() * of_share) : 1; }
 
 // The effect of a pole's change grows with time. The residue is fitted together with the pole.
 double WindowNoise::of_pole(const Pole& pole) const {
   const double r = share(pole);
-  return fall_ > 0 ? std::max(1.0, max_factor() * r * (1 - 2 * r + 2 * r * r)) : 1;
+  return factor(r * (1 - 2 * r + 2 * r * r));
 }
+
+double WindowNoise::of_residue(const Pole& pole) const { return factor(share(pole)); }
 
 double WindowNoise::of_residue_by_pole(const Pole& pole) const {
   const double r = share(pole);
-  return fall_ > 0 ? std::max(1.0, max_factor() * r * (3 - 4 * r + 2 * r * r)) : 1;
+  return factor(r * (3 - 4 * r + 2 * r * r));
 }
 
 }  // namespace percuss::identify

@@ -26,6 +26,7 @@ class WindowNoise {
 
  private:
   double share(const Pole& pole) const;
+  double factor(double of_share) const;
 
   double decay_per_s_;
   double fall_;  // the window's power falls by the factor exp(−fall_) over the record

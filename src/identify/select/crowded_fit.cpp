@@ -15,7 +15,8 @@ using Eigen::Index;
 
 constexpr std::size_t kMinCrowd = 15;  // modes
 constexpr double kMinOverlap = 0.2;
-// Stable poles of a misfit, of rounding errors or of coarse steps cover more than the band, or no peak stands out.
+// Limits against false crowds: the stable poles of a misfit, of rounding errors or of coarse steps cover more than the
+// band, or hardly any mode was found one by one.
 constexpr double kMaxOverlap = 1;
 constexpr std::size_t kMinFound = 5;
 constexpr double kHighOverlap = 1;    // from here on, some modes are known to hardly better than their bandwidth

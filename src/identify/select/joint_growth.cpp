@@ -27,7 +27,7 @@ constexpr int kResidualRounds = 4;
 constexpr std::size_t kMaxTrials = 27;  // of one more mode
 
 // The starts with significant residues beside the `known` poles, by linear fits at the starts: a small part of the
-// work. Starts without them would cost the joint fit all its evaluations.
+// work. Insignificant starts would take all evaluations of the joint fit.
 std::vector<Pole> significant_starts(const FrfDataset& set, std::vector<Pole> starts, const std::vector<Pole>& known) {
   for (int round = 0; round < kLinearRounds && !starts.empty(); ++round) {
     std::vector<Pole> poles = starts;
@@ -76,7 +76,7 @@ bool take_if_better(const FrfDataset& set, JointFit& fit, std::optional<JointFit
   return true;
 }
 
-// As above. Many weak modes may hide that some are clear: then these alone replace the fit.
+// As above. Many weak modes may hide that some are clear: then only the clear modes are added to the fit.
 bool take_all_or_clear(const FrfDataset& set, JointFit& fit, std::optional<JointFit> other, JointFitBudget& budget) {
   if (!other) return false;
   const std::vector<Pole> clear = clear_modes_beside(set, fit, *other);

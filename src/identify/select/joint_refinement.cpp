@@ -61,7 +61,7 @@ void take_joint_mode(const FrfDataset& set, const JointFit& joint, std::size_t m
   found.joint = true;
   mode.pole = joint.poles[m];
   const double of_pole = std::sqrt(window.of_pole(mode.pole));
-  // Each of n FRFs has a share 1/n in the pole. Alone, it doubles the variance of its residue.
+  // A pole fitted to one FRF doubles the variance of its residue. Fitted to n FRFs, it adds only 1/n.
   const double by_pole = 1 / static_cast<double>(set.channels.size());
   const double of_residue =
       std::sqrt((window.of_residue(mode.pole) + by_pole * window.of_residue_by_pole(mode.pole)) / (1 + by_pole));
@@ -83,8 +83,8 @@ std::vector<Eigen::VectorXcd> refine_jointly(const FrfDataset& set, std::vector<
   std::vector<Pole> start;
   start.reserve(modes.size());
   for (const FittedMode& mode : modes) start.push_back(mode.mode.pole);
-  // A joint fit that is worse for every mode needs no real residues and no standard deviations.
   for (FittedMode& mode : modes) mode.mode.joint_misfit = std::numeric_limits<double>::infinity();
+  // A joint fit that is worse for every mode needs no real residues and no standard deviations.
   const auto is_good_for_any = [&](const std::vector<Eigen::VectorXcd>& residual) {
     for (FittedMode& mode : modes) {
       mode.mode.joint_misfit = energy_ratio(mode, residual);

@@ -65,10 +65,9 @@ struct KnownModes {
   const std::vector<Eigen::VectorXcd>& residual;
 };
 
-/// The modes of a fit that anyone sees beside the known ones: they stand 20 dB above the residual, are twice as
-/// significant as necessary, lie a bandwidth from every other mode, and make the lines around them likelier. A misfit
-/// of strong modes leaves few independent lines, so that such a mode gains little in the likelihood ratio of the whole
-/// band.
+/// The clear modes of a fit beside the known ones: they stand 20 dB above the residual, are twice as significant as
+/// necessary, lie a bandwidth from every other mode, and make the lines around them likelier. A misfit of strong modes
+/// leaves few independent lines, so that such a mode gains little in the likelihood ratio of the whole band.
 std::vector<Pole> clear_modes(const FrfDataset& set, const KnownModes& known, const JointFit& fit);
 
 /// As least_gain(), for a fit with so many more unknowns, among them those of `clear` clear modes, which do not count.

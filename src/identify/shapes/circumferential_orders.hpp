@@ -29,7 +29,7 @@ struct AxialValue {
 struct TubeShape {
   std::vector<double> energy;  // [n] fraction of the shape's energy over the points, without the noise
   int order = 0;               // n with the largest energy: 0 breathing, 1 bending, 2 and above hoop (ovalling, …)
-  double confidence = 0;       // probability of this order, with noise and 10 % mixing of orders
+  double confidence = 0;       // probability of this order, with noise, 10 % mixing of orders and its alias
   int alias = 0;               // lowest higher order with the same pattern at these angles
   std::optional<double> plane_rad;  // an antinode, 0 … π/n; nothing for n = 0 or where not observable
   double plane_std_rad = 0;

@@ -20,7 +20,7 @@ PeriodEstimate mean_period(const std::vector<double>& periods_s, double resoluti
 ///   t_n = c_d + T ⌊n/p⌋,  d = n mod p                                                          (P2)
 /// T and the p constants follow by least squares, with p (1 or 2) crossings per period and at least p + 1 times. The
 /// standard error comes from the residuals, and is never below the error of times read to `resolution_s`. A missing or
-/// double time (an interval from n to n + p that differs from their median by more than a fifth) is a problem.
+/// double time is a problem: an interval from n to n + p then differs from the median interval by more than a fifth.
 PeriodEstimate period_of_crossings(const std::vector<double>& times_s, std::size_t per_period = 2,
                                    double resolution_s = 0);
 

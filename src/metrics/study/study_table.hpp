@@ -62,7 +62,7 @@ class StudyRows {
   std::map<std::string, BatProperties> by_id_;
 };
 
-/// The permitted columns of a table, in the order of writing.
+/// The permitted columns of a table.
 const std::vector<std::string>& study_columns();
 
 }  // namespace percuss::metrics

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
