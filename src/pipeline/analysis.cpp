@@ -128,12 +128,45 @@ std::optional<FileDisagreement> Analysis::file_disagreement() const {
   return disagreeing_file(record(), hits(), spectra_of_hits(hits(), force_spectra(), responses(), lines().count));
 }
 
-TestSpectra Analysis::spectra() const {
+TestSpectra Analysis::measured_spectra() const {
   return {.lines = lines(),
           .hits = hits(),
           .force = force_spectra(),
           .responses = responses(),
           .window_decay_per_s = window_decay_per_s()};
+}
+
+const std::vector<EarlierRinging>& Analysis::earlier_ringing() const {
+  return within_budget(budget_, earlier_ringing_, [&] {
+    if (given_frfs() != nullptr || !may_ring_at_hits(hits())) return std::vector<EarlierRinging>{};
+    const TestSpectra from = measured_spectra();
+    const ThreadLimit limit(options_.threads);
+    FirstModes first{.frfs = source_->dataset(from, accepted_hits(from.hits), nullptr), .modes = {}};
+    first.modes = trace_.run("modes", [&] { return identify::identify_modes(first.frfs, all_modes()); });
+    std::vector<EarlierRinging> ringing = trace_.run(
+        "earlier ringing", [&] { return find_earlier_ringing(aligned_record(), first.frfs, from, first.modes); });
+    if (ringing.empty()) first_modes_ = std::move(first);
+    return ringing;
+  });
+}
+
+TestSpectra Analysis::spectra() const {
+  if (earlier_ringing().empty()) return measured_spectra();
+  const HitResponses& settled = within_budget(budget_, settled_responses_, [&] {
+    return without_ringing(responses(), earlier_ringing(), hits(), transform_options());
+  });
+  return {.lines = lines(),
+          .hits = hits(),
+          .force = force_spectra(),
+          .responses = settled,
+          .window_decay_per_s = window_decay_per_s()};
+}
+
+// The number of modes that the options state limits the modes within the band, not the modes of its margin.
+identify::IdentifyOptions Analysis::all_modes() const {
+  identify::IdentifyOptions all = options_.modes;
+  all.modes.reset();
+  return all;
 }
 
 std::vector<int> Analysis::frf_points() const {
@@ -160,6 +193,7 @@ const std::vector<acquire::PointFrf>& Analysis::frfs() const {
 const identify::FrfDataset& Analysis::fitted_frfs() const {
   return within_budget(budget_, fitted_frfs_, [&] {
     const TestSpectra from = spectra();
+    if (first_modes_) return std::move(first_modes_->frfs);
     const bool averaged = frfs_.ready() && options_.estimator == frf::Estimator::h1;
     const ThreadLimit limit(options_.threads);
     return source_->dataset(from, accepted_hits(from.hits), averaged ? &frfs() : nullptr);
@@ -175,9 +209,9 @@ const std::vector<identify::Mode>& Analysis::modes() const {
         std::any_of(tones.begin(), tones.end(), [](const Tone& tone) { return may_be_mains(tone.freq_Hz); });
     const ThreadLimit limit(options_.threads);
     return trace_.run("modes", [&] {
-      identify::IdentifyOptions all = options_.modes;
-      all.modes.reset();  // the number limits the modes within the band, not the modes of its margin
-      std::vector<identify::Mode> found = identify::identify_modes(set, all);
+      const identify::IdentifyOptions all = all_modes();
+      std::vector<identify::Mode> found =
+          first_modes_ ? std::move(first_modes_->modes) : identify::identify_modes(set, all);
       if (const acquire::FrfRecord* given = given_frfs()) widen_to_stated_noise(*given, set, found);
       std::optional<identify::HitFrfs> built;
       const auto hits = [&]() -> const identify::HitFrfs& {
@@ -194,6 +228,7 @@ const std::vector<identify::Mode>& Analysis::modes() const {
       if (!hidden.wandering.empty()) refit_modes_near_tones(found, hidden.wandering, set, hits(), all.effort);
       if (hidden.wandering.empty() && !hums) searched_poles_ = hidden.unmodelled;
       if (hums) remove_mains_modes(found, tones, set, hits());
+      add_ringing_std(earlier_ringing(), set, from, found);
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
       if (options_.modes.modes && *options_.modes.modes < split.within.size()) {

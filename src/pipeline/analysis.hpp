@@ -19,6 +19,7 @@
 #include "pipeline/hits/file_agreement.hpp"
 #include "pipeline/hits/hit_spectra.hpp"
 #include "pipeline/source/source.hpp"
+#include "pipeline/stages/earlier_ringing.hpp"
 #include "pipeline/stages/fit_quality.hpp"
 #include "pipeline/stages/hit_modes.hpp"
 #include "pipeline/stages/mode_stages.hpp"
@@ -115,7 +116,12 @@ class Analysis {
   const std::vector<AnalysedHit>& gated_hits() const;
   const HitResponses& responses() const;
   const std::vector<frf::Spectrum>& force_spectra() const;
+  TestSpectra measured_spectra() const;
+  // The ringing of earlier blows that the responses hold. Needs the modes where the structure may ring at a hit.
+  const std::vector<EarlierRinging>& earlier_ringing() const;
+  // measured_spectra() without the earlier ringing.
   TestSpectra spectra() const;
+  identify::IdentifyOptions all_modes() const;
   std::vector<AnalysedHit> compute_hits() const;
   const std::vector<identify::ModeClassification>& types() const;
   const std::vector<Eigen::VectorXcd>& modal_sums() const;
@@ -129,8 +135,15 @@ class Analysis {
   // Results refer neither to the analysis nor to each other.
   Lazy<std::vector<AnalysedHit>> force_hits_, gated_hits_, hits_;
   Lazy<acquire::LineRange> lines_;
-  Lazy<HitResponses> responses_;
+  Lazy<HitResponses> responses_, settled_responses_;
   Lazy<std::vector<frf::Spectrum>> force_spectra_;
+  // What earlier_ringing() found the ringing with, kept for fitted_frfs_ and modes_ where there is none.
+  struct FirstModes {
+    identify::FrfDataset frfs;
+    std::vector<identify::Mode> modes;
+  };
+  mutable std::optional<FirstModes> first_modes_;
+  Lazy<std::vector<EarlierRinging>> earlier_ringing_;
   Lazy<std::vector<acquire::PointFrf>> frfs_;
   Lazy<identify::FrfDataset> fitted_frfs_;
   Lazy<std::vector<identify::Mode>> modes_;

@@ -36,7 +36,7 @@ std::vector<Warning> Analysis::warnings() const {
   if (force_known && responses_.ready() && hits_.ready()) add(record_findings(record(), graded, responses()));
   if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
   if (responses_.ready() && options_.hits.gate_force) add(coupling_warnings(graded, band_Hz().first));
-  add(rest_warnings(graded));
+  add(rest_warnings(graded, earlier_ringing_.ready() ? earlier_ringing() : std::vector<EarlierRinging>{}));
   if (modes_.ready()) add(channel_mode_warnings(record(), modes(), channel_findings(), force_known));
   if (modes_.ready()) {
     add(freq_scatter_warnings(modes()));

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "pipeline/warnings/hit_list.hpp"
@@ -75,17 +77,39 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
   return out;
 }
 
-std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits) {
-  std::vector<std::size_t> ringing;
+std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const std::vector<EarlierRinging>& ringing) {
+  std::set<std::size_t> moving, subtracted, settled;
   for (const std::size_t h : accepted_hits(hits)) {
     const auto& responses = hits[h].responses;
     if (std::any_of(responses.begin(), responses.end(), [](const auto& grade) { return grade.may_ring_before; }))
-      ringing.push_back(h);
+      moving.insert(h);
   }
-  if (ringing.empty()) return {};
-  return {with_remedy({"not_at_rest", "the structure was not at rest before " + hit_list(ringing) +
-                                          ": damping, residues and modal masses may be off by more than their ±"},
-                      "wait longer between hits")};
+  double share = 0;
+  for (const EarlierRinging& one : ringing) {
+    if (one.rates.empty()) {
+      moving.insert(one.hit);
+      continue;
+    }
+    subtracted.insert(one.hit);
+    if (one.explained) settled.insert(one.hit);
+    share = std::max(share, one.share);
+  }
+  std::vector<Warning> out;
+  std::vector<std::size_t> left;
+  std::set_difference(moving.begin(), moving.end(), settled.begin(), settled.end(), std::back_inserter(left));
+  if (!left.empty()) {
+    out.push_back(with_remedy({"not_at_rest", "the structure was not at rest before " + hit_list(left) +
+                                                  ": damping, residues and modal masses may be off by more than "
+                                                  "their ±"},
+                              "wait longer between hits"));
+  }
+  if (!subtracted.empty()) {
+    out.push_back({"earlier_ringing",
+                   fmt::format("the structure still rang when it was hit ({}), with up to {:.2g} % of the largest "
+                               "response: this ringing was measured before each hit and subtracted",
+                               hit_list({subtracted.begin(), subtracted.end()}), 100 * share)});
+  }
+  return out;
 }
 
 }  // namespace percuss::pipeline

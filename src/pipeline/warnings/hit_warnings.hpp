@@ -3,6 +3,7 @@
 
 #include "acquire/record/record.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/stages/earlier_ringing.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -10,7 +11,7 @@ namespace percuss::pipeline {
 /// rejected_hits, hits_disagree, polarity, low_bandwidth.
 std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
 
-/// not_at_rest.
-std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits);
+/// not_at_rest, and earlier_ringing for the ringing that was subtracted.
+std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const std::vector<EarlierRinging>& ringing);
 
 }  // namespace percuss::pipeline

@@ -89,6 +89,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"capture_lost_samples", Severity::info},
     {"capture_ended", Severity::info},
     {"rejected_live", Severity::info},
+    {"earlier_ringing", Severity::info},
     {"rejected_hits", Severity::info},
     {"truncated_decay", Severity::info},
     {"no_geometry", Severity::info},

@@ -91,6 +91,7 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"low_coherence", PagePart::decay},
     {"outlier", PagePart::decay},
     {"not_at_rest", PagePart::decay},
+    {"earlier_ringing", PagePart::decay},
     {"no_rest", PagePart::decay},
     {"short_hit", PagePart::decay},
     {"hum", PagePart::fit},
