@@ -13,6 +13,7 @@
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
 #include "pipeline/hits/hit_grading.hpp"
+#include "pipeline/hits/motion_before.hpp"
 #include "pipeline/impact_speed.hpp"
 #include "pipeline/warnings/deflection_warnings.hpp"
 
@@ -22,11 +23,23 @@ namespace {
 // Fewest samples before the onset that allow an estimate of the bias despite the ringing of the filter.
 constexpr std::size_t kMinRestSamples = 16;
 
-bool usable(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t index) {
-  if (names_hit(options.reject_hits, options.accept_hits, index)) return false;
-  if (names_hit(options.accept_hits, options.reject_hits, index)) return true;
+bool has_pulse(const AnalysedHit& hit) {
   return std::none_of(hit.hit.findings.begin(), hit.hit.findings.end(),
                       [](const acquire::Finding& finding) { return finding.code == acquire::FindingCode::no_pulse; });
+}
+
+bool usable(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t index) {
+  if (names_hit(options.reject_hits, options.accept_hits, index)) return false;
+  return names_hit(options.accept_hits, options.reject_hits, index) || has_pulse(hit);
+}
+
+// Impacts that are left out although the user did not reject them.
+std::size_t without_pulse(const std::vector<AnalysedHit>& impacts, const AnalysisOptions& options) {
+  std::size_t count = 0;
+  for (std::size_t h = 0; h < impacts.size(); ++h) {
+    if (!usable(impacts[h], options, h) && !names_hit(options.reject_hits, options.accept_hits, h)) ++count;
+  }
+  return count;
 }
 
 // Without a force each row is one impact. It begins when the first accelerometer begins to move.
@@ -69,7 +82,8 @@ std::vector<metrics::ModalContribution> modal_contributions(const Analysis& anal
 }
 
 DeflectedHit deflected(const acquire::Record& record, const AnalysedHit& hit, const ImpactTestOptions& options,
-                       std::size_t h, std::size_t channel, const std::vector<metrics::ModalContribution>& modes) {
+                       std::size_t h, std::size_t channel, const std::vector<metrics::ModalContribution>& modes,
+                       metrics::DeflectionMethod method) {
   std::vector<double> accel(hit.hit.samples), force(hit.hit.samples);
   record.read_accel_mps2(hit.hit.row, channel, hit.hit.first, accel);
   if (!modes.empty() || options.effective_mass_kg) {
@@ -87,11 +101,13 @@ DeflectedHit deflected(const acquire::Record& record, const AnalysedHit& hit, co
                                      .force_noise_N = hit.hit.noise_N,
                                      .rigid_per_kg = options.effective_mass_kg ? 1 / *options.effective_mass_kg : 0,
                                      .modes = modes};
+  metrics::DeflectionOptions chosen = options.deflection;
+  chosen.method = method;
   return {.hit = h,
           .channel = channel,
           .point = hit.point,
           .first_s = static_cast<double>(hit.hit.first) / record.fs_Hz,
-          .deflection = metrics::deflection_of(signal, options.deflection)};
+          .deflection = metrics::deflection_of(signal, chosen)};
 }
 
 using PositionOf = std::function<std::optional<double>(int point)>;
@@ -148,19 +164,6 @@ bool rest_recorded(double fs_Hz, const std::vector<AnalysedHit>& impacts, const 
   });
 }
 
-std::vector<Warning> warnings_of(const ImpactTest& test, const ImpactTestOptions& options, std::size_t impacts,
-                                 std::size_t used, bool rest_recorded, bool has_force) {
-  DeflectionResults results{.impacts = impacts,
-                            .used = used,
-                            .rest_recorded = rest_recorded,
-                            .free_body = options.deflection.free_body,
-                            .has_force = has_force,
-                            .mass_known = options.effective_mass_kg.has_value(),
-                            .deflections = {}};
-  for (const DeflectedHit& hit : test.hits) results.deflections.push_back(&hit.deflection);
-  return deflection_warnings(results);
-}
-
 std::string without_force_remedy(metrics::DeflectionMethod method, bool mass_given) {
   std::string remedy = method == metrics::DeflectionMethod::modal ? "choose another method" : "";
   if (mass_given) remedy += std::string(remedy.empty() ? "" : " and ") + "leave out the effective mass";
@@ -190,8 +193,11 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
     if (usable(impacts[h], analysis.options(), h)) hits.push_back(h);
   }
   const bool rest = rest_recorded(record.fs_Hz, impacts, hits);
-  const bool modal = method == metrics::DeflectionMethod::modal || (method == metrics::DeflectionMethod::automatic &&
-                                                                    !rest && record.has_force && analysis.possible());
+  const std::vector<bool> moving = moves_before(record, impacts, hits, analysis.options().threads);
+  const bool moves = std::find(moving.begin(), moving.end(), true) != moving.end();
+  const bool modal =
+      method == metrics::DeflectionMethod::modal ||
+      (method == metrics::DeflectionMethod::automatic && (!rest || moves) && record.has_force && analysis.possible());
   const std::size_t channels = record.accel.size();
   std::map<std::pair<int, std::size_t>, std::vector<metrics::ModalContribution>> contributions;
   for (const std::size_t h : hits) {
@@ -211,13 +217,26 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   analysis.trace().run("deflection", [&] {
     parallel_for(test.hits.size(), analysis.options().threads, [&](std::size_t i) {
       const std::size_t h = hits[i / channels], c = i % channels;
-      test.hits[i] = deflected(record, impacts[h], options, h, c, contributions.at({impacts[h].point, c}));
+      const auto& modes = contributions.at({impacts[h].point, c});
+      const bool by_modes = method == metrics::DeflectionMethod::automatic && moving[i / channels] && !modes.empty();
+      test.hits[i] =
+          deflected(record, impacts[h], options, h, c, modes, by_modes ? metrics::DeflectionMethod::modal : method);
     });
     return 0;
   });
   for (DeflectedHit& hit : test.hits) hit.position_m = position_of(hit.point);
   test.points = averaged(test.hits, position_of);
-  test.warnings = warnings_of(test, options, impacts.size(), hits.size(), rest, record.has_force);
+  DeflectionResults results{.without_pulse = without_pulse(impacts, analysis.options()),
+                            .impacts = impacts.size(),
+                            .rest_recorded = rest,
+                            .free_body = options.deflection.free_body,
+                            .has_force = record.has_force,
+                            .mass_known = options.effective_mass_kg.has_value()};
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (moving[i]) results.moving.push_back(hits[i]);
+  }
+  for (const DeflectedHit& hit : test.hits) results.deflections.push_back({hit.hit, &hit.deflection});
+  test.warnings = deflection_warnings(results);
   return test;
 }
 

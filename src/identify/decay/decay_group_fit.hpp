@@ -12,7 +12,7 @@ namespace percuss::identify {
 struct DecayGroup {
   std::vector<DecayRate> rates;
   std::vector<std::pair<std::size_t, std::size_t>> windows;  // first line and count; ascending, disjoint
-  Eigen::VectorXd level{};  // [hits × channels] noise power of a hit over its channel's mean; empty: all 1
+  Eigen::VectorXd level{};  // [hits × channels] noise power of a hit over its channel's geometric mean; empty: all 1
 };
 
 struct DecayGroupFit {

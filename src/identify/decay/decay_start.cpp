@@ -95,7 +95,7 @@ StartedFit fit_from_earliest_start(const FreeDecays& whole, std::size_t safe, co
   for (std::size_t half = safe / 2; out.fit.decays.empty() && static_cast<double>(half) >= kMinSafe_s * whole.fs_Hz;
        half /= 2)
     out = {.fit = fit_from(half), .start = half};
-  for (int move = 0; move < kMaxMoves; ++move) {
+  for (int move = 0; move < kMaxMoves && out.fit.complete; ++move) {
     const std::size_t first = earliest_start(whole, out.fit, out.start);
     if (static_cast<double>(out.start - first) <= kWorthwhile * static_cast<double>(out.start)) break;
     begun.initial.clear();

@@ -13,7 +13,6 @@ namespace percuss::identify {
 namespace {
 
 constexpr int kMaxSearches = 40, kMaxRounds = 4;
-constexpr std::size_t kMaxDecays = 200;
 constexpr DecayWindows kSearchWindows{
     .half_power_bandwidths = 8, .lines = 30, .max_lines = 1000, .accuracy = DecayAccuracy::rough};
 constexpr int kSearchSweeps = 1, kFinalSweeps = 30;
@@ -190,7 +189,7 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
   model.fit(kSearchSweeps, kSearchWindows);
   if (!options.initial.empty()) drop_unconfirmed();
   const auto search_residual = [&] {
-    for (int search = 0; search < kMaxSearches && model.modes().size() < kMaxDecays; ++search) {
+    for (int search = 0; search < kMaxSearches && model.modes().size() < options.max_decays; ++search) {
       const auto found = strongest_decays(model.residual(), out.noise, limits);
       if (found.empty()) break;
       for (const DecayCandidate& one : found) model.add(one.rate);
@@ -208,6 +207,12 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
   for (int round = 0; round < kMaxRounds; ++round) {
     const std::size_t before = model.modes().size();
     if (options.search) search_residual();
+    if (model.modes().size() >= options.max_decays) {
+      out.complete = false;
+      out.energy = energies(model, measured, out.noise);
+      out.decays = model.modes();
+      return out;
+    }
     if (round > 0 && model.modes().size() <= before) break;
     model.set_levels(out.noise);
     model.fit(kFinalSweeps, {});

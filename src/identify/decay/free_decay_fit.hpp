@@ -13,6 +13,7 @@ struct FreeDecayOptions {
   std::vector<double> start_Hz{};    // frequencies that the search begins with
   std::vector<DecayRate> initial{};  // decays that the search begins with
   bool search = true;                // false: fit these and no others
+  std::size_t max_decays = 200;      // a search that finds more ends there
 };
 
 /// All decays of a set of records, and the noise of their residual.
@@ -21,6 +22,7 @@ struct FreeDecayFit {
   std::vector<double> energy;       // [decays] over the noise, as DecayCandidate::energy
   double threshold = 0;             // the energy that noise exceeds once in 1000 searches
   Eigen::MatrixXd noise;            // [lines, hits × channels] E|R|² of the residual
+  bool complete = true;             // false: the search ended at FreeDecayOptions::max_decays; the fit is rough
 };
 
 /// Finds the decays in the order of their energy, and fits them all together by maximum likelihood. Stops when the

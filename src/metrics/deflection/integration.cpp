@@ -7,11 +7,11 @@
 namespace percuss::metrics {
 
 Motion integrate_twice(std::span<const double> accel_mps2, double fs_Hz, double highpass_corner_Hz) {
-  const LaplaceTransform line(accel_mps2, fs_Hz);
+  const LaplaceTransform transform(accel_mps2, fs_Hz);
   const double corner = kTwoPi * highpass_corner_Hz;
   const auto accel = [corner](Complex s) { return corner > 0 ? (s + corner) / s : Complex(1); };  // (1)
-  return {.velocity_mps = line.response([&](Complex s) { return accel(s) / s; }),
-          .deflection_m = line.response([&](Complex s) { return accel(s) / (s * s); })};
+  return {.velocity_mps = transform.response([&](Complex s) { return accel(s) / s; }),
+          .deflection_m = transform.response([&](Complex s) { return accel(s) / (s * s); })};
 }
 
 Motion small_interval_sums(std::span<const double> accel_mps2, double fs_Hz) {

@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
+#include "pipeline/warnings/hit_list.hpp"
 #include "pipeline/warnings/ranking.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
 bool by_modes(const DeflectionResults& test) {
-  return std::any_of(test.deflections.begin(), test.deflections.end(), [](const metrics::Deflection* deflection) {
-    return deflection->method == metrics::DeflectionMethod::modal;
-  });
+  return std::any_of(test.deflections.begin(), test.deflections.end(),
+                     [](const auto& of) { return of.deflection->method == metrics::DeflectionMethod::modal; });
 }
 
 // Each remedy leads away from the method that failed, and none to a method that needs what was not recorded.
@@ -37,7 +37,7 @@ std::vector<OptionId> options_against_unknown(const DeflectionResults& test) {
 // Motion that the largest deflections stated do not show.
 void add_motion_left_out(const DeflectionResults& test, std::vector<Warning>& out) {
   const auto growing = std::count_if(test.deflections.begin(), test.deflections.end(),
-                                     [](const metrics::Deflection* deflection) { return deflection->larger_later; });
+                                     [](const auto& of) { return of.deflection->larger_later; });
   if (growing > 0) {
     out.push_back(with_remedy(
         {"larger_later",
@@ -47,9 +47,8 @@ void add_motion_left_out(const DeflectionResults& test, std::vector<Warning>& ou
          {"effective_mass"}},
         "record with more pre-trigger; for a free structure, state its effective mass at the struck point"));
   }
-  const bool modes_alone =
-      std::any_of(test.deflections.begin(), test.deflections.end(),
-                  [](const metrics::Deflection* deflection) { return deflection->rigid_motion_left_out; });
+  const bool modes_alone = std::any_of(test.deflections.begin(), test.deflections.end(),
+                                       [](const auto& of) { return of.deflection->rigid_motion_left_out; });
   if (modes_alone) {
     out.push_back(with_remedy({"modes_alone",
                                "the modal deflections hold the vibration of the identified modes alone: the rigid-body "
@@ -59,22 +58,48 @@ void add_motion_left_out(const DeflectionResults& test, std::vector<Warning>& ou
   }
 }
 
+// Hits before which the structure moves: by the modes, the deflection is that of the blow alone; any integral begins
+// with a wrong velocity.
+void add_moving(const DeflectionResults& test, std::vector<Warning>& out) {
+  std::vector<std::size_t> modal, integrated;
+  for (const std::size_t hit : test.moving) {
+    const bool integrates = std::any_of(test.deflections.begin(), test.deflections.end(), [&](const auto& of) {
+      return of.hit == hit && of.deflection->method != metrics::DeflectionMethod::modal;
+    });
+    (integrates ? integrated : modal).push_back(hit);
+  }
+  if (!integrated.empty()) {
+    out.push_back(with_remedy(
+        {"not_at_rest",
+         "the structure was not at rest before " + hit_list(integrated) +
+             ": the integration begins with a wrong velocity, and the deflection may be off by "
+             "far more than its ±",
+         test.has_force ? std::vector<OptionId>{"method"} : std::vector<OptionId>{}},
+        test.has_force ? "wait longer between hits, or choose the method modal" : "wait longer between hits"));
+  }
+  if (!modal.empty()) {
+    out.push_back({"earlier_ringing", "the structure was not at rest before " + hit_list(modal) +
+                                          ": the deflection stated is what this blow alone adds, from the modes"});
+  }
+}
+
 }  // namespace
 
 std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
   std::vector<Warning> out;
-  if (test.used < test.impacts) {
-    out.push_back(with_remedy({"no_pulse", fmt::format("{} of {} hits show no impact and are left out",
-                                                       test.impacts - test.used, test.impacts)},
-                              "check the cables and the channels of these hits"));
+  if (test.without_pulse > 0) {
+    out.push_back(with_remedy(
+        {"no_pulse", fmt::format("{} of {} hits show no impact and are left out", test.without_pulse, test.impacts)},
+        "check the cables and the channels of these hits"));
   }
   if (!test.rest_recorded) {
     out.push_back(with_remedy(
         {"no_rest", "a record begins too late to contain the rest before the impact, from which the bias is estimated"},
         "record with more pre-trigger"));
   }
+  add_moving(test, out);
   const auto unknown = std::count_if(test.deflections.begin(), test.deflections.end(),
-                                     [](const metrics::Deflection* deflection) { return !deflection->has_peak(); });
+                                     [](const auto& of) { return !of.deflection->has_peak(); });
   if (unknown > 0) {
     out.push_back(with_remedy({"not_told",
                                fmt::format("{} of {} deflections never exceed four times their own uncertainty and "
@@ -84,10 +109,18 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
                               remedy_against_unknown(test)));
   }
   add_motion_left_out(test, out);
-  const bool drifts = std::any_of(test.deflections.begin(), test.deflections.end(), [](const auto* deflection) {
-    return deflection->method == metrics::DeflectionMethod::drift_free && !deflection->zero_mean_corrected;
+  const bool drifts = std::any_of(test.deflections.begin(), test.deflections.end(), [](const auto& of) {
+    return of.deflection->method == metrics::DeflectionMethod::drift_free && !of.deflection->zero_mean_corrected;
   });
-  if (drifts && !test.free_body) {
+  if (drifts && test.mass_known) {
+    out.push_back(with_remedy(
+        {"drift",
+         "without the rigid-body motion of the stated effective mass, the structure does not return to its rest "
+         "position, or the record is too short to show that it does: the mass has no effect, late deflections drift, "
+         "and their ± includes the drift",
+         {"effective_mass"}},
+        "check the effective mass, or record with more pre-trigger"));
+  } else if (drifts && !test.free_body) {
     out.push_back(with_remedy(
         {"drift",
          "the structure does not return to its rest position, or the record is too short to show that it "

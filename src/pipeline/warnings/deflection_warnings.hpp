@@ -9,15 +9,20 @@ namespace percuss::pipeline {
 
 /// The results that the warnings of an impact test are made from.
 struct DeflectionResults {
-  std::size_t impacts = 0, used = 0;  // found, and with a pulse
-  bool rest_recorded = false;         // every row begins long enough before its impact
-  bool free_body = false;             // as stated by the user
-  bool has_force = false;             // recorded
-  bool mass_known = false;            // the effective mass, as stated by the user
-  std::vector<const metrics::Deflection*> deflections;
+  std::size_t without_pulse = 0, impacts = 0;  // left out; found
+  bool rest_recorded = false;                  // every row begins long enough before its impact
+  bool free_body = false;                      // as stated by the user
+  bool has_force = false;                      // recorded
+  bool mass_known = false;                     // the effective mass, as stated by the user
+  std::vector<std::size_t> moving{};           // hits before which the structure moves
+  struct OfHit {
+    std::size_t hit = 0;
+    const metrics::Deflection* deflection = nullptr;
+  };
+  std::vector<OfHit> deflections{};
 };
 
-/// no_pulse, no_rest, not_told, larger_later, modes_alone, drift.
+/// no_pulse, no_rest, not_at_rest, not_told, larger_later, modes_alone, drift.
 std::vector<Warning> deflection_warnings(const DeflectionResults& test);
 
 }  // namespace percuss::pipeline

@@ -52,6 +52,12 @@ DecayResults found_in(double noise, unsigned seed) {
   return modes_of_decays(fit_free_decays(decays(noise, seed), {.band_Hz = kBand_Hz}), kChannels, kBand_Hz);
 }
 
+// A search without end would take minutes where the record holds something else than decays.
+TEST(FreeDecays, AreIncompleteBeyondTheLimit) {
+  EXPECT_TRUE(fit_free_decays(decays(0.01, 1), {.band_Hz = kBand_Hz, .max_decays = 5}).complete);
+  EXPECT_FALSE(fit_free_decays(decays(0.01, 1), {.band_Hz = kBand_Hz, .max_decays = 2}).complete);
+}
+
 TEST(FreeDecays, AreFoundExactlyWithoutNoise) {
   const DecayResults found = found_in(0, 1);
   ASSERT_EQ(found.modes.size(), truth().size());
