@@ -17,6 +17,7 @@ return coloured;"""
 
 
 def said(driver):
+    """The line of text above the plot: point, channel and FRAC."""
     return driver.find_element(By.CSS_SELECTOR, FIT + " .said").text
 
 
@@ -32,7 +33,7 @@ def check_fit(driver, path, check, load, survey):
     check("FRAC " in first, f"{path.stem}: fit: {first}")
     worst = driver.execute_script("return Math.min(...data.fit.frfs.map((f) => f.frac))")
     check(f"FRAC {worst:.5f}" in first, f"{path.stem}: fit: the lowest FRAC, {worst:.5f}, comes first")
-    # The measured curve is the one that the page's plot of FRFs shows, within the steps of both.
+    # The measured curve equals the curve in the page's plot of FRFs, up to the quantisation steps of both.
     apart = driver.execute_script("""const fit = data.fit, worst = [];
       const lines = riceReader(fit.lines)(fit.count);
       for (const curve of data.frf.curves) {

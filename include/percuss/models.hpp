@@ -133,8 +133,8 @@ struct BatModes {
   std::vector<std::vector<double>> node_m;  // [modes]
 };
 
-/// Elastic modes of a bat. errors  InputError: shapes that do not agree, values not above 0, masses or a support that
-/// are not on the bat.
+/// Elastic modes of a bat. errors  InputError: vectors of different lengths, values not above 0, masses or a support
+/// that are not on the bat.
 BatModes bat_modes(const BatProfile& profile, std::size_t modes = 5);
 
 struct BatCollision {

@@ -74,7 +74,7 @@ struct ModeClassification {
   double confidence = 0;                        // posterior probability of the type
   std::optional<ModeType> alternative{};        // the other type, where it is credible
   std::optional<double> overlay_dB{};           // magnitude of the second FRF over the first at the peak
-  bool overlaid = false;                        // |overlay_dB| is within the threshold
+  bool overlaid = false;                        // |overlay_dB| is at most AnalysisOptions::overlay_dB
   std::optional<std::complex<double>> ratio{};  // residue of the second sensor over the residue of the first
   double ratio_std = 0;
   std::optional<SplitMode> split_mode{};

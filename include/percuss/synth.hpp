@@ -31,7 +31,7 @@ struct SynthMode {
   ModeType type = ModeType::bending;  // bending or hoop
   int order = 1;                      // bending: of the free-free beam; hoop: axial half-waves
   double angle_rad = 0;               // plane of bending; an antinode of the hoop pattern
-  double amplitude_per_sqrt_kg = 1;   // mass-normalised shape at the tip (bending), at the antinode (hoop)
+  double amplitude_per_sqrt_kg = 1;   // mass-normalised shape at the knob (bending), at the antinode (hoop)
 };
 
 /// The place of a sensor or of a point to hit: distance from the barrel's end, and angle around the barrel.
@@ -63,7 +63,7 @@ struct SynthTest {
 SynthTest synthesise(const SynthSpec& spec);
 
 struct SynthOptions {
-  std::optional<std::uint64_t> seed{};  // of the noise; default: the spec's
+  std::optional<std::uint64_t> seed{};  // of the noise and of the hits; default: the spec's
   std::size_t threads = 0;              // 0: all; the samples do not depend on it
 };
 

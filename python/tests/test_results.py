@@ -263,7 +263,7 @@ def test_a_result_without_files_says_what_to_write(tmp_path):
 
 
 def test_each_of_several_tests_is_a_result_of_its_own(tmp_path):
-    """Nothing tells it from the result of an analysis of its record alone."""
+    """Each result equals the result of an analysis of its record alone."""
     records = [percuss.synth("wood-bat", seed=seed).record for seed in (1, 2)]
     both = percuss.analyze(*records, band=BAND, files="tests")
     assert [len(one.modes) for one in both.runs] == [3, 3]
@@ -339,7 +339,7 @@ def test_the_remedies_of_deflections_lead_away_from_the_method_that_failed():
 
 
 def test_deviations_of_scaled_shapes_include_the_scale():
-    """The document states the scale's deviation apart. An element of a shape in 1/√kg is known no better than its scale."""
+    """The document states the standard deviation of the scale separately. An element in 1/√kg is known no better."""
     scan = percuss.survey(percuss.synth("bat-scan").record, band=BAND, effort="quick", driving_point=(0, 0))
     shapes = [mode["shape"] for mode in scan.to_dict()["modes"]]
     assert any(one["scale_std"] > 0 for one in shapes)

@@ -11,9 +11,9 @@
 
 namespace percuss::batch {
 
-/// The finished records of a running shard: a file with one system call per appended line. A killed process leaves
-/// whole lines and at most one incomplete last line, which the next process cuts off. Finished records are kept; each
-/// thread loses at most the record that it was analysing.
+/// The finished records of a running shard, in a file. One system call appends each line, so that a killed process
+/// leaves whole lines and at most one incomplete last line, which the next process cuts off. Finished records are kept;
+/// each thread loses at most the record that it was analysing.
 ///   first line   the label of the shard
 ///   begun 17     record 17 is being analysed
 ///   done 17 …    its rows, with a digest: a line damaged by a system crash counts as absent

@@ -21,12 +21,23 @@ bool frequencies_match(const ComparedMode& a, const ComparedMode& b, double furt
   return kinds_agree(a, b) && a.freq_Hz > 0 && b.freq_Hz > 0 && std::abs(b.freq_Hz - a.freq_Hz) <= furthest * a.freq_Hz;
 }
 
+double difference_percent(double a, double b) { return 100 * (b / a - 1); }
+
+std::optional<double> difference_std_percent(double a, double a_std, double b, double b_std) {
+  if (!(a_std > 0 || b_std > 0)) return std::nullopt;
+  return 100 * b / a * std::hypot(a_std / a, b_std / b);
+}
+
 ModePair pair_of(const ComparedDocument& a, const ComparedDocument& b, std::size_t i, std::size_t k) {
   const ComparedMode &x = a.modes[i], &y = b.modes[k];
-  ModePair pair{.a = i, .b = k, .difference_percent = 100 * (y.freq_Hz / x.freq_Hz - 1)};
-  if (x.freq_std_Hz > 0 || y.freq_std_Hz > 0) {
-    pair.difference_std_percent =
-        100 * y.freq_Hz / x.freq_Hz * std::hypot(x.freq_std_Hz / x.freq_Hz, y.freq_std_Hz / y.freq_Hz);
+  ModePair pair{.a = i,
+                .b = k,
+                .difference_percent = difference_percent(x.freq_Hz, y.freq_Hz),
+                .difference_std_percent = difference_std_percent(x.freq_Hz, x.freq_std_Hz, y.freq_Hz, y.freq_std_Hz)};
+  if (x.damping_ratio.value_or(0) > 0 && y.damping_ratio.value_or(0) > 0) {
+    pair.damping_difference_percent = difference_percent(*x.damping_ratio, *y.damping_ratio);
+    pair.damping_difference_std_percent =
+        difference_std_percent(*x.damping_ratio, x.damping_std, *y.damping_ratio, y.damping_std);
   }
   pair.mac = mac_between(x, y);
   return pair;

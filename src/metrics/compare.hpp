@@ -15,6 +15,8 @@ namespace percuss::metrics {
 struct ComparedMode {
   double freq_Hz = 0;
   double freq_std_Hz = 0;  // 0: not stated
+  std::optional<double> damping_ratio{};
+  double damping_std = 0;  // 0: not stated
   std::string family;      // "bending", "hoop"; "" or "unknown": any
   bool second = false;     // second peak of a split mode: it pairs only with second peaks and unclassified modes
   struct Component {
@@ -48,7 +50,9 @@ struct ModePair {
   std::size_t a = 0, b = 0;       // indices of the modes
   double difference_percent = 0;  // of b relative to a
   std::optional<double> difference_std_percent;
-  std::optional<identify::Mac> mac;
+  std::optional<double> damping_difference_percent{};  // where both state a damping ratio above zero
+  std::optional<double> damping_difference_std_percent{};
+  std::optional<identify::Mac> mac{};
 };
 
 struct PairedModes {

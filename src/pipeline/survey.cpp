@@ -71,7 +71,9 @@ bool Survey::is_tube() const {
 
 void Survey::place_points() {
   if (!geometry_) return;
-  if (options_.geometry) geometry_warnings_ = fit_geometry(*geometry_, analysis_.points());
+  std::vector<std::size_t> stated;
+  for (const identify::DrivingPoint& at : options_.driving) stated.push_back(at.point);
+  if (options_.geometry) geometry_warnings_ = match_point_numbers(*geometry_, analysis_.points(), stated);
   std::set<int> known;
   for (const acquire::GeometryPoint& p : geometry_->points) {
     known.insert(p.point);

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace percuss::pipeline {
 
-std::vector<Warning> fit_geometry(acquire::Geometry& geometry, const std::set<int>& measured) {
+std::vector<Warning> match_point_numbers(acquire::Geometry& geometry, const std::set<int>& measured,
+                                         const std::vector<std::size_t>& driving) {
   std::vector<Warning> warnings;
   if (geometry.unit_assumed) {
     warnings.push_back(
@@ -19,11 +21,17 @@ std::vector<Warning> fit_geometry(acquire::Geometry& geometry, const std::set<in
   };
   if (!lacks(0) || lacks(1) || known.contains(0)) return warnings;
   acquire::shift_points(geometry, -1);
-  warnings.push_back(
-      {"points_from_one",
-       fmt::format("the geometry numbers its points from {}, the record from {}: one is subtracted from the geometry's",
-                   *known.begin(), *measured.begin()),
-       {"geometry"}});
+  Warning warning{
+      "points_from_one",
+      fmt::format("the geometry numbers its points from {}, the record from {}: one is subtracted from the geometry's",
+                  *known.begin(), *measured.begin()),
+      {"geometry"}};
+  for (const std::size_t point : driving) {
+    warning.message += fmt::format("{} driving point {} is the geometry's point {}",
+                                   point == driving.front() ? ", so that" : ",", point, point + 1);
+  }
+  if (!driving.empty()) warning.options.emplace_back("driving_point");
+  warnings.push_back(std::move(warning));
   return warnings;
 }
 

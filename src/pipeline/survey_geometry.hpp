@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <set>
 #include <vector>
 
@@ -7,8 +8,10 @@
 
 namespace percuss::pipeline {
 
-/// Fits a stated geometry to the measured points: one that numbers its points from 1 where the record counts from 0 is
-/// renumbered, with its lines and faces. Says what was assumed.
-std::vector<Warning> fit_geometry(acquire::Geometry& geometry, const std::set<int>& measured);
+/// Matches the point numbers of a stated geometry to the record's: a geometry that counts from 1 where the record
+/// counts from 0 is renumbered, with its lines and faces. Says what was assumed, and which points of the geometry the
+/// driving points are that the user stated (`driving`: numbers of the record).
+std::vector<Warning> match_point_numbers(acquire::Geometry& geometry, const std::set<int>& measured,
+                                         const std::vector<std::size_t>& driving = {});
 
 }  // namespace percuss::pipeline

@@ -36,18 +36,51 @@ std::string frequency_text(const metrics::ComparedMode& mode) {
   return value_with_std(mode.freq_Hz, mode.freq_std_Hz) + " Hz";
 }
 
+std::string damping_text(const metrics::ComparedMode& mode) {
+  return mode.damping_ratio ? value_with_std(100 * *mode.damping_ratio, 100 * mode.damping_std) + " %" : "–";
+}
+
 // Modes of beams are numbered from 0, as in the tables of the models; all others from 1.
 std::string mode_number(const metrics::ComparedDocument& document, std::size_t m) {
   return std::to_string(document.schema == "percuss/model-beam/1" ? m : m + 1);
 }
 
-ReportText modes_text(const std::vector<metrics::ComparedDocument>& documents,
-                      const std::vector<Comparison>& comparisons) {
+TextTable modes_table(const std::vector<metrics::ComparedDocument>& documents) {
   std::vector<TextTable::Column> heads{{"mode", TextTable::Align::right}, {"family"}};
   for (const metrics::ComparedDocument& document : documents)
     heads.push_back({one_line(document.name, 40), TextTable::Align::right});
   heads.push_back({""});
-  TextTable table(std::move(heads));
+  return TextTable(std::move(heads));
+}
+
+// The dampings of the paired modes, where two documents state them.
+std::optional<TextTable> dampings_table(const std::vector<metrics::ComparedDocument>& documents,
+                                        const std::vector<Comparison>& comparisons) {
+  TextTable table = modes_table(documents);
+  bool any = false;
+  for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
+    const metrics::ComparedMode& mode = documents.front().modes[m];
+    std::vector<std::string> cells{mode_number(documents.front(), m), mode.family, damping_text(mode)};
+    bool paired = false;
+    for (const Comparison& c : comparisons) {
+      const metrics::ModePair* pair = pair_at(c, m);
+      const bool differs = pair && pair->damping_difference_percent;
+      paired = paired || differs;
+      cells.push_back(!pair     ? "–"
+                      : differs ? fmt::format("{} ({} %)", damping_text(c.b.modes[pair->b]),
+                                              signed_percent(*pair->damping_difference_percent))
+                                : damping_text(c.b.modes[pair->b]));
+    }
+    cells.emplace_back("");
+    if (paired) table.add(std::move(cells));
+    any = any || paired;
+  }
+  return any ? std::optional(std::move(table)) : std::nullopt;
+}
+
+ReportText modes_text(const std::vector<metrics::ComparedDocument>& documents,
+                      const std::vector<Comparison>& comparisons) {
+  TextTable table = modes_table(documents);
   for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
     const metrics::ComparedMode& mode = documents.front().modes[m];
     if (!(mode.freq_Hz > 0)) continue;
@@ -73,6 +106,10 @@ ReportText modes_text(const std::vector<metrics::ComparedDocument>& documents,
     for (std::size_t i = 0; i < shown; ++i) only += fmt::format(" {:.6g} Hz", c.b.modes[unpaired[i]].freq_Hz);
     if (shown < unpaired.size()) only += fmt::format(" and {} more", unpaired.size() - shown);
     text.say(only);
+  }
+  if (auto dampings = dampings_table(documents, comparisons)) {
+    text += "\ndamping\n";
+    text += *dampings;
   }
   return text;
 }
@@ -176,15 +213,22 @@ LineChart chart_of(const std::vector<Comparison>& comparisons) {
     chart.curves = {a, b};
     return chart;
   }
-  chart = {
-      .title = "Frequencies against " + first.a.name, .x = {.label = "frequency, Hz"}, .y = {.label = "difference, %"}};
+  chart = {.title = "Frequencies against " + first.a.name,
+           .x = {.label = "frequency, Hz"},
+           .y = {.label = "difference, % (band: ± 1 σ)"}};
   for (const Comparison& c : comparisons) {
     ChartCurve curve{.name = c.b.name, .marks = true};
+    ChartBand band{.x = {}, .low = {}, .high = {}, .style = chart.curves.size()};
     for (const metrics::ModePair& pair : c.modes.pairs) {
+      const double std = pair.difference_std_percent.value_or(0);
       curve.x.push_back(c.a.modes[pair.a].freq_Hz);
       curve.y.push_back(pair.difference_percent);
+      band.x.push_back(curve.x.back());
+      band.low.push_back(pair.difference_percent - std);
+      band.high.push_back(pair.difference_percent + std);
     }
     chart.curves.push_back(std::move(curve));
+    chart.bands.push_back(std::move(band));
   }
   return chart;
 }

@@ -48,7 +48,7 @@ TEST(PairModes, PairsTheFirstPeakOfASplitMode) {
   ComparedDocument doublet = document_with({1900, 1912}, "hoop");
   doublet.modes[1].second = true;
   EXPECT_THAT(indices(pair_modes(doublet, document_with({2100}, "hoop"))), ElementsAre(testing::Pair(0, 0)));
-  EXPECT_THAT(indices(pair_modes(doublet, document_with({2120}, "hoop"), {.furthest = 0.1})), IsEmpty())
+  EXPECT_THAT(indices(pair_modes(doublet, document_with({2100}, "hoop"), {.furthest = 0.1})), IsEmpty())
       << "9.8 % from the second, too far from the first";
   EXPECT_THAT(indices(pair_modes(doublet, document_with({1911}, "hoop"))), ElementsAre(testing::Pair(0, 0)));
   EXPECT_THAT(indices(pair_modes(doublet, doublet)), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1)));

@@ -18,7 +18,7 @@ acquire::Geometry triangle(int first) {
 
 TEST(SurveyGeometry, CountsFromZeroWithItsLinesAndFaces) {
   acquire::Geometry geometry = triangle(1);
-  const auto warnings = fit_geometry(geometry, {0, 1, 2});
+  const auto warnings = match_point_numbers(geometry, {0, 1, 2});
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings.front().code, "points_from_one");
   EXPECT_EQ(geometry.points.front().point, 0);
@@ -26,10 +26,20 @@ TEST(SurveyGeometry, CountsFromZeroWithItsLinesAndFaces) {
   EXPECT_THAT(geometry.faces.front(), ElementsAre(0, 1, 2));
 }
 
+TEST(SurveyGeometry, SaysWhichOfItsPointsADrivingPointIs) {
+  acquire::Geometry geometry = triangle(1);
+  const auto warnings = match_point_numbers(geometry, {0, 1, 2}, {1, 2});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_THAT(
+      warnings.front().message,
+      testing::EndsWith(", so that driving point 1 is the geometry's point 2, driving point 2 is the geometry's "
+                        "point 3"));
+}
+
 TEST(SurveyGeometry, StaysWhereItsNumbersFit) {
   for (const std::set<int>& measured : std::vector<std::set<int>>{{1, 2}, {1, 2, 3}, {0, 7}}) {
     acquire::Geometry geometry = triangle(1);
-    EXPECT_THAT(fit_geometry(geometry, measured), IsEmpty());
+    EXPECT_THAT(match_point_numbers(geometry, measured), IsEmpty());
     EXPECT_EQ(geometry.points.front().point, 1);
   }
 }
@@ -37,7 +47,7 @@ TEST(SurveyGeometry, StaysWhereItsNumbersFit) {
 TEST(SurveyGeometry, SaysThatItsUnitIsAssumed) {
   acquire::Geometry geometry = triangle(0);
   geometry.unit_assumed = true;
-  const auto warnings = fit_geometry(geometry, {0, 1, 2});
+  const auto warnings = match_point_numbers(geometry, {0, 1, 2});
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings.front().code, "geometry_unit_assumed");
 }

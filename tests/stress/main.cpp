@@ -1,4 +1,6 @@
 // percuss_stress [--full] [--only TEXT] [--table FILE.md] [--record RUN FILE]
+// Runs the cells of the stress tables. A cell is one synthetic test with its expected outcome, repeated with other
+// noise and hits.
 //   --full     run every cell more often
 //   --only     run the cell of this "group: name", or all cells whose names contain the text
 //   --table    replace the text after the line <!-- measured --> of FILE.md

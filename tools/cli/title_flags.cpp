@@ -38,8 +38,8 @@ void add_title_flags(Command& command, TitleFlags& flags) {
   const std::string previous = command.heading("Page");
   command.value("--title", flags.title, "Set the title of the page (default: the name of the file)").type("TEXT");
   command.value("--customer", flags.customer, "State the customer on the page").type("TEXT");
-  command.value("--operator", flags.operator_name, "State who did the test on the page").type("TEXT");
-  command.value("--specimen", flags.specimen, "State what was tested on the page").type("TEXT");
+  command.value("--operator", flags.operator_name, "State on the page who did the test").type("TEXT");
+  command.value("--specimen", flags.specimen, "State on the page what was tested").type("TEXT");
   command.value("--note", flags.note, "Put this text, or the text of a file, at the top of the page")
       .type("TEXT|@FILE");
   command.value("--logo", flags.logo, "Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB)")

@@ -149,9 +149,9 @@ def performance(
     customer : str, optional
         State the customer on the page.
     operator : str, optional
-        State who did the test on the page.
+        State on the page who did the test.
     specimen : str, optional
-        State what was tested on the page.
+        State on the page what was tested.
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional

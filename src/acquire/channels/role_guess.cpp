@@ -79,7 +79,7 @@ bool measures_another_quantity(const CsvColumn& signal) {
          !is_response(unit->quantity);
 }
 
-// Whether the number of an acceleration in volts has no scale yet.
+// Whether a signal is in volts and nothing states its sensitivity, scale or unit.
 bool needs_sensitivity(const CsvColumn& signal, const ReadOptions& options) {
   const ChannelSetup* const setup = setup_of(signal, options);
   const auto unit = parse_unit(signal.unit);

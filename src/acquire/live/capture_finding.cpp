@@ -38,6 +38,8 @@ std::string channel_text(const CaptureFinding& finding) {
   return finding.channel ? fmt::format("channel {}", *finding.channel + 1) : "the device";
 }
 
+std::string samples_text(std::uint64_t count) { return fmt::format("{} sample{}", count, count == 1 ? "" : "s"); }
+
 template <class Number>
 Number number_of(const nlohmann::json& json, const char* key, Number absent) {
   const auto at = json.find(key);
@@ -67,9 +69,9 @@ std::string finding_text(const CaptureFinding& f) {
     case CaptureFault::clock_drift:
       return fmt::format("the clock of the device differs by {:.0f} ppm from the computer's", f.value * 1e6);
     case CaptureFault::not_a_number:
-      return fmt::format("{} has {} samples that are no numbers", channel_text(f), f.count);
+      return fmt::format("{} has {} that are no numbers", channel_text(f), samples_text(f.count));
     case CaptureFault::overload:
-      return fmt::format("{} has {} samples at full scale", channel_text(f), f.count);
+      return fmt::format("{} has {} at full scale", channel_text(f), samples_text(f.count));
     case CaptureFault::unplugged:
       return "the device was unplugged";
     case CaptureFault::rate_changed:

@@ -29,9 +29,14 @@ std::string csv_cell(const std::string& text, CsvFormulas formulas) {
   return out + '"';
 }
 
-std::string_view text_of_csv_cell(std::string_view cell) {
+std::string text_of_csv_cell(std::string_view cell) {
   if (cell.starts_with('\'') && begins_formula(cell)) cell.remove_prefix(1);
-  return cell;
+  std::string out;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    out += cell[i];
+    if (cell.substr(i).starts_with("\"\"")) ++i;
+  }
+  return out;
 }
 
 }  // namespace core

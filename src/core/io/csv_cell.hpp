@@ -13,8 +13,9 @@ enum class CsvFormulas { neutralise, keep };
 /// kept. A text with apostrophes before such a character gets one more, so that text_of_csv_cell() restores every text.
 std::string csv_cell(const std::string& text, CsvFormulas formulas = CsvFormulas::neutralise);
 
-/// The text of a cell without the apostrophe that csv_cell() added.
-std::string_view text_of_csv_cell(std::string_view cell);
+/// The text of a cell without the apostrophe and the second quotes that csv_cell() added. The quotes around the cell
+/// are gone already (split_cells).
+std::string text_of_csv_cell(std::string_view cell);
 
 }  // namespace core
 }  // namespace percuss

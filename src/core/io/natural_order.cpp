@@ -43,10 +43,10 @@ std::string letters_and_digits(const std::string& name) {
 }
 
 bool in_a_shells_order(const std::vector<std::string>& names) {
-  const auto later = [](const std::string& a, const std::string& b) {
+  const auto before = [](const std::string& a, const std::string& b) {
     return letters_and_digits(a) < letters_and_digits(b);
   };
-  return std::is_sorted(names.begin(), names.end()) || std::is_sorted(names.begin(), names.end(), later);
+  return std::is_sorted(names.begin(), names.end()) || std::is_sorted(names.begin(), names.end(), before);
 }
 
 }  // namespace

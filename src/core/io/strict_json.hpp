@@ -82,7 +82,7 @@ void read_strict_json(const StrictText& text, const StrictObject::Reader& read);
 /// or 16 MiB
 void read_strict_table(const StrictText& text, const std::string& rows, const StrictObject::Reader& read);
 
-/// Whether a text begins with a JSON object, after blanks and comments.
+/// Whether a text begins with a JSON object, after blanks and comments that begin with //.
 bool looks_like_json(std::string_view text);
 
 /// Whether the lists and objects of a JSON text are nested more than `depth` times, which would take unbounded memory

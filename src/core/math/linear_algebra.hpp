@@ -15,7 +15,7 @@ Eigen::MatrixXcd inverse_gram(const Eigen::MatrixXcd& gram);
 /// theory (4.10)
 Eigen::VectorXd solve_gram(const Eigen::MatrixXd& gram, const Eigen::VectorXd& right, double damping = 0);
 
-/// Polynomials of degree 0 … terms − 1 over `points` equal steps, orthonormal. shape [points, terms].
+/// Orthonormal polynomials of degree 0 … terms − 1 over `points` equidistant points. shape [points, terms].
 Eigen::MatrixXd orthonormal_polynomials(Eigen::Index points, Eigen::Index terms);
 
 /// The x that minimises |columns·x − right|, by QR with column pivoting. shapes: columns [n, m], right [n], result [m].

@@ -49,10 +49,11 @@ double between(const PatternPlane& a, const PatternPlane& b) {
 }
 
 SplitCause cause_of(double between_rad, double std_rad, int order) {
-  const double wide = std::max(kMinAngleSignificance * std_rad, kPatternError_rad), apart = pi / (2 * order);
-  if (2 * wide >= apart) return SplitCause::unclear;  // too uncertain
-  if (apart - between_rad <= wide) return SplitCause::asymmetry;
-  return between_rad <= wide ? SplitCause::coupled : SplitCause::unclear;
+  const double tolerance_rad = std::max(kMinAngleSignificance * std_rad, kPatternError_rad);
+  const double asymmetry_rad = pi / (2 * order);                       // between the planes of an asymmetry split
+  if (2 * tolerance_rad >= asymmetry_rad) return SplitCause::unclear;  // too uncertain
+  if (asymmetry_rad - between_rad <= tolerance_rad) return SplitCause::asymmetry;
+  return between_rad <= tolerance_rad ? SplitCause::coupled : SplitCause::unclear;
 }
 
 }  // namespace
@@ -103,11 +104,11 @@ void describe_split(const Mode& first, const Mode& second, const std::optional<P
     peak->planes.reset();
   }
   if (!first_plane || !second_plane || first_plane->order != second_plane->order) return;
-  const double apart = between(*first_plane, *second_plane);
+  const double between_rad = between(*first_plane, *second_plane);
   const double std_rad = std::hypot(first_plane->std_rad, second_plane->std_rad);
-  const SplitCause cause = cause_of(apart, std_rad, first_plane->order);
-  of_first.planes = SplitPlanes{*first_plane, apart, std_rad, cause};
-  of_second.planes = SplitPlanes{*second_plane, apart, std_rad, cause};
+  const SplitCause cause = cause_of(between_rad, std_rad, first_plane->order);
+  of_first.planes = SplitPlanes{*first_plane, between_rad, std_rad, cause};
+  of_second.planes = SplitPlanes{*second_plane, between_rad, std_rad, cause};
 }
 
 }  // namespace percuss::identify

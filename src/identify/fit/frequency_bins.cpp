@@ -7,7 +7,7 @@ namespace percuss::identify {
 namespace {
 
 constexpr double kCore = 2;      // half-power bandwidths on either side of a pole; bins there are narrow
-constexpr double kGrowth = 0.1;  // lines of a bin per line of distance from these single lines
+constexpr double kGrowth = 0.1;  // lines of a bin per line of distance from the narrow bins
 constexpr double kMaxLinesPerBin = 64;
 constexpr double kMinCore = 4;  // lines
 

@@ -28,8 +28,9 @@ struct LocalFitOptions {
 };
 
 /// Least squares of all FRFs in a window by modes with complex residues and a polynomial. Poles are found by
-/// Levenberg–Marquardt with an analytic Jacobian; residues and polynomial are eliminated (variable projection). FRF o
-/// has the weight 1/weight[o]. All standard deviations are scaled by the residual.
+/// Levenberg–Marquardt with an analytic Jacobian; residues and polynomial are eliminated (variable projection). The
+/// residuals of FRF o are divided by weight[o], for example its noise. All standard deviations are scaled by the
+/// residual.
 /// shapes  data[o] holds options.count lines, the other modes' contributions subtracted; weight [channels].
 /// source  [7] in docs/theory/sources.md.
 /// theory (4.14)

@@ -18,8 +18,8 @@ constexpr double kSignificantScatter = 3.1;
 constexpr double kSignificantTrend = 3.7;
 constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval, which Student's factor keeps
 constexpr std::size_t kMinHits = 2;
-// Standard deviations of a residue in one hit. Such a hit determines its pole, unless the pole changes during the hit
-// or differs much from the mean.
+// Standard deviations of a residue in one hit. A hit with a clearer residue determines its pole, unless the pole
+// changes during the hit or differs much from the mean.
 constexpr double kClear = 20;
 
 // A mode's frequency and damping ratio in the hits that determine its pole.

@@ -50,7 +50,8 @@ std::optional<bool> follows_force(const ResidueCoherence& point) {
   constexpr double kChance = 1e-3;
   constexpr std::size_t kPhaseHits = 3;
   if (point.hits < kPhaseHits) return std::nullopt;
-  // The coherence of n hits with independent phases exceeds c with the probability (1 − c)^(n − 1).
+  // The coherence of n independent circular normal residues exceeds c with the probability (1 − c)^(n − 1). Residues of
+  // equal size and independent phases exceed this limit more often: with three hits once in 80 times.
   return point.coherence > 1 - std::pow(kChance, 1 / static_cast<double>(point.hits - 1));
 }
 
@@ -72,7 +73,7 @@ std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const Hit
 
 std::vector<std::optional<bool>> follow_force(const FrfDataset& set, const HitFrfs& hits,
                                               const std::vector<Mode>& modes) {
-  constexpr double kAgreement = 0.9;  // of two hits; independent phases exceed it once in five times
+  constexpr double kAgreement = 0.9;  // of two hits; equal sizes of independent phases exceed it once in five times
   std::vector<std::optional<bool>> follows(modes.size());
   for (const ModeWindow& window : mode_windows(set, modes)) {
     for (std::size_t i = 0; i < window.modes.size(); ++i) {

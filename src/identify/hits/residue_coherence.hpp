@@ -13,7 +13,8 @@ struct ResidueCoherence {
   std::size_t hits = 0;
 };
 
-/// True where the residues follow the force: independent phases reach their coherence at most once in a thousand times.
+/// True where the residues follow the force: independent circular normal residues reach their coherence at most once in
+/// a thousand times.
 /// Nothing with fewer than three hits, which do not show whether the phases are independent.
 std::optional<bool> follows_force(const ResidueCoherence& point);
 

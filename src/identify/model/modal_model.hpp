@@ -69,7 +69,7 @@ enum class ColumnContent { value, derivatives };
 ///   D = 1/(1 − exp((s − jω)Δ)),  D̃ the same with conj(s)
 /// An exponential window of decay σ replaces jω by jω + σ in H, and s by s − σ in q and D.
 /// The model contains the truncation, so that there is no leakage and no bias of the damping.
-/// source  [5], [6] in docs/theory/sources.md.
+/// source  [5] in docs/theory/sources.md.
 /// theory (3.3), (3.5)
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const acquire::LineRange& lines, std::size_t first,
                        std::size_t count, ColumnContent need = ColumnContent::derivatives);

@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Index;
 
-// Spacing of the delays, in periods of the highest line, but at least one sample. The noise divides equally between
-// real and imaginary part if the squares of the phase factors sum to zero. From one delay to the next the square turns
-// by 2 · 2π · kDelay = 4 rad. This is less than a full turn, so the squares of the delays cancel like the squares of
-// all samples. With a spacing of one sample, the delays are the samples themselves.
+// Spacing of the groups of samples (Delay), in periods of the highest line, but at least one sample. The noise divides
+// equally between real and imaginary part if the squares of the groups' phase factors sum to zero. From one group to
+// the next, this square turns by 2 · 2π · kDelay = 4 rad. This is less than a full turn, so the squares of the groups
+// cancel like the squares of single samples. With a spacing of one sample, each group is one sample.
 constexpr double kDelay = 0.32;
 
 constexpr double kNarrow = 0.2;  // half of a band's width over its highest line

@@ -12,7 +12,7 @@ constexpr double kMinTruncation = 0.1;  // amplitude at the record's end over it
 constexpr std::size_t kFlankFrom = 4,
                       kFlankUpTo = 16;        // lines from the peak: beyond its top, but mostly before other peaks
 constexpr double kMaxRippleFactor = 2;        // height of a ripple over the flank's
-constexpr double kMaxRemainingEnergy = 0.25;  // residual energy over the FRFs' energy
+constexpr double kMinRemainingEnergy = 0.25;  // residual energy over the FRFs' energy
 
 // Height times distance in lines, which is constant along a flank.
 double flank_height(const FrfDataset& set, std::size_t line) {
@@ -47,7 +47,7 @@ bool remains_in_residual(const FrfDataset& set, const Pole& pole, const std::vec
   const std::size_t line = set.lines.nearest(pole.freq_Hz);
   double left = 0;
   for (const Eigen::VectorXcd& channel : residual) left += std::norm(channel(static_cast<Eigen::Index>(line)));
-  return left > kMaxRemainingEnergy * power_at(set, line);
+  return left > kMinRemainingEnergy * power_at(set, line);
 }
 
 }  // namespace percuss::identify

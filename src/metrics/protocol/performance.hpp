@@ -11,8 +11,9 @@ namespace percuss::metrics {
 
 inline constexpr double kPivot_m = 6 * kInch_m;  // of every test, from the base of the knob
 inline constexpr double kProtocolGravity_mps2 =
-    386.4 * kInch_m;                              // as printed in the protocol: 0.08 % above standard gravity
-inline constexpr double kNominalSpeed_mph = 136;  // swing and pitch together, 6 in from the tip; also of lot hits
+    386.4 * kInch_m;  // as printed in the protocol: 0.08 % above standard gravity
+// Swing and pitch together, 6 in from the tip; also the speed at which a ball lot is calibrated.
+inline constexpr double kNominalSpeed_mph = 136;
 inline constexpr double kNominalSpeed_mps = kNominalSpeed_mph * kMilePerHour_mps;
 inline constexpr double kBarrelSpeed_mps = 66 * kMilePerHour_mps;  // of the swing alone, 6 in from the tip
 inline constexpr double kPitchSpeed_mps = 70 * kMilePerHour_mps;   // where the ball crosses the plate

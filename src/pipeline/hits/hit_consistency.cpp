@@ -74,7 +74,7 @@ std::size_t odd_one(const std::vector<HitSpectra>& spectra, const std::vector<st
 void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra,
                  std::vector<std::size_t> members) {
   std::vector<double> errors = unexplained(spectra, members);
-  while (members.size() >= kMinHitsToVote) {
+  while (members.size() >= kMinHitsToFindOutlier) {
     const auto worst = static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
     if (errors[worst] <= kOutlierEnergy) break;
     // A wrong hit distorts the FRFs that explain the others: their errors are computed without it.

@@ -10,7 +10,7 @@
 namespace percuss::pipeline {
 
 /// Fewer hits of a point cannot outvote an outlier.
-inline constexpr std::size_t kMinHitsToVote = 4;
+inline constexpr std::size_t kMinHitsToFindOutlier = 4;
 
 /// Spectra of one hit, [lines]; empty for hits that are not compared.
 struct HitSpectra {

@@ -72,7 +72,7 @@ void Guide::log_and_apply(const SessionEvent& event) {
 }
 
 void Guide::check_goals() {
-  if (options_.until.empty() || session_.finished() || session_.awaits_vote()) return;
+  if (options_.until.empty() || session_.finished() || session_.needs_blows_to_compare()) return;
   if (!all_met(options_.until, session_quality(record(), options_.analysis))) return;
   observer_.on_goals_met();
   log_and_apply({.kind = Kind::enough, .frame = history_.end_frame()});

@@ -20,7 +20,7 @@ class QualityWorker {
 
   /// The record is read by the other thread.
   void ask(acquire::Record record);
-  /// Blows asked before do not count any longer: leaves out their results.
+  /// Drops the waiting request, the result of the running fit and a result not yet taken: their blows no longer count.
   void discard();
   /// The newest result, once.
   std::optional<SessionQuality> take();

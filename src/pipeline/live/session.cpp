@@ -74,7 +74,9 @@ bool Session::settled(std::size_t index) const { return done_at(index) && (enoug
 
 bool Session::is_doubtful(int point) const { return differing_.contains(point) && accepted_at(point) > 0; }
 
-bool Session::awaits_vote() const { return is_doubtful(point()) && accepted_at(point()) < kMinHitsToVote; }
+bool Session::needs_blows_to_compare() const {
+  return is_doubtful(point()) && accepted_at(point()) < kMinHitsToFindOutlier;
+}
 
 std::vector<int> Session::doubtful_points() const {
   std::vector<int> out;
@@ -85,7 +87,7 @@ std::vector<int> Session::doubtful_points() const {
 
 bool Session::in_doubt(std::size_t index) const {
   const int point = plan_.points[index];
-  if (!is_doubtful(point) || accepted_at(point) >= std::max(kMinHitsToVote, plan_.hits + 1)) return false;
+  if (!is_doubtful(point) || accepted_at(point) >= std::max(kMinHitsToFindOutlier, plan_.hits + 1)) return false;
   std::size_t others = 0, others_in_doubt = 0;
   for (const int other : plan_.points) {
     if (other == point || accepted_at(other) == 0) continue;

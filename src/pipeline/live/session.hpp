@@ -68,7 +68,7 @@ class Session {
   std::vector<std::size_t> accepted_rows() const;
   bool has_point(int point) const;
   /// Whether the blows at this point differ, and are too few to tell which is wrong.
-  bool awaits_vote() const;
+  bool needs_blows_to_compare() const;
   /// Points whose accepted blows differ.
   std::vector<int> doubtful_points() const;
 

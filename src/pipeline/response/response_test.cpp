@@ -49,7 +49,7 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
     }
     if (static_cast<double>(hits[h].impact.last - hits[h].impact.first) < least) {
       hits[h].accepted = false;
-      hits[h].reason = "another impact follows too soon";
+      hits[h].reason = "too few samples until the next impact or the end";
     }
     const bool accept = names_hit(options.accept_hits, options.reject_hits, h);
     const bool reject = names_hit(options.reject_hits, options.accept_hits, h);

@@ -10,6 +10,9 @@
 namespace percuss::pipeline {
 namespace {
 
+// A band may end this far beyond the last line: tables of 20, 20.25 … 1999.75 Hz are meant to end at 2000 Hz.
+constexpr double kBeyond_lines = 1.01;
+
 acquire::Record record_without_rows(const acquire::FrfRecord& frfs) {
   acquire::Record record;
   record.files = frfs.files;
@@ -52,7 +55,7 @@ acquire::LineRange FrfSource::choose_lines(const LineRequest& request, const std
   const acquire::LineRange& all = frfs_.lines;
   const auto [low_Hz, high_Hz] = request.band_Hz;
   const double top_Hz = all.freq_Hz(all.count - 1);
-  if (!(low_Hz < high_Hz) || low_Hz < 0 || high_Hz > top_Hz + 0.5 * all.df_Hz() || low_Hz > top_Hz) {
+  if (!(low_Hz < high_Hz) || low_Hz < 0 || high_Hz > top_Hz + kBeyond_lines * all.df_Hz() || low_Hz > top_Hz) {
     throw InputError(fmt::format("the band {:.6g}:{:.6g} Hz does not fit FRFs from {:.6g} to {:.6g} Hz", low_Hz,
                                  high_Hz, all.freq_Hz(0), top_Hz),
                      record_.source(), "choose LO:HI within this range", {"band"});

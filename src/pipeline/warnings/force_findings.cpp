@@ -157,7 +157,7 @@ std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, c
   const LevelSide& clearest = sides.front();
   return {with_remedy(
       {"response_clipped",
-       fmt::format("{} reaches {:.4g} m/s² in every hit, equal to {:.2g} %, although the forces differ by {:.0f} %: "
+       fmt::format("{} reaches {:.4g} m/s² in every hit, within {:.2g} %, although the forces differ by {:.0f} %: "
                    "its amplifier clips before the recorder's filter, which rounds the tops. Residues, damping and "
                    "frequencies are off by more than their ±",
                    one_line(record.accel[clearest.channel].name, kMaxNameBytes), clearest.level, 100 * clearest.spread,

@@ -39,8 +39,8 @@ std::string percent_with_std(double value, double std) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, std, decimals);
 }
 
-// The step of force of a stated slope: 100 N, 10 N … so small that the change stays below 50 %, since nothing falls by
-// more than all of it.
+// The step of force in which a slope is stated: 100 N, 10 N, … The change per step is 50 % at most, because no value
+// can fall by more than 100 %.
 double stated_step_N(double percent_per_N) {
   constexpr double kMaxStep_N = 100, kMinStep_N = 1e-3, kMaxPercent = 50;
   double step_N = kMaxStep_N;

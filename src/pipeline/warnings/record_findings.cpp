@@ -129,7 +129,8 @@ std::vector<Warning> long_dropout_warnings(const acquire::Record& record, const 
                          longest->count, after_s * 1e3, longest->to_end ? ", to the end" : "");
   }
   if (concerned == 0) return {};
-  if (concerned > kMaxListed) where += fmt::format(" and {} more hits", concerned - kMaxListed);
+  if (concerned > kMaxListed)
+    where += fmt::format(" and {} more hit{}", concerned - kMaxListed, concerned - kMaxListed == 1 ? "" : "s");
   return {with_remedy({"dropout",
                        "the accelerometers drop out in " + where +
                            ": too long to predict the samples. Frequencies, damping and residues are off by more "

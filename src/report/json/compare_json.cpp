@@ -21,6 +21,10 @@ Json pairs_json(const Comparison& c) {
                      {"frequency_b_hz", c.b.modes[pair.b].freq_Hz},
                      {"difference_percent", pair.difference_percent},
                      {"difference_std_percent", optional_number(pair.difference_std_percent)},
+                     {"damping_ratio_a", optional_number(c.a.modes[pair.a].damping_ratio)},
+                     {"damping_ratio_b", optional_number(c.b.modes[pair.b].damping_ratio)},
+                     {"damping_difference_percent", optional_number(pair.damping_difference_percent)},
+                     {"damping_difference_std_percent", optional_number(pair.damping_difference_std_percent)},
                      {"mac", pair.mac ? Json(pair.mac->value) : Json()}});
   }
   return pairs;

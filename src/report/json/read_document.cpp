@@ -18,7 +18,7 @@ constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20U;
 constexpr int kMaxDepth = 16;
 
 // All keys that are read below.
-constexpr std::array<std::string_view, 23> kWantedKeys = {"schema",
+constexpr std::array<std::string_view, 25> kWantedKeys = {"schema",
                                                           "runs",
                                                           "deflection",
                                                           "points",
@@ -29,6 +29,8 @@ constexpr std::array<std::string_view, 23> kWantedKeys = {"schema",
                                                           "modes",
                                                           "frequency_hz",
                                                           "frequency_std_hz",
+                                                          "damping_ratio",
+                                                          "damping_ratio_std",
                                                           "family",
                                                           "double_peak",
                                                           "first",
@@ -80,8 +82,10 @@ int whole(double number) { return static_cast<int>(std::clamp(number, -1e9, 1e9)
 metrics::ComparedMode mode_in(const Part& part) {
   metrics::ComparedMode mode{.freq_Hz = part.at("frequency_hz").number(),
                              .freq_std_Hz = part.number_or("frequency_std_hz", 0),
+                             .damping_std = part.number_or("damping_ratio_std", 0),
                              .family = part.has("family") ? part.at("family").text() : "",
                              .shape = {}};
+  if (part.has("damping_ratio")) mode.damping_ratio = part.at("damping_ratio").number();
   mode.second = part.has("double_peak") && part.at("double_peak").is_false("first");
   if (!part.has("residues")) return mode;
   part.at("residues").for_each([&](const Part& residue) {

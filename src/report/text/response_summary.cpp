@@ -33,7 +33,8 @@ FirstMotion first_motion(const pipeline::Analysis& analysis, std::size_t channel
 // an outvoted hit.
 std::string direction(const FirstMotion& motion) {
   if (motion.with > 0 && motion.against > 0)
-    return fmt::format("with the push in {} hits, against it in {}", motion.with, motion.against);
+    return fmt::format("with the push in {} hit{}, against it in {}", motion.with, motion.with == 1 ? "" : "s",
+                       motion.against);
   return motion.with > 0 ? "with the push" : "against the push";
 }
 

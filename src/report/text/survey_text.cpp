@@ -42,8 +42,11 @@ TextTable survey_modes_table(const pipeline::Survey& survey) {
   const bool mass = std::any_of(survey.shapes().begin(), survey.shapes().end(),
                                 [](const identify::ModeShape& s) { return s.modal_mass_kg.has_value(); });
   constexpr auto kRight = TextTable::Align::right;
-  std::vector<TextTable::Column> columns{
-      {"mode", kRight}, {"family"}, {"confidence", kRight}, {"frequency", kRight}, {"damping", kRight}};
+  const bool named = std::any_of(survey.classifications().begin(), survey.classifications().end(),
+                                 [](const auto& c) { return c.family != identify::ModeType::unknown; });
+  std::vector<TextTable::Column> columns{{"mode", kRight}};
+  if (named) columns.insert(columns.end(), {{"family"}, {"confidence", kRight}});
+  columns.insert(columns.end(), {{"frequency", kRight}, {"damping", kRight}});
   if (tube) columns.insert(columns.end(), {{"n", kRight}, {"share", kRight}, {"nodes", kRight}, {"plane", kRight}});
   columns.push_back({"MPC", kRight});
   if (mass) columns.push_back({"modal mass", kRight});
@@ -52,10 +55,13 @@ TextTable survey_modes_table(const pipeline::Survey& survey) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
     const identify::Mode& mode = modes[m];
     const identify::ModeShape& shape = survey.shapes()[m];
-    std::vector<std::string> cells{fmt::format("{}", m + 1), mode_type_of(survey.classifications()[m]),
-                                   confidence_text(survey.classifications()[m]),
-                                   value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz",
-                                   value_with_std(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %"};
+    std::vector<std::string> cells{fmt::format("{}", m + 1)};
+    if (named) {
+      cells.push_back(mode_type_of(survey.classifications()[m]));
+      cells.push_back(confidence_text(survey.classifications()[m]));
+    }
+    cells.push_back(value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz");
+    cells.push_back(value_with_std(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %");
     if (tube) {
       const auto& t = survey.tubes()[m];
       cells.push_back(t ? fmt::format("{}", t->order) : "–");

@@ -104,7 +104,7 @@ TEST(FrameRing, SeparatesFramesAtALossThatTheDeviceStates) {
 }
 
 // More losses than the ring stores for its consumer: the frames after them are dropped too, but never misnumbered.
-TEST(FrameRing, NumbersFramesRightAfterManyLosses) {
+TEST(FrameRing, NumbersFramesCorrectlyAfterManyLosses) {
   FrameRing ring(layout(1), 10000);
   std::int32_t number = 0;
   for (int i = 0; i < 1000; ++i) {

@@ -73,7 +73,7 @@ class ReaderLifetime : public testing::Test {
 };
 
 TEST_F(ReaderLifetime, EndsWithItsParent) {
-  if (!test::has_seccomp()) return;  // no reader starts: see SandboxLayers
+  if (!test::has_seccomp()) return;  // no reader starts: see SandboxSupport
   expect_end_of_reader_with_process([&] { const SandboxProcess process(path_, [&] { return waiting()(path_); }); });
 }
 

@@ -185,7 +185,7 @@ TEST(ModelImpactCommand, WritesSeriesAndCurves) {
 // The largest value of each curve is the largest deflection that the sweep states.
 TEST(ModelImpactCommand, WritesTheMotionOfEachImpactOfASweep) {
   const test::ScratchFolder folder;
-  constexpr double kSampling = 1e-3;  // a curve is sampled beside its maximum
+  constexpr double kSampling = 1e-3;  // no sample of a curve lies exactly at its maximum
   const std::vector<std::string> words{"model",   "impact",        "--sweep", "at=0.025:0.13:0.545",
                                        "--sweep", "ei=3e3:1e3:4e3"};
   std::vector<std::string> curves = words, rows = words;

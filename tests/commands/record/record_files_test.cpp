@@ -90,9 +90,9 @@ TEST(RecordFiles, SaysHowToSaveBlowsThatCannotBeWritten) {
 // No file may grow beyond a limit, as on a full disk: the rows wait in memory, but the record has no room at the end.
 TEST(RecordFiles, SayHowToGoOnWhenTheDiskIsFull) {
   const Bench bench;
-  constexpr std::size_t kLess_bytes = 200'000;  // than a row: 9600 samples of 3 channels
+  constexpr std::size_t kMaxFile_bytes = 200'000;  // less than a row: 9600 samples of 3 channels
   const auto full = test::run_percuss({"record", "-o", "t.h5", "--device", "sim:aluminium-bat", "--fast"},
-                                      {.folder = bench.folder.path(), .limits = {{RLIMIT_FSIZE, kLess_bytes}}});
+                                      {.folder = bench.folder.path(), .limits = {{RLIMIT_FSIZE, kMaxFile_bytes}}});
   EXPECT_EQ(full.code, 3);
   EXPECT_THAT(full.err, HasSubstr("percuss record --resume t.h5"));
   EXPECT_EQ(bench.run({"record", "--resume", "t.h5"}).code, 0);

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "core/io/csv_dialect.hpp"
+
 namespace percuss::csv_cell_test {
 
 TEST(CsvCell, QuotesSeparatorsQuotesAndLineEnds) {
@@ -35,6 +37,8 @@ TEST(CsvCell, KeepsFormulasWhereTheyAreAskedFor) {
 TEST(CsvCell, GivesEveryTextBack) {
   for (const std::string text : {"=1+1", "'=1+1", "''=1", "-A", "-1.5", "'-1.5", "'", "''", "'a", "@", "+", "a", ""})
     EXPECT_EQ(text_of_csv_cell(csv_cell(text)), text);
+  for (const std::string text : {R"(32" bat, old)", R"(say "hi")", R"("a")", R"("")", R"(""")", R"(="x")"})
+    EXPECT_EQ(text_of_csv_cell(split_cells(csv_cell(text), {}).at(0)), text);
 }
 
 }  // namespace percuss::csv_cell_test

@@ -66,7 +66,8 @@ TEST(PointScatter, NeedsThreePoints) {
 }
 
 // Two of eight points determine the pole. Their frequencies are 0.1 Hz above and below it, so their scatter has one
-// degree of freedom; the factor is Student's for one. The other points have a hundredth of the residue.
+// degree of freedom; the factor is Student's for one. The other points have a hundredth of the residue. The variance is
+// Σ (off/2)² = 0.02/4, with the weight 1/2 of each, times n/(n − 1) for all n = 8 points.
 TEST(PointScatter, CountsThePointsThatDetermineThePole) {
   const std::vector<double> off_Hz{0.1, -0.1, 0, 0, 0, 0, 0, 0};
   const std::vector<double> residue{1, 1, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01};

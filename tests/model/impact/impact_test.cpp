@@ -124,7 +124,7 @@ TEST(BeamImpact, MeetsItsStatedAccuracy) {
   EXPECT_NEAR(simulate_impact({}).cor, truth, 1e-9);
 }
 
-TEST(BeamImpact, HardlyDependsOnTheHandleStiffness) {
+TEST(BeamImpact, HardlyDependsOnTheSpringStiffness) {
   for (int i = 1; i <= 6; ++i) {
     const double cor = simulate_impact(with_torsion(500 * i)).cor;
     EXPECT_GE(cor, 0.465);

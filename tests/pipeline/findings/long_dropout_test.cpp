@@ -63,7 +63,8 @@ TEST(LongDropout, IsLongerThanWhatCanBePredicted) {
   EXPECT_TRUE(find_long_dropout(x, kPulse));
 }
 
-// A decay of any speed ends in the silence of a coarse recorder, and a slow motion rests at its crests.
+// Coarse quantisation repeats one value without a dropout: zero after a decay, and the extreme value at the crests of a
+// slow motion.
 TEST(LongDropout, IsNotTheSilenceOfACoarseRecorder) {
   for (const double amplitude_steps : {3.0, 10.0, 100.0, 3000.0, 30000.0}) {
     for (const double damping_ratio : {0.001, 0.01, 0.05, 0.2, 0.5}) {
@@ -78,7 +79,7 @@ TEST(LongDropout, IsNotTheSilenceOfACoarseRecorder) {
   }
 }
 
-// A blow after the silence begins with a corner, but no motion was expected before.
+// The next blow ends the constant samples abruptly, as the end of a dropout does. But the decay had died out before.
 TEST(LongDropout, IsNotTheSilenceBeforeAnotherBlow) {
   std::vector<double> x = decay(1900, 0.05, 300);
   const std::vector<double> second = decay(1900, 0.05, 30000);

@@ -73,7 +73,7 @@ TEST(Session, StaysAtAPointInDoubt) {
   EXPECT_THAT(session.doubtful_points(), ElementsAre(1));
 }
 
-// The first blow of a point was the wrong one: the next blows differ from it, until four can vote.
+// The first blow of a point was the wrong one: the next blows differ from it, until four show which one is the outlier.
 TEST(Session, StaysUntilFourBlowsTellThatTheFirstWasWrong) {
   Session session({.points = {0, 1}, .hits = 2});
   strike(session, 1);
@@ -86,7 +86,7 @@ TEST(Session, StaysUntilFourBlowsTellThatTheFirstWasWrong) {
   EXPECT_THAT(session.doubtful_points(), testing::IsEmpty());
 }
 
-// Two blows at one place and two at another: the vote takes one out, and the rest still differ.
+// Two blows at one place and two at another: one is rejected as an outlier, and the rest still differ.
 TEST(Session, KeepsTheDoubtWhereTheRestDiffers) {
   Session session({.points = {0, 1}, .hits = 3});
   strike(session, 1);
@@ -101,7 +101,7 @@ TEST(Session, KeepsAPointInDoubtOpen) {
   Session session({.points = {0, 1}, .hits = 2});
   strike(session, 1);
   strike_doubtfully(session);
-  EXPECT_TRUE(session.awaits_vote());
+  EXPECT_TRUE(session.needs_blows_to_compare());
   session.apply({.kind = Kind::next});
   strike(session, 2);
   EXPECT_EQ(session.point(), 0);  // comes again

@@ -250,8 +250,10 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
   // Such a first column is not the time: it is a count of samples or a signal.
   if (guessed && (!stamped || counts)) return header_rate_Hz(header, file);
   if (!stamped) refuse_stamps(table, time.index, rows, problem);
-  if (!guessed && !parse_unit(time.unit) && !header.fs_Hz) {
-    require_plausible_times(stamped->fs_Hz, "the column " + time.name, file + ": time column",
+  // Named columns say what the first one may be; without names, ms are as likely as s.
+  if (!(guessed && header.named) && !parse_unit(time.unit) && !header.fs_Hz) {
+    require_plausible_times(stamped->fs_Hz, header.named ? "the column " + time.name : time.name,
+                            file + ": time column",
                             "state the sampling rate, or write the unit into the header: Time (ms)");
   }
   if (guessed)

@@ -207,10 +207,19 @@ bool look_like_radians(const std::vector<double>& phase) {
          *most - *least > std::numbers::pi / 2;
 }
 
+// Columns without names count as real and imaginary parts. A real part that is never negative may be a magnitude.
+void refuse_possible_magnitude(const CsvTable& table, const std::vector<double>& real, const Columns& columns) {
+  if (table.header().named || std::any_of(real.begin(), real.end(), [](double x) { return x < 0; })) return;
+  throw InputError(fmt::format("column {} has no name and is never negative: it may be a real part or a magnitude",
+                               columns.first + 1),
+                   input_name(table.path()), "add a first line with names, such as Hz,re,im or Hz,magnitude,phase");
+}
+
 std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, std::vector<Message>& notes) {
   const auto first = read_column(table, columns.first);
   const auto second = read_column(table, columns.second);
   std::vector<Complex> value(first.size());
+  if (!columns.polar) refuse_possible_magnitude(table, first, columns);
   double to_rad = columns.phase_to_rad.value_or(kDegree_rad);
   if (columns.polar && !columns.phase_to_rad) {
     const bool radians = look_like_radians(second);

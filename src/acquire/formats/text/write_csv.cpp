@@ -24,10 +24,15 @@ bool varies(const Record& record, int RowInfo::*number) {
                      [&](const RowInfo& row) { return row.*number != record.rows.front().*number; });
 }
 
+// A reader numbers the points of rows without a number from 0.
+bool states_points(const Record& record) {
+  return std::any_of(record.rows.begin(), record.rows.end(), [](const RowInfo& row) { return row.point != 0; });
+}
+
 std::string header(const Record& record) {
-  std::string text = "hit,t_s,force_N";
+  std::string text = record.has_force ? "hit,t_s,force_N" : "hit,t_s";
   for (std::size_t c = 0; c < record.accel.size(); ++c) text += ",acc" + std::to_string(c) + "_m_s2";
-  if (varies(record, &RowInfo::point)) text += ",point";
+  if (states_points(record)) text += ",point";
   if (varies(record, &RowInfo::run)) text += ",run";
   return text + "\n";
 }
@@ -35,7 +40,7 @@ std::string header(const Record& record) {
 /// The end of each line of a row.
 std::string row_end(const Record& record, const RowInfo& row) {
   std::string text;
-  if (varies(record, &RowInfo::point)) text += "," + std::to_string(row.point);
+  if (states_points(record)) text += "," + std::to_string(row.point);
   if (varies(record, &RowInfo::run)) text += "," + std::to_string(row.run);
   return text + "\n";
 }
@@ -43,16 +48,17 @@ std::string row_end(const Record& record, const RowInfo& row) {
 void write_row(AtomicFile& file, const Record& record, std::size_t row) {
   const std::size_t samples = record.rows[row].samples;
   const std::string start = std::to_string(row) + ",", end = row_end(record, record.rows[row]);
-  std::vector<std::vector<double>> columns(1 + record.accel.size());
+  const std::size_t forces = record.has_force ? 1 : 0;
+  std::vector<std::vector<double>> columns(forces + record.accel.size());
   std::string text;
   for (std::size_t first = 0; first < samples; first += kLinesAtOnce) {
     const std::size_t count = std::min(kLinesAtOnce, samples - first);
     for (std::size_t c = 0; c < columns.size(); ++c) {
       columns[c].resize(count);
-      if (c == 0) {
+      if (c < forces) {
         record.read_force_N(row, first, columns[c]);
       } else {
-        record.read_accel_mps2(row, c - 1, first, columns[c]);
+        record.read_accel_mps2(row, c - forces, first, columns[c]);
       }
     }
     text.clear();

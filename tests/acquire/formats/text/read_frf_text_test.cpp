@@ -115,7 +115,16 @@ TEST(ReadFrfText, TellsRadiansFromDegrees) {
 
 TEST(ReadFrfText, TakesColumnsWithoutNamesWhenForced) {
   EXPECT_FALSE(read_frf_text(test::csv_bytes("0 1 2\n1 3 4\n2 5 6\n"), false));
-  EXPECT_EQ(read("0 1 2\n1 3 4\n2 5 6\n", true).frfs.at(0).value[2], Complex(5, 6));
+  EXPECT_EQ(read("0 1 2\n1 -3 4\n2 5 6\n", true).frfs.at(0).value[2], Complex(5, 6));
+}
+
+TEST(ReadFrfText, RefusesColumnsWithoutNamesThatMayBeMagnitudes) {
+  try {
+    read_frf_text(test::csv_bytes("0 1 170\n1 3 90\n2 5 -10\n"), true);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("column 2 has no name and is never negative"));
+  }
 }
 
 TEST(ReadFrfText, IgnoresTimeRecords) {

@@ -42,6 +42,18 @@ TEST_F(WriteCsv, NamesPointAndRunWhereTheyDiffer) {
   EXPECT_EQ(text_of(record), "hit,t_s,force_N,acc0_m_s2,point,run\n0,0,1,3,0,5\n1,0,2,4,12,6\n");
 }
 
+TEST_F(WriteCsv, NamesAPointThatIsNotTheFirst) {
+  Record record = record_in_memory(1000, {{1}}, {{{3}}});
+  record.rows[0].point = 7;
+  EXPECT_EQ(text_of(record), "hit,t_s,force_N,acc0_m_s2,point\n0,0,1,3,7\n");
+}
+
+TEST_F(WriteCsv, LeavesOutAForceThatWasNotRecorded) {
+  Record record = record_in_memory(1000, {{0}}, {{{3}}});
+  record.has_force = false;
+  EXPECT_EQ(text_of(record), "hit,t_s,acc0_m_s2\n0,0,3\n");
+}
+
 TEST_F(WriteCsv, GivesBackEverySampleExactly) {
   constexpr std::size_t kSamples = 20'000;  // more than are written at once
   std::vector<double> force(kSamples), accel(kSamples);

@@ -8,15 +8,15 @@
 #include "support/synthetic_files.hpp"
 
 // The sandbox on systems without seccomp or without Landlock.
-namespace percuss::acquire::sandbox_layers_test {
+namespace percuss::acquire::sandbox_support_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-class SandboxLayers : public testing::TestWithParam<const char*> {
+class SandboxSupport : public testing::TestWithParam<const char*> {
  protected:
-  SandboxLayers() { test::write_small_test(path_); }
+  SandboxSupport() { test::write_small_test(path_); }
   test::ProcessOutcome run(const std::vector<std::string>& arguments, std::function<void()> prepare) const {
     return test::run_percuss(arguments, {.prepare = std::move(prepare)});
   }
@@ -25,10 +25,10 @@ class SandboxLayers : public testing::TestWithParam<const char*> {
   std::string path_ = folder_.file(std::string("r") + GetParam());
 };
 
-INSTANTIATE_TEST_SUITE_P(, SandboxLayers, testing::Values(".mat", ".h5", ".wav"),
+INSTANTIATE_TEST_SUITE_P(, SandboxSupport, testing::Values(".mat", ".h5", ".wav"),
                          [](const auto& one) { return std::string(one.param).substr(1); });
 
-TEST_P(SandboxLayers, WithoutSeccompRefuseForeignFiles) {
+TEST_P(SandboxSupport, WithoutSeccompRefuseForeignFiles) {
   const auto refused = run({"analyze", path_}, test::remove_seccomp);
   EXPECT_EQ(refused.code, 3);
   EXPECT_EQ(refused.out, "");
@@ -40,7 +40,7 @@ TEST_P(SandboxLayers, WithoutSeccompRefuseForeignFiles) {
   EXPECT_EQ(run({"analyze", text}, test::remove_seccomp).code, 0);
 }
 
-TEST_P(SandboxLayers, WithoutSeccompRefuseSeveralFilesToo) {
+TEST_P(SandboxSupport, WithoutSeccompRefuseSeveralFilesToo) {
   const std::string second = folder_.file(std::string("s") + GetParam());
   test::write_small_test(second);
   const auto refused = run({"analyze", path_, second}, test::remove_seccomp);
@@ -48,7 +48,7 @@ TEST_P(SandboxLayers, WithoutSeccompRefuseSeveralFilesToo) {
   EXPECT_THAT(refused.err, HasSubstr("cannot confine"));
 }
 
-TEST_P(SandboxLayers, WithoutLandlockSaySo) {
+TEST_P(SandboxSupport, WithoutLandlockSaySo) {
   if (!test::has_seccomp()) return;  // refused, as above
   const char* const note = "this system (no Landlock) does not keep the reader of the file from opening other files";
   const auto with = run({"analyze", path_, "--json"}, {});
@@ -62,4 +62,4 @@ TEST_P(SandboxLayers, WithoutLandlockSaySo) {
   EXPECT_THAT(with.out, Not(HasSubstr("Landlock")));
 }
 
-}  // namespace percuss::acquire::sandbox_layers_test
+}  // namespace percuss::acquire::sandbox_support_test
