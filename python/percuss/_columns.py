@@ -11,7 +11,8 @@ import numpy as np
 from ._arrays import frozen
 from ._errors import InputError
 
-_TABLES = ("profile", "geometry", "bats")  # whose dictionaries are columns; those of other keywords are documents
+# Keywords that take a dictionary as columns; for other keywords a dictionary is a JSON document.
+_TABLES = ("profile", "geometry", "bats")
 
 
 def columns_of(value: Any, name: str) -> dict[str, np.ndarray] | None:

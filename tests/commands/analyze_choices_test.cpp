@@ -78,7 +78,7 @@ TEST_F(AnalyzeChoices, ReportsTheRequestedNumberOfModes) {
   EXPECT_EQ(document["modes"].size(), 1U);
 }
 
-// The spec's modes are bending modes at 200 and 700 Hz. Orders count all modes, not only the requested ones.
+// The spec has a bending mode at 200 Hz and a hoop mode at 700 Hz. Orders count all modes, not only the requested ones.
 TEST_F(AnalyzeChoices, KeepsTheOrdersOfAllModes) {
   const json all = document_of({}), part = document_of({"--modes", "1"}), started = document_of({"--start", "702"});
   const json& kept = part["modes"][0];

@@ -16,7 +16,8 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-// Σ conj(a)·b. Four independent sums each, because an addition to a sum waits for the one before it.
+// Σ conj(a)·b. `straight` and `crossed` hold four independent sums each, because an addition to a sum waits for the one
+// before it.
 PERCUSS_WIDE_LOOPS Complex dot_conj(const Complex* a, const Complex* b, Index n) {
   FourDoubles straight{}, crossed{}, x{}, y{};
   Index i = 0;

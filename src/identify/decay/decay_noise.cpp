@@ -11,8 +11,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kBlock = 256, kMinBlocks = 8;  // lines: wider than the resonances of close modes
-constexpr double kColumnAccuracy = 1e-10;      // of a column of the model, relative
+constexpr Index kBlock = 256;              // lines of a block: wider than the resonances of close modes
+constexpr Index kMinBlocks = 8;            // shorter spectra have smaller blocks
+constexpr double kColumnAccuracy = 1e-10;  // of a column of the model, relative
 
 // The median of a mean of `hits` exponential variables, over its expectation (Wilson and Hilferty).
 double median_of_mean(double hits) { return hits == 1 ? std::log(2.0) : std::pow(1 - 1 / (9 * hits), 3); }
@@ -72,7 +73,7 @@ Eigen::MatrixXd decay_line_noise(const DecaySpectra& residual, const Eigen::Vect
     }
     const std::vector<double> of_hit = hits > 1 ? hit_levels(levels) : std::vector<double>{1};
     Eigen::VectorXd power = Eigen::VectorXd::Zero(blocks.lines);
-    double lowest = 0;  // the largest over the hits of rounding power divided by the hit's level
+    double lowest = 0;  // limit of the power: the largest (rounding power / level) of all hits
     for (Index h = 0; h < hits; ++h) {
       const Index i = h * channels + c;
       const double level = of_hit[static_cast<std::size_t>(h)];

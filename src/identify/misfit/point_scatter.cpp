@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kScatters = 4.5;   // normal deviate of χ²; without scatter, one value in 300 000 exceeds it
-constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval, which Student's factor keeps
+constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval: Student's factor widens ± to cover 95 %
 
 // The standard deviation of an unknown from the scatter of the points' contributions; 0 where the noise explains it.
 // `variance`: of each contribution, by the noise.

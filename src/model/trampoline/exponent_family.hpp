@@ -17,8 +17,9 @@ struct FamilyPair {
   HoopPeak optimum;
 };
 
-/// The pairs of exponents that the measurements allow, by rising a: those within every standard deviation, and those
-/// with a chi2 of at most 1 above its minimum. Where one exponent is held, the family is the best pair.
+/// Pairs of exponents that the measurements allow, by rising a, at equal steps of a, each with its best b. The range of
+/// a holds the pairs whose chi2 is at most 1 above its minimum, and the pairs that keep every CCOR within its standard
+/// deviation. Where one exponent is held, the family is the best pair.
 std::vector<FamilyPair> exponent_family(const Trampoline& model, const std::vector<MeasuredCor>& measured,
                                         const ExponentFit& fit, const std::vector<double>& hoop_Hz);
 

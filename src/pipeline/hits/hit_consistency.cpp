@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kOutlierRatio = 25;           // outlier's error over the others' median (five times in amplitude)
 constexpr double kOutlierEnergy = 0.05;        // least error of an outlier, of its energy: smaller errors are harmless
-constexpr std::size_t kMaxHitsToCompare = 30;  // each with all others
+constexpr std::size_t kMaxHitsToCompare = 30;  // of a point: odd_one compares the other hits once per hit
 constexpr std::size_t kFlopsPerHit = 50'000;
 constexpr double kLowCoherence = 0.9;
 constexpr double kMaxDissent = 0.2;  // of the hits: above it the direction of the first motion is undecided
@@ -57,8 +57,8 @@ std::string disagreement(double explained) {
 
 bool is_outlier(double error, double typical) { return error > std::max(kOutlierRatio * typical, kOutlierEnergy); }
 
-// The member without which the others agree best. A strong hit dominates the FRFs that explain the others, and may not
-// be the worst itself.
+// The member without which the others agree best. A strong wrong hit dominates the FRFs that explain the
+// others, so that the largest error may belong to another hit.
 std::size_t odd_one(const std::vector<HitSpectra>& spectra, const std::vector<std::size_t>& members) {
   std::size_t odd = 0;
   double least = std::numeric_limits<double>::infinity();

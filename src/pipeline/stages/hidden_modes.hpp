@@ -10,8 +10,8 @@
 
 namespace percuss::pipeline {
 
-/// Whether to search modes that the fit of the whole band did not find. With several points only where the fit of all
-/// modes together failed: otherwise a narrow band shows weak modes that half of the points do not confirm.
+/// Whether to search for modes that the fit of the whole band did not find. In a test of several points, only where the
+/// joint fit failed for a mode: otherwise a narrow band shows weak modes that half of the points do not confirm.
 bool may_hide_modes(const identify::FrfDataset& set, const TestSpectra& spectra,
                     const identify::IdentifyOptions& options, const std::vector<identify::Mode>& modes);
 
@@ -20,9 +20,9 @@ struct HiddenModes {
   std::optional<std::vector<identify::Pole>> unmodelled;  // unmodelled_poles, where no mode was added
 };
 
-/// Adds the modes that narrow bands show around what `modes` do not explain (add_modes_at). The tones that wander are
-/// the ones in `tones`, and the peaks that remain and that the force does not explain (tones_at). `hits` is called only
-/// where it is needed.
+/// Adds modes at the resonances that `modes` do not describe, each from a narrow band around it (add_modes_at).
+/// `wandering` holds the tones of `tones` that wander, and the resonances that the force does not explain (tones_at).
+/// `hits` is called only where it is needed.
 HiddenModes add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
                              const identify::FrfDataset& set, const std::function<const identify::HitFrfs&()>& hits,
                              identify::Effort effort);

@@ -13,9 +13,10 @@ namespace {
 
 using acquire::Severity;
 
-// Most serious first: wrong quantities and mixed tests, then distorted or incomplete signals, structures that are not
-// linear or not at rest, what the fit leaves open, and remarks. A cause stands before its consequence: split modes and
-// missing modes before the residual that they leave.
+// Most serious first within each severity: wrong quantities and mixed tests; distorted or incomplete signals of the
+// whole test; structures that are not linear or not at rest; single hits and disturbances; what the fit leaves open;
+// weak excitation and missing statements; remarks. A cause stands before its consequence: split modes and missing modes
+// before the residual that they leave.
 constexpr auto kRanking = std::to_array<RankedCode>({
     {"hits_disagree", Severity::reject},
     {"swapped_channels", Severity::reject},

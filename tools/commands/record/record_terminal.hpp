@@ -17,14 +17,16 @@ struct PressedKey {
   std::size_t number = 0;  // go_to
 };
 
-/// Lines, bells and keys of a guided session, in a thread of its own: a terminal or pipe that takes nothing, or is
-/// closed, never holds up the caller. On a terminal, a prompt stays below the lines, and keys are read one by one.
+/// Lines, bells and keys of a guided session, in a thread of its own. A terminal or pipe that takes nothing, or is
+/// closed, does not hold up the callers of its functions. On a terminal, a prompt stays below the lines, and keys are
+/// read one by one.
 class RecordTerminal {
  public:
   /// Writes to `output` (a descriptor). Reads keys if `input` and `output` are terminals, while the process is in the
   /// foreground.
   RecordTerminal(int input, int output, bool quiet);
-  /// Writes what waits, unless nobody takes it for two seconds (a terminal), and restores the terminal.
+  /// Writes the lines that wait, and restores the terminal. A terminal that takes nothing for two seconds loses the
+  /// rest. A pipe is waited for until it takes everything or is closed.
   ~RecordTerminal();
   RecordTerminal(const RecordTerminal&) = delete;
   RecordTerminal& operator=(const RecordTerminal&) = delete;

@@ -42,8 +42,8 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
                              std::vector<OptionId>{"force_scale", "accel_scale"});
   } else if (has_sensitivities(options)) {
     table.notes.emplace_back(
-        "stored numbers are fractions of full scale, and full scale is taken as 1 V: forces and responses are "
-        "wrong by the recorder's true voltage at full scale; give this voltage over the sensitivity as the scale",
+        "stored numbers are fractions of full scale, and full scale is taken as 1 V: if it is V volts, forces "
+        "and responses must be multiplied by V; divide V by the sensitivity, and give the quotient as the scale",
         std::vector<OptionId>{"force_scale", "accel_scale"});
   }
 }
