@@ -216,6 +216,7 @@ LineChart chart_of(const std::vector<Comparison>& comparisons) {
   chart = {.title = "Frequencies against " + first.a.name,
            .x = {.label = "frequency, Hz"},
            .y = {.label = "difference, % (band: ± 1 σ)"}};
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const Comparison& c : comparisons) {
     ChartCurve curve{.name = c.b.name, .marks = true};
     ChartBand band{.x = {}, .low = {}, .high = {}, .style = chart.curves.size()};
@@ -226,10 +227,16 @@ LineChart chart_of(const std::vector<Comparison>& comparisons) {
       band.x.push_back(curve.x.back());
       band.low.push_back(pair.difference_percent - std);
       band.high.push_back(pair.difference_percent + std);
+      lowest = std::min(lowest, band.low.back());
+      highest = std::max(highest, band.high.back());
     }
     chart.curves.push_back(std::move(curve));
     chart.bands.push_back(std::move(band));
   }
+  // A scale covers the curves alone; here the bands are to be seen whole.
+  constexpr double kMargin = 0.04;
+  const double margin = kMargin * (highest - lowest);
+  if (highest > lowest) chart.y.range = {lowest - margin, highest + margin};
   return chart;
 }
 

@@ -29,6 +29,20 @@ TEST(CompareReport, DrawsDeflectionsOverAScaleThatAllPlacesHave) {
   EXPECT_THAT(order.curves.at(1).y, ElementsAre(1000, 2000));
 }
 
+TEST(CompareReport, DrawsTheWholeBandsOfTheStandardDeviations) {
+  const metrics::ComparedDocument a{
+      .name = "a", .schema = "", .modes = {{.freq_Hz = 100, .freq_std_Hz = 3}, {.freq_Hz = 200}}, .deflections = {}};
+  const metrics::ComparedDocument b{
+      .name = "b", .schema = "", .modes = {{.freq_Hz = 100, .freq_std_Hz = 4}, {.freq_Hz = 202}}, .deflections = {}};
+  const LineChart chart = compare_report({a, b}).charts.at(0);
+  ASSERT_EQ(chart.bands.size(), 1U);
+  EXPECT_THAT(chart.bands[0].low, ElementsAre(testing::DoubleNear(-5, 1e-9), testing::DoubleNear(1, 1e-9)));
+  EXPECT_THAT(chart.bands[0].high, ElementsAre(testing::DoubleNear(5, 1e-9), testing::DoubleNear(1, 1e-9)));
+  ASSERT_TRUE(chart.y.range);
+  EXPECT_LT(chart.y.range->first, -5);
+  EXPECT_GT(chart.y.range->second, 5);
+}
+
 // Two modes at four places: equal, opposite in sign, and orthogonal shapes.
 TEST(CompareReport, ListsTheMacOfAllModesWithCommonPlaces) {
   const auto mode = [](double freq_Hz, const std::vector<double>& shape) {

@@ -14,8 +14,7 @@ struct ResidueCoherence {
 };
 
 /// True where the residues follow the force: independent circular normal residues reach their coherence at most once in
-/// a thousand times.
-/// Nothing with fewer than three hits, which do not show whether the phases are independent.
+/// a thousand times. Nothing with fewer than three hits, which do not show whether the phases are independent.
 std::optional<bool> follows_force(const ResidueCoherence& point);
 
 /// [points of set] for the mode window.modes[mode]. Each hit is fitted over the window at the modes' poles, which gives

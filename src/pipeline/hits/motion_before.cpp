@@ -14,20 +14,18 @@ namespace {
 
 // Samples: a long rest before a hit, as in a record of several blows, shows a weak motion that a pre-trigger hides.
 constexpr std::size_t kMinLongRest = 1024, kLongRest = 8192;
-constexpr std::size_t kFilterBeforePulse = 72;  // samples, in which a filter of linear phase rings before the pulse
-constexpr double kMoreThanNoise = 1.3;          // power over that of white noise; 1024 samples give it to 5 %
-constexpr double kMotion = 3e-4;                // of the largest response
+constexpr double kMoreThanNoise = 1.3;  // power over that of white noise; 1024 samples give it to 5 %
+constexpr double kMotion = 3e-4;        // of the largest response
+
+std::size_t end_of_force(const acquire::Hit& hit) {
+  return std::max({hit.gate_first + hit.gated_N.size(), hit.pulse_end, hit.tail_end});
+}
 
 // The samples before a hit, after the last blow in its row.
 acquire::SampleRange rest_before(const std::vector<AnalysedHit>& impacts, std::size_t h) {
   const acquire::Hit& hit = impacts[h].hit;
   const std::size_t end = hit.gate_first - std::min(hit.gate_first, kFilterBeforePulse);
-  std::size_t first = end - std::min(end, kLongRest);
-  for (const AnalysedHit& other : impacts) {
-    if (other.hit.row == hit.row && other.hit.peak < hit.peak)
-      first = std::max(first, std::min(end, other.hit.tail_end));
-  }
-  return {first, end};
+  return {std::max(end - std::min(end, kLongRest), std::min(end, last_blow_before(impacts, h).end)), end};
 }
 
 bool holds_motion(std::span<const double> rest, double largest) {
@@ -36,6 +34,22 @@ bool holds_motion(std::span<const double> rest, double largest) {
 }
 
 }  // namespace
+
+LastBlow last_blow_before(const std::vector<AnalysedHit>& hits, std::size_t hit) {
+  LastBlow last;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    const acquire::Hit& other = hits[h].hit;
+    if (other.row != hits[hit].hit.row || other.peak >= hits[hit].hit.peak || other.gated_N.empty()) continue;
+    if (!last.hit || other.peak > hits[*last.hit].hit.peak) last.hit = h;
+    last.end = std::max(last.end, end_of_force(other));
+  }
+  return last;
+}
+
+bool may_ring_before(const AnalysedHit& hit) {
+  return std::any_of(hit.responses.begin(), hit.responses.end(),
+                     [](const acquire::ResponseGrade& grade) { return grade.may_ring_before; });
+}
 
 std::vector<bool> moves_before(const acquire::Record& record, const std::vector<AnalysedHit>& impacts,
                                const std::vector<std::size_t>& hits, std::size_t threads) {

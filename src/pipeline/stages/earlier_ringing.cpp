@@ -8,46 +8,20 @@
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
 #include "identify/decay/known_decays.hpp"
+#include "pipeline/hits/motion_before.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
 using Eigen::Index;
 
-constexpr double kMaterial = 0.3;               // standard deviations of a residue: a smaller change does not matter
-constexpr double kClearRinging = 5;             // standard deviations of the energy of noise, above its mean
-constexpr double kGone = 1e-7;                  // of its first amplitude: a decay that has ended
-constexpr double kExplained = 0.9;              // of the energy before the hit
-constexpr double kTimeConstants = 2;            // of the slowest decay: the samples before the hit that measure it
-constexpr std::size_t kMinRinging = 256;        // samples
-constexpr std::size_t kMaxRinging = 32768;      // samples
-constexpr std::size_t kFilterBeforePulse = 72;  // samples, in which a filter of linear phase rings before the pulse
-
-// The first sample without force before a hit: after the last blow in its row.
-struct LastBlow {
-  std::optional<std::size_t> hit;
-  std::size_t end = 0;
-};
-
-std::size_t end_of_force(const acquire::Hit& hit) {
-  return std::max({hit.gate_first + hit.gated_N.size(), hit.pulse_end, hit.tail_end});
-}
-
-LastBlow last_blow_before(const std::vector<AnalysedHit>& hits, std::size_t hit) {
-  LastBlow last;
-  for (std::size_t h = 0; h < hits.size(); ++h) {
-    const acquire::Hit& other = hits[h].hit;
-    if (other.row != hits[hit].hit.row || other.peak >= hits[hit].hit.peak || other.gated_N.empty()) continue;
-    if (!last.hit || other.peak > hits[*last.hit].hit.peak) last.hit = h;
-    last.end = std::max(last.end, end_of_force(other));
-  }
-  return last;
-}
-
-bool moves_before(const AnalysedHit& hit) {
-  return std::any_of(hit.responses.begin(), hit.responses.end(),
-                     [](const acquire::ResponseGrade& grade) { return grade.may_ring_before; });
-}
+constexpr double kMaterial = 0.3;           // standard deviations of a residue: a smaller change does not matter
+constexpr double kClearRinging = 5;         // standard deviations of the energy of noise, above its mean
+constexpr double kGone = 1e-7;              // of its first amplitude: a decay that has ended
+constexpr double kExplained = 0.9;          // of the energy before the hit
+constexpr double kTimeConstants = 2;        // of the slowest decay: the samples before the hit that measure it
+constexpr std::size_t kMinRinging = 256;    // samples
+constexpr std::size_t kMaxRinging = 32768;  // samples
 
 // A decay's amplitude at the gate's first sample per unit of a residue: the force drives a residue A to
 // A s²/(jω_d) Σ f[n] exp(−s n Δ) Δ.
@@ -78,7 +52,7 @@ class RingingSearch {
     const LastBlow last = last_blow_before(spectra_.hits, hit);
     const std::vector<bool> expected = expected_after(last, hit);
     const bool any_expected = std::find(expected.begin(), expected.end(), true) != expected.end();
-    const bool moves = moves_before(spectra_.hits[hit]);
+    const bool moves = may_ring_before(spectra_.hits[hit]);
     if (!any_expected && !moves) return std::nullopt;
     EarlierRinging ringing{.hit = hit, .rates = {}, .amplitude = {}, .std = {}};
     const Before before = samples_before(last, hit, any_expected ? expected : std::vector<bool>(expected.size(), true));
@@ -204,7 +178,7 @@ class RingingSearch {
 
 bool may_ring_at_hits(const std::vector<AnalysedHit>& hits) {
   for (std::size_t h = 0; h < hits.size(); ++h) {
-    if (hits[h].accepted && (moves_before(hits[h]) || last_blow_before(hits, h).hit)) return true;
+    if (hits[h].accepted && (may_ring_before(hits[h]) || last_blow_before(hits, h).hit)) return true;
   }
   return false;
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "pipeline/hits/motion_before.hpp"
 #include "pipeline/warnings/hit_list.hpp"
 
 namespace percuss::pipeline {
@@ -80,9 +81,7 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
 std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const std::vector<EarlierRinging>& ringing) {
   std::set<std::size_t> moving, subtracted, settled;
   for (const std::size_t h : accepted_hits(hits)) {
-    const auto& responses = hits[h].responses;
-    if (std::any_of(responses.begin(), responses.end(), [](const auto& grade) { return grade.may_ring_before; }))
-      moving.insert(h);
+    if (may_ring_before(hits[h])) moving.insert(h);
   }
   double share = 0;
   for (const EarlierRinging& one : ringing) {
