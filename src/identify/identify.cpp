@@ -11,6 +11,7 @@
 #include "identify/select/local_force_noise.hpp"
 #include "identify/select/satellite_modes.hpp"
 #include "identify/select/sequential_fit.hpp"
+#include "identify/select/unresolved_partners.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -24,7 +25,8 @@ std::vector<Mode> with_force_noise(const FrfDataset& set, std::vector<FittedMode
 }
 
 std::vector<Mode> fit_all_channels(const FrfDataset& set, const IdentifyOptions& options) {
-  std::vector<FittedMode> found = fit_sequentially(set, sequential_fit_options(options.effort));
+  const SequentialFitOptions sequential = sequential_fit_options(options.effort);
+  std::vector<FittedMode> found = without_unresolved_partners(set, fit_sequentially(set, sequential), sequential);
   std::vector<Eigen::VectorXcd> residual;
   if (options.effort == Effort::best && !found.empty()) residual = refine_jointly(set, found);
   if (options.effort != Effort::quick && residual.empty()) residual = refine_without_satellites(set, found);

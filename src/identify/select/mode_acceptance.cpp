@@ -143,6 +143,13 @@ double min_peak_to_residual(const WindowedFit& all, const FitGroup& group, std::
          (reached ? 1 : kOutOfBandFactor);
 }
 
+// During the search, the residual around a peak may belong to a mode beside it that is still to be found.
+double min_significance(const WindowedFit& all, const FitGroup& group, std::size_t mode,
+                        const AcceptanceContext& context) {
+  const bool may_lack_neighbour = !context.search_finished && began_as_peak(all, group.fit.poles[mode], context);
+  return may_lack_neighbour || is_resolved_pair(all, group, mode) ? kMinPairSignificance : kMinSignificance;
+}
+
 // An undecayed oscillation may be mains hum, which has a peak but no damping.
 bool decays_significantly(const WindowedFit& all, const FitGroup& group, std::size_t mode) {
   const Pole& pole = group.fit.poles[mode];
@@ -182,8 +189,7 @@ bool accept_mode(const WindowedFit& all, const FitGroup& group, std::size_t mode
   const double widest_Hz = kMaxModeWidth * static_cast<double>(all.set().lines.count) * all.set().lines.df_Hz();
   return above_dynamic_range(all, group.fit, mode) && above_force_noise(all, group, mode) && pole.freq_Hz > low &&
          pole.freq_Hz < high && has_plausible_damping(group, mode) && pole.half_power_Hz() < widest_Hz &&
-         significance(group.fit, mode) >
-             (is_resolved_pair(all, group, mode) ? kMinPairSignificance : kMinSignificance) &&
+         significance(group.fit, mode) > min_significance(all, group, mode, context) &&
          peak_to_residual(all, group, mode) > min_peak_to_residual(all, group, mode, context) &&
          group.fit.freq_std_Hz(m) < all.width_Hz(pole) && decays_significantly(all, group, mode);
 }

@@ -167,8 +167,17 @@ std::vector<std::size_t> prominent_lines(const FrfDataset& set, const LineNoise&
 }
 
 std::vector<Pole> candidate_poles(const FrfDataset& set, const LineNoise& noise, const CandidateOptions& options) {
+  const std::vector<std::size_t> lines = prominent_lines(set, noise, options);
   std::vector<Pole> poles;
-  for (const std::size_t line : prominent_lines(set, noise, options)) poles.push_back(pole_at_line(set, line));
+  for (const std::size_t line : lines) {
+    const Pole pole = pole_at_line(set, line);
+    const auto apart = [&](std::size_t from) {
+      return std::abs(set.lines.position(pole.freq_Hz) - static_cast<double>(from));
+    };
+    const bool belongs_to_other =
+        std::any_of(lines.begin(), lines.end(), [&](std::size_t other) { return apart(other) < apart(line); });
+    poles.push_back(belongs_to_other ? narrowest_pole(set, set.lines.freq_Hz(line)) : pole);
+  }
   return poles;
 }
 

@@ -4,6 +4,7 @@
 
 #include "identify/noise/force_noise.hpp"
 #include "identify/select/sequential_fit.hpp"
+#include "identify/start/candidates.hpp"
 #include "support/modal_frfs.hpp"
 
 namespace percuss::identify::mode_acceptance_test {
@@ -41,6 +42,26 @@ TEST(ModeAcceptance, KeepsAWeakModeBelowTheForceNoiseOfAStrongOne) {
 TEST(ModeAcceptance, TakesNoModeFromTheForceNoise) {
   for (std::uint64_t seed = 0; seed < kTrials; ++seed)
     EXPECT_EQ(fit_sequentially(measured(0, seed)).size(), 1U) << seed;
+}
+
+// One mode cannot describe two modes little more than a line apart. It counts during the search, so that its partner
+// can be found, and not after it.
+TEST(ModeAcceptance, KeepsAPeakDuringTheSearchWhereTheModeBesideItIsMissing) {
+  FrfDataset set = test::empty_set(4096, 2048, 300, 1500, 1);
+  for (const double freq_Hz : {500.0, 1200.0}) test::add_mode(set, 0, {freq_Hz, 0.004}, 1);
+  test::add_mode(set, 0, {800.3, 0.0003}, 1);
+  test::add_mode(set, 0, {802.7, 0.0003}, 0.9);
+  test::add_frf_noise(set, 0.01, 7);
+  AcceptanceContext context{.peak_poles = candidate_poles(set, LineNoise(set))};
+  ASSERT_EQ(context.peak_poles.size(), 3U);
+  WindowedFit all(set);
+  all.replace(context.peak_poles);
+  all.sweep();
+  ASSERT_EQ(all.groups().size(), 3U);
+  EXPECT_TRUE(accept_mode(all, all.groups()[1], 0, context));
+  context.search_finished = true;
+  EXPECT_FALSE(accept_mode(all, all.groups()[1], 0, context));
+  EXPECT_EQ(fit_sequentially(set).size(), 4U);
 }
 
 }  // namespace percuss::identify::mode_acceptance_test

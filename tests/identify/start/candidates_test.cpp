@@ -48,6 +48,18 @@ TEST(CandidatePoles, AreNotQuantisedToALine) {
   }
 }
 
+// The fit of one resonance around either peak finds the same pole.
+TEST(CandidatePoles, BelongToTheirOwnPeaks) {
+  FrfDataset set = test::empty_set(4096, 2048, 300, 1500, 1);
+  test::add_mode(set, 0, {800.3, 0.0003}, 1);
+  test::add_mode(set, 0, {804.3, 0.0003}, 0.9);
+  test::add_frf_noise(set, 0.01, 7);
+  const auto poles = candidate_poles(set, LineNoise(set));
+  ASSERT_EQ(poles.size(), 2U);
+  EXPECT_NEAR(poles[0].freq_Hz, 800, 0.5 * set.lines.df_Hz());
+  EXPECT_GE(poles[1].freq_Hz - poles[0].freq_Hz, set.lines.df_Hz());
+}
+
 TEST(CandidatePoles, AreAbsentFrom40SetsOfPureNoise) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     FrfDataset set = test::empty_set(4096, 32768, 60, 1500, 2);

@@ -2,8 +2,15 @@
 const data = Object.assign({}, ...JSON.parse(document.getElementById("data").textContent));
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
-// Looked up at each drawing: colours differ between paper and a dark screen.
-const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+// Colours differ between paper and a dark screen: forgetColours after a change. The browser computes the styles of the whole
+// document again where one is asked for after a change of it; so they are kept.
+const knownColours = new Map();
+const forgetColours = () => knownColours.clear();
+darkScheme.addEventListener("change", forgetColours);
+const colour = (name) => {
+  if (!knownColours.has(name)) knownColours.set(name, getComputedStyle(document.documentElement).getPropertyValue(name).trim());
+  return knownColours.get(name);
+};
 const dashes = [[], [8, 4], [2, 3], [10, 3, 2, 3], [5, 5], [1, 4], [12, 4], [6, 2]];
 // Four significant digits; whole hertz from 10 kHz, without an exponent.
 const hertz = (hz) => (hz >= 9999.5 ? hz.toFixed(0) : hz.toPrecision(4));
@@ -16,6 +23,13 @@ const addElement = (tag, parent, text) => {
   return element;
 };
 const figuresOf = (kind) => document.querySelectorAll(`[data-plot="${kind}"]`);
+
+// Widths of the figures, all read before the first of them is drawn: a width read after a change of the document costs a layout of
+// the whole page.
+const figures = [...document.querySelectorAll("[data-plot]")];
+const widths = new Map(figures.map((figure) => [figure, figure.clientWidth]));
+const readWidths = () => { for (const figure of figures) widths.set(figure, figure.clientWidth); };
+const widthOf = (figure) => widths.get(figure);
 
 // Decodes a quantised curve: from + step · k, null for k = 65535.
 const decoded = (packed) => {
@@ -56,7 +70,7 @@ const resizable = [];
 const plot = (figure, height, x, y, xs, series, options = {}) => {
   const target = options.target || addElement("div", figure);
   const opts = {
-    width: Math.max(320, figure.clientWidth), height,
+    width: Math.max(320, widthOf(figure)), height,
     legend: { show: false },
     cursor: { drag: { x: true, y: false }, ...(options.shared ? { sync: { key: "frequency", setSeries: false } } : {}) },
     scales: { x: { time: false, distr: options.logarithmic ? 3 : 1 }, y: options.range ? { range: options.range } : {} },

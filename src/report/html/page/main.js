@@ -3,15 +3,21 @@ for (const draw of [frequencyPlots, fitPlots, indicatorPlot, hitPlots, stabilisa
 document.documentElement.dataset.drawn = "yes";
 document.documentElement.dataset.drawnMs = Math.round(performance.now() - began);
 
-const resize = (widthOf, paper) => {
-  for (const d of plots) d.plot.setSize({ width: Math.max(320, widthOf(d.figure)), height: d.height });
+const resize = (widthNow, paper) => {
+  for (const d of plots) d.plot.setSize({ width: Math.max(320, widthNow(d.figure)), height: d.height });
   for (const redraw of redraws.values()) redraw();
-  for (const change of resizable) change((figure) => Math.max(320, widthOf(figure)), paper);
+  for (const change of resizable) change((figure) => Math.max(320, widthNow(figure)), paper);
 };
+const resizeToWindow = () => {
+  readWidths();
+  resize(widthOf);
+};
+// A scroll bar that appeared with the drawings makes the figures narrower.
+requestAnimationFrame(() => { if (figures.some((figure) => figure.isConnected && figure.clientWidth !== widths.get(figure))) resizeToWindow(); });
 let waiting = 0;
 addEventListener("resize", () => {
   clearTimeout(waiting);
-  waiting = setTimeout(() => resize((figure) => figure.clientWidth), 100);
+  waiting = setTimeout(resizeToWindow, 100);
 });
 darkScheme.addEventListener("change", () => {
   for (const d of plots) d.plot.redraw();
@@ -22,10 +28,12 @@ darkScheme.addEventListener("change", () => {
 const paperWidth = Number(colour("--print-width"));
 addEventListener("beforeprint", () => {
   document.documentElement.dataset.paper = "yes";
+  forgetColours();
   for (const details of document.querySelectorAll("details")) details.open = true;
   resize(() => paperWidth, true);
 });
 addEventListener("afterprint", () => {
   delete document.documentElement.dataset.paper;
-  resize((figure) => figure.clientWidth);
+  forgetColours();
+  resizeToWindow();
 });

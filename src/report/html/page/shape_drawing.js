@@ -52,93 +52,124 @@ const drawAxes = (context, view, colours, height, ratio) => {
   });
 };
 
-// Draws a mode at a phase in radians. `look` has amplitude (of the structure's radius), kind (displacement or phase), rest,
-// sensors, signs.
-const drawShape = (canvas, shapes, mode, view, look, phase) => {
-  const context = canvas.getContext("2d"), ratio = canvas.width / canvas.clientWidth || devicePixelRatio;
-  const at = view.projection(canvas.width, canvas.height), [c, s] = [Math.cos(phase), Math.sin(phase)], colours = look.colours;
-  const move = (i, k) => c * mode.moves[6 * i + 2 * k] - s * mode.moves[6 * i + 2 * k + 1];
-  const values = shapes.points.map((_, i) => [0, 1, 2].reduce((sum, k) => sum + shapes.normals[i][k] * move(i, k), 0));
-  const size = look.amplitude * view.radius;
-  const resting = shapes.points.map(at), spots = shapes.points.map((p, i) => at(p.map((x, k) => x + size * move(i, k))));
-  const colourAt = (i) => {
-    if (look.kind !== "phase") return colours.displacement(values[i]);
-    const [re, im] = [0, 1].map((part) => [0, 1, 2].reduce((sum, k) => sum + shapes.normals[i][k] * mode.moves[6 * i + 2 * k + part], 0));
-    return colours.phase(Math.hypot(re, im), Math.atan2(im, re));
-  };
-  const shade = shapes.points.map((_, i) => colourAt(i));
-  const path = (corners) => {
-    context.beginPath();
-    for (const [x, y] of corners) context.lineTo(x, y);
-  };
-  context.clearRect(0, 0, canvas.width, canvas.height);
-  context.lineJoin = context.lineCap = "round";
-  if (look.rest) {
-    context.strokeStyle = context.fillStyle = colours.rule;
-    context.lineWidth = 1.5 * ratio;
-    for (const [a, b] of shapes.lines) { path([resting[a], resting[b]]); context.stroke(); }
-    for (const [x, y] of resting) context.fillRect(x - ratio, y - ratio, 2 * ratio, 2 * ratio);
+// The structure in a mode at a phase in radians: for each point its place on the canvas at rest and deflected, and its colour.
+// `values` are the deflections along the normals.
+const deflectedStructure = (shapes, mode, look, phase, size, at) => {
+  const c = Math.cos(phase), s = Math.sin(phase), byPhase = look.kind === "phase";
+  const resting = [], spots = [], values = [], shade = [];
+  shapes.points.forEach((p, i) => {
+    const m = mode.moves, k = 6 * i, n = shapes.normals[i];
+    const moved = [c * m[k] - s * m[k + 1], c * m[k + 2] - s * m[k + 3], c * m[k + 4] - s * m[k + 5]];
+    const value = n[0] * moved[0] + n[1] * moved[1] + n[2] * moved[2];
+    resting.push(at(p));
+    spots.push(at([p[0] + size * moved[0], p[1] + size * moved[1], p[2] + size * moved[2]]));
+    values.push(value);
+    const re = n[0] * m[k] + n[1] * m[k + 2] + n[2] * m[k + 4], im = n[0] * m[k + 1] + n[1] * m[k + 3] + n[2] * m[k + 5];
+    shade.push(byPhase ? look.colours.phase(Math.hypot(re, im), Math.atan2(im, re)) : look.colours.displacement(value));
+  });
+  return { resting, spots, values, shade };
+};
+
+const drawRest = (context, shapes, resting, colour, ratio) => {
+  context.strokeStyle = context.fillStyle = colour;
+  context.lineWidth = 1.5 * ratio;
+  context.beginPath();
+  for (const [a, b] of shapes.lines) {
+    context.moveTo(resting[a][0], resting[a][1]);
+    context.lineTo(resting[b][0], resting[b][1]);
   }
-  // Faces as one piece per corner, in the corner's colour, and lines; the farthest first.
-  const mean = (list) => [0, 1, 2].map((k) => list.reduce((sum, p) => sum + p[k], 0) / list.length);
+  context.stroke();
+  for (const [x, y] of resting) context.fillRect(x - ratio, y - ratio, 2 * ratio, 2 * ratio);
+};
+
+const middleOf = (p, q) => [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2];
+
+// Faces as one piece per corner, in the corner's colour, and lines; the farthest first. A line without faces is two halves, each
+// in the colour of its end.
+const piecesOf = (shapes, { spots, shade }, ink, radius) => {
   const pieces = [];
   for (const face of shapes.faces) {
-    const centre = mean(face.map((i) => spots[i]));
+    const centre = [0, 0, 0], count = face.length;
+    for (const i of face) for (let k = 0; k < 3; ++k) centre[k] += spots[i][k] / count;
+    const halves = face.map((i, n) => middleOf(spots[i], spots[face[(n + 1) % count]]));
     face.forEach((i, n) => {
-      const before = face[(n + face.length - 1) % face.length], after = face[(n + 1) % face.length];
-      const corners = [spots[i], mean([spots[i], spots[after]]), centre, mean([spots[before], spots[i]])];
-      pieces.push({ depth: mean(corners)[2], corners, fill: shade[i] });
+      const corners = [spots[i], halves[n], centre, halves[(n + count - 1) % count]];
+      pieces.push({ depth: (corners[0][2] + corners[1][2] + centre[2] + corners[3][2]) / 4, corners, fill: shade[i] });
     });
   }
-  const bare = !shapes.faces.length;
+  // Lines lie a little before the faces that they bound.
+  const before = 0.02 * radius;
   for (const [a, b] of shapes.lines) {
-    const half = mean([spots[a], spots[b]]);
-    for (const end of [a, b]) pieces.push({ depth: mean([spots[end], half])[2] + 0.02 * view.radius, corners: [spots[end], half], stroke: bare ? shade[end] : colours.ink });
+    const half = middleOf(spots[a], spots[b]);
+    if (shapes.faces.length) pieces.push({ depth: half[2] + before, corners: [spots[a], spots[b]], stroke: ink });
+    else for (const end of [a, b]) pieces.push({ depth: (spots[end][2] + half[2]) / 2 + before, corners: [spots[end], half], stroke: shade[end] });
   }
-  pieces.sort((p, q) => p.depth - q.depth);
-  for (const piece of pieces) {
-    path(piece.corners);
-    if (piece.fill) {
+  return pieces.sort((p, q) => p.depth - q.depth);
+};
+
+const drawPieces = (context, pieces, bare, ratio) => {
+  for (const { corners, fill, stroke } of pieces) {
+    context.beginPath();
+    for (const corner of corners) context.lineTo(corner[0], corner[1]);
+    if (fill) {
       context.closePath();
       context.globalAlpha = 0.9;
-      context.fillStyle = context.strokeStyle = piece.fill;
+      context.fillStyle = context.strokeStyle = fill;
       context.fill();
       context.lineWidth = 0.5 * ratio;  // closes the seams
     } else {
       context.globalAlpha = bare ? 1 : 0.55;
-      context.strokeStyle = piece.stroke;
+      context.strokeStyle = stroke;
       context.lineWidth = (bare ? 4 : 0.8) * ratio;
     }
     context.stroke();
   }
   context.globalAlpha = 1;
-  if (bare) spots.forEach(([x, y], i) => {
-    context.beginPath();
-    context.arc(x, y, 4 * ratio, 0, 2 * Math.PI);
-    context.fillStyle = shade[i];
-    context.strokeStyle = colours.ink;
-    context.lineWidth = ratio;
-    context.fill();
-    context.stroke();
-  });
-  if (look.sensors) {
-    context.strokeStyle = colours.sensor;
-    context.lineWidth = 2 * ratio;
-    for (const sensor of shapes.sensors) {
-      const [x, y] = spots[sensor.at], [across, up] = view.direction(sensor.direction);
-      arrow(context, [x, y], [x + 28 * ratio * across, y - 28 * ratio * up], 7 * ratio);
-    }
+};
+
+const drawPoints = (context, { spots, shade }, ink, ratio) => spots.forEach(([x, y], i) => {
+  context.beginPath();
+  context.arc(x, y, 4 * ratio, 0, 2 * Math.PI);
+  context.fillStyle = shade[i];
+  context.strokeStyle = ink;
+  context.lineWidth = ratio;
+  context.fill();
+  context.stroke();
+});
+
+const drawSensors = (context, shapes, spots, view, colour, ratio) => {
+  context.strokeStyle = colour;
+  context.lineWidth = 2 * ratio;
+  for (const sensor of shapes.sensors) {
+    const [x, y] = spots[sensor.at], [across, up] = view.direction(sensor.direction);
+    arrow(context, [x, y], [x + 28 * ratio * across, y - 28 * ratio * up], 7 * ratio);
   }
-  if (look.signs) {
-    context.font = `bold ${16 * ratio}px system-ui`;
-    context.textAlign = "center";
-    context.textBaseline = "middle";
-    context.lineWidth = 4 * ratio;
-    context.strokeStyle = colours.paper;
-    context.fillStyle = colours.ink;
-    for (const i of extremePoints(shapes, values)) {
-      for (const write of ["strokeText", "fillText"]) context[write](values[i] < 0 ? "−" : "+", spots[i][0], spots[i][1]);
-    }
+};
+
+const drawSigns = (context, shapes, { spots, values }, colours, ratio) => {
+  context.font = `bold ${16 * ratio}px system-ui`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.lineWidth = 4 * ratio;
+  context.strokeStyle = colours.paper;
+  context.fillStyle = colours.ink;
+  for (const i of extremePoints(shapes, values)) {
+    for (const write of ["strokeText", "fillText"]) context[write](values[i] < 0 ? "−" : "+", spots[i][0], spots[i][1]);
   }
+};
+
+// Draws a mode at a phase in radians. `look` has amplitude (of the structure's radius), kind (displacement or phase), rest,
+// sensors, signs.
+const drawShape = (canvas, shapes, mode, view, look, phase) => {
+  const context = canvas.getContext("2d"), ratio = devicePixelRatio;
+  const at = view.projection(canvas.width, canvas.height), colours = look.colours, bare = !shapes.faces.length;
+  const structure = deflectedStructure(shapes, mode, look, phase, look.amplitude * view.radius, at);
+  context.clearRect(0, 0, canvas.width, canvas.height);
+  context.lineJoin = context.lineCap = "round";
+  if (look.rest) drawRest(context, shapes, structure.resting, colours.rule, ratio);
+  drawPieces(context, piecesOf(shapes, structure, colours.ink, view.radius), bare, ratio);
+  if (bare) drawPoints(context, structure, colours.ink, ratio);
+  if (look.sensors) drawSensors(context, shapes, structure.spots, view, colours.sensor, ratio);
+  if (look.signs) drawSigns(context, shapes, structure, colours, ratio);
   drawAxes(context, view, colours, canvas.height, ratio);
 };

@@ -24,12 +24,15 @@ const shapeView = (shapes, changed) => {
   };
   view.pan = (right, up) => { view.x += right / view.zoom; view.y += up / view.zoom; changed(); };
   view.magnify = (factor) => { view.zoom = Math.max(0.2, Math.min(20, view.zoom * factor)); changed(); };
-  // Directions: across and up on the drawing, and depth.
-  view.direction = (v) => {
-    const [ca, sa, cb, sb] = [Math.cos(view.turn), Math.sin(view.turn), Math.cos(view.tilt), Math.sin(view.tilt)];
-    const across = v[0] * ca - v[1] * sa, away = v[0] * sa + v[1] * ca;
-    return [across, v[2] * cb + away * sb, v[2] * sb - away * cb];
+  // A function of a direction in space: across and up on the drawing, and depth.
+  view.rotation = () => {
+    const ca = Math.cos(view.turn), sa = Math.sin(view.turn), cb = Math.cos(view.tilt), sb = Math.sin(view.tilt);
+    return (v) => {
+      const across = v[0] * ca - v[1] * sa, away = v[0] * sa + v[1] * ca;
+      return [across, v[2] * cb + away * sb, v[2] * sb - away * cb];
+    };
   };
+  view.direction = (v) => view.rotation()(v);
   [view.turn, view.tilt] = home();
   // Half the width and height of the structure as first seen, with room for its deflection.
   const first = shapes.points.map((p) => view.direction(p.map((x, i) => x - middle[i])));
@@ -38,8 +41,9 @@ const shapeView = (shapes, changed) => {
   // Places on a canvas of this width and height in pixels.
   view.projection = (width, height) => {
     const scale = Math.min(0.48 * width / half[0], 0.48 * height / half[1]) * view.zoom;
+    const direction = view.rotation();
     return (p) => {
-      const [x, y, depth] = view.direction([p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]]);
+      const [x, y, depth] = direction([p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]]);
       return [width / 2 + scale * (x + view.x * radius), height / 2 - scale * (y + view.y * radius), depth];
     };
   };

@@ -42,13 +42,13 @@ const shapePlots = () => {
       moveView(canvas, view, toggle);
       const label = addElement("label", chooser), check = Object.assign(addElement("input", label), { type: "checkbox", checked: state.chosen[m] });
       label.append(` ${name}`);
-      check.addEventListener("change", () => { state.chosen[m] = check.checked; state.touched = true; layout(figure.clientWidth); });
+      check.addEventListener("change", () => { state.chosen[m] = check.checked; state.touched = true; layout(widthOf(figure)); });
       return { mode, box, canvas, check };
     });
     const choose = (wanted) => {
       drawings.forEach(({ check }, m) => { check.checked = state.chosen[m] = wanted(m); });
       state.touched = true;
-      layout(figure.clientWidth);
+      layout(widthOf(figure));
     };
     addElement("button", chooser, "All").addEventListener("click", () => choose(() => true));
     for (const [text, by] of [["Previous alone", -1], ["Next alone", 1]]) {
@@ -108,7 +108,7 @@ const shapePlots = () => {
       layout(width(figure));
     });
     darkScheme.addEventListener("change", draw);
-    layout(figure.clientWidth);
+    layout(widthOf(figure));
     setRunning();
   }
 };
