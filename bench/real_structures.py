@@ -64,6 +64,8 @@ a word of explanation:
   pulse
 - rebound: the hammer comes back after 18 ms; tail: a long soft end of the pulse; off_axis: hits at an angle
 - coupling, overload_droop: the high-pass of the sensors' supply, without and with clipping of the force
+- skew: channels sampled one after the other; late_sensors, early_sensors: all sensors late or early against the force
+- light, heavy: low and high damping
 - mounting: a resonance of the second sensor's mounting; steps: coarse quantisation; lost: samples missing in all
   channels
 - machine: vibration of a machine nearby; crowded: 60 modes that overlap; repeated: nearly repeated roots; outside:

@@ -62,10 +62,10 @@ std::vector<Element> elements_of(std::string_view bytes, int depth) {
   return out;
 }
 
-std::string text_of(const std::vector<Element>& elements);
+std::string bytes_of(const std::vector<Element>& elements);
 
-std::string text_of(const Element& element) {
-  std::string data = element.parts.empty() ? element.data : text_of(element.parts);
+std::string bytes_of(const Element& element) {
+  std::string data = element.parts.empty() ? element.data : bytes_of(element.parts);
   if (element.type == kCompressed && !element.parts.empty()) data = deflated(data);
   const auto size = static_cast<std::uint32_t>(static_cast<std::int64_t>(data.size()) + element.size_error);
   std::string out(8, '\0');
@@ -80,9 +80,9 @@ std::string text_of(const Element& element) {
   return out;
 }
 
-std::string text_of(const std::vector<Element>& elements) {
+std::string bytes_of(const std::vector<Element>& elements) {
   std::string out;
-  for (const Element& element : elements) out += text_of(element);
+  for (const Element& element : elements) out += bytes_of(element);
   return out;
 }
 
@@ -149,7 +149,7 @@ void mutate_mat(std::string& bytes, Random& random) {
     default:
       change_data(element, random);
   }
-  bytes = bytes.substr(0, kHeaderBytes) + text_of(all);
+  bytes = bytes.substr(0, kHeaderBytes) + bytes_of(all);
 }
 
 void mutate_binary_formats(std::string& bytes, Random& random) {

@@ -3,7 +3,7 @@
 #include "core/io/number_table.hpp"
 #include "metrics/protocol/abi_log.hpp"
 #include "metrics/protocol/session.hpp"
-#include "metrics/study/study_join.hpp"
+#include "metrics/study/study_files.hpp"
 #include "metrics/study/study_table.hpp"
 #include "report/json/read_document.hpp"
 #include "synth/read_spec.hpp"

@@ -18,7 +18,7 @@ NumberType type_of(const Object& array, const std::string& type, const std::stri
   if (found != known.end()) return found->second;
   const Object text = Object::owned(PyObject_Str(array.attribute("dtype").get()));
   throw InputError("numbers of type " + one_line(text.text(), 60) + " cannot be samples", name,
-                   "give real numbers, for example array.astype(float)");
+                   "give real numbers, for example array.astype(float); FRFs are percuss.Frf(frequency_hz, H)");
 }
 
 StridedSamples strided_samples_of(const Object& array, const std::string& name) {

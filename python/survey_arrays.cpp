@@ -44,7 +44,8 @@ Object shapes_of(PyObject* self, const Arguments& /*arguments*/) {
     for (std::size_t p = 0; p < places; ++p) {
       const identify::ShapePlace& place = shape.places.at(p);
       values.push_back(place.value);
-      value_std.push_back(std::hypot(place.std, shape.scale_std * std::abs(place.value)));
+      const double of_scale = shape.scale_std * std::abs(place.value);
+      value_std.push_back(place.sets_scale ? of_scale : std::hypot(place.std, of_scale));
       if (&shape != &shapes.front()) continue;
       points.push_back(static_cast<std::int64_t>(place.point));
       channels.push_back(static_cast<std::int64_t>(place.channel));

@@ -9,8 +9,8 @@ namespace percuss::accuracy {
 
 /// The exact deflection of a held structure after a pulse, at times t from the start of the record:
 ///   w(t) = Σ_r A_r/ω_dr · Im z_r(t),  z_r(t) = ∫ f(τ) exp(s_r (t − τ)) dτ,  s_r = −ζω + jω_d          (1)
-/// The integral uses a Gauss–Legendre rule on 64 panels of the pulse, and no sample, transform or filter. (The gain of
-/// the filter is 1 to within 2e-12 at a few hundred Hz.)
+/// The integral uses a Gauss–Legendre rule on 64 panels of the pulse, and no sample, transform or filter. (The
+/// anti-alias filter of the synthetic record changes nothing: its gain is 1 to within 2e-12 at a few hundred Hz.)
 class TrueDeflection {
  public:
   TrueDeflection(const synth::Pulse& pulse, const std::vector<synth::SynthPole>& poles);

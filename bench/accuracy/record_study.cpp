@@ -19,7 +19,8 @@ pipeline::AnalysisOptions options_for(const synth::SynthSpec& spec) {
   return {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1};
 }
 
-// Measures the times of both sets of figures, in alternation with the baseline.
+// Sets `time_ratio` of every estimator (`frfs`) and every effort (`modes`): its run time over the baseline's, measured
+// in alternation.
 void measure_times(const acquire::Record& run, const synth::SynthSpec& spec, const TimingOptions& timing,
                    std::vector<Figure>& frfs, std::vector<Figure>& modes) {
   const TemporaryFolder folder("percuss-accuracy");

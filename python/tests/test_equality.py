@@ -52,7 +52,7 @@ def test_every_format_gives_the_same_document(tool, bat, kind):
     assert percuss.analyze(f"bat.{kind}", band=BAND).json == tool.document("analyze", f"bat.{kind}", "--band", "60:3200")
 
 
-def test_several_files_are_runs_or_hits(tool, bat):
+def test_several_files_are_tests_hits_or_points(tool, bat):
     for name in ("a.h5", "b.h5"):
         bat.save(name)
     for files in ("tests", "hits", "points"):

@@ -30,10 +30,6 @@ bool has_own_names(const std::vector<SignalInfo>& channels) {
 void write_record(const std::string& path, const Record& record, bool force) {
   const FileFormat* const format = written_format(path);
   if (format == nullptr || format->write_record == nullptr) refuse_name(path, record_extensions());
-  if (format->needs_force && !record.has_force) {
-    throw InputError("the record holds no force, without which this format cannot be written", path,
-                     "write it as .csv or as a sound file (.wav, .rf64, .w64)");
-  }
   format->write_record(path, record, force);
 }
 

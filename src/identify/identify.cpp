@@ -11,7 +11,7 @@
 #include "identify/select/local_force_noise.hpp"
 #include "identify/select/satellite_modes.hpp"
 #include "identify/select/sequential_fit.hpp"
-#include "identify/select/unresolved_partners.hpp"
+#include "identify/misfit/unresolved_partners.hpp"
 
 namespace percuss::identify {
 namespace {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxResonances = 40;
 constexpr double kPeakRange_dB = 65;    // below the largest line: lower peaks are not searched
-constexpr double kAwayFromModes = 1.5;  // half-power bandwidths, and lines
+constexpr double kAwayFromModes = 1.5;  // half-power bandwidths, or line spacings where these are larger
 // On either side of a resonance: enough lines for residual terms and two modes, and enough of the band for a wide mode
 // and its neighbours.
 constexpr double kMinLines = 40, kPartOfFrequency = 0.01, kWidths = 7;

@@ -15,7 +15,9 @@
 #include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/hits/motion_before.hpp"
 #include "pipeline/impact_speed.hpp"
+#include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/deflection_warnings.hpp"
+#include "pipeline/warnings/ranking.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -236,7 +238,9 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
     if (moving[i]) results.moving.push_back(hits[i]);
   }
   for (const DeflectedHit& hit : test.hits) results.deflections.push_back({hit.hit, &hit.deflection});
-  test.warnings = deflection_warnings(results);
+  std::vector<Warning> warnings = deflection_warnings(results);
+  for (Warning& warning : input_warnings(record)) warnings.push_back(std::move(warning));
+  test.warnings = ranked(std::move(warnings));
   return test;
 }
 

@@ -32,6 +32,16 @@ std::string signed_percent(double percent) {
   return text == "-0.00" || text == "+0.00" ? "0.00" : text;
 }
 
+// "-0.25 %, 154 σ": the difference, and how many of its standard deviations it is, where both values have one.
+std::string difference_text(double percent, const std::optional<double>& std_percent, bool both_have_std) {
+  constexpr double kLargest = 1000;
+  std::string text = signed_percent(percent) + " %";
+  if (!both_have_std || !std_percent || !(*std_percent > 0)) return text;
+  const double deviations = std::abs(percent) / *std_percent;
+  if (deviations >= kLargest) return text + fmt::format(", over {:.0f} σ", kLargest);
+  return text + (deviations < 10 ? fmt::format(", {:.1f} σ", deviations) : fmt::format(", {:.0f} σ", deviations));
+}
+
 std::string frequency_text(const metrics::ComparedMode& mode) {
   return value_with_std(mode.freq_Hz, mode.freq_std_Hz) + " Hz";
 }
@@ -45,8 +55,23 @@ std::string mode_number(const metrics::ComparedDocument& document, std::size_t m
   return std::to_string(document.schema == "percuss/model-beam/1" ? m : m + 1);
 }
 
+// Whether some mode of the first document has a family: those of a plate or a beam have none.
+bool names_families(const metrics::ComparedDocument& document) {
+  return std::any_of(document.modes.begin(), document.modes.end(), [](const metrics::ComparedMode& mode) {
+    return !mode.family.empty() && mode.family != "unknown";
+  });
+}
+
+// The first cells of a mode's row.
+std::vector<std::string> mode_cells(const metrics::ComparedDocument& document, std::size_t m) {
+  std::vector<std::string> cells{mode_number(document, m)};
+  if (names_families(document)) cells.push_back(document.modes[m].family);
+  return cells;
+}
+
 TextTable modes_table(const std::vector<metrics::ComparedDocument>& documents) {
-  std::vector<TextTable::Column> heads{{"mode", TextTable::Align::right}, {"family"}};
+  std::vector<TextTable::Column> heads{{"mode", TextTable::Align::right}};
+  if (names_families(documents.front())) heads.push_back({"family"});
   for (const metrics::ComparedDocument& document : documents)
     heads.push_back({one_line(document.name, 40), TextTable::Align::right});
   heads.push_back({""});
@@ -60,16 +85,20 @@ std::optional<TextTable> dampings_table(const std::vector<metrics::ComparedDocum
   bool any = false;
   for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
     const metrics::ComparedMode& mode = documents.front().modes[m];
-    std::vector<std::string> cells{mode_number(documents.front(), m), mode.family, damping_text(mode)};
+    std::vector<std::string> cells = mode_cells(documents.front(), m);
+    cells.push_back(damping_text(mode));
     bool paired = false;
     for (const Comparison& c : comparisons) {
       const metrics::ModePair* pair = pair_at(c, m);
       const bool differs = pair && pair->damping_difference_percent;
       paired = paired || differs;
-      cells.push_back(!pair     ? "–"
-                      : differs ? fmt::format("{} ({} %)", damping_text(c.b.modes[pair->b]),
-                                              signed_percent(*pair->damping_difference_percent))
-                                : damping_text(c.b.modes[pair->b]));
+      cells.push_back(
+          !pair ? "–"
+          : differs
+              ? fmt::format("{} ({})", damping_text(c.b.modes[pair->b]),
+                            difference_text(*pair->damping_difference_percent, pair->damping_difference_std_percent,
+                                            mode.damping_std > 0 && c.b.modes[pair->b].damping_std > 0))
+              : damping_text(c.b.modes[pair->b]));
     }
     cells.emplace_back("");
     if (paired) table.add(std::move(cells));
@@ -84,12 +113,14 @@ ReportText modes_text(const std::vector<metrics::ComparedDocument>& documents,
   for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
     const metrics::ComparedMode& mode = documents.front().modes[m];
     if (!(mode.freq_Hz > 0)) continue;
-    std::vector<std::string> cells{mode_number(documents.front(), m), mode.family, frequency_text(mode)};
+    std::vector<std::string> cells = mode_cells(documents.front(), m);
+    cells.push_back(frequency_text(mode));
     for (const Comparison& c : comparisons) {
       const metrics::ModePair* pair = pair_at(c, m);
-      std::string cell =
-          pair ? fmt::format("{} ({} %", frequency_text(c.b.modes[pair->b]), signed_percent(pair->difference_percent))
-               : "–";
+      std::string cell = pair ? fmt::format("{} ({}", frequency_text(c.b.modes[pair->b]),
+                                            difference_text(pair->difference_percent, pair->difference_std_percent,
+                                                            mode.freq_std_Hz > 0 && c.b.modes[pair->b].freq_std_Hz > 0))
+                              : "–";
       if (pair) cell += pair->mac ? fmt::format(", MAC {:.3f})", pair->mac->value) : ")";
       cells.push_back(std::move(cell));
     }

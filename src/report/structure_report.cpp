@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 struct StructureName {
   const char *key, *name, *unit;
-  double per_unit = 1;  // of the unit in the text
+  double per_unit = 1;  // SI value of one `unit`
 };
 StructureName name_of(model::StructureParameter which) {
   switch (which) {

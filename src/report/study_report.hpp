@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "metrics/study/study.hpp"
-#include "metrics/study/study_join.hpp"
+#include "metrics/study/study_files.hpp"
 #include "report/html/command_report.hpp"
 
 namespace percuss::report {

@@ -25,8 +25,8 @@ struct SimulatedPeriod {
 
 /// A session of hammer blows on the structure of a spec, with faults at stated times: the text after "sim:",
 ///   SPEC[,OPTION[=VALUE]]…           docs/guides/recording-devices.md lists the options
-/// Blows come one after another, spec.hits (or hits=N) at each point; a faulty blow is an extra one. Blows count
-/// from 1.
+/// Blows come one after another, spec.hits (or hits=N) good or late ones at each point; a weak, double or clipped blow
+/// is an extra one. Blows count from 1.
 struct SimulatedSession {
   SynthSpec spec;
   std::vector<SimulatedBlow> blows;  // ascending, but for late ones

@@ -75,6 +75,24 @@ TEST_F(FormatRegistry, ReadsBackEveryRecordThatItWrites) {
   }
 }
 
+TEST_F(FormatRegistry, ReadsBackARecordWithoutAForce) {
+  const std::vector<std::vector<double>> channels{{4, 5, 6, 7}, {8, 9, 10, 12}};
+  Record record = record_in_memory(1000, {{0, 0, 0, 0}}, {channels});
+  record.has_force = false;
+  for (const std::string& extension : record_extensions()) {
+    const std::string path = folder_.file("r" + extension);
+    write_record(path, record, false);
+    ReadOptions options{.accel_channels = {}, .force_optional = true};
+    if (extension == ".w64") options.accel_channels = {"1", "2"};
+    const Record read = open_record(path, options);
+    EXPECT_FALSE(read.has_force) << extension;
+    EXPECT_EQ(read.fs_Hz, 1000) << extension;
+    ASSERT_EQ(read.rows.size(), 1U) << extension;
+    for (std::size_t channel = 0; channel < 2; ++channel)
+      EXPECT_EQ(test::accel_mps2(read, channel), channels[channel]) << extension;
+  }
+}
+
 TEST_F(FormatRegistry, ReadsBackEveryFrfThatItWrites) {
   for (const std::string& extension : frf_extensions()) {
     const std::string path = folder_.file("f" + extension);

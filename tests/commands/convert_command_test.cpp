@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
 #include "support/json.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/small_records.hpp"
 #include "support/synthetic_files.hpp"
 
 namespace percuss::convert_command_test {
@@ -51,6 +53,23 @@ TEST_F(ConvertCommand, KeepsEverySampleThroughEveryFormat) {
   for (const std::string kind : kSoundKinds) {
     ASSERT_EQ(convert("bat.h5", "a." + kind).code, 0) << kind;
     EXPECT_EQ(modes_of("a." + kind), modes) << kind;
+  }
+}
+
+TEST_F(ConvertCommand, KeepsARecordWithoutAForce) {
+  std::vector<double> time_s(4096), accel_mps2(4096);
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    time_s[i] = static_cast<double>(i) / 4096;
+    if (i >= 400) accel_mps2[i] = std::exp(-5 * (time_s[i] - time_s[400])) * std::sin(600 * (time_s[i] - time_s[400]));
+  }
+  test::write_columns(file("ping.csv"), "time_s,accel_m_s2", {time_s, accel_mps2});
+  ASSERT_EQ(convert("ping.csv", "ping.wav").code, 0);
+  for (const std::string kind : {"h5", "mat", "uff", "csv"}) {
+    const auto outcome = convert("ping.wav", "ping_back." + kind);
+    ASSERT_EQ(outcome.code, 0) << kind << outcome.err;
+    const auto analysed = run_percuss({"analyze", file("ping_back." + kind), "--band", "20:500", "--json"});
+    ASSERT_EQ(analysed.code, 0) << kind << analysed.err;
+    EXPECT_NEAR(test::parse_json(analysed.out)["modes"][0]["frequency_hz"].get<double>(), 95.5, 0.2) << kind;
   }
 }
 

@@ -129,7 +129,7 @@ TEST_F(StudyCommand, JoinsAnalysesThatNameTheirBat) {
   }
 }
 
-// From the bench to the figure of a break-in: the unchanged documents of analyze, metrics and abi.
+// The unchanged documents of analyze, metrics and abi give the figure of a break-in.
 TEST_F(StudyCommand, JoinsTheDocumentsOfSeveralCommands) {
   const auto run = [&](std::vector<std::string> words) { return run_percuss(words, {.folder = folder_.path()}); };
   const auto keep = [&](const char* name, const std::vector<std::string>& words) {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
+#include <span>
 
 #include "pipeline/analysis.hpp"
 #include "support/modal_frfs.hpp"
@@ -76,6 +78,24 @@ TEST(Warnings, CountTheHitsNotUsed) {
   synth::SynthSpec spec = bat();
   spec.faults = {{.hit = 1, .kind = synth::SynthFaultKind::missing}};
   EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Contains(HasSubstr("rejected_hits: 1 of 3 hits")));
+}
+
+// A broken cable: the second channel holds noise alone.
+TEST(Warnings, NameAChannelThatShowsNoMode) {
+  synth::SynthSpec spec = bat();
+  spec.modes.push_back({.freq_Hz = 700, .damping_ratio = 0.01, .order = 2, .amplitude_per_sqrt_kg = 1.7});
+  acquire::Record record = synth::synthesise(spec).record;
+  std::vector<double> noise_mps2(record.rows.size() * record.rows[0].samples);
+  std::mt19937_64 random(7);
+  for (double& sample : noise_mps2) sample = std::normal_distribution<double>(0, 0.1)(random);
+  record.read_accel_mps2 = [inner = record.read_accel_mps2, noise_mps2, samples = record.rows[0].samples](
+                               std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    inner(row, channel, first, out);
+    if (channel == 1)
+      std::copy_n(noise_mps2.begin() + static_cast<std::ptrdiff_t>(row * samples + first), out.size(), out.begin());
+  };
+  EXPECT_THAT(warnings_of(record), Contains(HasSubstr("dead_channel: accel 2 shows none of the ")));
+  EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Not(Contains(HasSubstr("shows none"))));
 }
 
 TEST(Warnings, NameADeadChannel) {

@@ -16,7 +16,7 @@ TEST(SimulatedSession, RunsBelowTwiceTheBandOfItsSpec) {
   EXPECT_EQ(changed_back.band_high_Hz, 3200);
 }
 
-TEST(SimulatedSession, RefusesARateWithoutAnswer) {
+TEST(SimulatedSession, RefusesARateOutOfRange) {
   EXPECT_THROW(parse_simulated_session("wood-bat,fs=50"), InputError);
   EXPECT_THROW(parse_simulated_session("wood-bat,fs=2e6"), InputError);
 }

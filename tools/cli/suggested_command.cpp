@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -26,6 +27,12 @@ bool is_role_option(std::string_view word) {
   return word.starts_with("--force-channel") || word.starts_with("--accel-channel");
 }
 
+// Without a force, these commands have no result.
+bool needs_force(std::string_view command) {
+  constexpr std::array<std::string_view, 4> kCommands{"frf", "survey", "nodes", "calibrate"};
+  return std::find(kCommands.begin(), kCommands.end(), command) != kCommands.end();
+}
+
 }  // namespace
 
 std::string suggested_options(const acquire::RoleGuess& guess) {
@@ -39,6 +46,8 @@ std::string suggested_options(const acquire::RoleGuess& guess) {
 
 std::string suggested_command(const std::vector<std::string>& typed, const acquire::RoleGuess& guess) {
   if (guess.accel.empty() || typed.empty()) return "";
+  if (guess.force.empty() && !guess.frf_table && typed.size() > 1 && needs_force(typed[1]))
+    return "; no channel looks like a force, and percuss " + typed[1] + " needs one; percuss analyze does not";
   std::string command = "percuss";
   for (std::size_t i = 1; i < typed.size(); ++i) {
     if (is_role_option(typed[i])) {

@@ -65,6 +65,7 @@ int convert(ConvertFlags flags) {
 
 void add_convert(CommandLine& line) {
   auto flags = line.values<ConvertFlags>();
+  flags->read.options.force_optional = true;
   Command command =
       line.command("convert", "Convert records or FRFs between formats", [flags] { return convert(*flags); });
   command.about(

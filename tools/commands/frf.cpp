@@ -92,6 +92,7 @@ int frf(const FrfFlags& flags) {
     return kImpossible;
   }
   require_agreeing_files(flags.read, analysis);
+  for (const Message& note : analysis.record().notes) print_note(flags.output, note);
   const auto summary = report::analysis_json(analysis, {.sections = kShown});
   progress.stop();
   write_frf_outputs(flags.output, analysis, kind, summary);

@@ -14,7 +14,8 @@
 namespace percuss::acquire {
 namespace {
 
-// Enough for a hit. Fewer samples of many signals, so that a guess takes less than a second.
+// kMaxSamples per signal are enough for a hit. A file of many signals gets fewer per signal (kMaxInAll in all, at least
+// kMinSamples each), so that a guess takes less than a second.
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U, kMinSamples = std::size_t{1} << 14U;
 constexpr std::size_t kMaxInAll = std::size_t{1} << 21U;
 

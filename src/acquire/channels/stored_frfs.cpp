@@ -49,6 +49,13 @@ double force_factor(const SignalOverrides& choice, const StoredFrfs& stored, con
   return stored.unit ? stored.unit->force_to_SI : 1;
 }
 
+// "(m/s^2)/N", or the units that the options state for all channels.
+std::string assumed_unit(const ReadOptions& options) {
+  const std::string response = options.accel_unit.empty() ? "m/s^2" : options.accel_unit;
+  const std::string force = options.force_unit.empty() ? "N" : options.force_unit;
+  return response.find('/') == std::string::npos ? response + "/" + force : "(" + response + ")/" + force;
+}
+
 FrfKind frf_kind_of(const StoredFrfs& stored, const FrfReadOptions& options, std::vector<Message>& notes) {
   const std::optional<FrfKind> stated = stored.unit ? std::optional(stored.unit->kind) : stored.kind;
   if (options.kind) {
@@ -60,7 +67,7 @@ FrfKind frf_kind_of(const StoredFrfs& stored, const FrfReadOptions& options, std
     return *options.kind;
   }
   if (stated) return *stated;
-  notes.emplace_back("the kind of the FRFs is not stated: taken as accelerance in (m/s^2)/N",
+  notes.emplace_back("the kind of the FRFs is not stated: taken as accelerance in " + assumed_unit(options.read),
                      std::vector<OptionId>{"frf_kind", "unit"});
   return FrfKind::accelerance;
 }

@@ -12,7 +12,8 @@ double resolution_of(std::span<const double> x);
 inline constexpr std::size_t kClippingBlock = 512;
 
 /// The number of samples at the extreme values of x when these look like clipping, otherwise 0. Two patterns count:
-/// - at least three equal samples in a row, with a neighbour further away than beside a smooth peak at this resolution;
+/// - at least three equal samples in a row, beside which the signal falls by more steps of the resolution than beside a
+///   smooth peak;
 /// - several peaks that end at the same value, with hardly a sample just below it, where an oscillation spends most of
 ///   its time.
 /// An extreme equal to `rest` is not clipping: a one-sided signal rests there before and after.

@@ -40,10 +40,10 @@ std::string channel_text(const CaptureFinding& finding) {
 
 std::string samples_text(std::uint64_t count) { return fmt::format("{} sample{}", count, count == 1 ? "" : "s"); }
 
-template <class Number>
-Number number_of(const nlohmann::json& json, const char* key, Number absent) {
+template <class Value>
+Value value_or(const nlohmann::json& json, const char* key, Value absent) {
   const auto at = json.find(key);
-  return at == json.end() ? absent : at->get<Number>();
+  return at == json.end() ? absent : at->get<Value>();
 }
 
 }  // namespace
@@ -60,8 +60,8 @@ std::string finding_text(const CaptureFinding& f) {
     case CaptureFault::overrun:
       return f.count > 0 ? fmt::format("the device lost {} frames", f.count) : "the device lost frames";
     case CaptureFault::dropped:
-      return f.count > 0 ? fmt::format("{} frames were dropped because nobody took them", f.count)
-                         : "frames were dropped because nobody took them";
+      return f.count > 0 ? fmt::format("{} frames were dropped: the ring buffer was full", f.count)
+                         : "frames were dropped: the ring buffer was full";
     case CaptureFault::not_in_journal:
       return fmt::format("{} frames are not in the journal", f.count);
     case CaptureFault::journal_failed:
@@ -69,7 +69,7 @@ std::string finding_text(const CaptureFinding& f) {
     case CaptureFault::clock_drift:
       return fmt::format("the clock of the device differs by {:.0f} ppm from the computer's", f.value * 1e6);
     case CaptureFault::not_a_number:
-      return fmt::format("{} has {} that are no numbers", channel_text(f), samples_text(f.count));
+      return fmt::format("{}: {} not finite", channel_text(f), samples_text(f.count));
     case CaptureFault::overload:
       return fmt::format("{} has {} at full scale", channel_text(f), samples_text(f.count));
     case CaptureFault::unplugged:
@@ -102,11 +102,11 @@ CaptureFinding parse_finding(const std::string& text, const std::string& where) 
         std::find_if(kFaultWords.begin(), kFaultWords.end(), [&](const FaultWords& w) { return w.name == name; });
     if (words == kFaultWords.end()) throw InputError("an unknown finding", where, "use a newer version");
     CaptureFinding finding{.fault = words->fault};
-    finding.frame = number_of<std::uint64_t>(json, "frame", 0);
-    finding.count = number_of<std::uint64_t>(json, "count", 0);
+    finding.frame = value_or<std::uint64_t>(json, "frame", 0);
+    finding.count = value_or<std::uint64_t>(json, "count", 0);
     if (json.contains("channel")) finding.channel = json["channel"].get<std::size_t>();
-    finding.value = number_of<double>(json, "value", 0);
-    finding.text = number_of<std::string>(json, "text", {});
+    finding.value = value_or<double>(json, "value", 0);
+    finding.text = value_or<std::string>(json, "text", {});
     return finding;
   } catch (const nlohmann::json::exception&) {
     throw InputError("a damaged finding", where, "the file is not a journal of this version");

@@ -10,7 +10,7 @@ namespace percuss::acquire {
 enum class CaptureFault {
   gap,             // the device states how many frames it lost
   overrun,         // a buffer of the device overflowed; `count` is 0 where the lost frames are not known
-  dropped,         // the ring was full: percuss lost frames
+  dropped,         // the ring buffer was full: percuss lost frames
   not_in_journal,  // frames are not in the journal: the disk was full, or memory held them no longer
   journal_failed,  // the journal cannot be written at present; `text` says why
   clock_drift,     // the device's rate differs from the stated one; `value` is the relative difference

@@ -17,8 +17,8 @@ enum class SampleType { int32, float32, float64 };
 
 constexpr std::size_t bytes_per_sample(SampleType type) { return type == SampleType::float64 ? 8 : 4; }
 
-/// Who decides when the next frame comes: the device's clock, the ring (a pipe can wait until there is room), or the
-/// reader of the stream (a replay that must lose nothing and that has time).
+/// Who decides when the next frame comes: the device's clock, the capture's ring buffer (a pipe can wait until it has
+/// room), or the reader of the stream (a replay that must lose nothing and that has time).
 enum class DevicePace { clock, ring, reader };
 
 /// The frames of a device: all its channels, before a choice of channels.

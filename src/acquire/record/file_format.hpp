@@ -52,7 +52,6 @@ struct FileFormat {
   /// Likewise, of FRFs, apart from the names of channels, which no format keeps, and points, lines and faces
   /// (keeps_frf_geometry).
   std::vector<std::string> (*frf_losses)(const FrfRecord& record) = nullptr;
-  bool needs_force = false;         // write_record states a force, so that it cannot write a record without one
   bool keeps_marks = false;         // RowInfo::mark and Record::faults
   bool keeps_faces = false;         // Record::trace_faces
   bool keeps_frf_geometry = false;  // files of FRFs keep points, lines and faces

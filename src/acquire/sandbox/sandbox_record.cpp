@@ -24,7 +24,7 @@ std::optional<double> if_known(double value) { return std::isnan(value) ? std::n
 // The child may be compromised. Its numbers of row marks, faults and rows serve as indices later, so they are checked.
 void require_known(const Record& record) {
   for (const RowInfo& row : record.rows) {
-    if (!row_mark(static_cast<int>(row.mark))) throw std::out_of_range("not a reason");
+    if (!row_mark(static_cast<int>(row.mark))) throw std::out_of_range("not a row mark");
   }
   for (const RecordFault& fault : record.faults) {
     const std::array numbers{static_cast<double>(static_cast<int>(fault.kind)), static_cast<double>(fault.row),

@@ -54,7 +54,7 @@ double* map_shared_numbers(int memory) {
   return shared == MAP_FAILED ? nullptr : static_cast<double*>(shared);
 }
 
-// No exception may leave the child: the callers are the parent's code.
+// No exception may leave this function: after the fork, its callers on the stack are code of the parent.
 int serve_in_sandbox(const ReaderDescriptors& descriptors, const std::string& path,
                      const std::function<SandboxService()>& open) {
   try {

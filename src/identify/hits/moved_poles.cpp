@@ -11,8 +11,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXcd;
 
-// A single mode whose frequency or damping has moved regains half of the lost energy with another residue. Two modes
-// regain nine tenths if they are less than a bandwidth apart.
+// Largest part of the energy lost by the moved poles that new residues may leave unexplained. New residues regain half
+// of that energy for a single mode, and nine tenths for two modes less than a bandwidth apart.
 constexpr double kMaxLeft = 0.1;
 
 // [modes, channels]

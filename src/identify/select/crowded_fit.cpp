@@ -29,8 +29,9 @@ constexpr double kCoreShare = 0.1;     // bins around the poles, of a bandwidth
 constexpr double kResolution = 0.2;    // of a bandwidth
 constexpr double kGainPerUnknown = 5;  // half the logarithm of the number of lines
 constexpr double kNeeded = 6;          // standard deviations of a residue
-constexpr double kLossPerUnknown = 3;  // of a mode that is hardly known: noise alone gains about 1
-constexpr double kKnownMode = 3;       // standard deviations of the largest residue of a mode that is known
+constexpr double kLossPerUnknown =
+    3;  // likelihood ratio below which a hardly known mode is dropped: noise alone gives about 1
+constexpr double kKnownMode = 3;  // standard deviations of the largest residue of a mode that is known
 constexpr int kCrowdFits = 12;
 constexpr int kTrialSteps = 8, kCrowdSteps = 150;  // while poles are dropped; of the last fit
 constexpr int kSmallDecreases = 5;                 // steps in a row
@@ -115,14 +116,15 @@ std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> p
   return converged;
 }
 
-// Known to within its own bandwidth.
+// Frequency known to within the bandwidth, damping to within itself, and a significant residue.
 bool is_known(const JointFit& fit, std::size_t m) {
   const auto at = static_cast<Index>(m);
   return fit.freq_std_Hz(at) < fit.poles[m].half_power_Hz() && fit.damping_std(at) < fit.poles[m].damping_ratio &&
          significance_of(fit, m) > kKnownMode;
 }
 
-// Without the modes that are hardly known, where the FRFs are as likely without them: all of them, or else the weakest.
+// Drops the modes that are hardly known if the FRFs are as likely without them: all at once, or else one after the
+// other, the weakest first.
 JointFit without_unknown(const FrfDataset& set, JointFit fit, double& products_left) {
   for (bool all = true;;) {
     std::vector<Pole> kept;

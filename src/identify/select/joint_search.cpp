@@ -43,18 +43,33 @@ std::vector<FittedMode> joint_modes(const FrfDataset& set, const JointFit& fit) 
   return modes;
 }
 
+// True where the residual around a resonance is largest at the first or at the last of all lines: the flank of a mode
+// beyond them, which no search finds.
+bool rises_to_an_end(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole) {
+  const JointWindow window = window_around(set, pole);
+  Eigen::VectorXd power = Eigen::VectorXd::Zero(window.count);
+  for (const VectorXcd& of_frf : residual) power += of_frf.segment(window.first, window.count).cwiseAbs2();
+  Index largest = 0;
+  power.maxCoeff(&largest);
+  const Index line = window.first + largest;
+  return line == 0 || line + 1 == static_cast<Index>(set.lines.count);
+}
+
 // `residual` belongs to `modes`.
 bool must_search(const FrfDataset& set, const std::vector<VectorXcd>& residual, const std::vector<FittedMode>& modes) {
   const auto scatters = [](const FittedMode& mode) { return mode.mode.freq_scatter_Hz > 0; };
   const auto misfits = [&](const FittedMode& mode) {
     const Pole& pole = mode.mode.pole;
-    return misfit_of(set, residual, pole) > kMinMisfit && is_material(set, residual, pole);
+    return misfit_of(set, residual, pole, Tails::removed) > kMinMisfit &&
+           is_material(set, residual, pole, Tails::removed);
   };
   if (std::any_of(modes.begin(), modes.end(), scatters) || std::any_of(modes.begin(), modes.end(), misfits))
     return true;
   if (!smooth_somewhere(residual)) return false;
   const std::vector<Pole> poles = residual_mode_poles(set, residual);
-  return std::any_of(poles.begin(), poles.end(), [&](const Pole& pole) { return is_material(set, residual, pole); });
+  return std::any_of(poles.begin(), poles.end(), [&](const Pole& pole) {
+    return is_material(set, residual, pole) && !rises_to_an_end(set, residual, pole);
+  });
 }
 
 // The FRFs for the search, without truncation; nothing where `set` itself serves. With many points, a start of low

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/linear_algebra.hpp"
+#include "identify/fit/local_fit.hpp"
 #include "identify/noise/force_noise.hpp"
 #include "identify/noise/line_noise.hpp"
 #include "identify/noise/window_noise.hpp"
@@ -97,6 +99,19 @@ bool is_clear(const FrfDataset& set, const KnownModes& known, const JointFit& fi
          local_likelihood_ratio(set, known.residual, fit.residual, pole) > least;
 }
 
+// [channels] the residual's lines in a window.
+std::vector<VectorXcd> residual_in(const std::vector<VectorXcd>& residual, const JointWindow& window, Tails tails) {
+  std::vector<VectorXcd> out;
+  out.reserve(residual.size());
+  for (const VectorXcd& of_frf : residual) out.emplace_back(of_frf.segment(window.first, window.count));
+  if (tails == Tails::removed) {
+    const auto terms = static_cast<Index>(LocalFitOptions{}.residual_terms);
+    const Eigen::MatrixXcd smooth = orthonormal_polynomials(window.count, terms).cast<Complex>();
+    for (VectorXcd& left : out) left -= smooth * (smooth.adjoint() * left);
+  }
+  return out;
+}
+
 }  // namespace
 
 double least_width_Hz(const FrfDataset& set, const Pole& pole) {
@@ -158,23 +173,22 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
   return kept;
 }
 
-double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole) {
+double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole, Tails tails) {
   const JointWindow window = window_around(set, pole);
   double worst = 0;
-  for (const VectorXcd& of_frf : residual) {
-    const double part = noise_part(of_frf.segment(window.first, window.count));
-    worst = std::max(worst, (1 - part) * std::sqrt(static_cast<double>(window.count)));
-  }
+  for (const VectorXcd& left : residual_in(residual, window, tails))
+    worst = std::max(worst, (1 - noise_part(left)) * std::sqrt(static_cast<double>(window.count)));
   return worst;
 }
 
-bool is_material(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole) {
+bool is_material(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole, Tails tails) {
   const JointWindow window = window_around(set, pole);
+  const std::vector<VectorXcd> left = residual_in(residual, window, tails);
   for (std::size_t o = 0; o < residual.size(); ++o) {
     const Eigen::Map<const VectorXcd> frf(set.channels[o].frf.data(), residual[o].size());
-    const double rest = residual[o].segment(window.first, window.count).norm();
     const double of_force = kGainNoise * gain_std(set, set.channels[o].point, pole.freq_Hz);
-    if (rest > std::max(kMaterialResidual, of_force) * frf.segment(window.first, window.count).norm()) return true;
+    if (left[o].norm() > std::max(kMaterialResidual, of_force) * frf.segment(window.first, window.count).norm())
+      return true;
   }
   return false;
 }

@@ -36,15 +36,21 @@ Standing standing_of(const FrfDataset& set, const JointFit& fit, std::size_t mod
 /// modes without it.
 std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Misfit misfit);
 
+/// A residual with, or without, the part that the residual terms of a local fit describe: the tails of other modes,
+/// which do not disturb a mode.
+enum class Tails { kept, removed };
+
 /// How far the residual around a mode is from noise, in standard deviations of its roughness; the worst FRF.
-double misfit_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole);
+double misfit_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole,
+                 Tails tails = Tails::kept);
 
 /// The misfit of a mode that needs a search, in standard deviations.
 inline constexpr double kMinMisfit = 6;
 
 /// True where the residual around a mode is material: in some FRF it is large enough, relative to the FRF, to disturb
 /// the mode. Residuals of rounding errors, or of the gain that noise of the force explains, are not material.
-bool is_material(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole);
+bool is_material(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole,
+                 Tails tails = Tails::kept);
 
 /// Likelihood ratio of two residuals (twice its logarithm). Its degrees of freedom are the independent lines of the
 /// second residual: a smooth misfit has few.

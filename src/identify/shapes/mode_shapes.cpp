@@ -149,11 +149,13 @@ bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& opti
   const Complex by = std::sqrt(best->value) / at->value;  // the root with positive real part
   scale(shape.places, by);
   scale(shape.sensors, 1.0 / by);
+  at->sets_scale = true;
   shape.normalisation = Normalisation::unit_modal_mass;
   shape.scale_std = 0.5 * total_std(*best) / std::abs(best->value);
   const ShapePlace* most = largest_of(shape.places);
   shape.modal_mass_kg = 1 / std::norm(most->value);
-  shape.modal_mass_std_kg = 2 * *shape.modal_mass_kg * std::hypot(shape.scale_std, most->std / std::abs(most->value));
+  const double of_largest = most->sets_scale ? 0 : most->std / std::abs(most->value);
+  shape.modal_mass_std_kg = 2 * *shape.modal_mass_kg * std::hypot(shape.scale_std, of_largest);
   return true;
 }
 

@@ -25,6 +25,7 @@ struct ShapePlace {
   std::size_t channel = 0;  // the sensor; 0 with a roving hammer, where all sensors contribute to one place
   Complex value;            // in 1/√kg, or relative to the largest
   double std = 0;           // of the real and of the imaginary part, without the scale's error
+  bool sets_scale = false;  // its value is √A_dd: its only error is the scale's
 };
 
 /// A mode's shape over the places of a survey.

@@ -34,7 +34,7 @@ struct ZeroMeanCorrection {
   bool held = false;           // false: the deflection contradicts zero means or is too short; nothing is subtracted
 };
 /// deflection_m: integrate_twice of the acceleration from the end of the samples at rest, after subtraction of the bias
-/// and drift in `rest`; for a free body without its rigid-body deflection.
+/// and drift in `rest`. For a free body, its rigid-body deflection is subtracted as well.
 /// theory (7.5)
 ZeroMeanCorrection zero_mean_correction(std::span<const double> deflection_m, double fs_Hz, double highpass_corner_Hz,
                                         const BaselineEstimate& rest);

@@ -12,7 +12,7 @@ namespace {
 constexpr Eigen::Index kRigidMotions = 2;
 constexpr double kFreeSteps = 4;  // length of a step between contacts, in steps of the contact
 constexpr int kMaxTries = 100;
-constexpr double kForceAccuracy = 1e-14;  // of the ball's deepest compression on a wall
+constexpr double kCompressionAccuracy = 1e-14;  // of the ball's deepest compression on a wall
 constexpr std::size_t kMaxTouches = 1000;
 
 }  // namespace
@@ -119,12 +119,12 @@ double BatImpact::turning_point(double free_u, double free_rate) const {
 double BatImpact::end_force(double free_u) const {
   if (!(free_u > 0)) return 0;
   double low = 0, high = free_u, u = std::clamp(u_m_, 0.0, free_u);
-  for (int i = 0; i < kMaxTries && high - low > kForceAccuracy * wall_m_; ++i) {
+  for (int i = 0; i < kMaxTries && high - low > kCompressionAccuracy * wall_m_; ++i) {
     const double force_N = ball_.force_N(u, largest_m_), excess = u + compliance_ * force_N - free_u;
     (excess > 0 ? high : low) = u;
     const double slope = 1 + compliance_ * (u > 0 ? force_N / u * exponent_at(u) : 0);
     const double newton = u - excess / slope;
-    if (std::abs(newton - u) <= kForceAccuracy * wall_m_) break;
+    if (std::abs(newton - u) <= kCompressionAccuracy * wall_m_) break;
     u = newton > low && newton < high ? newton : (low + high) / 2;
   }
   return ball_.force_N(u, largest_m_);

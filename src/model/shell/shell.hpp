@@ -44,7 +44,8 @@ double love_Hz(const TubeShell& shell, std::size_t n);
 /// theory (13.4)
 double flugge_Hz(const TubeShell& shell, std::size_t n, std::size_t m);
 
-/// The mass of the tube, ρ π (D − h) h L. Source [8] uses it as the barrel's effective mass m₂.
+/// The mass of the tube, ρ π (D − h) h L. Source [8] takes the mass of a tube, shorter than the barrel, as the barrel's
+/// effective mass m₂.
 double tube_mass_kg(const TubeShell& shell);
 
 }  // namespace percuss::model

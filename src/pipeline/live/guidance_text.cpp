@@ -100,9 +100,9 @@ std::string blow_text(const BlowReport& blow, const LiveChannels& channels, cons
     return fmt::format("{}: rejected: {}{}{}", place, grade.reason, grade.remedy.empty() ? "" : "; ", grade.remedy);
   std::string text =
       fmt::format("{}: accepted, {} up to {}", place, force_text(grade.peak_N), frequency_text(grade.bandwidth_Hz));
-  const std::string advice = range_advice(grade, channels, blow.sets_range);
+  const std::string advice = range_advice(grade, channels, blow.may_advise_gain);
   if (!advice.empty()) text += "; " + advice;
-  if (blow.sets_range && !grade.implausible.empty()) text += "; " + grade.implausible;
+  if (blow.may_advise_gain && !grade.implausible.empty()) text += "; " + grade.implausible;
   if (grade.moved_before) text += "; it had not come to rest: wait a little longer between blows";
   if (grade.unlike_others) text += "; little like the other blows: another place, or noise?";
   if (blow.one_more) text += "; one more blow at this point helps to decide";

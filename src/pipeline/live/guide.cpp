@@ -208,7 +208,7 @@ void Guide::judge(const Window& window) {
                     .point = session_.point(),
                     .blow = session_.accepted_at(session_.point()) + 1,
                     .grade = graded,
-                    .sets_range = sets_range(graded)};
+                    .may_advise_gain = may_advise_gain(graded)};
   store_->append(samples);
   previous_end_ = report.end_frame;
   note_response(samples, graded);
@@ -244,7 +244,7 @@ void Guide::note_response(const BlowSamples& samples, const BlowGrade& grade) {
   if (response_peaks_.size() > kResponses) response_peaks_.erase(response_peaks_.begin());
 }
 
-bool Guide::sets_range(const BlowGrade& grade) const {
+bool Guide::may_advise_gain(const BlowGrade& grade) const {
   const auto& blows = session_.blows();
   return blows.size() < kSetTheRange && std::all_of(blows.begin(), blows.end(), [&](const Session::Blow& blow) {
            return kMuchWeaker * std::abs(blow.peak_N) <= std::abs(grade.peak_N);

@@ -105,7 +105,7 @@ class Guide {
   void note_losses(std::uint64_t frame);
   bool is_used(std::size_t channel) const;
   void judge(const Window& window);
-  bool sets_range(const BlowGrade& grade) const;
+  bool may_advise_gain(const BlowGrade& grade) const;
   /// Adds the accepted blows that are weak beside the others, now that there are enough to tell.
   void regrade_weak(BlowGrade& grade) const;
   BlowGrade grade(const BlowSamples& samples, const Window& window) const;

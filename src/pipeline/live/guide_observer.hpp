@@ -17,12 +17,14 @@ struct BlowReport {
   int point = 0;
   std::size_t blow = 1;  // of `hits`: its number among the accepted blows of its point, if it counts
   BlowGrade grade;
-  bool sets_range = false;  // among the first blows, and not much weaker than an earlier one
-  bool repeated = false;    // its verdict was given in the interrupted session
-  bool one_more = false;    // the point has its blows, but this one is doubtful
+  bool may_advise_gain =
+      false;              // its message may advise another gain: a first blow, not much weaker than an earlier one
+  bool repeated = false;  // its verdict was given in the interrupted session
+  bool one_more = false;  // the point has its blows, but this one is doubtful
 };
 
-/// Is told what happens, on the thread of the guide. It must not wait.
+/// Receives the events of a session from its Guide (guide.hpp), on the thread that feeds it samples. No function may
+/// wait.
 class GuideObserver {
  public:
   GuideObserver() = default;
@@ -37,8 +39,9 @@ class GuideObserver {
   virtual void on_command(const SessionEvent& /*command*/, std::size_t /*undone*/) {}
   /// The length of all blows was chosen. `cut_short`: by the next blow or lost samples, before the decay had ended.
   virtual void on_length(std::size_t /*samples*/, bool /*cut_short*/) {}
-  /// A blow, first above the threshold at this frame, is too short to choose the length of all blows by it: the next
-  /// one, or lost samples, came too early. Or it came itself too early to know the noise before it. It is not recorded.
+  /// A blow is not recorded. Its force first exceeds the threshold at this frame. `too_early`: too few samples precede
+  /// it to know the noise. Otherwise the next blow, lost samples or the end of the samples came before its decay could
+  /// set the length of all blows.
   virtual void on_left_out(std::uint64_t /*frame*/, bool /*too_early*/) {}
   /// A response moves as after a blow, but the force does not: before the first blow, or between two.
   virtual void on_silent_hammer() {}

@@ -85,8 +85,9 @@ std::vector<std::size_t> rising_blocks(const std::vector<double>& power, std::si
   return out;
 }
 
-// The first sample of the rise. It lies in the block before `block_index`, in this block or in the next one. Here a
-// channel exceeds the noise before the three blocks, and the fraction kOnsetLevel of its largest value in them.
+// The first sample of the rise, searched in three blocks: the block before `block_index`, this block and the next one.
+// At this sample a channel exceeds the noise before the three blocks, and the fraction kOnsetLevel of its largest value
+// in them.
 std::size_t onset_in(const Signals& x, std::size_t block_index, std::size_t block) {
   const std::size_t first = std::max<std::size_t>((block_index - 1) * block, 1);
   const std::size_t last = std::min((block_index + 2) * block, x.front().size());

@@ -21,7 +21,7 @@ struct ResponseHit {
 
 /// The results of a test without a force: modes from free decays.
 struct ResponseTest {
-  acquire::Record record;  // with assumed angles, where assumed
+  acquire::Record record;  // two channels without angles have assumed ones: assume_angles()
   AnalysisOptions options;
   std::pair<double, double> band_Hz;
   std::vector<ResponseHit> hits;

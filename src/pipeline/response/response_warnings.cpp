@@ -61,8 +61,8 @@ std::vector<Warning> tones(const ResponseTest& test) {
   for (const identify::DecayMode& tone : test.found.tones)
     list += fmt::format("{}{:.5g} Hz", list.empty() ? "" : ", ", tone.mode.pole.freq_Hz);
   if (list.empty()) return {};
-  return {{"tone", fmt::format("{}: the damping is within three standard deviations of zero, so this is hum or a "
-                               "machine, no mode of the structure",
+  return {{"tone", fmt::format("{}: the damping is within three standard deviations of zero: hum, a machine, or a mode "
+                               "whose decay this test does not show",
                                list)}};
 }
 

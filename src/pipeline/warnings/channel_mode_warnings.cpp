@@ -14,6 +14,9 @@
 namespace percuss::pipeline {
 namespace {
 
+constexpr std::size_t kManyModes = 3;      // too many to have a node at one place
+constexpr double kNoResidue = 4;           // standard deviations of the clearest residue of a silent channel …
+constexpr double kClearResidue = 20;       // … and of another channel
 constexpr double kVisiblePhase = 0.05;     // rad at the highest mode
 constexpr double kUnitFactor = 1000;       // between m/s² and mm/s², V and mV
 constexpr double kUnitSpread = 5;          // largest factor between residues at two places of a structure
@@ -173,6 +176,35 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
   return out;
 }
 
+// Each channel whose residues of all modes are within their noise, beside one that shows them. It does not respond, or
+// it lies at a node of all modes; few modes may have a node in common.
+std::vector<Warning> silent_channels(const acquire::Record& record, const std::vector<identify::Mode>& modes) {
+  if (modes.size() < kManyModes) return {};
+  std::vector<double> clearest(record.accel.size());
+  for (const identify::Mode& mode : modes) {
+    for (const identify::Residue& residue : mode.residues) {
+      if (residue.channel < clearest.size() && residue.std > 0)
+        clearest[residue.channel] = std::max(clearest[residue.channel], std::abs(residue.value) / residue.std);
+    }
+  }
+  const bool any = std::any_of(clearest.begin(), clearest.end(), [](double ratio) { return ratio > kClearResidue; });
+  std::vector<Warning> out;
+  for (std::size_t c = 0; any && c < clearest.size(); ++c) {
+    if (!(clearest[c] > 0 && clearest[c] < kNoResidue)) continue;
+    out.push_back(with_remedy(
+        {"dead_channel",
+         fmt::format("{} shows none of the {} modes: its residues are within {:.0f} standard deviations of zero. If it "
+                     "does not respond, what compares it with other channels (bending or hoop, directions, shapes) is "
+                     "wrong",
+                     name_of(record, c), modes.size(), kNoResidue),
+         {"accel_channel"},
+         "",
+         acquire::Severity::warn},
+        "check its cable and its mounting, or choose the other channels"));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& modes) {
@@ -196,7 +228,7 @@ std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const 
   std::vector<Warning> out;
   if (!own_clock) out = skew(record, modes, findings.delays, correctable);
   for (const auto& more : {corrected_skew(record, modes, findings.corrected_delays), clocks(record, findings.clocks),
-                           units(record, findings), directions(record, findings.pairs)})
+                           units(record, findings), directions(record, findings.pairs), silent_channels(record, modes)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

@@ -15,7 +15,7 @@ bool by_modes(const DeflectionResults& test) {
                      [](const auto& of) { return of.deflection->method == metrics::DeflectionMethod::modal; });
 }
 
-// Each remedy leads away from the method that failed, and none to a method that needs what was not recorded.
+// A remedy recommends neither the method that failed nor a method whose input was not recorded.
 const char* remedy_against_unknown(const DeflectionResults& test) {
   if (!by_modes(test)) {
     return test.has_force
@@ -41,9 +41,10 @@ void add_motion_left_out(const DeflectionResults& test, std::vector<Warning>& ou
   if (growing > 0) {
     out.push_back(with_remedy(
         {"larger_later",
-         fmt::format("{} of {} deflections grow on after the largest value stated, but their ± grows faster: the value "
-                     "stated is the one that exceeds its ± most, not the end of the motion",
-                     growing, test.deflections.size()),
+         fmt::format(
+             "{} of {} deflections have larger values after the largest one stated, but there the ± grows faster: "
+             "the value stated is the one that exceeds its ± most, not the end of the motion",
+             growing, test.deflections.size()),
          {"effective_mass"}},
         "record with more pre-trigger; for a free structure, state its effective mass at the struck point"));
   }
@@ -58,8 +59,8 @@ void add_motion_left_out(const DeflectionResults& test, std::vector<Warning>& ou
   }
 }
 
-// Hits before which the structure moves: by the modes, the deflection is that of the blow alone; any integral begins
-// with a wrong velocity.
+// Hits before which the structure was not at rest. The modal method gives the deflection of this blow alone. The other
+// methods integrate from a wrong initial velocity.
 void add_moving(const DeflectionResults& test, std::vector<Warning>& out) {
   std::vector<std::size_t> modal, integrated;
   for (const std::size_t hit : test.moving) {

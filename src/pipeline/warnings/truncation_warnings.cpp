@@ -67,7 +67,7 @@ std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& mode
   }
   if (ringing.empty()) return {};
   if (force_known) {
-    return {{"truncated_decay", "these modes still ring when the record ends, with this part of their amplitude: " +
+    return {{"truncated_decay", "these modes still ring when the samples end, with this part of their amplitude: " +
                                     ringing + "; the fit of the damping allows for the missing decay"}};
   }
   return {with_remedy(

@@ -34,8 +34,9 @@ std::string modes_csv(const std::vector<NumberedAnalysis>& tests) {
   for (const NumberedAnalysis& test : tests) {
     if (!test.analysis->possible()) continue;
     const auto& modes = test.analysis->modes();
-    const std::string run = tests.size() > 1 ? fmt::format("{},", test.run) : "";
-    for (std::size_t m = 0; m < modes.size(); ++m) add_mode(out, run, m, modes[m], test.analysis->classifications()[m]);
+    const std::string test_cell = tests.size() > 1 ? fmt::format("{},", test.run) : "";
+    for (std::size_t m = 0; m < modes.size(); ++m)
+      add_mode(out, test_cell, m, modes[m], test.analysis->classifications()[m]);
   }
   return out;
 }
@@ -43,9 +44,10 @@ std::string modes_csv(const std::vector<NumberedAnalysis>& tests) {
 std::string modes_csv(const std::vector<pipeline::ResponseTest>& tests) {
   std::string out = header_of(tests.size() > 1);
   for (std::size_t t = 0; t < tests.size(); ++t) {
-    const std::string run = tests.size() > 1 ? fmt::format("{},", t) : "";
+    const std::string test_cell = tests.size() > 1 ? fmt::format("{},", t) : "";
     const auto& modes = tests[t].found.modes;
-    for (std::size_t m = 0; m < modes.size(); ++m) add_mode(out, run, m, modes[m].mode, tests[t].classifications[m]);
+    for (std::size_t m = 0; m < modes.size(); ++m)
+      add_mode(out, test_cell, m, modes[m].mode, tests[t].classifications[m]);
   }
   return out;
 }

@@ -6,7 +6,7 @@
 
 namespace percuss::report {
 
-/// The statistics of each class of each figure, a row for each class.
+/// The statistics of each figure of the study, a row for each length of bats (StudyClass).
 std::string study_csv(const metrics::Study& study, CsvFormulas formulas = CsvFormulas::neutralise);
 
 /// The descriptive numbers of the groups, a row for each quantity.

@@ -43,7 +43,7 @@ std::string command_page(const CommandReport& report, const std::vector<std::str
   if (!charts.empty()) body += page_section("charts", "Charts", charts);
   std::string macs;
   for (const MacMatrix& matrix : report.macs) macs += mac_table_html(matrix);
-  if (!macs.empty()) body += page_section("mac", "Likeness of the shapes (MAC)", macs);
+  if (!macs.empty()) body += page_section("mac", "Agreement of the shapes (MAC)", macs);
   body += page_section("provenance", "Provenance", page_provenance(files_of(inputs), provenance, bends)) + "</main>\n";
   return HtmlPage{.title = page_title(title, provenance.title_block),
                   .body = body,

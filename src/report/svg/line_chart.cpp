@@ -23,6 +23,8 @@ constexpr double kLeft = 72, kRight = 620, kTop = 44, kBottom = 384;  // of the 
 constexpr double kLineHeight = 15, kCharacterWidth = 7;               // at most
 constexpr double kFlagCharacterWidth = 6.4;                           // on average
 constexpr double kLabelRoom = 20;                                     // right of a point, for its label
+constexpr double kAxisLabel = 18;                                     // middle of the label of the y axis
+constexpr double kTickGap = 6;                                        // between a tick value and the plot
 constexpr std::size_t kLongestName = 48;
 constexpr std::size_t kTicks = 6;
 
@@ -68,12 +70,19 @@ class Drawing {
                                   [](const auto& curve) { return !curve.line || !curve.labels.empty(); });
     fit(x_, chart.x, room ? 0.04 : 0);
     fit(y_, chart.y, 0.04);
-    width_ = std::max(kWidth, kRight + (scattered_ ? 34 : 12) + kCharacterWidth * static_cast<double>(longest));
+    y_ticks_ = chart.y.ticks.empty() ? y_.ticks(kTicks) : chart.y.ticks;
+    std::size_t widest = 0;
+    for (const double tick : y_ticks_) widest = std::max(widest, text_width(fmt::format("{:.6g}", tick)));
+    const double of_ticks = kTickGap + kCharacterWidth * static_cast<double>(widest);
+    shift_ = std::max(0.0, kAxisLabel + kLineHeight / 2 + kTickGap + of_ticks - kLeft);
+    width_ =
+        shift_ + std::max(kWidth, kRight + (scattered_ ? 34 : 12) + kCharacterWidth * static_cast<double>(longest));
   }
 
   SvgFragment piece() {
     add("<title>{}</title>\n", svg_escape(chart_.title));
     if (!on_page_) add("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n");
+    if (shift_ > 0) add("<g transform=\"translate({} 0)\">\n", shift_);
     add("<text x=\"{}\" y=\"18\" font-size=\"15\">{}</text>\n", kLeft, svg_escape(chart_.title));
     axes();
     for (const ChartBand& one : chart_.bands) band(one);
@@ -84,6 +93,7 @@ class Drawing {
     }
     flags();
     scattered_ ? legend() : names();
+    if (shift_ > 0) add("</g>\n");
     return {.body = out_, .width = width_, .height = kHeight, .ink = ink()};
   }
 
@@ -111,16 +121,16 @@ class Drawing {
           "text-anchor=\"middle\">{:.6g}</text>\n",
           at, kTop, kBottom, grid_, at, kBottom + 18, tick);
     }
-    for (const double tick : chart_.y.ticks.empty() ? y_.ticks(kTicks) : chart_.y.ticks) {
+    for (const double tick : y_ticks_) {
       const double at = y_.pixel(tick);
       add("<path d=\"M{} {:.1f}H{}\" stroke=\"{}\"/><text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{:.6g}</text>\n",
-          kLeft, at, kRight, grid_, kLeft - 6, at + 4, tick);
+          kLeft, at, kRight, grid_, kLeft - kTickGap, at + 4, tick);
     }
     add("<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"{}\"/>\n", kLeft, kTop, kBottom, kRight, ink());
     add("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", (kLeft + kRight) / 2, kBottom + 40,
         svg_escape(chart_.x.label));
-    add("<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", (kTop + kBottom) / 2,
-        svg_escape(chart_.y.label));
+    add("<text transform=\"translate({} {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", kAxisLabel - shift_,
+        (kTop + kBottom) / 2, svg_escape(chart_.y.label));
   }
 
   void line(const ChartCurve& curve, std::size_t style) {
@@ -231,6 +241,8 @@ class Drawing {
   const char* grid_;
   ChartScale x_, y_;
   double width_ = kWidth;
+  std::vector<double> y_ticks_;
+  double shift_ = 0;  // of everything to the right, for wide tick values of y
   bool scattered_ = false;
   std::vector<TextPlace> labels_;  // placed so far
   std::string out_;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "metrics/study/study.hpp"
-#include "metrics/study/study_join.hpp"
+#include "metrics/study/study_files.hpp"
 #include "report/svg/line_chart.hpp"
 
 namespace percuss::report {

@@ -71,7 +71,8 @@ TEST(FindHits, BeginsALongPulseAtRest) {
   EXPECT_EQ(stated[0].first, 20'256U - 512U);
 }
 
-// An AC-coupled channel swings back after a long pulse, by 5 % of its peak; a response in its place rings.
+// An AC-coupled force channel swings back after a long pulse, by 5 % of its peak. A response that is read as the force
+// rings.
 TEST(FindHits, TellsAnUndershootFromARingingForce) {
   std::vector<double> coupled(60'000), ringing(60'000);
   test::add_haversine(coupled, 20'000, 256, 200);

@@ -240,7 +240,7 @@ TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
   EXPECT_EQ(wrong_numbers(JournalReader(path)), 0U);
 }
 
-// A stalled reader begins the journal.
+// When the reader stalls, the stream starts to write samples to the journal, so that none are lost.
 TEST(CaptureStream, JournalsAStallBeforeTheFirstBlow) {
   const ScratchFolder folder;
   CaptureStream stream(at_speed(kStallSpeed, "aluminium-bat,numbered,hits=1,first=9"),

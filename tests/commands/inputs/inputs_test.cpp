@@ -191,7 +191,7 @@ TEST_F(Inputs, WithAReversedSensorAreNamedWithTheirCure) {
   EXPECT_THAT(analyze({"rev.h5", "--angle", "0,0", "--accel-scale", "1,-1"}).out, Not(HasSubstr("moves against")));
 }
 
-TEST_F(Inputs, OfSoundMayComeThroughAPipe) {
+TEST_F(Inputs, MayComeThroughAPipe) {
   test::write_columns(file("x.csv"), "time_s,force_N,accel_m_s2",
                       {record_.time_s, record_.force_N, record_.accel_mps2});
   for (const char* kind : {"x.wav", "x.mat", "x.h5"}) {

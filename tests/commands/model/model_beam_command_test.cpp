@@ -147,8 +147,8 @@ TEST(ModelBeamCommand, ReadsATableOfSections) {
     EXPECT_THAT(test::schema_violations(document, test::schema_named("model-beam")), testing::IsEmpty());
     return document;
   };
-  // The stiffnesses of 200 elements are 5·10⁸ times that of the spring, so rounding changes the lowest frequency by
-  // 10⁻⁶.
+  // Each of the 200 elements is 5·10⁸ times as stiff as the spring, so rounding changes the lowest frequency by 10⁻⁶ of
+  // its value.
   constexpr double kRounded = 2e-6;
   for (const char* support : {"torsion", "pinned", "clamped", "free"}) {
     const auto shaped = document_of({"--young", "6e10", "--support", support, "--modes", "5"});

@@ -52,7 +52,7 @@ TEST(DevicesCommand, RefusesAConfigurationWithoutADefault) {
   EXPECT_EQ(test::lines_of(outcome.err).size(), 1U);
 }
 
-// Machines of tests have no sound card; others list theirs.
+// The machines that usually run the tests have no sound card. Other machines list theirs.
 TEST(DevicesCommand, SaysWhatToDoWhereNothingCanRecord) {
   const ProcessOutcome text = devices(""), json = devices("", {"--json"});
   const auto document = test::parse_json(json.out);

@@ -9,7 +9,8 @@
 
 namespace percuss::identify::satellite_modes_test {
 
-// A hundredth of the mode beside it, half a bandwidth away. In the first set there is no such mode.
+// The satellite has a hundredth of the residues of the mode beside it and lies half a bandwidth from it. Only the
+// second dataset contains it.
 TEST(SatelliteModes, StayWhereTheFrfsShowThem) {
   const std::vector<Pole> modes{{300, 0.01}, {700, 0.01}, {1100, 0.01}};
   const Pole satellite{.freq_Hz = 707, .damping_ratio = 0.01};

@@ -9,7 +9,7 @@
 
 namespace percuss::identify::vector_fitting_test {
 
-// Half-power bandwidths of 40 Hz, 60 Hz apart, at two FRFs.
+// Twelve poles, 60 Hz apart, each with a half-power bandwidth of 40 Hz.
 std::vector<Pole> twelve_poles() {
   std::vector<Pole> poles;
   for (int m = 0; m < 12; ++m) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "metrics/study/study_join.hpp"
+#include "metrics/study/study_files.hpp"
 #include "support/input_error.hpp"
 #include "synth/population.hpp"
 #include "synth/random_stream.hpp"

@@ -40,7 +40,7 @@ TEST(FirstBlows, TakesOutWeakFirstBlowsOnceThereAreThree) {
     bench.play_all();
     EXPECT_EQ(bench.marks()[weak], RowMark::weak) << weak;
     EXPECT_EQ(bench.guide->session().accepted(), 3U) << weak;
-    EXPECT_EQ(bench.witness.blows[1].sets_range, weak == 0);  // no gain is raised for the weaker of two blows
+    EXPECT_EQ(bench.witness.blows[1].may_advise_gain, weak == 0);  // no gain is raised for the weaker of two blows
   }
 }
 

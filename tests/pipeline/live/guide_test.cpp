@@ -102,7 +102,7 @@ TEST(Guide, RejectsBlowsInTheDecayOfTheLast) {
 }
 
 // A push that is too long for a blow is reported, at most once a second. It shows that the hammer is not silent.
-TEST(Guide, TellsOfPushesThatAreTooLong) {
+TEST(Guide, ReportsPushesThatAreTooLong) {
   Bench bench(struck_tube("2.9, 4.4", 7));
   const auto push = [&](double at_s, double length_s, double peak_N) {
     const auto first = static_cast<std::size_t>(at_s * 4096), count = static_cast<std::size_t>(length_s * 4096);
@@ -170,7 +170,7 @@ TEST(Guide, JudgesTheRangeByFullScale) {
   }
 }
 
-// The verdicts of the bench are those of the analysis afterwards.
+// The guide accepts and rejects the same blows as the analysis of the finished record.
 TEST(Guide, AgreesWithTheAnalysis) {
   Bench bench(struck_tube("0.4, 1.9, 3.4, 4.9, 6.4, 7.9, 9.4, 10.9", 13,
                           R"("faults": [{"hit": 2, "kind": "double", "delay_s": 0.012, "ratio": 0.4},
@@ -265,7 +265,7 @@ TEST(LiveChannels, TakesEntriesOfASetupWithoutARoleAsResponses) {
               HasSubstr("leaves open which channels"));
 }
 
-// Another blow, 0.3 s later than one that has decayed by 52 dB after 0.4 s only.
+// A blow 0.3 s after the one before it. The response needs 0.4 s to decay by 52 dB.
 TEST(Guide, RejectsABlowOnAStructureThatStillRings) {
   Bench bench(struck_tube("0.4, 1.9, 2.2, 3.7", 5), {.length_s = 0.25});
   bench.play_all();
@@ -287,7 +287,7 @@ TEST(Guide, RepeatsThePointOfTheBlowBeingRecorded) {
   EXPECT_EQ(bench.witness.undone.back(), 0U) << "nothing is left to undo";
 }
 
-TEST(Guide, TellsASilentHammer) {
+TEST(Guide, ReportsASilentHammer) {
   Bench bench(struck_tube(kFiveTimes, 8));
   for (std::size_t i = 0; i < bench.source.values.size(); i += 3)
     bench.source.values[i] = 0.001 * std::sin(0.9 * static_cast<double>(i));
@@ -370,7 +370,7 @@ TEST(Guide, ResumesToTheSameRecord) {
       second.guide->finish();
       EXPECT_EQ(second.marks(), whole.marks());
       EXPECT_EQ(force_rows(second.guide->record()), expected);
-      // The log goes on where it was: together they are the log of the whole.
+      // The second log continues the first. Joined, they equal the log of the uninterrupted session.
       std::vector<std::string> log = first.log.events;
       log.insert(log.end(), second.log.events.begin(), second.log.events.end());
       EXPECT_EQ(log, whole.log.events);

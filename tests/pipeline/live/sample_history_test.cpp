@@ -69,7 +69,8 @@ TEST(SampleHistory, KnowsOverrunsAndValuesThatAreNoNumbers) {
   EXPECT_EQ(losses[1].frames, 2U);
 }
 
-// One run, whatever the blocks and the other channels.
+// Consecutive samples of a channel without a number are one loss, also across blocks and beside losses of other
+// channels.
 TEST(SampleHistory, JoinsSamplesWithoutNumbersAcrossBlocks) {
   SampleHistory history(2);
   for (std::uint64_t first = 0; first < 40; first += 10) {
@@ -96,7 +97,7 @@ TEST(SampleHistory, KeepsTheValueBeforeAGap) {
   EXPECT_THAT(read(history, 0, 48, 4), ElementsAre(9, 9, 50, 51));
 }
 
-TEST(SampleHistory, ForgetsAndIgnoresWhatItKnows) {
+TEST(SampleHistory, DiscardsOldFramesAndIgnoresRepeatedOnes) {
   SampleHistory history(2);
   for (std::uint64_t first = 0; first < 100; first += 10) history.add(block(first, 10));
   history.add(block(95, 10));  // repeats five frames

@@ -20,7 +20,7 @@ TEST(TrustSection, StatesConsequenceAndRemedyOnceEach) {
   EXPECT_EQ(html.find("take more hits"), html.rfind("take more hits"));
 }
 
-// Split modes are a result: they put none in doubt.
+// Split modes are a result themselves and put no other result in doubt.
 TEST(TrustSection, CallsSplitModesAPropertyOfTheStructure) {
   const std::string html = PageWarnings({{"double_peak", "split modes: 1900 Hz"}}, {}, {}).section();
   EXPECT_THAT(html, HasSubstr("<b>A property of the structure.</b> split modes: 1900 Hz"));

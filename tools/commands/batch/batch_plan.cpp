@@ -109,8 +109,8 @@ void add_batch_plan(CommandLine& line) {
       "Writes a manifest: a line of JSON for the options of percuss analyze, and a line per record with its id, path "
       "and size. The id is the name of the file without extension, or its path if several files share the name. "
       "Relative paths start from the folder of the manifest, so manifest and records can be moved together, for "
-      "example to a cluster. A record whose size has changed since the plan, or with --hash its contents, is reported "
-      "and not analysed.");
+      "example to a cluster. A record whose size (with --hash: whose contents) has changed since the plan is "
+      "reported and not analysed.");
   command.example("percuss batch plan bat.h5 barrel.h5 --band 60:3200 -o manifest.jsonl", "Plan two records");
   command.example("percuss batch plan '*.h5' --effort quick --shards 4 -o manifest.jsonl",
                   "Plan all files that match the pattern, for four workers");

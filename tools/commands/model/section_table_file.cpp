@@ -103,6 +103,10 @@ std::vector<ProfileColumn> columns_of(const NumberTable& table, const SectionTab
   for (const std::string& name : names) {
     const std::size_t i = columns.size();
     auto column = column_named(name);
+    if (!column && lower_case(name).starts_with("rad")) {
+      throw InputError(fmt::format("column {} holds radii: '{}'", i + 1, one_line(name, 40)), place,
+                       "give diameters, under the name diameter");
+    }
     // A table of two columns needs no names that percuss knows.
     if (!column && count == 2) column = column_named(i == 0 ? "position" : "diameter");
     if (!column) {

@@ -33,7 +33,7 @@ std::size_t columns_of(int terminal) {
   return ::ioctl(terminal, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-// The terminal as a file of its own that never waits: one that nobody reads would hold up the end of the session.
+// Opens the terminal again, without blocking: a terminal that takes no output would hold up the end of the session.
 // Standard output itself stays blocking, because other programs share it. −1: not possible.
 int open_again(int terminal) {
   std::array<char, 256> name{};

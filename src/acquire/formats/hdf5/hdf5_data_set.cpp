@@ -15,6 +15,7 @@ namespace {
 
 // A library call that gets an invalid identifier from a failed call fails too. So only the last call of a chain is
 // checked.
+
 constexpr std::size_t kDefaultCacheBytes = std::size_t{1} << 20, kMaxCache_bytes = std::size_t{64} << 20;
 constexpr std::uint64_t kMaxCountedChunks = 200'000;  // more are not counted: counting walks an index
 constexpr int kMaxDimensions = 3;

@@ -46,7 +46,6 @@ const FileFormat kHdf5Format{.name = "HDF5",
                              .write_record = write_hdf5,
                              .write_frfs = write_frf_record_hdf5,
                              .record_losses = hdf5_losses,
-                             .needs_force = true,
                              .keeps_marks = true,
                              .keeps_faces = true};
 

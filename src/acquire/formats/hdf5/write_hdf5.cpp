@@ -41,14 +41,16 @@ void copy_samples(std::size_t samples, Read&& read, Write&& write) {
 void write_samples(hdf5::OutputHdf5& out, const Record& record, bool one_row) {
   const std::size_t rows = record.rows.size(), channels = record.accel.size(), samples = record.rows[0].samples;
   const std::array shape{rows, channels, samples};
-  out.create_set("force", one_row ? std::vector{samples} : std::vector{rows, samples});
+  if (record.has_force) out.create_set("force", one_row ? std::vector{samples} : std::vector{rows, samples});
   out.create_set("accel", std::span(shape).subspan(one_row ? 1 : 0));
   for (std::size_t row = 0; row < rows; ++row) {
-    copy_samples(
-        samples, [&](std::size_t first, std::span<double> part) { record.read_force_N(row, first, part); },
-        [&](std::size_t first, std::span<const double> values) {
-          out.write("force", std::span(&row, one_row ? 0 : 1), first, values);
-        });
+    if (record.has_force) {
+      copy_samples(
+          samples, [&](std::size_t first, std::span<double> part) { record.read_force_N(row, first, part); },
+          [&](std::size_t first, std::span<const double> values) {
+            out.write("force", std::span(&row, one_row ? 0 : 1), first, values);
+          });
+    }
     for (std::size_t channel = 0; channel < channels; ++channel) {
       const std::array at{row, channel};
       copy_samples(
@@ -134,7 +136,7 @@ void write_hdf5(const std::string& path, const Record& record, bool force) {
   out.set_numbers("", "fs", std::array{record.fs_Hz}, false);
   if (record.continuous && !one_row) out.set_numbers("", "continuous", std::array{1.0}, false);
   if (const std::string date = common_date_of(record.files); !date.empty()) out.set_text("", "date", date);
-  out.set_text("force", "unit_str", "N");
+  if (record.has_force) out.set_text("force", "unit_str", "N");
   out.set_text("accel", "unit_str", "m/s^2");
   write_sensor_numbers(out, record, "position_m", &SignalInfo::position_m, 1);
   write_sensor_numbers(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);

@@ -55,7 +55,6 @@ const FileFormat kMatFormat{.name = "MAT",
                             .write_record = write_mat,
                             .write_frfs = write_frf_record_mat,
                             .record_losses = mat_losses,
-                            .needs_force = true,
                             .keeps_faces = true};
 
 }  // namespace percuss::acquire

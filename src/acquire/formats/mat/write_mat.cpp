@@ -89,11 +89,13 @@ void write_mat(const std::string& path, const Record& record, bool force) {
   const std::size_t rows = record.rows.size(), channels = record.accel.size(), samples = record.rows[0].samples;
   MatOutput out(path, force);
   out.number("fs", record.fs_Hz);
-  out.begin("force", std::array{rows, samples});
-  write_interleaved(out, rows, samples, [&](std::size_t row, std::size_t first, std::span<double> part) {
-    record.read_force_N(row, first, part);
-  });
-  out.text("force_unit", "N");
+  if (record.has_force) {
+    out.begin("force", std::array{rows, samples});
+    write_interleaved(out, rows, samples, [&](std::size_t row, std::size_t first, std::span<double> part) {
+      record.read_force_N(row, first, part);
+    });
+    out.text("force_unit", "N");
+  }
   // Time is last: MATLAB would drop a trailing dimension of 1.
   out.begin("accel", std::array{rows, channels, samples});
   write_interleaved(out, rows * channels, samples, [&](std::size_t series, std::size_t first, std::span<double> part) {

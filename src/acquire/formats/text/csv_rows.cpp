@@ -250,7 +250,7 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
   // Such a first column is not the time: it is a count of samples or a signal.
   if (guessed && (!stamped || counts)) return header_rate_Hz(header, file);
   if (!stamped) refuse_stamps(table, time.index, rows, problem);
-  // Named columns say what the first one may be; without names, ms are as likely as s.
+  // may_be_time() has excluded named columns of counts and signals. Without names, ms are as likely as s.
   if (!(guessed && header.named) && !parse_unit(time.unit) && !header.fs_Hz) {
     require_plausible_times(stamped->fs_Hz, header.named ? "the column " + time.name : time.name,
                             file + ": time column",

@@ -150,10 +150,15 @@ std::string stated_estimator(const std::string& previous, const std::string& wor
   return previous == "h1" ? "H1" : previous == "h2" ? "H2" : previous == "hv" ? "Hv" : "";
 }
 
-// "g/N" of "g/N)", the end of "(dB re 1 g/N)", and of "(dBg/N)".
+bool closes_more_than_it_opens(const std::string& word, char open, char close) {
+  return word.ends_with(close) &&
+         std::count(word.begin(), word.end(), close) > std::count(word.begin(), word.end(), open);
+}
+
+// "g/N" of "g/N)", the end of "(dB re 1 g/N)", and of "(dBg/N)"; "(m/s)/N" of "(m/s)/N)".
 std::string without_dB(std::string word) {
-  if (word.ends_with(')') && word.find('(') == std::string::npos) word.pop_back();
-  if (word.ends_with(']') && word.find('[') == std::string::npos) word.pop_back();
+  if (closes_more_than_it_opens(word, '(', ')')) word.pop_back();
+  if (closes_more_than_it_opens(word, '[', ']')) word.pop_back();
   const std::size_t at = lower_case(word).find("db");
   if (at > 1) return word;
   if (at == 1 && word.size() > 3) word.pop_back();  // the closing bracket
@@ -207,19 +212,39 @@ bool look_like_radians(const std::vector<double>& phase) {
          *most - *least > std::numbers::pi / 2;
 }
 
+// True for a level in dB with a phase in degrees. Level in neper and phase in radians change alike from line to line,
+// as real and imaginary part do. In these units, the squared changes of the phase are 43 times those of the level.
+bool look_like_level_and_phase(const std::vector<double>& first, const std::vector<double>& second) {
+  constexpr double kHalfTurn_deg = 180.001, kMostOfQuarter_deg = 80, kClearlyMore = 10;
+  double largest = 0, of_first = 0, of_second = 0;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    largest = std::max(largest, std::abs(second[k]));
+    if (k == 0) continue;
+    of_first += std::pow(first[k] - first[k - 1], 2);
+    of_second += std::pow(std::remainder(second[k] - second[k - 1], 360), 2);
+  }
+  return largest > kMostOfQuarter_deg && largest <= kHalfTurn_deg && of_second > kClearlyMore * of_first;
+}
+
 // Columns without names count as real and imaginary parts. A real part that is never negative may be a magnitude.
-void refuse_possible_magnitude(const CsvTable& table, const std::vector<double>& real, const Columns& columns) {
-  if (table.header().named || std::any_of(real.begin(), real.end(), [](double x) { return x < 0; })) return;
-  throw InputError(fmt::format("column {} has no name and is never negative: it may be a real part or a magnitude",
-                               columns.first + 1),
-                   input_name(table.path()), "add a first line with names, such as Hz,re,im or Hz,magnitude,phase");
+void refuse_possible_polar(const CsvTable& table, const std::vector<double>& first, const std::vector<double>& second,
+                           const Columns& columns) {
+  if (table.header().named) return;
+  const bool positive = std::none_of(first.begin(), first.end(), [](double x) { return x < 0; });
+  if (!positive && !look_like_level_and_phase(first, second)) return;
+  const std::size_t at = columns.first + 1;
+  throw InputError(
+      positive ? fmt::format("column {} has no name and is never negative: it may be a real part or a magnitude", at)
+               : fmt::format("columns {} and {} have no names and may be a level in dB and a phase in degrees", at,
+                             columns.second + 1),
+      input_name(table.path()), "add a first line with names, such as Hz,re,im or Hz,magnitude,phase or Hz,dB,phase");
 }
 
 std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, std::vector<Message>& notes) {
   const auto first = read_column(table, columns.first);
   const auto second = read_column(table, columns.second);
   std::vector<Complex> value(first.size());
-  if (!columns.polar) refuse_possible_magnitude(table, first, columns);
+  if (!columns.polar) refuse_possible_polar(table, first, second, columns);
   double to_rad = columns.phase_to_rad.value_or(kDegree_rad);
   if (columns.polar && !columns.phase_to_rad) {
     const bool radians = look_like_radians(second);

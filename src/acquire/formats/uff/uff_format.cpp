@@ -57,7 +57,6 @@ const FileFormat kUffFormat{
                      bool force) { write_frf_record_uff(path, record, kind, force); },
     .record_losses = uff_losses,
     .frf_losses = uff_frf_losses,
-    .needs_force = true,
     .keeps_faces = true,
     .keeps_frf_geometry = true};
 

@@ -35,10 +35,12 @@ void write_row_functions(UffOutput& out, const Record& record, std::size_t row, 
   const RowInfo& info = record.rows[row];
   UffFunction function = described(record, info, offset);
   function.id[0] = fmt::format("hit {}", row + 1);
-  function.response = {"force", info.point + offset, 0};
-  function.ordinate = {Uff58::excitation_force, "Force", "N"};
-  out.function_of(function, info.samples,
-                  [&](std::size_t first, std::span<double> part) { record.read_force_N(row, first, part); });
+  if (record.has_force) {
+    function.response = {"force", info.point + offset, 0};
+    function.ordinate = {Uff58::excitation_force, "Force", "N"};
+    out.function_of(function, info.samples,
+                    [&](std::size_t first, std::span<double> part) { record.read_force_N(row, first, part); });
+  }
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     function.response = {fmt::format("accel {}", c + 1), 0, uff_direction(record.accel[c])};
     function.ordinate = {Uff58::acceleration, "Acceleration", "m/s^2"};

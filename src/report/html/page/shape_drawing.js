@@ -1,5 +1,5 @@
-// A colour between −1, 0 and 1, or around the circle of phases. Both mixes start from the colour of rest: pale on faces, a
-// grey on lines.
+// Colours of the points: of a deflection from −1 to 1, or of an amplitude and a phase. Both are mixed with the colour of
+// rest, which is pale on faces and grey on lines.
 const shapeColours = (onFaces) => {
   const parts = (name) => [1, 3, 5].map((i) => parseInt(colour(name).slice(i, i + 2), 16));
   const [rest, minus, plus, lead, lag] = [onFaces ? "--rest" : "--rest-line", "--minus", "--plus", "--lead", "--lag"].map(parts);
@@ -16,7 +16,7 @@ const shapeColours = (onFaces) => {
   };
 };
 
-// Points whose signed deflection is the largest among their neighbours and at least half of the largest of all.
+// Points whose deflection has the largest magnitude among their neighbours, and at least half of the largest magnitude of all.
 const extremePoints = (shapes, values) => {
   const neighbours = shapes.points.map(() => []);
   for (const [a, b] of shapes.lines) { neighbours[a].push(b); neighbours[b].push(a); }

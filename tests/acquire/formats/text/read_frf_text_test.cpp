@@ -1,5 +1,6 @@
 #include "acquire/formats/text/read_frf_text.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -125,6 +126,23 @@ TEST(ReadFrfText, RefusesColumnsWithoutNamesThatMayBeMagnitudes) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("column 2 has no name and is never negative"));
   }
+}
+
+// The accelerance of two modes, once in dB and degrees, once as real and imaginary part.
+TEST(ReadFrfText, RefusesColumnsWithoutNamesThatMayBeLevelAndPhase) {
+  std::string polar, cartesian;
+  for (int k = 0; k < 400; ++k) {
+    const double f = 20 + k;
+    const auto mode = [&](double f0) { return -f * f / Complex(f0 * f0 - f * f, 0.02 * f0 * f); };
+    const Complex h = 0.1 * mode(120) + 0.05 * mode(310);
+    polar += fmt::format("{},{},{}\n", f, 20 * std::log10(std::abs(h)), std::arg(h) * 180 / std::numbers::pi);
+    cartesian += fmt::format("{},{},{}\n", f, h.real(), h.imag());
+  }
+  EXPECT_THAT(test::input_error_of([&] { read_frf_text(test::csv_bytes(polar), true); }),
+              HasSubstr("columns 2 and 3 have no names and may be a level in dB and a phase in degrees"));
+  EXPECT_EQ(read(cartesian, true).frfs.size(), 1U);
+  EXPECT_EQ(read("Hz,dB,phase\n" + polar).frfs.at(0).value.size(), 400U);
+  EXPECT_NEAR(std::abs(read("Hz,dB,phase\n" + polar).frfs.at(0).value[100]), 5, 0.2);  // 0.1/0.02 at 120 Hz
 }
 
 TEST(ReadFrfText, IgnoresTimeRecords) {

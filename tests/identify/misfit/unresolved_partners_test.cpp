@@ -1,4 +1,4 @@
-#include "identify/select/unresolved_partners.hpp"
+#include "identify/misfit/unresolved_partners.hpp"
 
 #include <gtest/gtest.h>
 

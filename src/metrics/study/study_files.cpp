@@ -1,4 +1,4 @@
-#include "metrics/study/study_join.hpp"
+#include "metrics/study/study_files.hpp"
 
 #include <fmt/format.h>
 
@@ -11,22 +11,17 @@
 #include "core/io/json_text.hpp"
 
 namespace percuss::metrics {
-namespace {
-
-using Json = nlohmann::json;
-
-}  // namespace
 
 StudyCurve parse_study_curve(std::string_view text, const std::string& where) {
   constexpr std::array<std::string_view, 4> kWanted{"schema", "curve", "hoop_hz", "cor"};
-  const Json document = json_if_valid<nlohmann::json>(text, kWanted);
+  const nlohmann::json document = json_if_valid<nlohmann::json>(text, kWanted);
   const bool object = document.is_object() && document.contains("curve") && document["curve"].is_array();
-  if (!object || document.value("schema", Json()) != "percuss/model-trampoline/1") {
+  if (!object || document.value("schema", nlohmann::json()) != "percuss/model-trampoline/1") {
     throw InputError("no curve over the hoop frequency", where, "give the JSON document of a trampoline model",
                      {"hoop_curve"});
   }
   StudyCurve curve{.name = "model"};
-  for (const Json& point : document["curve"]) {
+  for (const nlohmann::json& point : document["curve"]) {
     const bool pair = point.is_object() && point.contains("hoop_hz") && point["hoop_hz"].is_number() &&
                       point.contains("cor") && point["cor"].is_number();
     const double hoop_Hz = pair ? point["hoop_hz"].get<double>() : std::nan("");
