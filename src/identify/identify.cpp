@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "identify/misfit/misfit.hpp"
+#include "identify/misfit/unresolved_partners.hpp"
 #include "identify/multi_output.hpp"
 #include "identify/select/joint_refinement.hpp"
 #include "identify/select/joint_search.hpp"
 #include "identify/select/local_force_noise.hpp"
 #include "identify/select/satellite_modes.hpp"
 #include "identify/select/sequential_fit.hpp"
-#include "identify/misfit/unresolved_partners.hpp"
 
 namespace percuss::identify {
 namespace {
