@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "pipeline/warnings/hit_list.hpp"
-#include "pipeline/warnings/ranking.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -132,7 +131,7 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
                          "one, say that it is free and state its effective mass at the struck point"
                        : "for a free structure, say that it is free and state its effective mass at the struck point"));
   }
-  return ranked(std::move(out));
+  return out;
 }
 
 }  // namespace percuss::pipeline
