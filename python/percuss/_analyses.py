@@ -194,7 +194,8 @@ class Analysis(TestResult):
     @property
     def _shape_values(self) -> np.ndarray:
         """(modes, places)"""
-        return self.residues.reshape(len(self.residues), -1)
+        modes, points, channels = self.residues.shape
+        return self.residues.reshape(modes, points * channels)
 
     def plot(self, what: str = "frf", *, point: int | None = None, channel: int | None = None, ax: Any = None) -> Any:
         """Draw the result with matplotlib.
@@ -224,8 +225,10 @@ class Analysis(TestResult):
         values = self._column(name)
         if self._own().get("input") == "response":
             return values.reshape(len(values), 1, -1) if values.size else values.reshape(0, 0, 0)
-        channels = len({channel for _, channel in self._computed("modes")["places"]}) or 1
-        return values.reshape(len(values), -1, channels) if values.size else values.reshape(0, 0, 0)
+        of = "modes" if len(values) else "residual_terms"  # without modes, only these hold the places
+        places = [(int(point), int(channel)) for point, channel in self._computed(of)["places"]]
+        points, channels = (len(set(one)) for one in zip(*places)) if places else (0, 0)
+        return values.reshape(len(values), points, channels)
 
     @property
     def family(self) -> list[str]:

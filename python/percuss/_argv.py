@@ -23,6 +23,9 @@ _SHELL_ONLY = {
 # Options for files and folders that a command writes.
 _WRITTEN = {"figures", "blind", "table"}
 
+# Columns of coordinates, as in percuss.Record.
+_GEOMETRY_COLUMNS = {2: ("position_m", "angle_deg"), 3: ("x_m", "y_m", "z_m")}
+
 _PLAIN = (str, int, float)
 _ENCODING, _ON_ERROR = sys.getfilesystemencoding(), sys.getfilesystemencodeerrors()  # as os.fsencode
 
@@ -165,15 +168,33 @@ def _file_text(value: Any, name: str) -> str:
         return columns_text(columns, name)
     if isinstance(value, (dict, list)) and not _is_table(value):
         return json.dumps(value, default=_plain)
+    return _table_text(_table(value, name), name)
+
+
+def _table(value: Any, name: str) -> np.ndarray:
+    """A table of finite numbers."""
+    kind = type(value)
+    if kind.__module__.startswith("percuss"):
+        raise TypeError(f"{name} cannot be a percuss.{kind.__name__}: give the result of percuss.analyze() or percuss.survey() for it")
     try:
         table = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
-        raise TypeError(f"{name} cannot be {type(value).__name__}: give a path, a dictionary or a table of numbers") from None
+        raise TypeError(f"{name} cannot be {kind.__name__}: give a path, a result, a dictionary or a table of numbers") from None
     if table.ndim != 2:
         raise TypeError(f"{name} cannot be an array of {table.ndim} dimensions: give a table, one row per line")
-    if name == "geometry" and table.shape[1] == 3:
-        lines = ["point,x_m,y_m,z_m"]
-        lines += [f"{i},{x!r},{y!r},{z!r}" for i, (x, y, z) in enumerate(table.tolist())]
+    wrong = np.argwhere(~np.isfinite(table))
+    if wrong.size:
+        row, column = wrong[0].tolist()
+        raise InputError(f"a number that is not finite: {table[row, column]}", f"{name}[{row}, {column}]", "give finite numbers")
+    return table
+
+
+def _table_text(table: np.ndarray, name: str) -> str:
+    """The table as its reader takes it; a geometry of coordinates as in percuss.Record, its points from 0 up."""
+    axes = _GEOMETRY_COLUMNS.get(table.shape[1]) if name == "geometry" else None
+    if axes:
+        lines = [",".join(("point", *axes))]
+        lines += [",".join((str(i), *(repr(one) for one in row))) for i, row in enumerate(table.tolist())]
     else:
         lines = [" ".join(repr(one) for one in row) for row in table.tolist()]
     return "\n".join(lines) + "\n"

@@ -102,7 +102,7 @@ def _channels(hit: np.ndarray) -> list[np.ndarray]:
     if hit.size == 0:
         raise InputError("no samples", "accel", "record at least one hit with one acceleration")
     if _is_transposed(hit.shape):
-        raise InputError(f"{hit.shape[0]} channels of {hit.shape[1]} samples", "accel", "is it (channels, samples)? Give accel.T")
+        raise InputError(f"{hit.shape[0]} channels of {hit.shape[1]} samples", "accel", "is it (channels, samples)? Give np.swapaxes(accel, -2, -1)")
     return list(hit)
 
 
@@ -178,5 +178,8 @@ def geometry_of(geometry: Any, points: list[int], channels: int) -> list[list[fl
     if len(array) not in ({struck} if struck > 1 else {1, channels}):
         problem = f"{len(array)} places for {struck} point{'s' if struck > 1 else ''} struck"
         remedy = "give a row for each point from 0 up" if points else "say which point each hit struck: points="
+        if struck > 1 and min(points) == 1 and len(array) == struck - 1:
+            problem = f"{len(array)} places for points 1 to {struck - 1}, but point 0 has the first row"
+            remedy = "number the points from 0: points - 1"
         raise InputError(problem, "geometry", remedy)
     return array.tolist()

@@ -39,7 +39,7 @@ class Frf:
         follow from std where it exceeds the residual of the fit; the weights of the fit come from the residual. Errors count
         as independent from line to line: the force's noise in FRFs averaged from hits makes the ± too large.
     points : sequence of int, optional
-        Number of each struck point. Default: from 0 up.
+        Number of each struck point. Default: from 0 up. The points are sorted by their numbers.
     names : sequence of str, optional
         Name of each channel.
     averages : int, optional

@@ -39,7 +39,9 @@ def _unmasked(values: Any, name: str) -> np.ndarray:
 def responses_given(values: Any, name: str, kind: Any, lines: int) -> np.ndarray:
     """A copy of the values, (points, channels, lines)."""
     array = _unmasked(values, name)
-    if array.dtype.kind not in ("iufc" if kind is complex else "iuf"):
+    if array.dtype.kind == "c" and kind is not complex:
+        raise InputError("complex numbers", name, "give real numbers in the shape of H")
+    if array.dtype.kind not in "iufc":
         raise TypeError(f"{name} holds no numbers: give an array (points, channels, lines)")
     if not 1 <= array.ndim <= 3 or array.size == 0 or array.shape[-1] != lines:
         shape = " × ".join(str(one) for one in array.shape) or "one number"

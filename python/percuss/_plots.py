@@ -119,6 +119,8 @@ def plot_analysis(analysis: Any, what: str, point: int | None, channel: int | No
     if what == "stabilisation":
         return plot_stabilisation(analysis.stabilisation(), analysis.frequency_hz, ax)
     if what == "shapes":
+        if not len(analysis.frequency_hz):
+            raise UsageError("needs a mode, and none was found", "draw frf, or widen the band", ["what"])
         titles = [f"mode {i}: {freq:.5g} Hz" for i, freq in enumerate(analysis.frequency_hz, 1)]
         return plot_shapes([f"{p}:{c + 1}" for p, c in analysis._shape_places], analysis._shape_values, titles, ax)
     raise UsageError(f"cannot be {what!r}", "give frf, stabilisation or shapes", ["what"])

@@ -97,7 +97,7 @@ True
     ),
     Function(
         "calibrate", "calibrate", "Result",
-        "`force_scale` and `force_scale_std` in N per unit of the force channel, `n_per_unit` (without the sign), `hits`.", **_RECORDED,
+        "`force_scale` and `force_scale_std` in N per stored unit of the force channel, `n_per_unit` (without the sign), `hits`.", **_RECORDED,
     ),
     Function(
         "synth", "synth", "Synthetic", "`record` is a Record; `to_dict()` the truth.",

@@ -55,6 +55,33 @@ def test_surveys_of_plain_arrays_ask_for_points(signals):
     assert "percuss.Record(force, accel, fs, points=" in message
 
 
+def test_samples_before_channels_are_swapped(signals):
+    message = message_of(percuss.InputError, lambda: percuss.analyze(np.ones((3, 4000)), np.ones((3, 4000, 2)), fs=FS))
+    assert "np.swapaxes(accel, -2, -1)" in message
+
+
+def test_points_from_one_are_named():
+    signals = np.ones((3, 4000)), np.ones((3, 4000))
+    message = message_of(percuss.InputError, lambda: percuss.Record(*signals, FS, points=[1, 2, 3], geometry=np.zeros((3, 3))))
+    assert message.startswith("3 places for points 1 to 3, but point 0 has the first row") and "points - 1" in message
+
+
+@pytest.mark.parametrize("name", ["std", "coherence"])
+def test_deviations_and_coherences_are_real(name):
+    line = np.arange(1, 401.0)
+    assert "complex numbers" in message_of(percuss.InputError, lambda: percuss.Frf(line, 1j * line, **{name: 1j * line}))
+
+
+def test_tables_are_finite_and_hold_no_frfs():
+    line = np.arange(1, 401.0)
+    frf = percuss.Frf(line, np.ones((3, 1, 400), dtype=complex), points=[3, 1, 2])
+    places = np.eye(3)
+    places[1, 2] = np.nan
+    message = message_of(percuss.InputError, lambda: percuss.survey(frf, band=(60, 300), geometry=places))
+    assert message.startswith("a number that is not finite: nan (geometry[1, 2])")
+    assert "percuss.analyze()" in message_of(TypeError, lambda: percuss.compare(frf, frf))
+
+
 def test_records_keep_their_sampling_rate(signals):
     record = percuss.Record(*signals, FS)
     assert "percuss.read() or percuss.Record()" in message_of(TypeError, lambda: percuss.analyze(record, fs=1.0))

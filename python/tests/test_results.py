@@ -347,3 +347,11 @@ def test_deviations_of_scaled_shapes_include_the_scale():
     own = np.array([[place["std"] for place in one["values"]] for one in shapes])
     own[:, scan.shape_points == 0] = 0  # the driving point sets the scale: the scale's error is its only one
     assert np.allclose(scan.shapes_std, np.hypot(own, scan.scale_std[:, None] * abs(scan.shapes)), rtol=1e-12)
+
+
+def test_results_without_modes_keep_their_places():
+    found = percuss.analyze(percuss.synth("wood-bat").record, band=(250, 450))
+    assert len(found.frequency_hz) == 0 and found.residues.shape == (0, 1, 2)
+    assert found.synthesise([300.0]).shape == (1, 2, 1)  # the residual terms
+    with pytest.raises(percuss.UsageError, match="none was found"):
+        found.plot("shapes")

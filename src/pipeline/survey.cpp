@@ -79,6 +79,10 @@ void Survey::place_points() {
     known.insert(p.point);
     if (is_tube()) tube_places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
   }
+  const auto add = [&](std::vector<Warning> more) {
+    geometry_warnings_.insert(geometry_warnings_.end(), more.begin(), more.end());
+  };
+  add(narrow_arc(*geometry_));
   if (!options_.geometry) return;
   const std::set<int> measured = analysis_.points();
   for (const int point : measured) {
@@ -89,6 +93,7 @@ void Survey::place_points() {
         fmt::format("add it, or use the record's point numbers, {} to {}", *measured.begin(), *measured.rbegin()),
         {"geometry"});
   }
+  add(missing_points(*geometry_, measured));
 }
 
 void Survey::find_driving_points() {

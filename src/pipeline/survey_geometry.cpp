@@ -5,7 +5,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/units.hpp"
+
 namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kMaxNamed = 8;
+// Points at one angle are a line along the tube. Points around it differ by more than the latter.
+constexpr double kMinArc_rad = 0.1 * kDegree_rad, kMaxArc_rad = 10 * kDegree_rad;
+
+}  // namespace
 
 std::vector<Warning> match_point_numbers(acquire::Geometry& geometry, const std::set<int>& measured,
                                          const std::vector<std::size_t>& driving) {
@@ -33,6 +42,38 @@ std::vector<Warning> match_point_numbers(acquire::Geometry& geometry, const std:
   if (!driving.empty()) warning.options.emplace_back("driving_point");
   warnings.push_back(std::move(warning));
   return warnings;
+}
+
+std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std::set<int>& measured) {
+  std::string names;
+  std::size_t missing = 0;
+  for (const acquire::GeometryPoint& p : geometry.points) {
+    if (measured.contains(p.point)) continue;
+    if (++missing <= kMaxNamed) names += fmt::format("{}{}", names.empty() ? "" : ", ", p.point);
+  }
+  if (missing == 0) return {};
+  if (missing > kMaxNamed) names += fmt::format(" and {} more", missing - kMaxNamed);
+  return {{"missing_points",
+           fmt::format("{} of the geometry's {} points were not measured: {}; files that are taken as points count in "
+                       "the order of their names, without gaps",
+                       missing, geometry.points.size(), names),
+           {"files"}}};
+}
+
+std::vector<Warning> narrow_arc(const acquire::Geometry& geometry) {
+  double low = 0, high = 0;
+  for (const acquire::GeometryPoint& p : geometry.points) {
+    if (&p == &geometry.points.front()) low = high = p.angle_rad;
+    low = std::min(low, p.angle_rad);
+    high = std::max(high, p.angle_rad);
+  }
+  if (!geometry.tube || high - low < kMinArc_rad || high - low > kMaxArc_rad) return {};
+  return {with_remedy({"narrow_arc",
+                       fmt::format("all points lie within {:.2g}° around the tube, which does not tell bending from "
+                                   "hoop",
+                                   (high - low) * kRadian_deg),
+                       {"geometry"}},
+                      "give the angles in degrees, or call their column angle_rad; give x, y and z for a plate")};
 }
 
 }  // namespace percuss::pipeline

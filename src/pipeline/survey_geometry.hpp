@@ -14,4 +14,10 @@ namespace percuss::pipeline {
 std::vector<Warning> match_point_numbers(acquire::Geometry& geometry, const std::set<int>& measured,
                                          const std::vector<std::size_t>& driving = {});
 
+/// The points of a stated geometry that were not measured: a survey in parts, or a missing file that shifts all others.
+std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std::set<int>& measured);
+
+/// Points around a tube whose angles hardly differ: radians read as degrees, or a plate read as a tube.
+std::vector<Warning> narrow_arc(const acquire::Geometry& geometry);
+
 }  // namespace percuss::pipeline

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -51,8 +52,8 @@ std::string damping_text(const metrics::ComparedMode& mode) {
 }
 
 // Modes of beams are numbered from 0, as in the tables of the models; all others from 1.
-std::string mode_number(const metrics::ComparedDocument& document, std::size_t m) {
-  return std::to_string(document.schema == "percuss/model-beam/1" ? m : m + 1);
+std::size_t first_number(const metrics::ComparedDocument& document) {
+  return document.schema == "percuss/model-beam/1" ? 0 : 1;
 }
 
 // Whether some mode of the first document has a family: those of a plate or a beam have none.
@@ -64,7 +65,7 @@ bool names_families(const metrics::ComparedDocument& document) {
 
 // The first cells of a mode's row.
 std::vector<std::string> mode_cells(const metrics::ComparedDocument& document, std::size_t m) {
-  std::vector<std::string> cells{mode_number(document, m)};
+  std::vector<std::string> cells{std::to_string(first_number(document) + m)};
   if (names_families(document)) cells.push_back(document.modes[m].family);
   return cells;
 }
@@ -164,26 +165,57 @@ ReportText deflections_text(const Comparison& c) {
   return text;
 }
 
+// A column for a value of every mode of the first document; NaN where it is unknown.
+NumericColumn column_of(const std::string& name, std::size_t modes,
+                        const std::function<std::optional<double>(std::size_t mode)>& value) {
+  NumericColumn column{.name = name, .values = {}};
+  for (std::size_t m = 0; m < modes; ++m) column.values.push_back(value(m).value_or(kNone));
+  return column;
+}
+
+// The modes of the first document, and those of the others that are paired with them.
+std::vector<NumericColumn> mode_columns(const std::vector<metrics::ComparedDocument>& documents,
+                                        const std::vector<Comparison>& comparisons) {
+  const metrics::ComparedDocument& first = documents.front();
+  const std::size_t count = first.modes.size();
+  const auto of_first = [&](const std::string& name, auto value) {
+    return column_of(name, count, [&](std::size_t m) { return std::optional<double>(value(m)); });
+  };
+  std::vector<NumericColumn> columns{
+      of_first("mode", [&](std::size_t m) { return static_cast<double>(first_number(first) + m); }),
+      of_first("frequency_1_hz", [&](std::size_t m) { return first.modes[m].freq_Hz; }),
+      of_first("frequency_std_1_hz", [&](std::size_t m) { return first.modes[m].freq_std_Hz; }),
+      of_first("damping_ratio_1", [&](std::size_t m) { return first.modes[m].damping_ratio.value_or(kNone); })};
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    const Comparison& c = comparisons[i];
+    const auto of_pair = [&](const char* name, auto value) {
+      columns.push_back(column_of(fmt::format(fmt::runtime(name), i + 2), count, [&](std::size_t m) {
+        const metrics::ModePair* pair = pair_at(c, m);
+        return pair ? std::optional<double>(value(*pair)) : std::nullopt;
+      }));
+    };
+    of_pair("frequency_{}_hz", [&](const metrics::ModePair& pair) { return c.b.modes[pair.b].freq_Hz; });
+    of_pair("difference_{}_percent", [](const metrics::ModePair& pair) { return pair.difference_percent; });
+    of_pair("difference_std_{}_percent",
+            [](const metrics::ModePair& pair) { return pair.difference_std_percent.value_or(kNone); });
+    of_pair("damping_ratio_{}",
+            [&](const metrics::ModePair& pair) { return c.b.modes[pair.b].damping_ratio.value_or(kNone); });
+    of_pair("damping_difference_{}_percent",
+            [](const metrics::ModePair& pair) { return pair.damping_difference_percent.value_or(kNone); });
+    of_pair("damping_difference_std_{}_percent",
+            [](const metrics::ModePair& pair) { return pair.damping_difference_std_percent.value_or(kNone); });
+    of_pair("mac_{}", [](const metrics::ModePair& pair) { return pair.mac ? pair.mac->value : kNone; });
+  }
+  return columns;
+}
+
 std::vector<NumericColumn> columns_of(const std::vector<metrics::ComparedDocument>& documents,
                                       const std::vector<Comparison>& comparisons) {
-  std::vector<NumericColumn> columns{{.name = "mode", .values = {}}, {.name = "frequency_1_hz", .values = {}}};
-  for (std::size_t i = 0; i < comparisons.size(); ++i) {
-    columns.push_back({.name = fmt::format("frequency_{}_hz", i + 2), .values = {}});
-    columns.push_back({.name = fmt::format("difference_{}_percent", i + 2), .values = {}});
-  }
+  std::vector<NumericColumn> columns = mode_columns(documents, comparisons);
   std::vector<NumericColumn> places{{.name = "position_m", .values = {}}, {.name = "point", .values = {}},
                                     {.name = "peak_1_m", .values = {}},   {.name = "peak_2_m", .values = {}},
                                     {.name = "ratio", .values = {}},      {.name = "ratio_std", .values = {}}};
-  for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
-    columns[0].values.push_back(static_cast<double>(m));
-    columns[1].values.push_back(documents.front().modes[m].freq_Hz);
-    for (std::size_t i = 0; i < comparisons.size(); ++i) {
-      const metrics::ModePair* pair = pair_at(comparisons[i], m);
-      columns[2 + 2 * i].values.push_back(pair ? comparisons[i].b.modes[pair->b].freq_Hz : kNone);
-      columns[3 + 2 * i].values.push_back(pair ? pair->difference_percent : kNone);
-    }
-    for (NumericColumn& column : places) column.values.push_back(kNone);
-  }
+  for (NumericColumn& column : places) column.values.assign(documents.front().modes.size(), kNone);
   for (const metrics::DeflectionPair& pair : comparisons.front().deflections) {
     for (NumericColumn& column : columns) column.values.push_back(kNone);
     const std::array row{pair.position_m.value_or(kNone),

@@ -56,11 +56,17 @@ Json structure_fit_json(const StructureOrigin& origin) {
   return {{"parameters", parameters}, {"frequencies", frequencies}};
 }
 
-// Where the table was read as slices and they are long.
-std::optional<model::ProfileWarning> warning_of(const model::BeamStructure& structure, const StructureOrigin& origin,
-                                                const std::vector<double>& freq_Hz) {
-  if (!origin.other) return {};
-  return model::profile_warning(structure.table, freq_Hz, origin.other->freq_Hz, origin.first_mode);
+std::vector<model::ProfileWarning> warnings_of(const model::BeamStructure& structure, const StructureOrigin& origin,
+                                               const std::vector<double>& freq_Hz) {
+  std::vector<model::ProfileWarning> out;
+  if (origin.other) {
+    if (auto slices = model::profile_warning(structure.table, freq_Hz, origin.other->freq_Hz, origin.first_mode))
+      out.push_back(*std::move(slices));
+  }
+  if (!structure.slender) {
+    if (auto shear = model::shear_warning(structure.table, structure.material)) out.push_back(*std::move(shear));
+  }
+  return out;
 }
 
 std::string support_text(const model::StructureSupport& support, const std::string& from) {
@@ -126,12 +132,12 @@ void add_structure_json(const model::BeamStructure& structure, const StructureOr
     json["added_mass"].push_back({{"mass_kg", one.mass_kg}, {"from_m", one.from_m}, {"to_m", one.to_m}});
   json["fit"] = structure_fit_json(origin);
   json["warnings"] = Json::array();
-  if (const auto warning = warning_of(structure, origin, freq_Hz)) {
-    json["warnings"].push_back({{"code", warning->code},
+  for (const model::ProfileWarning& warning : warnings_of(structure, origin, freq_Hz)) {
+    json["warnings"].push_back({{"code", warning.code},
                                 {"severity", "warn"},
-                                {"message", warning->message},
-                                {"value", warning->value},
-                                {"remedy", warning->remedy}});
+                                {"message", warning.message},
+                                {"value", warning.value},
+                                {"remedy", warning.remedy}});
   }
 }
 
@@ -149,7 +155,8 @@ void add_structure_text(const model::BeamStructure& structure, const StructureOr
   }
   text.say({line, {}});
   if (origin.fit) add_fit_text(origin, text);
-  if (const auto warning = warning_of(structure, origin, freq_Hz)) text.warn({warning->message, warning->options});
+  for (const model::ProfileWarning& warning : warnings_of(structure, origin, freq_Hz))
+    text.warn({warning.message, warning.options});
 }
 
 }  // namespace percuss::report

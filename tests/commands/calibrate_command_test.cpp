@@ -109,4 +109,27 @@ TEST_F(CalibrateCommand, RefusesARecordInNewtons) {
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("is in N already"), HasSubstr("(--force-unit)")));
 }
 
+// The scale belongs to the stored numbers: the same hits in V and in mV, and the peak that analyze finds with it.
+TEST_F(CalibrateCommand, CountsTheStoredUnit) {
+  constexpr double kNewtonPerVolt = 432.9, kPeak_N = 40;
+  for (const auto& [unit, volts] : {std::pair{"V", 1.0}, std::pair{"mV", 1e-3}}) {
+    std::string text = fmt::format("t (s),hammer ({}),acc (m/s^2)\n", unit);
+    for (int i = 0; i < 3000; ++i) {
+      const double force_N = i >= 800 && i < 820 ? kPeak_N * std::sin(M_PI * (i - 800) / 20) : 0;
+      text += fmt::format("{:.4f},{:.9f},{:.6f}\n", i / 2000.0, force_N / kNewtonPerVolt / volts, force_N / kMass_kg);
+    }
+    const std::string path = folder_.file(fmt::format("in_{}.csv", unit));
+    test::write_bytes(path, text);
+    const auto shown = run_percuss({"calibrate", path, "--mass", "1.25"});
+    EXPECT_THAT(shown.out, AllOf(HasSubstr(fmt::format("N per {}", unit)), HasSubstr(fmt::format("\n1 {} of", unit))));
+    const auto document = test::parse_json(run_percuss({"calibrate", path, "--mass", "1.25", "--json"}).out);
+    const double scale = document["force_scale"];
+    EXPECT_NEAR(scale, kNewtonPerVolt * volts, 1e-4 * kNewtonPerVolt * volts) << unit;
+    EXPECT_NEAR(document["hits"][0]["peak_force"], kPeak_N / scale, 0.01 * kPeak_N / scale) << unit;
+    const auto analysed = test::parse_json(
+        run_percuss({"analyze", path, "--force-scale", fmt::format("{}", scale), "--only", "hits", "--json"}).out);
+    EXPECT_NEAR(analysed["hits"][0]["peak_force_n"], kPeak_N, 0.01 * kPeak_N) << unit;
+  }
+}
+
 }  // namespace percuss::calibrate_command_test

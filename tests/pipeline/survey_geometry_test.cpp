@@ -52,4 +52,24 @@ TEST(SurveyGeometry, SaysThatItsUnitIsAssumed) {
   EXPECT_EQ(warnings.front().code, "geometry_unit_assumed");
 }
 
+TEST(SurveyGeometry, NamesPointsWithoutMeasurement) {
+  EXPECT_THAT(missing_points(triangle(0), {0, 1, 2}), IsEmpty());
+  const auto warnings = missing_points(triangle(0), {0, 2});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_THAT(warnings.front().message, testing::StartsWith("1 of the geometry's 3 points were not measured: 1;"));
+}
+
+// Angles of 0 to 2π read as degrees. Points on one line along the tube, and points all around it, are plausible.
+TEST(SurveyGeometry, DoubtsAnglesThatHardlyDiffer) {
+  const auto warned = [](double range_rad) {
+    acquire::Geometry tube{.points = {}, .tube = true};
+    for (int i = 0; i < 4; ++i) tube.points.push_back({.point = i, .angle_rad = range_rad * i / 3.0});
+    return narrow_arc(tube).size();
+  };
+  EXPECT_EQ(warned(0), 0U);
+  EXPECT_EQ(warned(4.7 * 0.0175), 1U);
+  EXPECT_EQ(warned(4.7), 0U);
+  EXPECT_THAT(narrow_arc(triangle(0)), IsEmpty());
+}
+
 }  // namespace percuss::pipeline::survey_geometry_test

@@ -55,11 +55,13 @@ nlohmann::ordered_json json_of(const CalibrateFlags& flags, const acquire::Recor
 
 std::string text_of(const CalibrateFlags& flags, const acquire::Record& record,
                     const acquire::Calibration& calibration) {
+  const acquire::SignalInfo& force = record.force;
+  const std::string unit = force.unit.empty() || force.unit_assumed ? "unit" : one_line(force.unit, 20);
   report::TextTable table({{"hit", report::TextTable::Align::right},
                            {"time", report::TextTable::Align::right},
                            {"force peak", report::TextTable::Align::right},
                            {"acceleration", report::TextTable::Align::right},
-                           {"N per unit", report::TextTable::Align::right},
+                           {"N per " + unit, report::TextTable::Align::right},
                            {""}});
   for (const acquire::CalibrationHit& hit : calibration.hits) {
     table.add({fmt::format("{}", hit.index + 1), fmt::format("{:.3f} s", hit.time_s),
@@ -67,9 +69,20 @@ std::string text_of(const CalibrateFlags& flags, const acquire::Record& record,
                report::value_with_std(hit.scale, hit.scale_std), hit.used ? "" : "not used: too weak"});
   }
   return fmt::format("{}   {} kg free mass\n\n", record.source(), flags.mass_kg) + table.text(terminal_width()) +
-         fmt::format("\n1 unit of the force channel is {} N{}: use --force-scale {:.8g}\n",
+         fmt::format("\n1 {} of the force channel is {} N{}: use --force-scale {:.8g}\n", unit,
                      report::value_with_std(std::abs(calibration.scale), calibration.scale_std),
                      calibration.scale < 0 ? ", and it reads pushes as negative" : "", calibration.scale);
+}
+
+// Per unit of the stored numbers, as --force-scale takes it: a record in mV is read in V.
+void convert_to_stored_unit(acquire::Calibration& calibration, double to_SI) {
+  calibration.scale *= to_SI;
+  calibration.scale_std *= std::abs(to_SI);
+  for (acquire::CalibrationHit& hit : calibration.hits) {
+    hit.peak_force /= to_SI;
+    hit.scale *= to_SI;
+    hit.scale_std *= std::abs(to_SI);
+  }
 }
 
 // A record in N is already scaled. A further scale would multiply the first.
@@ -88,8 +101,12 @@ void require_uncalibrated(const CalibrateFlags& flags, const acquire::Record& re
 int calibrate_file(const CalibrateFlags& flags) {
   check_outputs(flags.output, {".json"});
   const acquire::Record record = acquire::join_records(open_records(flags.read), flags.read.files);
-  const acquire::Calibration calibration = acquire::calibrate(record, flags.mass_kg, {.trigger_N = flags.trigger});
+  const double to_SI = record.force.to_SI;
+  std::optional<double> trigger = flags.trigger;
+  if (trigger) *trigger *= std::abs(to_SI);
+  acquire::Calibration calibration = acquire::calibrate(record, flags.mass_kg, {.trigger_N = trigger});
   require_uncalibrated(flags, record, calibration);
+  convert_to_stored_unit(calibration, to_SI);
   const std::string document =
       json_of(flags, record, calibration).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   OutputGroup outputs;
@@ -107,8 +124,9 @@ void add_calibrate(CommandLine& line) {
                                  [flags] { return calibrate_file(*flags); });
   command.about(
       "A freely hanging mass accelerates by force / mass under a hit. Computes the N per unit of the force channel "
-      "from the measured acceleration, with its standard deviation. The last line of the printed text states the "
-      "--force-scale to use. The force may be stored in any unit; the options under Reading set the unit of the "
+      "from the measured acceleration, with its standard deviation. A unit is that of the stored numbers, such as mV. "
+      "The last line of the printed text states the --force-scale to use. The force may be stored in any unit; the "
+      "options under Reading set the unit of the "
       "acceleration.");
   command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8",
                   "Calibrate with a mass of 1.25 kg; the hammer is in column CH8");

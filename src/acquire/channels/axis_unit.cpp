@@ -31,8 +31,8 @@ std::optional<double> s_per_unit(const std::string& unit) {
 
 void require_plausible_times(double fs_Hz, const std::string& name, const std::string& where,
                              const std::string& remedy) {
-  constexpr double kMinRate_Hz = 200, kMilli = 1000;
-  if (fs_Hz >= kMinRate_Hz) return;
+  constexpr double kMilli = 1000;
+  if (fs_Hz >= kMinTestRate_Hz) return;
   throw InputError(fmt::format("{} states no unit: its steps give {:.6g} Hz if they are seconds and {:.6g} Hz if they "
                                "are milliseconds",
                                name, fs_Hz, kMilli * fs_Hz),

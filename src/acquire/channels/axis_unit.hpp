@@ -15,8 +15,10 @@ double require_Hz_per_unit(const std::string& unit, const std::string& where);
 /// Seconds per unit of an axis of times; nothing where the text is no unit of time.
 std::optional<double> s_per_unit(const std::string& unit);
 
-/// Hammer tests are sampled at 200 Hz or more. Times without a unit that give a lower rate are probably milliseconds.
-/// errors  InputError at `where`, with the option "fs": such a rate of the axis `name`
+/// The lowest rate of a hammer test. Times without a unit that give a lower rate are probably milliseconds.
+inline constexpr double kMinTestRate_Hz = 200;
+
+/// errors  InputError at `where`, with the option "fs": a rate of the axis `name` below kMinTestRate_Hz
 void require_plausible_times(double fs_Hz, const std::string& name, const std::string& where,
                              const std::string& remedy);
 

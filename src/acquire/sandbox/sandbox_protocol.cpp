@@ -67,6 +67,7 @@ std::string serialized_ambiguous_columns(const AmbiguousColumns& error) {
   for (const std::string& name : error.guess.accel) out.put(name);
   for (const bool known : {error.guess.rate_known, error.guess.in_volts, error.guess.frf_table})
     out.put(static_cast<std::uint64_t>(known));
+  out.put(error.guess.assumed_rate_Hz);
   return out.bytes();
 }
 
@@ -130,6 +131,7 @@ AmbiguousColumns deserialize_ambiguous_columns(const std::string& payload) {
   for (std::size_t i = 0; i < accels; ++i) error.guess.accel.push_back(in.text());
   for (bool* const known : {&error.guess.rate_known, &error.guess.in_volts, &error.guess.frf_table})
     *known = in.get<std::uint64_t>() != 0;
+  error.guess.assumed_rate_Hz = in.get<double>();
   return error;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/math/significance.hpp"
 #include "core/units.hpp"
+#include "identify/decay/companion_decays.hpp"
 #include "identify/hits/hit_scatter.hpp"
 
 namespace percuss::identify {
@@ -163,6 +164,7 @@ DecayResults modes_of_decays(const FreeDecayFit& fit, std::size_t channels, std:
   out.reference = reference_channel(shapes, channels);
   for (std::size_t m = 0; m < shapes.size(); ++m) add_shape(shapes[m], out.reference, out.modes[m]);
   for (std::size_t m = 0; m < tone_shapes.size(); ++m) add_shape(tone_shapes[m], out.reference, out.tones[m]);
+  gather_companions(out);
   return out;
 }
 

@@ -23,6 +23,7 @@ struct DecayMode {
   std::vector<HitAmplitude> hits;
   double energy = 0;                                     // over the noise
   std::optional<std::pair<double, double>> rivals_Hz{};  // FittedDecay::rivals_Hz
+  std::vector<DecayMode> companions{};                   // gather_companions(): further parts of its decay
 };
 
 /// The modes of a test without a force, and the sinusoids among its decays.
@@ -34,7 +35,8 @@ struct DecayResults {
 
 /// The modes within a band from fitted decays. Amplitudes of several hits and channels are a product of one number per
 /// hit and one per channel (rank one, weighted by the channels' noise). The parts of a ± are as for modes of FRFs:
-/// noise; scatter between the hits, where it is significant; misfit, where neighbouring residuals correlate.
+/// noise; scatter between the hits, where it is significant; misfit, where neighbouring residuals correlate, and the
+/// spread of the companions (gather_companions).
 /// `channels` is the number of channels of the FreeDecays.
 DecayResults modes_of_decays(const FreeDecayFit& fit, std::size_t channels, std::pair<double, double> band_Hz);
 

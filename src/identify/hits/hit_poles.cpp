@@ -69,6 +69,10 @@ void step_window(const FrfDataset& set, const HitFrfs& hits, const std::vector<M
   projection.set_weight(noise);
   const auto normal = projection.normal_equations_by_point(state, poles.size());
   const std::vector<double> energies = residual_energies(state, hits, noise);
+  const std::vector<std::size_t> residue_of = residue_indices(set, hits);
+  std::vector<std::vector<ResidueRatio>> ratios;  // [window.modes][hits]
+  for (std::size_t i = 0; i < poles.size(); ++i)
+    ratios.push_back(residue_ratios(hits, state, modes[window.modes[i]], residue_of, static_cast<Index>(i), freedom));
   const std::size_t channels = data.size() / hits.points.size();
   for (std::size_t h = 0; h < hits.points.size(); ++h) {
     const Eigen::MatrixXd inverse = inverse_gram(normal[h].matrix);
@@ -83,6 +87,7 @@ void step_window(const FrfDataset& set, const HitFrfs& hits, const std::vector<M
       const double floor_Hz = kRounding * moved.freq_Hz, floor = kRoundingDamping * poles[i].damping_ratio;
       out[window.modes[i]].hits[h] = hit_pole(moved, std::hypot(std::sqrt(scale * inverse(f, f)), floor_Hz),
                                               std::hypot(std::sqrt(scale * inverse(f + 1, f + 1)), floor), poles[i]);
+      out[window.modes[i]].hits[h].residue_ratio = ratios[i][h];
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "identify/hits/hit_frfs.hpp"
+#include "identify/hits/residue_ratios.hpp"
 #include "identify/model/mode.hpp"
 
 namespace percuss::identify {
@@ -14,6 +15,7 @@ struct HitPole {
   Pole pole;
   double freq_std_Hz = 0, damping_std = 0;
   bool known = false;
+  ResidueRatio residue_ratio{};  // at the pole of the test; only from linearised_hit_poles()
 };
 
 /// The poles of one mode in every hit. fitted_hit_poles() also gives the pole of all hits together, over the same

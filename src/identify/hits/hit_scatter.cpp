@@ -119,6 +119,10 @@ bool is_undetermined(const HitFrfs& hits, const std::vector<std::size_t>& residu
 
 double StdParts::total() const { return std::hypot(noise, hits, misfit); }
 
+double student_factor(std::size_t degrees) {
+  return student_quantile(kCoverage, static_cast<double>(degrees)) / kCoverage;
+}
+
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std) {
   const auto weighted = [&](double spread2) {
     double sum = 0, weights = 0, squares = 0;
@@ -138,10 +142,9 @@ ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vecto
   const auto [mean, certainty, unused] = weighted(spread2);
   static_cast<void>(unused);
   const double noise2 = 1 / weights;
-  const double student = student_quantile(kCoverage, degrees) / kCoverage;
   return {.mean = mean,
           .std = std::sqrt(noise2),
-          .hits = student * std::sqrt(std::max(0.0, 1 / certainty - noise2)),
+          .hits = student_factor(value.size() - 1) * std::sqrt(std::max(0.0, 1 / certainty - noise2)),
           .spread = std::sqrt(spread2),
           .deviate = chi2_deviate(chi2, degrees)};
 }

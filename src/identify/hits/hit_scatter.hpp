@@ -14,6 +14,8 @@ struct ScatterOfHits {
   double spread = 0;   // between the values, beyond their standard deviations
   double deviate = 0;  // the scatter's χ² as a normal deviate
 };
+/// Student's factor for the ± of a mean: that of the 95 % interval.
+double student_factor(std::size_t degrees);
 /// shapes  value and std equal, at least two.
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std);
 

@@ -8,6 +8,7 @@
 #include "core/math/significance.hpp"
 #include "identify/fit/local_fit.hpp"
 #include "identify/fit/variable_projection.hpp"
+#include "identify/hits/residue_ratios.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -42,30 +43,6 @@ bool is_under_another(const std::vector<Mode>& modes, const ModeWindow& window, 
            peak_of(modes[mode]) < kWeaker * peak_of(modes[other]) &&
            std::abs(pole.freq_Hz - strong.freq_Hz) < 0.5 * (pole.half_power_Hz() + strong.half_power_Hz());
   });
-}
-
-// A mode's residue in one hit over its residue in the test, and the weight of that ratio, one over its variance.
-struct ResidueRatio {
-  double sum = 0, weight = 0;
-  double value() const { return sum / weight; }
-};
-
-std::vector<ResidueRatio> residue_ratios(const HitFrfs& hits, const ProjectedState& state, const Mode& mode,
-                                         const std::vector<std::size_t>& residue_of, Index at, double freedom) {
-  std::vector<ResidueRatio> ratios(hits.points.size());
-  for (const ProjectedPart& part : state.parts) {
-    for (std::size_t i = 0; i < part.channels.size(); ++i) {
-      const std::size_t o = part.channels[i];
-      const auto column = static_cast<Index>(i);
-      const double noise2 = std::max(part.residual.col(column).squaredNorm() / freedom, 1e-300);
-      const Complex expected = mode.residues[residue_of[o]].value;
-      const double scale = 2 / (noise2 * part.inverse_gram(at, at).real());  // the real part has half the variance
-      ResidueRatio& ratio = ratios[hits.set.channels[o].point];
-      ratio.sum += scale * (std::conj(expected) * part.amplitude(at, column)).real();
-      ratio.weight += scale * std::norm(expected);
-    }
-  }
-  return ratios;
 }
 
 bool overlap(const Pole& a, const Pole& b) {

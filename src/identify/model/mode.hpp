@@ -22,7 +22,7 @@ struct Residue {
   std::size_t channel = 0;
   Complex value;
   double std = 0;                // of the real part and of the imaginary part
-  double relative_std = 0;       // of the gain error common to the point's FRFs (the force's noise), over |value|
+  double relative_std = 0;       // over |value|, common to the point's FRFs: the force's noise, scatter of the hits
   std::optional<Pole> own_pole;  // the pole at this point, where the frequency scatters between the points
 };
 

@@ -159,12 +159,11 @@ bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& opti
   return true;
 }
 
+// By the noise alone: a gain that scatters between the hits does not make a motion doubtful.
 double significance(const Mode& mode) {
   double sum = 0;
-  for (const Residue& r : mode.residues) {
-    const double std = total_std(r);
-    sum += std > 0 ? std::norm(r.value) / (2 * std * std) : 1e12;  // two real values
-  }
+  for (const Residue& r : mode.residues)
+    sum += r.std > 0 ? std::norm(r.value) / (2 * r.std * r.std) : 1e12;  // two real values
   return mode.residues.empty() ? 0 : std::sqrt(sum / static_cast<double>(mode.residues.size()));
 }
 

@@ -37,7 +37,7 @@ struct ModeShape {
   std::optional<double> modal_mass_kg;  // of the shape with its largest component 1; needs a driving point
   double modal_mass_std_kg = 0;
   double mpc = 0;           // modal phase collinearity: 1 for a real shape, 0 for a travelling wave
-  double significance = 0;  // rms of residue over standard deviation: about 1 for noise
+  double significance = 0;  // rms of residue over its noise: about 1 for noise
 };
 
 struct ShapeOptions {

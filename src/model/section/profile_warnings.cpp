@@ -27,4 +27,28 @@ std::optional<ProfileWarning> profile_warning(const SectionTable& table, const s
       .code = "long_slices", .message = message, .remedy = remedy, .options = {"profile_kind"}, .value = largest};
 }
 
+std::optional<ProfileWarning> shear_warning(const SectionTable& table, const Material& material) {
+  // Wood has about 17 along the grain, metals 3, unidirectional composites up to 30.
+  constexpr double kLargestRatio = 30;
+  double largest = 0, shear_Pa = 0;
+  for (const SectionStation& station : table.stations) {
+    for (const SectionLayer& layer : station.layers) {
+      const double shear = layer.shear_Pa.value_or(material.shear_Pa);
+      const double ratio = layer.young_Pa.value_or(material.young_Pa) / shear;
+      if (ratio > largest) shear_Pa = shear;
+      largest = std::max(largest, ratio);
+    }
+  }
+  if (!(largest > kLargestRatio)) return {};
+  const std::string remedy = "give the shear modulus of this material";
+  return ProfileWarning{
+      .code = "low_shear",
+      .message = fmt::format("Young's modulus is {:.3g} times the shear modulus times shape factor, {:.3g} Pa (wood: "
+                             "about 17, metals: 3), so that higher modes are too low; {}",
+                             largest, shear_Pa, remedy),
+      .remedy = remedy,
+      .options = {"shear"},
+      .value = largest};
+}
+
 }  // namespace percuss::model

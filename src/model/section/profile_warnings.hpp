@@ -10,21 +10,26 @@
 
 namespace percuss::model {
 
-/// A warning that a model's frequencies depend on how its table of sections was read.
+/// A warning about a model's frequencies.
 struct ProfileWarning {
   std::string code, message;  // the message ends with the remedy
   std::string remedy;
   std::vector<OptionId> options;
-  double value = 0;  // largest relative difference of a frequency
+  double value = 0;
 };
 
 /// The codes of profile warnings, all with the severity warn. docs/reference/warnings.md has a row for each.
-inline constexpr std::string_view kProfileWarningCodes[] = {"long_slices"};
+inline constexpr std::string_view kProfileWarningCodes[] = {"long_slices", "low_shear"};
 
-/// The warning long_slices. `freq_Hz` are the frequencies of the elastic modes with the table read as slices,
+/// The warning long_slices: frequencies depend on how the table was read. Its value is the largest relative difference
+/// of a frequency. `freq_Hz` are the frequencies of the elastic modes with the table read as slices,
 /// `other_Hz` with the table read as points. The first elastic mode has the number `first_mode`. Nothing for a table of
 /// points.
 std::optional<ProfileWarning> profile_warning(const SectionTable& table, const std::vector<double>& freq_Hz,
                                               const std::vector<double>& other_Hz, std::size_t first_mode);
+
+/// The warning low_shear: a layer's Young's modulus is more than 30 times its shear modulus times shape factor, as
+/// where Young's modulus of a metal is stated and the shear modulus of wood stays. Its value is that ratio.
+std::optional<ProfileWarning> shear_warning(const SectionTable& table, const Material& material);
 
 }  // namespace percuss::model

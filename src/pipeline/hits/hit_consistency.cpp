@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "core/math/statistics.hpp"
 #include "core/parallel/parallel.hpp"
@@ -49,10 +50,10 @@ void reject_outlier(AnalysedHit& hit, double error, double typical) {
   if (!hit.by_user) hit.accepted = false;
 }
 
-std::string disagreement(double explained) {
+std::string disagreement(double explained, const char* others) {
   const std::string how_far = explained > 0 ? fmt::format("explain only {:.0f} % of its response", explained * 100)
                                             : "do not explain its response at all";
-  return "the other hits " + how_far + ": did the point or the direction change?";
+  return others + how_far + ": did the point or the direction change?";
 }
 
 bool is_outlier(double error, double typical) { return error > std::max(kOutlierRatio * typical, kOutlierEnergy); }
@@ -67,6 +68,20 @@ std::size_t odd_one(const std::vector<HitSpectra>& spectra, const std::vector<st
     const double sum = std::accumulate(left.begin(), left.end(), 0.0);
     if (sum < least) odd = i;
     least = std::min(least, sum);
+  }
+  return odd;
+}
+
+// Of three hits, the one that the other two contradict while they agree with each other; nothing where no two agree.
+// Two wrong hits may agree, so the third is named and not rejected. `errors` become those of the pair.
+std::optional<std::size_t> odd_of_three(const std::vector<HitSpectra>& spectra, const std::vector<std::size_t>& members,
+                                        std::vector<double>& errors) {
+  if (members.size() != 3 || *std::max_element(errors.begin(), errors.end()) <= kOutlierEnergy) return std::nullopt;
+  const std::size_t odd = odd_one(spectra, members);
+  const std::vector<double> pair = unexplained(spectra, without(members, odd));
+  if (!is_outlier(errors[odd], *std::max_element(pair.begin(), pair.end()))) return std::nullopt;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (i != odd) errors[i] = pair[i < odd ? i : i - 1];
   }
   return odd;
 }
@@ -91,12 +106,14 @@ void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& 
     if (try_out(worst)) continue;
     if (members.size() > kMaxHitsToCompare || !try_out(odd_one(spectra, members))) break;
   }
+  const std::optional<std::size_t> odd = odd_of_three(spectra, members, errors);
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (1 - errors[i] >= kLowCoherence) continue;
+    const char* others = odd == i ? "the other two hits agree with each other and " : "the other hits ";
     hits[members[i]].hit.findings.push_back({.code = acquire::FindingCode::low_coherence,
                                              .severity = acquire::Severity::warn,
                                              .value = 1 - errors[i],
-                                             .message = disagreement(1 - errors[i]),
+                                             .message = disagreement(1 - errors[i], others),
                                              .options = {"files"}});
   }
 }

@@ -66,6 +66,25 @@ std::vector<Warning> tones(const ResponseTest& test) {
                                list)}};
 }
 
+std::vector<Warning> uneven_decays(const ResponseTest& test) {
+  std::string list;
+  for (const identify::DecayMode& mode : test.found.modes) {
+    if (mode.companions.empty()) continue;
+    std::vector<std::string> near_Hz;
+    for (const identify::DecayMode& other : mode.companions)
+      near_Hz.push_back(fmt::format("{:.5g}", other.mode.pole.freq_Hz));
+    list += fmt::format("{}{:.5g} Hz (also {} Hz)", list.empty() ? "" : "; ", mode.mode.pole.freq_Hz,
+                        fmt::join(near_Hz, ", "));
+  }
+  if (list.empty()) return {};
+  return {with_remedy(
+      {"uneven_decay", fmt::format("these decays are not exponential; their fit needs further oscillations of the same "
+                                   "shape: {}. One mode whose frequency or damping changes with its amplitude has such "
+                                   "a decay, and so have close modes that the channels show alike; the ± cover both",
+                                   list)},
+      "strike with less and with more force and compare; check for friction and loose parts")};
+}
+
 std::vector<Warning> pairs_or_scatter(const ResponseTest& test) {
   std::string list;
   for (const identify::DecayMode& mode : test.found.modes) {
@@ -95,6 +114,7 @@ std::vector<Warning> response_warnings(const ResponseTest& test) {
     out.push_back(with_remedy({"no_free_decay", "no impact is followed by a free decay", {"accept_hit", "from"}},
                               "record longer after each impact"));
   }
+  add(uneven_decays(test));
   add(tones(test));
   add(pairs_or_scatter(test));
   add(object_warnings(test.classifications, test.options.classes));

@@ -1,6 +1,7 @@
 #include "pipeline/stages/hit_scatter.hpp"
 
 #include "identify/hits/hit_scatter.hpp"
+#include "identify/hits/residue_scatter.hpp"
 #include "pipeline/stages/single_hits.hpp"
 
 namespace percuss::pipeline {
@@ -25,6 +26,7 @@ void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra
     }
   }
   identify::add_hit_scatter(set, each, linear, peak_N, modes);
+  identify::add_residue_scatter(set, each, linear, modes);
 }
 
 }  // namespace percuss::pipeline

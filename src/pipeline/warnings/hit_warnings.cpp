@@ -40,7 +40,12 @@ Warning disagreement(const HitsWithFinding& poor, bool several_files) {
   Warning warning{"hits_disagree", "the other hits explain less than half of the " + which +
                                        ": was another structure, point or sensor measured? The modes belong to a "
                                        "mixture"};
-  if (!several_files) return with_remedy(std::move(warning), "analyse the hits of each structure and point apart");
+  if (!several_files) {
+    if (poor.hits.size() > 1)
+      return with_remedy(std::move(warning), "analyse the hits of each structure and point apart");
+    warning.options = {"reject_hit"};
+    return with_remedy(std::move(warning), "reject this hit if it was elsewhere");
+  }
   warning.options = {"files"};
   return with_remedy(std::move(warning), "analyse each file as a test of its own");
 }

@@ -28,13 +28,12 @@ std::string mode_name(const SurveyResults& survey, std::size_t m) {
 
 void add_name(std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; }
 
-// Root mean square of the mode's residues at one channel over their standard deviations.
+// Root mean square of the mode's residues at one channel over their noise.
 double residue_rms(const identify::Mode& mode, std::size_t channel) {
   double sum = 0, count = 0;
   for (const identify::Residue& r : mode.residues) {
-    const double std = identify::total_std(r);
-    if (r.channel != channel || !(std > 0)) continue;
-    sum += std::norm(r.value) / (2 * std * std);
+    if (r.channel != channel || !(r.std > 0)) continue;
+    sum += std::norm(r.value) / (2 * r.std * r.std);
     ++count;
   }
   return count > 0 ? std::sqrt(sum / count) : kMinCertainRms;

@@ -88,7 +88,10 @@ std::vector<LineChart> response_spectra(const pipeline::ResponseTest& test) {
   if (lines.count < 2) return {};
   std::vector<const identify::DecayMode*> modes;
   for (const auto* found : {&test.found.modes, &test.found.tones})
-    for (const identify::DecayMode& one : *found) modes.push_back(&one);
+    for (const identify::DecayMode& one : *found) {
+      modes.push_back(&one);
+      for (const identify::DecayMode& companion : one.companions) modes.push_back(&companion);
+    }
   std::vector<double> freq_Hz;
   for (std::size_t i = 0; i < lines.count; ++i) freq_Hz.push_back(lines.freq_Hz(i));
   std::vector<LineChart> out;

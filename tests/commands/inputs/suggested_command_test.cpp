@@ -123,6 +123,17 @@ TEST_F(SuggestedCommand, NeedsNoRateWhereTimesOfDayGiveIt) {
   EXPECT_THAT(suggestion({"analyze", "stamp.csv"}), EndsWith(" --force-channel CH1 --accel-channel CH2\n"));
 }
 
+// Steps of 0.1 may be milliseconds or Hz. A short pulse beside a long decay is no FRF.
+TEST_F(SuggestedCommand, TakesTimesOfATestWithoutNamesAsMilliseconds) {
+  std::vector<double> time_ms = record_.time_s;
+  for (double& t : time_ms) t *= 1000;
+  test::write_columns(file("x.csv"), "", {time_ms, record_.force_N, record_.accel_mps2});
+  const double fs_Hz = 1 / (record_.time_s[1] - record_.time_s[0]);
+  const std::string message = suggestion({"analyze", "x.csv", "--json"});
+  EXPECT_THAT(message, EndsWith(fmt::format(" --force-channel 2 --accel-channel 3 --fs {:.6g}\n", fs_Hz)));
+  EXPECT_NEAR(first_mode_Hz(run_suggestion(message)), 200, test::kFrequencyTolerance_Hz);
+}
+
 // A long command would hide the options. They are never cut.
 TEST_F(SuggestedCommand, IsOnlyItsOptionsWhereItWouldBeLong) {
   std::vector<std::vector<double>> columns{record_.time_s, record_.force_N};

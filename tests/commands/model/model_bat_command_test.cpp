@@ -121,6 +121,18 @@ TEST_F(ModelBatCommand, SaysWhatTheRowsMean) {
   EXPECT_THAT(run({"--modes", "3", "--profile-kind", "points"}).out, HasSubstr("4 points (linear between"));
 }
 
+// Young's modulus of aluminium beside the default shear modulus, that of wood.
+TEST_F(ModelBatCommand, WarnsOfAShearModulusOfAnotherMaterial) {
+  const std::vector<std::string> points{"--modes", "3", "--profile-kind", "points", "--json", "--young", "70e9"};
+  const auto warned = document_of(run(points));
+  ASSERT_EQ(warned["warnings"].size(), 1U);
+  EXPECT_EQ(warned["warnings"][0]["code"], "low_shear");
+  EXPECT_NEAR(warned["warnings"][0]["value"].get<double>(), 70e9 / 1.05e9, 1e-6);
+  std::vector<std::string> with_shear = points;
+  with_shear.insert(with_shear.end(), {"--shear", "23.4e9"});
+  EXPECT_TRUE(document_of(run(with_shear))["warnings"].empty());
+}
+
 TEST_F(ModelBatCommand, HasNoSecondMeaningForShortSlices) {
   std::string text;
   for (int i = 1; i <= 84; ++i) text += std::to_string(i) + "," + std::to_string(30 + 0.4 * i) + "\n";

@@ -1,5 +1,6 @@
 #include "pipeline/hits/hit_consistency.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,6 +117,26 @@ TEST_F(HitAgreement, OnlyWarnsOfAnOutlierAmongThreeHits) {
   }
   ASSERT_NE(found(2, acquire::FindingCode::low_coherence), nullptr);
   EXPECT_LE(found(2, acquire::FindingCode::low_coherence)->value, 0.9);
+}
+
+// A strong wrong hit of three spoils what the other two explain of each other's responses, yet they agree.
+TEST_F(HitAgreement, NamesTheOddOneOfThreeHits) {
+  for (std::size_t odd = 0; odd < 3; ++odd) {
+    hits_.clear(), force_.clear(), accel_.clear();
+    make(3, 0.01);
+    for (std::size_t k = 0; k < kLines; ++k) {
+      force_[odd][k] *= 3;
+      accel_[odd][k] *= -3;
+    }
+    grade();
+    for (std::size_t h = 0; h < 3; ++h) {
+      const acquire::Finding* finding = found(h, acquire::FindingCode::low_coherence);
+      ASSERT_EQ(finding != nullptr, h == odd) << h;
+      if (finding) {
+        EXPECT_THAT(finding->message, testing::StartsWith("the other two hits agree with each other"));
+      }
+    }
+  }
 }
 
 TEST_F(HitAgreement, ComparesHitsOfOnePointOnly) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <random>
 
 #include "pipeline/analysis.hpp"
 #include "support/modal_frfs.hpp"
@@ -88,6 +89,35 @@ TEST(HitScatter, AddsNothingToEqualHits) {
     }
     EXPECT_THAT(warnings_of(analysis), IsEmpty());
   }
+}
+
+// The responses of each hit times a factor of their own, as of hits beside the point. The average of the hits scatters
+// as the stated ± says; Student's factor makes the mean square of error over ± about 1 for 5 hits.
+TEST(HitScatter, IsPartOfTheStandardDeviationsOfResidues) {
+  constexpr std::size_t kSeeds = 24, kHits = 5;
+  const auto equal = [](std::size_t) { return Modes{}; };
+  double squares = 0;
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> gauss(1, 0.03);
+    std::vector<double> gain(kHits);
+    for (double& one : gain) one = gauss(random);
+    acquire::Record record = record_of(equal, kHits, seed);
+    record.read_accel_mps2 = [read = record.read_accel_mps2, gain](std::size_t row, std::size_t channel,
+                                                                   std::size_t first, std::span<double> out) {
+      read(row, channel, first, out);
+      for (double& x : out) x *= gain[row];
+    };
+    const Analysis analysis(std::move(record), band()), clean(record_of(equal, kHits, seed), band());
+    ASSERT_THAT(analysis.modes(), SizeIs(2));
+    ASSERT_THAT(clean.modes(), SizeIs(2));
+    const identify::Residue &found = analysis.modes()[0].residues[0], &truth = clean.modes()[0].residues[0];
+    EXPECT_GT(found.relative_std, 0.003) << seed;
+    EXPECT_LT(truth.relative_std, 1e-3) << seed;
+    squares += std::pow((found.value / truth.value - 1.0).real() / found.relative_std, 2);
+  }
+  EXPECT_GT(squares / kSeeds, 0.4);
+  EXPECT_LT(squares / kSeeds, 2.5);
 }
 
 TEST(HitScatter, NamesADriftAndIncludesIt) {

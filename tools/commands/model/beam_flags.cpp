@@ -66,18 +66,21 @@ bool has_shear(const model::BeamStructure& beam) {
 
 std::optional<model::BeamStructure> shaped_beam_of(const BeamFlags& flags) {
   const StructureFlags& table = flags.structure;
+  if (table.profile.empty()) {
+    const auto refuse = [](const char* option) {
+      return OptionError({option}, "needs a profile, a uniform beam has none",
+                         "give a profile (two lines for equal sections), or omit this", {"profile"});
+    };
+    if (table.density_kgpm3) throw refuse("density");
+    if (table.young_Pa) throw refuse("young");
+    if (table.shear_Pa) throw refuse("shear");
+    if (table.total_mass_kg) throw refuse("total_mass");
+    if (!table.added.empty()) throw refuse("add_mass");
+    return {};
+  }
   const auto refuse = [](const char* option, const char* problem) {
     return OptionError({option}, problem, "omit one", {"profile"});
   };
-  if (table.profile.empty()) {
-    constexpr const char* kNeedsTable = "needs a profile";
-    if (table.density_kgpm3) throw refuse("density", kNeedsTable);
-    if (table.young_Pa) throw refuse("young", kNeedsTable);
-    if (table.shear_Pa) throw refuse("shear", kNeedsTable);
-    if (table.total_mass_kg) throw refuse("total_mass", kNeedsTable);
-    if (!table.added.empty()) throw refuse("add_mass", kNeedsTable);
-    return {};
-  }
   constexpr const char* kInTable = "belongs to a uniform beam, and the profile gives the sections";
   if (flags.stiffness_Nm2) throw refuse("ei", kInTable);
   if (flags.mass_per_length_kgpm) throw refuse("rho_a", kInTable);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -102,12 +103,31 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 }
 
 constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
-constexpr double kMinFrequencyStep = 0.05;   // of a column without a name: as times, these would be below 20 Hz
+constexpr std::size_t kHammerSamples = std::size_t{1} << 18U;
+constexpr double kMinFrequencyStep = 0.05;  // of a column without a name: as times, these would be below 20 Hz
 
 std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
   std::vector<double> samples(std::min(table.lines(), max_samples));
   table.read(index, 0, samples);
   return samples;
+}
+
+// Whether one column after the first is active for a much shorter time than all others, as a hammer's force is. The
+// imaginary part of a resonance is active for a fifth of its real part.
+bool shows_hammer(const std::vector<CsvColumn>& columns,
+                  const std::function<std::vector<double>(std::size_t, std::size_t)>& read) {
+  std::vector<double> shares;
+  for (std::size_t i = 1; i < columns.size(); ++i) {
+    if (columns[i].has_numbers) shares.push_back(active_share(read(columns[i].index, kHammerSamples)));
+  }
+  std::sort(shares.begin(), shares.end());
+  return shares.size() > 1 && kMaxMeasureRatio * shares[0] < shares[1];
+}
+
+// The sampling rate of times in ms, if they are no plausible times in s; otherwise 0.
+double rate_in_ms(const std::vector<double>& times) {
+  const double rate_Hz = static_cast<double>(times.size() - 1) / (times.back() - times.front());
+  return rate_Hz < kMinTestRate_Hz ? 1000 * rate_Hz : 0;
 }
 
 // The guess must not fail: the caller reports the missing roles.
@@ -118,8 +138,10 @@ RoleGuess guess_of(const CsvTable& table, const CsvColumns& known, const ReadOpt
   if (columns.front().index == 0 && columns.front().has_numbers) {
     const std::vector<double> first = read(0, kRisingSamples);
     const bool pairs = !table.header().named && columns.size() >= 3 && columns.size() % 2 == 1 && first.size() > 1 &&
-                       first[1] - first[0] >= kMinFrequencyStep;
+                       first[1] - first[0] >= kMinFrequencyStep && !shows_hammer(columns, read);
     guess.frf_table = (names_frfs(table.header()) || pairs) && rises_evenly(first);
+    if (!guess.frf_table && !options.fs_Hz && columns.front().unit.empty() && rises_evenly(first))
+      guess.assumed_rate_Hz = rate_in_ms(first);
   }
   guess.rate_known = guess.rate_known || table.header().fs_Hz || options.fs_Hz || clock_column(table);
   return guess;

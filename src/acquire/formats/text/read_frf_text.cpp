@@ -266,9 +266,10 @@ std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, s
 // Numbers points and channels. Unless all names state both numbers, each FRF is a point.
 void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, const std::string& file) {
   const bool named = std::all_of(columns.begin(), columns.end(), [](const Columns& c) { return c.point && c.channel; });
-  if (!named && columns.size() > 1)
+  if (!named && columns.size() > 1) {
     notes.push_back(
         information(fmt::format("the {} FRFs of the file are taken as points of one channel", columns.size())));
+  }
   for (std::size_t i = 0; !named && i < columns.size(); ++i) {
     columns[i].point = static_cast<int>(i);
     columns[i].channel = 0;
