@@ -34,9 +34,9 @@ def calibrate(
     """Calibrate the force channel from hits on a free mass.
 
     A freely hanging mass accelerates by force / mass under a hit. Computes the N per unit of the
-    force channel from the measured acceleration, with its standard deviation. The last line of the
-    printed text states the `force_scale` to use. The force may be stored in any unit; the options
-    under Reading set the unit of the acceleration.
+    force channel from the measured acceleration, with its standard deviation. A unit is that of the
+    stored numbers, such as mV. The last line of the printed text states the `force_scale` to use.
+    The force may be stored in any unit; the options under Reading set the unit of the acceleration.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ def calibrate(
     Returns
     -------
     Result
-        `force_scale` and `force_scale_std` in N per unit of the force channel, `n_per_unit`
+        `force_scale` and `force_scale_std` in N per stored unit of the force channel, `n_per_unit`
         (without the sign), `hits`.
 
     Other Parameters

@@ -171,7 +171,8 @@ def deflect(
     Returns
     -------
     Deflection
-        `hits` with `peak_m` and `peak_std_m` in m; `curves()` over time.
+        `hits` with `peak_m` (a magnitude, its sign in `direction`) and `peak_std_m` in m;
+        `curves()` over time.
 
     Other Parameters
     ----------------
