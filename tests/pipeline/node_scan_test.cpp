@@ -15,7 +15,9 @@ namespace percuss::pipeline::node_scan_test {
 
 constexpr double kNode_in = 0.02;  // positions by hand are accurate to a few hundredths of an inch
 constexpr double kDeviations = 3;
-constexpr double kMinimum_in = 0.125;  // half a step: resolution of the rule of [8], a node at the smallest peak
+// Half a step: the resolution of the rule in [8] of docs/theory/sources.md, which places the node where the peak is
+// smallest.
+constexpr double kMinimum_in = 0.125;
 
 const ScanPositions kScan{.start_m = 3 * kInch_m, .step_m = 0.25 * kInch_m, .count = 25};
 

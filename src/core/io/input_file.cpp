@@ -32,6 +32,8 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int number() const { return number_; }
+  // Leaves the descriptor open, to the caller.
+  int release() { return std::exchange(number_, -1); }
 
  private:
   int number_;
@@ -64,9 +66,10 @@ int open_regular(const std::string& path, std::uint64_t& size_bytes) {
   const int number =
       ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // NOLINT(cppcoreguidelines-pro-type-vararg)
   if (number < 0) fail_to_open(path, errno);
-  const Descriptor guard{::fstat(number, &status) == 0 ? -1 : number, true};
+  Descriptor opened{number, true};
+  if (::fstat(number, &status) != 0) fail_to_open(path, errno);
   size_bytes = require_regular(status, path);
-  return number;
+  return opened.release();
 }
 
 // The available bytes, at most `count`.
@@ -135,12 +138,11 @@ FileBytes read_all(const Descriptor& file, std::size_t first_guess, std::uint64_
 std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 int open_regular_file(const std::string& path, std::uint64_t limit_bytes, std::uint64_t& size_bytes) {
-  const int number = open_regular(path, size_bytes);
-  const Descriptor guard{size_bytes > limit_bytes ? number : -1, true};
+  Descriptor opened{open_regular(path, size_bytes), true};
   if (size_bytes > limit_bytes) {
     throw InputError(fmt::format("longer than {} MiB", limit_bytes >> 20U), path, "split it, or save it as HDF5");
   }
-  return number;
+  return opened.release();
 }
 
 FileBytes lazy_input(const std::string& path, std::uint64_t limit_bytes) {

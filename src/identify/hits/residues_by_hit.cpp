@@ -9,6 +9,7 @@
 #include "identify/fit/local_fit.hpp"
 #include "identify/fit/variable_projection.hpp"
 #include "identify/hits/residue_ratios.hpp"
+#include "identify/model/close_poles.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -43,10 +44,6 @@ bool is_under_another(const std::vector<Mode>& modes, const ModeWindow& window, 
            peak_of(modes[mode]) < kWeaker * peak_of(modes[other]) &&
            std::abs(pole.freq_Hz - strong.freq_Hz) < 0.5 * (pole.half_power_Hz() + strong.half_power_Hz());
   });
-}
-
-bool overlap(const Pole& a, const Pole& b) {
-  return std::abs(a.freq_Hz - b.freq_Hz) < std::max(a.half_power_Hz(), b.half_power_Hz());
 }
 
 // Whether the ratios of the hits scatter significantly, and by more than kMinSpread.
@@ -163,7 +160,7 @@ bool residues_of_pair_scatter(const FrfDataset& set, const HitFrfs& hits, const 
   const std::vector<Pole> poles = window.poles(modes);
   std::optional<HitResidues> residues;
   for (std::size_t i = 1; i < poles.size(); ++i) {
-    if (!overlap(poles[i - 1], poles[i])) continue;
+    if (!are_close(poles[i - 1], poles[i])) continue;
     if (!residues) residues.emplace(set, hits, modes, window);
     if (scatter(residues->contrasts(i - 1, i))) return true;
   }

@@ -6,15 +6,12 @@
 #include <utility>
 
 #include "identify/misfit/misfit.hpp"
+#include "identify/model/close_poles.hpp"
 
 namespace percuss::identify {
 namespace {
 
 constexpr double kUnresolvedDamping = 0.5;  // relative standard deviation of a partner's damping
-
-bool within_bandwidth(const Pole& a, const Pole& b) {
-  return std::abs(a.freq_Hz - b.freq_Hz) < std::max(a.half_power_Hz(), b.half_power_Hz());
-}
 
 double relative_damping_std(const Mode& mode) { return mode.damping_std / mode.pole.damping_ratio; }
 
@@ -31,7 +28,7 @@ std::vector<Pole> resolved_poles(const FrfDataset& set, const std::vector<Fitted
   for (std::size_t m = 0; m < modes.size(); ++m) {
     const double own = relative_damping_std(modes[m]);
     const auto is_clearer_partner = [&](const Mode& other) {
-      return &other != &modes[m] && within_bandwidth(other.pole, modes[m].pole) && relative_damping_std(other) < own;
+      return &other != &modes[m] && are_close(other.pole, modes[m].pole) && relative_damping_std(other) < own;
     };
     const bool unresolved = own > kUnresolvedDamping && std::any_of(modes.begin(), modes.end(), is_clearer_partner);
     if (!unresolved) kept.push_back(modes[m].pole);
@@ -41,7 +38,7 @@ std::vector<Pole> resolved_poles(const FrfDataset& set, const std::vector<Fitted
 
 bool any_pair(const std::vector<FittedMode>& found) {
   for (std::size_t m = 1; m < found.size(); ++m)
-    if (within_bandwidth(found[m - 1].mode.pole, found[m].mode.pole)) return true;
+    if (are_close(found[m - 1].mode.pole, found[m].mode.pole)) return true;
   return false;
 }
 

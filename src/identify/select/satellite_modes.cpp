@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "identify/model/close_poles.hpp"
 #include "identify/select/joint_refinement.hpp"
 
 namespace percuss::identify {
@@ -20,9 +21,7 @@ double size_of(const FittedMode& mode) {
 
 bool is_satellite(const FittedMode& mode, const std::vector<FittedMode>& modes) {
   return std::any_of(modes.begin(), modes.end(), [&](const FittedMode& other) {
-    const Pole &a = mode.mode.pole, &b = other.mode.pole;
-    return std::abs(a.freq_Hz - b.freq_Hz) < std::max(a.half_power_Hz(), b.half_power_Hz()) &&
-           size_of(mode) < kTiny * size_of(other);
+    return are_close(mode.mode.pole, other.mode.pole) && size_of(mode) < kTiny * size_of(other);
   });
 }
 

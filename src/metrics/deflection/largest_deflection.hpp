@@ -3,12 +3,14 @@
 
 namespace percuss::metrics {
 
-/// Finds the largest deflection of `d` by magnitude, and the largest in the direction of the first motion, and sets the
-/// peak, larger_later and forward members. NaN where no deflection is significant: four standard deviations.
-/// The double integral's standard deviation grows with time. Its largest value late in a weak record is a random walk,
-/// and the surest value comes early. So in the weak record of a held structure the time of the largest comes from a
-/// curve without growing noise: the integral while the force acts, the free decays (decay_deflection) after it. The
-/// value is the integral's at that time, which is unbiased.
+/// Finds the largest deflection of `d`: the sample whose magnitude exceeds four standard deviations by most. Finds the
+/// same in the direction of the first motion. Sets the peak, larger_later and forward members; NaN where no deflection
+/// exceeds four standard deviations.
+/// The standard deviation of the double integral grows with time. A record is weak if this standard deviation decides
+/// which sample counts as the largest: late values are then a random walk, and the rule above chooses a sample too
+/// early. In a weak record of a held structure, the time of the largest deflection therefore comes from a curve without
+/// growing noise: the integral while the force acts, the free decays (decay_deflection) after it. The value is that of
+/// the integral at this time, which is unbiased.
 void find_largest(const ImpactSignal& signal, const DeflectionOptions& options, Deflection& d);
 
 }  // namespace percuss::metrics

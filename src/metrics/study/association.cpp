@@ -76,7 +76,7 @@ class MeanRankCorrelation {
     by_tau_ /= all;
   }
 
-  /// ρ of the population whose mean is `value`.
+  /// The ρ of the population for which the mean rank correlation of a sample is `value`.
   double population(double value) const {
     if (std::abs(value) >= kAlmostOne) return value;
     const auto excess = [&](double angle) { return by_rho_ * rho_of(angle) + by_tau_ * tau_of(angle) - value; };
@@ -106,7 +106,8 @@ Correlation spearman_interval(const std::vector<RankedClass>& classes, double va
   return out;
 }
 
-// The most inversions c of n ranks with P(inversions ≤ c) ≤ 2.5 %; none if already 0 is more probable.
+// The largest c for which n ranks in random order have at most c inversions with a probability of at most 2.5 %.
+// Nothing if P(no inversion) is above 2.5 %.
 std::optional<std::size_t> rare_inversions(std::size_t n) {
   std::vector<double> probability{1};
   for (std::size_t k = 2; k <= n; ++k) {
@@ -145,7 +146,7 @@ std::optional<Association> association_of(const std::vector<ClassPoints>& classe
   }
   const double d = static_cast<double>(out.points) - static_cast<double>(out.classes) - 1;
   if (!(d >= 2) || !(values.xx * values.yy > 0) || !(xx * yy > 0)) return std::nullopt;
-  // Classes without variation in x or y have one product only.
+  // Permutations do not change the product of a class without variation in x or y.
   std::erase_if(ranked, [](const RankedClass& one) { return !(one.x_squares() * one.y_squares() > 0); });
   if (ranked.empty()) return std::nullopt;
   const double rho = std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
@@ -153,7 +154,7 @@ std::optional<Association> association_of(const std::vector<ClassPoints>& classe
   out.pearson = pearson_interval(values.coefficient(), d);
   constexpr double kOnALine = 1 - 1e-12;
   if (std::abs(out.pearson.value) > kOnALine) {
-    // Such points are rounded or computed: no normal scatter, from which the interval would follow.
+    // Such points are rounded or computed. They lack the normal scatter that the interval assumes.
     out.pearson.low = std::min(out.pearson.low, out.spearman.low);
     out.pearson.high = std::max(out.pearson.high, out.spearman.high);
   }

@@ -33,7 +33,7 @@ struct BeamElement {
 
 /// A mass at a node of the elements.
 struct NodeMass {
-  std::size_t node = 0;  // index of positions_of
+  std::size_t node = 0;  // index into positions_of(beam)
   double mass_kg = 0;
 };
 

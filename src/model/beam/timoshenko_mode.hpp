@@ -14,7 +14,7 @@ namespace percuss::model {
 /// With free-free or pinned-free ends the bracket is a branch of tan(βL/2) or tan(βL). With a spring or a clamp the
 /// neighbouring roots of the pinned beam bracket the root, because one spring moves no frequency past the next.
 /// Precondition: a spring's stiffness is above zero and finite.
-/// errors  InputError above the frequency √(κGA/ρI): there two kinds of wave run along the beam.
+/// errors  InputError above the angular frequency ω = √(κGA/ρI): there two kinds of wave run along the beam.
 /// theory (8.7), (8.8), (8.9)
 BeamMode timoshenko_mode(const UniformBeam& beam, std::size_t elastic);
 

@@ -14,7 +14,7 @@ struct HeldExponents {
   bool damping = false;    // b
 };
 
-/// The values of one exponent in the pairs whose chi2 is at most 1 above its minimum: its 68 % interval.
+/// The 68 % interval of one exponent: its range over all pairs (a, b) whose chi2 is at most 1 above the minimum.
 /// theory (10.6)
 struct ExponentInterval {
   double low = 0, high = 0;
@@ -24,9 +24,9 @@ struct ExponentInterval {
 struct ExponentFit {
   double stiffness_exponent = 0, stiffness_exponent_std = 0;  // a; standard deviation 0: held
   double damping_exponent = 0, damping_exponent_std = 0;      // b; standard deviation 0: held
-  double correlation = 0;                                     // of a and b: near 1, because both change the level
-  double damping_exponent_std_given_a = 0;                    // for a known a
-  double chi2 = 0;                                            // Σ ((cor − model)/σ)²
+  double correlation = 0;                   // of a and b; near 1: both change the CCOR at all speeds alike
+  double damping_exponent_std_given_a = 0;  // for a known a
+  double chi2 = 0;                          // Σ ((cor − model)/σ)²
   double chi2_p = 1;  // probability of a chi2 at least as large, if all σ are right; 1 without degrees of freedom
   std::vector<double> model_cor;            // at each measured speed
   std::size_t beyond_std = 0;               // measurements with a residual above their standard deviation

@@ -10,7 +10,7 @@ namespace percuss::pipeline {
 /// The frequencies of the modes in a channel, against their frequencies in the first channel.
 struct ChannelClock {
   std::size_t channel = 0;
-  double excess = 0, std = 0;  // of every frequency, relative
+  double excess = 0, std = 0;  // relative difference from the first channel's frequencies, one value for all modes
   std::size_t modes = 0;       // that both channels show
   double log_chance = 0;       // natural logarithm of the probability of this agreement under one clock
   bool established() const;

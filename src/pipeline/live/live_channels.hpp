@@ -33,7 +33,8 @@ std::string name_of_channel(const LiveChannels& channels, std::size_t accel);
 
 /// Finds the roles by the rules of record files: the set-up, units, words in the names. Without any of these, the first
 /// channel is the force. Numbers in the set-up are those of the device; entries of channels that are not recorded are
-/// left out. The notes begin with those of the device; notes on units that are taken alike become one.
+/// left out. The notes begin with those of the device. Where the same unit is assumed for several channels, one note
+/// states it for all of them.
 /// errors  InputError: fewer than two channels, unknown or contradictory units.
 LiveChannels live_channels(const acquire::StreamFormat& format, const acquire::ReadOptions& stated,
                            std::vector<Message> device_notes = {});

@@ -115,7 +115,8 @@ TEST(ReplayDevice, AppliesUnitsOfTheSetUpOnce) {
   auto device = open_file_device(path, {.fast = true, .setup = {{.name = "accel", .unit = "cm/s2"}}});
   EXPECT_EQ(device->format().setup.size(), 2U);
   EXPECT_THAT(first_frame(std::move(device)), ElementsAre(1, 0.02));
-  auto plain = open_file_device(path, {.fast = true, .setup = {{.name = "2", .sign = -1}}});  // a channel of the device
+  // A number names a channel of the device: the file is read without this entry.
+  auto plain = open_file_device(path, {.fast = true, .setup = {{.name = "2", .sign = -1}}});
   EXPECT_TRUE(plain->format().setup.empty());
   EXPECT_EQ(plain->format().notes.size(), 2U);  // units are assumed
   EXPECT_THAT(first_frame(std::move(plain)), ElementsAre(1, 2));
@@ -143,7 +144,7 @@ TEST(ReplayDevice, KeepsRealTime) {
 }
 
 TEST(UsbFrontEnd, IsReadFromItsProductString) {
-  // 5000000 counts of 2^23 per volt.
+  // 5000000 counts per volt; full scale is 2^23 counts.
   const auto volts = parse_front_end("485B39 2012345500000041943042401311");
   ASSERT_TRUE(volts);
   EXPECT_EQ(volts->model, "485B39");

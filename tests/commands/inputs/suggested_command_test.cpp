@@ -123,7 +123,7 @@ TEST_F(SuggestedCommand, NeedsNoRateWhereTimesOfDayGiveIt) {
   EXPECT_THAT(suggestion({"analyze", "stamp.csv"}), EndsWith(" --force-channel CH1 --accel-channel CH2\n"));
 }
 
-// Steps of 0.1 may be milliseconds or Hz. A short pulse beside a long decay is no FRF.
+// The steps of 0.244 may be milliseconds or Hz. A short pulse beside a long decay is no FRF.
 TEST_F(SuggestedCommand, TakesTimesOfATestWithoutNamesAsMilliseconds) {
   std::vector<double> time_ms = record_.time_s;
   for (double& t : time_ms) t *= 1000;

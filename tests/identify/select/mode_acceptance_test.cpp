@@ -44,8 +44,8 @@ TEST(ModeAcceptance, TakesNoModeFromTheForceNoise) {
     EXPECT_EQ(fit_sequentially(measured(0, seed)).size(), 1U) << seed;
 }
 
-// One mode cannot describe two modes little more than a line apart. It counts during the search, so that its partner
-// can be found, and not after it.
+// Two modes lie little more than a line apart, and one mode cannot describe both. During the search such a mode is
+// accepted, so that its partner can be found. After the search it is not.
 TEST(ModeAcceptance, KeepsAPeakDuringTheSearchWhereTheModeBesideItIsMissing) {
   FrfDataset set = test::empty_set(4096, 2048, 300, 1500, 1);
   for (const double freq_Hz : {500.0, 1200.0}) test::add_mode(set, 0, {freq_Hz, 0.004}, 1);

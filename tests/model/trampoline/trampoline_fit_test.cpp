@@ -12,8 +12,8 @@ namespace percuss::model::trampoline_fit_test {
 constexpr double kMph_mps = 0.44704;
 constexpr double kDeviation = 0.004;
 
-// The model's COR at the five speeds of the source ([8] in docs/theory/sources.md), by the independent solver of
-// trampoline_test.cpp.
+// The model's COR at the five speeds of the source ([8] in docs/theory/sources.md), computed outside percuss
+// with scipy as trampoline_test.cpp describes.
 std::vector<MeasuredCor> exact() {
   return {{.speed_mps = 60 * kMph_mps, .cor = 0.5192180578841, .cor_std = kDeviation},
           {.speed_mps = 80 * kMph_mps, .cor = 0.5067505983381, .cor_std = kDeviation},

@@ -78,7 +78,8 @@ TEST(CancelledTones, FindTheModesThatATonesFlankHides) {
   EXPECT_LT(modes[0].freq_std_Hz, 0.05);
 }
 
-// Both modes are there, with larger standard deviations.
+// Under a weaker tone, the identification already finds both modes; the refit finds them with smaller standard
+// deviations.
 TEST(CancelledTones, TakeTheValuesWithTheSmallerStandardDeviation) {
   const HitsUnderATone test(100, std::polar(1.0, 1.1));
   const std::vector<identify::Mode> before = identify::identify_modes(test.set);

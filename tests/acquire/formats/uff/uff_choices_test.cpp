@@ -156,7 +156,7 @@ TEST(UffChoices, NameDegreesOfFreedom) {
   EXPECT_EQ(uff_dof_name({"", 5, 0}), "node 5");
 }
 
-// Two complex lines (x, −x) and (2x, 0) at 10 and 12 Hz.
+// The header of an FRF with two complex lines, at 10 and 12 Hz.
 UffText frf(UffText set = {}) {
   set.type = 4;
   set.ordinate_type = 5;
@@ -167,6 +167,7 @@ UffText frf(UffText set = {}) {
   set.dx = "  2.00000E+00";
   return set;
 }
+// An FRF with the values (x, −x) and (2x, 0).
 std::string frf_text(const UffText& set, double x = 1) {
   return set.text(fmt::format("{:13.5E}{:13.5E}{:13.5E}{:13.5E}\n", x, -x, 2 * x, 0.0));
 }
