@@ -14,7 +14,7 @@ struct ScatterOfHits {
   double spread = 0;   // between the values, beyond their standard deviations
   double deviate = 0;  // the scatter's χ² as a normal deviate
 };
-/// Student's factor for the ± of a mean: that of the 95 % interval.
+/// Student's factor for the ± of a mean, which keeps its 95 % interval.
 double student_factor(std::size_t degrees);
 /// shapes  value and std equal, at least two.
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std);

@@ -19,7 +19,7 @@ struct CircumferentialFit {
 struct CircumferentialFits {
   std::vector<CircumferentialFit> rings;  // along the axis; empty where the points resolve no order
   int highest = 0;                        // highest circumferential order
-  // Number of angles of the ring that has the fewest. On an arc: that of a full circle with the arc's spacing.
+  // Number of angles of the ring that has the fewest. On an arc: the number on a full circle with the arc's spacing.
   std::size_t angles = 0;
   // The points cover a part of the circle, where the orders are not orthogonal: each order is fitted alone, and its
   // energy is what it explains alone.

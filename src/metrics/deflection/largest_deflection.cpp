@@ -88,7 +88,7 @@ std::optional<LowNoiseCurve> low_noise_curve(const ImpactSignal& signal, const D
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = decay->first + i;
     const double apart = std::abs(decay->deflection_m[i] - d.deflection_m[at]);
-    // The standard deviation of the decays is at most that of the integral. A spurious decay of hardly any amplitude,
+    // The standard deviation of the decays is at most the integral's. A spurious decay of hardly any amplitude,
     // whose rate is not determined, gives the decays a large standard deviation although their values are correct.
     const double std_m = std::min(decay->std_m[i], d.std_m[at]);
     // A structure that does not swing about its position of rest contradicts the decays.

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
 
+#include "core/math/statistics.hpp"
 #include "pipeline/hits/motion_before.hpp"
 #include "pipeline/warnings/hit_list.hpp"
 
@@ -15,6 +17,7 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kPoorCoherence = 0.5;
+constexpr double kMaxForce_N = 1e5;  // sledge hammers for tests of bridges measure up to some 20 kN
 
 // The accepted hits with a finding of this code, and the least value of these findings.
 struct HitsWithFinding {
@@ -70,6 +73,16 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
                                {"setup", "force_scale"}},
                               R"(state "sign": -1 for the force in the set-up, or remove it where it is stated; or )"
                               "give the scale of the force the other sign"));
+  }
+  std::vector<double> peaks_N;
+  for (const std::size_t h : accepted_hits(hits)) peaks_N.push_back(std::abs(hits[h].hit.peak_N));
+  if (!peaks_N.empty() && median(peaks_N) > kMaxForce_N) {
+    out.push_back(with_remedy({"implausible_force",
+                               fmt::format("the hits have {:.3g} kN, more than any hammer: FRFs, residues and modal "
+                                           "masses have the wrong scale",
+                                           1e-3 * median(peaks_N)),
+                               {"force_sensitivity", "force_scale", "force_unit"}},
+                              "check the unit and the scale of the force"));
   }
   if (const auto low = accepted_hits_with(hits, acquire::FindingCode::low_bandwidth); !low.hits.empty()) {
     out.push_back(with_remedy(

@@ -11,6 +11,7 @@
 namespace percuss::pipeline {
 namespace {
 
+constexpr double kHarmlessShift = 1e-6;       // of a frequency: 0.01 K changes one of steel as much
 constexpr double kVague = 0.5;                // half-power bandwidths: the ± of a mode that is hardly known
 constexpr double kMinJointResidual = 0.01;    // relative: below, the model's own approximations may cause it
 constexpr double kWorthNaming = 10;           // residual energy of the joint fit over the local fit's
@@ -38,7 +39,7 @@ std::vector<Warning> force_noise_warnings(const std::vector<identify::Mode>& mod
 std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes) {
   std::string list;
   for (const identify::Mode& mode : modes) {
-    if (mode.freq_scatter_Hz > 0)
+    if (mode.freq_scatter_Hz > kHarmlessShift * mode.pole.freq_Hz)
       list += fmt::format("{}{:.1f} Hz (by {:.2g} Hz)", separator(list), mode.pole.freq_Hz, mode.freq_scatter_Hz);
   }
   if (list.empty()) return {};

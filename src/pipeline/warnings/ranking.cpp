@@ -48,6 +48,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"dropped_points", Severity::warn},
     {"start_refused", Severity::warn},
     {"outlier", Severity::warn},
+    {"implausible_force", Severity::warn},
     {"low_coherence", Severity::warn},
     {"overload", Severity::warn},
     {"double_hit", Severity::warn},

@@ -69,6 +69,7 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"late_trigger", PagePart::force},
     {"no_pulse", PagePart::force},
     {"weak", PagePart::force},
+    {"implausible_force", PagePart::force},
     {"duplicate", PagePart::force},
     {"short_pretrigger", PagePart::force},
     {"dropped_points", PagePart::force},

@@ -215,7 +215,7 @@ bool look_like_radians(const std::vector<double>& phase) {
 // True for a level in dB with a phase in degrees. From line to line, a level in neper and a phase in radians change
 // alike, as real and imaginary part do; in dB and degrees, the squared changes of the phase are 43 times as large.
 bool look_like_level_and_phase(const std::vector<double>& first, const std::vector<double>& second) {
-  constexpr double kHalfTurn_deg = 180.001, kLeastPhase_deg = 80, kClearlyMore = 10;
+  constexpr double kHalfTurn_deg = 180.001, kMinPhase_deg = 80, kClearlyMore = 10;
   double largest = 0, of_first = 0, of_second = 0;
   for (std::size_t k = 0; k < first.size(); ++k) {
     largest = std::max(largest, std::abs(second[k]));
@@ -223,7 +223,7 @@ bool look_like_level_and_phase(const std::vector<double>& first, const std::vect
     of_first += std::pow(first[k] - first[k - 1], 2);
     of_second += std::pow(std::remainder(second[k] - second[k - 1], 360), 2);
   }
-  return largest > kLeastPhase_deg && largest <= kHalfTurn_deg && of_second > kClearlyMore * of_first;
+  return largest > kMinPhase_deg && largest <= kHalfTurn_deg && of_second > kClearlyMore * of_first;
 }
 
 // Columns without names count as real and imaginary parts. A real part that is never negative may be a magnitude.
