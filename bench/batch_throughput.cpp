@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 
 constexpr int kRounds = 5;
 constexpr std::size_t kDifferent = 50;
-constexpr std::size_t kPerTurn = 500;  // records
+constexpr std::size_t kRecordsCompared = 500;  // records
 
 synth::SynthSpec small_test(std::size_t seed) {
   synth::SynthSpec spec;
@@ -139,7 +139,7 @@ void run_arithmetic(std::size_t threads) {
 }
 
 void compare(const TemporaryFolder& folder, const std::string& kind) {
-  const batch::Manifest manifest(write_manifest_of(folder, kind, kPerTurn));
+  const batch::Manifest manifest(write_manifest_of(folder, kind, kRecordsCompared));
   const std::string results = folder.file("results");
   ElapsedTime in_loop, on_one, on_two, sequential, parallel;
   for (int round = 0; round < kRounds; ++round) {

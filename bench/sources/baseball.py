@@ -164,14 +164,14 @@ def modal_rows(s):
 
 
 def reasons(s):
-    s.not_made('figures 3, 52', 'masses and springs', 'drawings of the model')
-    s.not_made('figure 5', 'softball bats of another laboratory', 'measured, not published. `percuss model trampoline '
+    s.not_reproduced('figures 3, 52', 'masses and springs', 'drawings of the model')
+    s.not_reproduced('figure 5', 'softball bats of another laboratory', 'measured, not published. `percuss model trampoline '
                '--ball softball --bats BATS.csv -o X.svg` draws measured bats on the curve')
-    s.not_made('figures 6 to 10', 'pendulum, cannon, gates, suspension, sensors', 'photographs')
-    s.not_made('figure 53', 'measured CCOR, and the fit of a and b', 'measured, not published. `percuss model trampoline '
+    s.not_reproduced('figures 6 to 10', 'pendulum, cannon, gates, suspension, sensors', 'photographs')
+    s.not_reproduced('figure 53', 'measured CCOR, and the fit of a and b', 'measured, not published. `percuss model trampoline '
                '--fit-ccor CCOR.csv -o X.svg` fits a and b and draws both')
-    s.not_made('text', 'mean BBCOR of the wood bats, 0.480; ranges of MOI and frequencies', 'measured, not published. '
+    s.not_reproduced('text', 'mean BBCOR of the wood bats, 0.480; ranges of MOI and frequencies', 'measured, not published. '
                '`percuss study` lists mean, range and standard deviation of each group')
-    s.not_made('figure 70', 'high-speed video, and finite elements with contact', 'percuss has no solid finite elements; '
+    s.not_reproduced('figure 70', 'high-speed video, and finite elements with contact', 'percuss has no solid finite elements; '
                'the source calls its result inconclusive')
-    s.not_made('figures A1, A4, A6, E1', 'cylinder, barrel, sensors, rollers', 'photographs')
+    s.not_reproduced('figures A1, A4, A6, E1', 'cylinder, barrel, sensors, rollers', 'photographs')

@@ -150,12 +150,12 @@ def fill(s):
         holds = {11: rises(cor) and flattens(cor), 12: 0.465 < min(cor) and max(cor) < 0.475 and max(cor) - min(cor) < 1e-3,
                  13: rises(cor) and flattens(cor) and cor[0] < 0.1 and 0.5 < cor[-1] < 0.6}[number]
         s.agrees('figure %d' % number, what, shape, '%.4f to %.4f' % (cor[0], cor[-1]), holds, [s.sweeps[command]])
-    s.not_made('table 1', 'traditional bat, and dimensions', 'measured; illegible in the scan')
-    s.not_made('tables 2, 3', 'frequencies of the real bats', 'measured, and illegible. The commands print these columns '
+    s.not_reproduced('table 1', 'traditional bat, and dimensions', 'measured; illegible in the scan')
+    s.not_reproduced('tables 2, 3', 'frequencies of the real bats', 'measured, and illegible. The commands print these columns '
                'from your records; `percuss model beam --profile` has non-uniform blades')
-    s.not_made('figures 1, 2', 'photograph; set-up', 'no computation')
-    s.not_made('figures 3, 6', 'measured shapes and frequencies', 'the records are not published. `percuss survey` makes '
+    s.not_reproduced('figures 1, 2', 'photograph; set-up', 'no computation')
+    s.not_reproduced('figures 3, 6', 'measured shapes and frequencies', 'the records are not published. `percuss survey` makes '
                'them from a record of 23 points')
-    s.not_made('figure 4', 'model of the traditional bat', 'its EI and T are illegible; otherwise as figure 7')
-    s.not_made('figures 5, 8 to 10', 'measured deflections of the real bats', 'the records are not published. The commands '
+    s.not_reproduced('figure 4', 'model of the traditional bat', 'its EI and T are illegible; otherwise as figure 7')
+    s.not_reproduced('figures 5, 8 to 10', 'measured deflections of the real bats', 'the records are not published. The commands '
                'make the figures from your records; [Deflection](../tutorials/deflection.md) leads through them')

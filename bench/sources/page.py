@@ -1,4 +1,4 @@
-"""Sections, commands and rows of the page, and how their differences read."""
+"""Builds docs/project/sources-reproduced.md: sections, commands, rows, and the wording of the differences."""
 import csv
 import json
 import os
@@ -6,12 +6,12 @@ import re
 import subprocess
 import textwrap
 
-MADE = '| from | what | source | percuss | difference | commands |\n|---|---|---:|---:|---|---|\n'
-NOT_MADE = '| from | shows | why not, and what percuss makes instead |\n|---|---|---|\n'
+REPRODUCED = '| from | what | source | percuss | difference | commands |\n|---|---|---:|---:|---|---|\n'
+NOT_REPRODUCED = '| from | shows | why not, and what percuss makes instead |\n|---|---|---|\n'
 
 
 class Section:
-    """A source: its commands, which run in order, and rows that read the files that they write."""
+    """A source: its commands, which run in order, and the rows of its table, read from files that the commands write."""
 
     def __init__(self, title, about, expected):
         self.title, self.about, self.expected = title, about, expected
@@ -28,7 +28,7 @@ class Section:
         self.rows.append('| %s | %s | %s | %s | %s | %s |' % (place, what, source, value, difference, numbers))
 
     def number(self, place, what, source, value, commands, unit='', digits=4):
-        """A number of the source beside one of percuss."""
+        """Adds a row: a number of the source and a number of percuss."""
         change = value - source
         if change == 0:
             return self.row(place, what, '%g%s' % (source, unit), '%g%s' % (value, unit), 'none', commands)
@@ -38,21 +38,21 @@ class Section:
         return self.row(place, what, '%g%s' % (source, unit), '%.*f%s' % (digits, value, unit), text, commands)
 
     def within(self, place, what, low, high, value, commands, unit='', digits=4):
-        """A range of the source and a number of percuss."""
+        """Adds a row: a range of the source and a number of percuss."""
         beyond = value - high if value > high else min(0, value - low)
         text = '%s%s outside' % (signed(beyond, digits), unit) if beyond else 'inside'
         self.row(place, what, '%g to %g%s' % (low, high, unit), '%.*f%s' % (digits, value, unit), text, commands)
 
     def agrees(self, place, what, source, value, agrees, commands):
-        """A statement of the source, and what percuss finds."""
+        """Adds a row: a statement of the source, and the finding of percuss."""
         self.row(place, what, source, value, 'agrees' if agrees else 'differs', commands)
 
-    def not_made(self, place, shows, reason):
+    def not_reproduced(self, place, shows, reason):
         self.named |= set(places_in(place))
         self.reasons.append('| %s | %s | %s |' % (place, shows, reason))
 
     def run(self, folder, tool):
-        """Runs the commands in a folder, after those of earlier sections."""
+        """Runs the commands in a folder. They may read files of earlier sections, which run first."""
         self.folder = folder
         path = os.path.dirname(os.path.abspath(tool)) + os.pathsep + os.environ['PATH']
         for text in self.commands:
@@ -66,7 +66,7 @@ class Section:
             return json.load(file)
 
     def table(self, name):
-        """The rows of a CSV file by column; numbers where they are numbers."""
+        """The rows of a CSV file, by column name. Cells that hold a number are floats, the others text."""
         with open(os.path.join(self.folder, name), encoding='utf-8') as file:
             return [{k: number_or_text(v) for k, v in row.items()} for row in csv.DictReader(file)]
 
@@ -78,13 +78,13 @@ class Section:
         if missing:
             raise SystemExit('%s: nothing is said about %s' % (self.title, ', '.join(missing)))
         out = '## %s\n\n%s\n\n' % (self.title, wrapped(self.about))
-        out += MADE + '\n'.join(self.rows) + '\n\n```console\n'
+        out += REPRODUCED + '\n'.join(self.rows) + '\n\n```console\n'
         for n, text in enumerate(self.commands, 1):
             first, *rest = text.split('\n')
             out += '$ %s  # %d\n' % (first, n) + ''.join('> %s\n' % line for line in rest)
         out += '```\n'
         if self.reasons:
-            out += '\nNot made, with the reason:\n\n' + NOT_MADE + '\n'.join(self.reasons) + '\n'
+            out += '\nNot reproduced, with the reason:\n\n' + NOT_REPRODUCED + '\n'.join(self.reasons) + '\n'
         return out
 
 

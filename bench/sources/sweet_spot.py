@@ -67,4 +67,4 @@ def fill(s):
     s.agrees('text', 'the impact is local: 0.2 ms after first touch the handle rests', 'yes',
              '%.1g mm there, %.3f mm at the ball' % (1e3 * handle, 1e3 * abs(struck['deflection_m_0.0002_s'])),
              handle < 0.02 * largest, [s.still])
-    s.not_made('figure 1', 'the symbols', 'a drawing')
+    s.not_reproduced('figure 1', 'the symbols', 'a drawing')

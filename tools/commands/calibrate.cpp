@@ -124,7 +124,8 @@ void add_calibrate(CommandLine& line) {
                                  [flags] { return calibrate_file(*flags); });
   command.about(
       "A freely hanging mass accelerates by force / mass under a hit. Computes the N per unit of the force channel "
-      "from the measured acceleration, with its standard deviation. The unit is the one of the stored numbers, such as mV. "
+      "from the measured acceleration, with its standard deviation. The unit is the one of the stored numbers, such as "
+      "mV. "
       "The last line of the printed text states the --force-scale to use. The force may be stored in any unit; the "
       "options under Reading set the unit of the "
       "acceleration.");

@@ -48,8 +48,8 @@ EdgeTriangles triangles_at_edges(const std::vector<Triangle>& triangles) {
   return out;
 }
 
-// Removes outline triangles, the longest outline edge first, while their third corner lies inside: the outline stays
-// one closed line through all of its points.
+// Removes triangles whose outline edge is longer than kMaxOutlineEdge medians, the longest edge first. A triangle stays
+// if its third corner is on the outline, so that the outline remains one closed line through all of its points.
 std::vector<Triangle> without_long_outline(PlanePoints points, std::vector<Triangle> triangles) {
   EdgeTriangles at = triangles_at_edges(triangles);
   std::vector<double> lengths;

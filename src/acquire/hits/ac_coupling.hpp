@@ -6,10 +6,10 @@
 namespace percuss::acquire {
 
 /// Corner frequency of a first-order high-pass in the force channel: an AC-coupled channel undershoots after each pulse
-/// and returns exponentially. 0 where the force after the hit's gate shows no significant undershoot. Also 0 where the
-/// force after the gate does not return as its early part predicts: the integrals of the force over at most 0.25 s
-/// after the gate, and over the first part of this time, are compared. Then the undershoot comes from a drift or a pull
-/// of the hammer. `x` are the samples of the hit, baseline removed. theory (1.12)
+/// and returns exponentially. 0 where the force after the hit's gate shows no significant undershoot. Also 0 where
+/// the undershoot is no exponential return, but a drift or a pull of the hammer. To test this, the integral of the
+/// force over the first part of at most 0.25 s after the gate predicts the integral over the whole of this time. `x`
+/// are the samples of the hit, baseline removed. theory (1.12)
 double ac_coupling_Hz(const Hit& hit, std::span<const double> x, double fs_Hz);
 
 }  // namespace percuss::acquire

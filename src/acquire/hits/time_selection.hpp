@@ -15,8 +15,8 @@ struct SampleRange {
 /// The time selection of the options in a row.
 /// errors  InputError: no samples between `from_s` and `to_s`
 SampleRange select_time_range(const Record& record, std::size_t row, const HitOptions& options);
-/// `rise`: samples from the beginning of the pulse to its peak. Without a stated time, a pre-trigger is at least twice
-/// as long: a pulse that rises slowly has rest before it, too.
+/// The pre-trigger in samples. `rise`: samples from the beginning of the pulse to its peak. If the user states no
+/// pre-trigger, it is at least twice `rise`, so that a slowly rising pulse is also preceded by samples at rest.
 std::size_t pretrigger_samples(const Record& record, const HitOptions& options, std::size_t rise = 0);
 
 /// `length_s` in samples; nothing if it is not stated.

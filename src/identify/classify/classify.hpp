@@ -18,7 +18,8 @@ struct ModeClassification {
   ModeType family = ModeType::unknown;
   int order = 0;          // from 1 within the type; 0 for unknown
   double confidence = 0;  // posterior probability of `family`; for unknown, 1 − the larger of bending and hoop
-  /// Second type, below 90 % confidence or where it has more than 3 %. For unknown, classify() gives the likelier type.
+  /// The second type, stated where `confidence` is below 0.9 or the second type's own probability is above 0.03. For
+  /// unknown, classify() states the likelier of bending and hoop.
   std::optional<ModeType> alternative;
   std::optional<double> overlay_dB;  // level of the second FRF over the first at the peak
   bool overlaid = false;             // |overlay_dB| within the threshold: a hoop mode by the rule of [8]
@@ -73,10 +74,11 @@ void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassificatio
                    const ClassifyOptions& options, const LowerOrders& lower = {});
 
 /// The orders below the band, counted from the modes `below` it; `found` are the modes within the band. All hoop modes
-/// count. Bending modes count downwards from the band and end with the first order: on a tube, the second bending
-/// frequency is more than 2.3 times the first, and the ratios of all higher neighbours are smaller. A frequency less
-/// than 1/4.5 of its upper neighbour is motion on the suspension or hum: it ends the count and is not counted. The type
-/// of a lower mode counts from 90 % confidence on.
+/// count. Bending modes are counted downwards from the lowest bending mode of the band to the first order: the mode
+/// whose upper neighbour has more than 2.3 times its frequency. On a tube, only the first two bending modes are so far
+/// apart; if the two lowest bending modes of the band are, none is below. A frequency less than 1/4.5 of its upper
+/// neighbour is motion on the suspension or hum: it ends the count and is not counted. The type of a lower mode counts
+/// from 90 % confidence on.
 LowerOrders lower_orders(const std::vector<Mode>& below, const std::vector<ModeClassification>& below_types,
                          const std::vector<Mode>& found, const std::vector<ModeClassification>& types,
                          const ClassifyOptions& options);

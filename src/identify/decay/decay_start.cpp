@@ -15,8 +15,8 @@ constexpr double kAlarm = 4;                             // standard deviations 
 constexpr int kMaxMoves = 4;
 constexpr double kWorthwhile = 0.05;  // of the start: a smaller move changes nothing
 
-// Per hit and channel: a sample's variance in the residual, and the decays' own uncertainty at time t before their
-// start.
+// Per hit and channel: the variance of a sample in the residual, from the noise and from the uncertainty of the decays
+// `before_s` seconds before their start.
 struct Expected {
   Eigen::VectorXd noise;
   const FreeDecayFit* fit = nullptr;
@@ -78,7 +78,7 @@ std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std
       }
     }
     const auto count = static_cast<double>(kBackBlock * whole.response.size());
-    // A force too weak for the alarm may still act in the block after it.
+    // In the block after the one that exceeds the limit, a weak force may still act: that block is left out, too.
     if (!(square / count < 1 + kAlarm * std::sqrt(2 / count))) return std::min(start, first + kBackBlock);
     first -= kBackBlock;
   }

@@ -7,10 +7,11 @@
 
 namespace percuss::identify {
 
-/// Lets the residues of close modes follow their poles, which were `before` and have moved since: adds the change of
-/// the residues that fit the FRFs best over the window. Residues of close modes are large and cancel one another in
-/// part; at another distance of the poles they describe no measured FRF. Separate modes keep their residues: an average
-/// of different resonances is broader than each of them, but has their residue. Real residues stay real.
+/// Corrects the residues of close modes after their poles have moved from `before`. Each residue gets the difference
+/// between its least-squares value over the window at the new poles and at the old poles. Residues of close modes are
+/// large and cancel one another in part; at another distance of the poles they describe no measured FRF. Separate modes
+/// keep their residues: an average of different resonances is broader than each of them, but has their residue. Real
+/// residues stay real.
 void move_residues(const FrfDataset& set, const ModeWindow& window, const std::vector<Pole>& before,
                    std::vector<Mode>& modes);
 

@@ -47,7 +47,8 @@ std::vector<std::size_t> scatter_partners(const FrfDataset& set, const std::vect
   std::vector<std::size_t> partners;
   for (const FittedMode& mode : modes) {
     if (!(mode.mode.freq_scatter_Hz > 0)) continue;
-    const double reach_Hz = std::max(kScatterReach * mode.mode.freq_scatter_Hz, least_width_Hz(set, mode.mode.pole));
+    const double reach_Hz =
+        std::max(kScatterReach * mode.mode.freq_scatter_Hz, width_or_spacing_Hz(set, mode.mode.pole));
     std::vector<std::size_t> near;
     for (std::size_t m = 0; m < fit.poles.size(); ++m) {
       if (std::abs(fit.poles[m].freq_Hz - mode.mode.pole.freq_Hz) < reach_Hz) near.push_back(m);

@@ -49,7 +49,7 @@ std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>&
   std::erase_if(starts, [&](const Pole& pole) { return !is_material(set, residual, pole); });
   for (const Pole& known : poles_of(modes)) {
     const auto near = [&](const Pole& pole) {
-      return std::abs(pole.freq_Hz - known.freq_Hz) < 0.5 * least_width_Hz(set, known) && same_place(pole, known);
+      return std::abs(pole.freq_Hz - known.freq_Hz) < 0.5 * width_or_spacing_Hz(set, known) && same_place(pole, known);
     };
     if (misfit_of(set, residual, known) > kMinMisfit && std::any_of(starts.begin(), starts.end(), near)) continue;
     std::erase_if(starts, near);
@@ -62,7 +62,7 @@ std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>&
 bool is_better(const FrfDataset& set, const JointFit& fit, const JointFit& other, std::size_t clear) {
   const std::size_t more = other.poles.size() > fit.poles.size() ? other.poles.size() - fit.poles.size() : 1;
   return likelihood_ratio(set, fit.residual, other.residual) >
-         least_gain_beside(set, more * unknowns_per_mode(set), clear);
+         min_gain_beside(set, more * unknowns_per_mode(set), clear);
 }
 
 std::vector<Pole> clear_modes_beside(const FrfDataset& set, const JointFit& fit, const JointFit& other) {
@@ -108,7 +108,7 @@ std::vector<Pole> residual_starts(const FrfDataset& set, const JointFit& fit) {
 std::vector<Pole> clear_starts(const FrfDataset& set, std::vector<Pole> starts, const JointFit& fit) {
   std::erase_if(starts, [&](const Pole& start) {
     return std::any_of(fit.poles.begin(), fit.poles.end(), [&](const Pole& pole) {
-      return std::abs(start.freq_Hz - pole.freq_Hz) < least_width_Hz(set, pole);
+      return std::abs(start.freq_Hz - pole.freq_Hz) < width_or_spacing_Hz(set, pole);
     });
   });
   if (starts.empty()) return starts;
@@ -194,7 +194,7 @@ JointFit without_misfit_modes(const FrfDataset& set, JointFit fit, JointFitBudge
     std::optional<JointFit> fewer = settled_fit(set, std::move(kept), budget);
     if (!fewer || fewer->poles.size() >= fit.poles.size()) break;
     const double lost = likelihood_ratio(set, fewer->residual, fit.residual);
-    if (lost > least_gain(set, (fit.poles.size() - fewer->poles.size()) * unknowns_per_mode(set))) break;
+    if (lost > min_gain(set, (fit.poles.size() - fewer->poles.size()) * unknowns_per_mode(set))) break;
     fit = *std::move(fewer);
   }
   return fit;

@@ -112,8 +112,8 @@ void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residua
   if (!fit) return;
   const std::size_t unknowns = unknowns_of(set, modes), after = fit->poles.size() * unknowns_per_mode(set);
   const std::vector<Pole> known = poles_of(modes);
-  const double least = least_gain_beside(set, after > unknowns ? after - unknowns : unknowns_per_mode(set),
-                                         clear_modes(shared, {known, before}, *fit).size());
+  const double least = min_gain_beside(set, after > unknowns ? after - unknowns : unknowns_per_mode(set),
+                                       clear_modes(shared, {known, before}, *fit).size());
   if (likelihood_ratio(set, before, fit->residual) < least) return;
   modes = joint_modes(shared, *fit);
 }

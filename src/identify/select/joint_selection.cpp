@@ -57,7 +57,7 @@ bool is_mode(const FrfDataset& set, const JointFit& fit, std::size_t mode, const
   const auto m = static_cast<Index>(mode);
   const bool inside = pole.freq_Hz > set.lines.freq_Hz(0) && pole.freq_Hz < set.lines.freq_Hz(set.lines.count - 1);
   return inside && pole.damping_ratio < kJointMaxDamping && fit.damping_std(m) < pole.damping_ratio &&
-         fit.freq_std_Hz(m) < least_width_Hz(set, pole) && standing.significance > kJointSignificance &&
+         fit.freq_std_Hz(m) < width_or_spacing_Hz(set, pole) && standing.significance > kJointSignificance &&
          standing.peak_to_residual > kJointPeakToResidual;
 }
 
@@ -84,7 +84,7 @@ bool stands_alone(const FrfDataset& set, const std::vector<Pole>& known, const s
     });
   };
   const auto near = [&](const Pole& other) {
-    const double width_Hz = std::max(least_width_Hz(set, pole), least_width_Hz(set, other));
+    const double width_Hz = std::max(width_or_spacing_Hz(set, pole), width_or_spacing_Hz(set, other));
     return &other != &pole && distance_Hz(pole, other) <= kClearWidths * width_Hz;
   };
   return std::none_of(known.begin(), known.end(), became) && std::none_of(poles.begin(), poles.end(), near);
@@ -114,7 +114,7 @@ std::vector<VectorXcd> residual_in(const std::vector<VectorXcd>& residual, const
 
 }  // namespace
 
-double least_width_Hz(const FrfDataset& set, const Pole& pole) {
+double width_or_spacing_Hz(const FrfDataset& set, const Pole& pole) {
   return std::max(pole.half_power_Hz(), 0.5 * set.lines.df_Hz());
 }
 
@@ -126,7 +126,7 @@ JointWindow window_around(const FrfDataset& set, const Pole& pole) {
 }
 
 bool are_merged(const FrfDataset& set, const Pole& a, const Pole& b) {
-  const double narrower_Hz = std::min(least_width_Hz(set, a), least_width_Hz(set, b));
+  const double narrower_Hz = std::min(width_or_spacing_Hz(set, a), width_or_spacing_Hz(set, b));
   return std::abs(a.freq_Hz - b.freq_Hz) < kJointCoincide * narrower_Hz;
 }
 
@@ -162,7 +162,8 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
   for (std::size_t m = 0; m < count; ++m) {
     const auto weaker_beside = [&](std::size_t i) {
       const double apart_Hz = std::abs(fit.poles[i].freq_Hz - fit.poles[m].freq_Hz);
-      const bool near = apart_Hz < 2 * std::max(least_width_Hz(set, fit.poles[i]), least_width_Hz(set, fit.poles[m]));
+      const bool near =
+          apart_Hz < 2 * std::max(width_or_spacing_Hz(set, fit.poles[i]), width_or_spacing_Hz(set, fit.poles[m]));
       return i != m && !accepted[i] && near &&
              (significance[i] < significance[m] || (significance[i] == significance[m] && i < m));
     };
@@ -206,7 +207,7 @@ double likelihood_ratio(const FrfDataset& set, const std::vector<VectorXcd>& bef
 
 std::size_t unknowns_per_mode(const FrfDataset& set) { return 2 + 2 * set.channels.size(); }
 
-double least_gain(const FrfDataset& set, std::size_t unknowns) {
+double min_gain(const FrfDataset& set, std::size_t unknowns) {
   const double each = std::clamp(kModeGain / static_cast<double>(unknowns_per_mode(set)), kMinGain, kMaxGain);
   return each * static_cast<double>(unknowns);
 }
@@ -219,9 +220,9 @@ std::vector<Pole> clear_modes(const FrfDataset& set, const KnownModes& known, co
   return clear;
 }
 
-double least_gain_beside(const FrfDataset& set, std::size_t unknowns, std::size_t clear) {
+double min_gain_beside(const FrfDataset& set, std::size_t unknowns, std::size_t clear) {
   const std::size_t of_clear = clear * unknowns_per_mode(set);
-  return unknowns > of_clear ? least_gain(set, unknowns - of_clear) : 0;
+  return unknowns > of_clear ? min_gain(set, unknowns - of_clear) : 0;
 }
 
 }  // namespace percuss::identify

@@ -14,9 +14,10 @@ struct JointWindow {
 JointWindow window_around(const FrfDataset& set, const Pole& pole);
 
 /// The half-power bandwidth, at least half the line spacing.
-double least_width_Hz(const FrfDataset& set, const Pole& pole);
+double width_or_spacing_Hz(const FrfDataset& set, const Pole& pole);
 
-/// Standard deviations of its largest residue that a mode of a joint fit needs.
+/// The significance that a mode of a joint fit needs (Standing::significance): its clearest residue, in standard
+/// deviations.
 inline constexpr double kJointSignificance = 6;
 
 /// True for two poles at one place, which a joint fit has merged: their residues cancel.
@@ -48,7 +49,8 @@ double misfit_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& res
 inline constexpr double kMinMisfit = 6;
 
 /// True where the residual around a mode is material: in some FRF it is large enough, relative to the FRF, to disturb
-/// the mode. Residuals of rounding errors, or of the gain that noise of the force explains, are not material.
+/// the mode. A residual that rounding errors, or the gain error from the noise of the force, can explain is not
+/// material.
 bool is_material(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual, const Pole& pole,
                  Tails tails = Tails::kept);
 
@@ -61,9 +63,9 @@ double likelihood_ratio(const FrfDataset& set, const std::vector<Eigen::VectorXc
 /// Real unknowns of one mode: its pole and its complex residues.
 std::size_t unknowns_per_mode(const FrfDataset& set);
 
-/// The likelihood ratio that so many more unknowns must exceed. Each of the many residues of a mode of a survey needs
-/// to gain less than each of the few of a single record.
-double least_gain(const FrfDataset& set, std::size_t unknowns);
+/// The limit that the likelihood ratio of a fit with `unknowns` additional unknowns must exceed. Each of the many
+/// residues of a mode of a survey needs to gain less than each of the few of a single record.
+double min_gain(const FrfDataset& set, std::size_t unknowns);
 
 /// Poles, and the residual of their fit.
 struct KnownModes {
@@ -76,7 +78,7 @@ struct KnownModes {
 /// leaves few independent lines, so that such a mode gains little in the likelihood ratio of the whole band.
 std::vector<Pole> clear_modes(const FrfDataset& set, const KnownModes& known, const JointFit& fit);
 
-/// As least_gain(), for a fit with so many more unknowns, among them those of `clear` clear modes, which do not count.
-double least_gain_beside(const FrfDataset& set, std::size_t unknowns, std::size_t clear);
+/// As min_gain() for `unknowns` additional unknowns, without the unknowns of `clear` clear modes.
+double min_gain_beside(const FrfDataset& set, std::size_t unknowns, std::size_t clear);
 
 }  // namespace percuss::identify

@@ -15,7 +15,8 @@ struct RobustMean {
 };
 
 /// The mean of values that scatter more than their standard deviations `stated` (random effects, method of moments).
-/// A value with a small `size` (of the residue, near a node) and an outlier lose weight.
+/// `size`: magnitude of the residue behind each value. Outliers lose weight, and so do values with a small `size`, for
+/// instance near a node.
 /// theory (4.15)
 RobustMean robust_mean(const std::vector<double>& value, const std::vector<double>& stated,
                        const std::vector<double>& size);

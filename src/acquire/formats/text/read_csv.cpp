@@ -104,7 +104,7 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 
 constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
 constexpr std::size_t kHammerSamples = std::size_t{1} << 18U;
-constexpr double kMinFrequencyStep = 0.05;  // of a column without a name: as times, these would be below 20 Hz
+constexpr double kMinFrequencyStep = 0.05;  // of a column without a name; as a time step in s it would mean 20 Hz
 
 std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
   std::vector<double> samples(std::min(table.lines(), max_samples));
@@ -113,7 +113,8 @@ std::vector<double> first_samples(const CsvTable& table, std::size_t index, std:
 }
 
 // Whether one column after the first is active for a much shorter time than all others, as a hammer's force is. The
-// imaginary part of a resonance is active for a fifth of its real part.
+// share of lines in which the imaginary part of a resonance is active is a fifth of the share for its real part: too
+// little difference for a hammer.
 bool shows_hammer(const std::vector<CsvColumn>& columns,
                   const std::function<std::vector<double>(std::size_t, std::size_t)>& read) {
   std::vector<double> shares;

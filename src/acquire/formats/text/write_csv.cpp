@@ -24,7 +24,7 @@ bool varies(const Record& record, int RowInfo::*number) {
                      [&](const RowInfo& row) { return row.*number != record.rows.front().*number; });
 }
 
-// A reader numbers the points of rows without a number from 0.
+// Without a column `point`, a reader takes every row as point 0.
 bool states_points(const Record& record) {
   return std::any_of(record.rows.begin(), record.rows.end(), [](const RowInfo& row) { return row.point != 0; });
 }

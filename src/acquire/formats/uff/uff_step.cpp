@@ -61,12 +61,13 @@ double uff_step(const UffFunction& function, bool frequency, std::string& note) 
   const bool take_step = frequency && significant_digits(round_step) <= significant_digits(round_inverse);
   const double step = take_step ? round_step : 1 / round_inverse;
   if (std::abs(step / dx - 1) > kUnchanged) {
-    note =
-        frequency
-            ? fmt::format("spacing {:.10g} Hz: of all that round to {}, it (or its inverse) has the fewest digits",
-                          step, trimmed(function.dx_text))
-            : fmt::format("sampling rate {:.10g} Hz: of all whose time step rounds to {} s, it has the fewest digits",
-                          round_inverse, trimmed(function.dx_text));
+    note = frequency
+               ? fmt::format(
+                     "spacing {:.10g} Hz: of all spacings that round to {}, it (or its inverse) has the fewest digits",
+                     step, trimmed(function.dx_text))
+               : fmt::format(
+                     "sampling rate {:.10g} Hz: of all rates whose time step rounds to {} s, it has the fewest digits",
+                     round_inverse, trimmed(function.dx_text));
   }
   return step;
 }
