@@ -34,9 +34,10 @@ def calibrate(
     """Calibrate the force channel from hits on a free mass.
 
     A freely hanging mass accelerates by force / mass under a hit. Computes the N per unit of the
-    force channel from the measured acceleration, with its standard deviation. A unit is that of the
-    stored numbers, such as mV. The last line of the printed text states the `force_scale` to use.
-    The force may be stored in any unit; the options under Reading set the unit of the acceleration.
+    force channel from the measured acceleration, with its standard deviation. The unit is the one
+    of the stored numbers, such as mV. The last line of the printed text states the `force_scale` to
+    use. The force may be stored in any unit; the options under Reading set the unit of the
+    acceleration.
 
     Parameters
     ----------
