@@ -25,8 +25,8 @@ inline constexpr double kMaxHammerMeasure = 1e-3;
 struct RoleGuess {
   std::string force;
   std::vector<std::string> accel;
-  bool rate_known = true;  // false: nothing in the file states the sampling rate
-  bool in_volts = false;   // accelerations are in volts, and nothing states their sensitivity
+  bool rate_known = true;      // false: nothing in the file states the sampling rate
+  bool in_volts = false;       // accelerations are in volts, and nothing states their sensitivity
   double assumed_rate_Hz = 0;  // if a first column that rises evenly, without a unit, is a time in ms; 0: not assumed
   bool frf_table = false;  // the file is a table of FRFs: real and imaginary parts beside a column that rises evenly
 };

@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "acquire/channels/axis_unit.hpp"
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/channels/role_guess.hpp"
 #include "acquire/channels/signal_overrides.hpp"
