@@ -54,7 +54,7 @@ std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std
   if (missing == 0) return {};
   if (missing > kMaxNamed) names += fmt::format(" and {} more", missing - kMaxNamed);
   return {{"missing_points",
-           fmt::format("{} of the geometry's {} points were not measured: {}; files that are taken as points count in "
+           fmt::format("{} of the geometry's {} points were not measured: {}; files taken as points are numbered in "
                        "the order of their names, without gaps",
                        missing, geometry.points.size(), names),
            {"files"}}};

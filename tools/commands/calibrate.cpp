@@ -125,10 +125,8 @@ void add_calibrate(CommandLine& line) {
   command.about(
       "A freely hanging mass accelerates by force / mass under a hit. Computes the N per unit of the force channel "
       "from the measured acceleration, with its standard deviation. The unit is the one of the stored numbers, such as "
-      "mV. "
-      "The last line of the printed text states the --force-scale to use. The force may be stored in any unit; the "
-      "options under Reading set the unit of the "
-      "acceleration.");
+      "mV. The last line of the printed text states the --force-scale to use. The force may be stored in any unit; the "
+      "options under Reading set the unit of the acceleration.");
   command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8",
                   "Calibrate with a mass of 1.25 kg; the hammer is in column CH8");
   command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8 -o hammer.json",

@@ -43,9 +43,10 @@ std::optional<ProfileWarning> shear_warning(const SectionTable& table, const Mat
   const std::string remedy = "give the shear modulus of this material";
   return ProfileWarning{
       .code = "low_shear",
-      .message = fmt::format("Young's modulus is {:.3g} times the shear modulus times shape factor, {:.3g} Pa (wood: "
-                             "about 17, metals: 3), so that higher modes are too low; {}",
-                             largest, shear_Pa, remedy),
+      .message =
+          fmt::format("Young's modulus is {:.3g} times the shear modulus times shape factor, {:.3g} Pa (wood: "
+                      "about 17, metals: 3): if it belongs to another material, higher modes come out too low; {}",
+                      largest, shear_Pa, remedy),
       .remedy = remedy,
       .options = {"shear"},
       .value = largest};

@@ -77,12 +77,13 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
   std::vector<double> peaks_N;
   for (const std::size_t h : accepted_hits(hits)) peaks_N.push_back(std::abs(hits[h].hit.peak_N));
   if (!peaks_N.empty() && median(peaks_N) > kMaxForce_N) {
-    out.push_back(with_remedy({"implausible_force",
-                               fmt::format("the hits have {:.3g} kN, more than any hammer: FRFs, residues and modal "
-                                           "masses have the wrong scale",
-                                           1e-3 * median(peaks_N)),
-                               {"force_sensitivity", "force_scale", "force_unit"}},
-                              "check the unit and the scale of the force"));
+    out.push_back(
+        with_remedy({"implausible_force",
+                     fmt::format("the hits peak at {:.3g} kN, more than any hammer reaches: FRFs, residues and "
+                                 "modal masses have the wrong scale",
+                                 1e-3 * median(peaks_N)),
+                     {"force_sensitivity", "force_scale", "force_unit"}},
+                    "check the unit and the scale of the force"));
   }
   if (const auto low = accepted_hits_with(hits, acquire::FindingCode::low_bandwidth); !low.hits.empty()) {
     out.push_back(with_remedy(

@@ -134,6 +134,17 @@ TEST_F(SuggestedCommand, TakesTimesOfATestWithoutNamesAsMilliseconds) {
   EXPECT_NEAR(first_mode_Hz(run_suggestion(message)), 200, test::kFrequencyTolerance_Hz);
 }
 
+// The message is about the roles, not about the text that the guess meets.
+TEST_F(SuggestedCommand, IsGivenThoughAColumnHoldsAText) {
+  std::string text;
+  for (std::size_t i = 0; i < record_.time_s.size(); ++i) {
+    const std::string last = i == 1000 ? "lost" : fmt::format("{}", record_.accel_mps2[i]);
+    text += fmt::format("{},{},{}\n", 1000 * record_.time_s[i], record_.force_N[i], last);
+  }
+  test::write_bytes(file("x.csv"), text);
+  EXPECT_THAT(suggestion({"analyze", "x.csv"}), HasSubstr("name the force and the accelerations"));
+}
+
 // A long command would hide the options. They are never cut.
 TEST_F(SuggestedCommand, IsOnlyItsOptionsWhereItWouldBeLong) {
   std::vector<std::vector<double>> columns{record_.time_s, record_.force_N};

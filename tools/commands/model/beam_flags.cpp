@@ -68,7 +68,7 @@ std::optional<model::BeamStructure> shaped_beam_of(const BeamFlags& flags) {
   const StructureFlags& table = flags.structure;
   if (table.profile.empty()) {
     const auto refuse = [](const char* option) {
-      return OptionError({option}, "needs a profile, a uniform beam has none",
+      return OptionError({option}, "needs a profile, which a uniform beam does not have",
                          "give a profile (two lines for equal sections), or omit this", {"profile"});
     };
     if (table.density_kgpm3) throw refuse("density");

@@ -115,12 +115,17 @@ std::vector<double> first_samples(const CsvTable& table, std::size_t index, std:
 
 // Whether one column after the first is active for a much shorter time than all others, as a hammer's force is. The
 // share of lines in which the imaginary part of a resonance is active is a fifth of the share for its real part: too
-// little difference for a hammer.
+// little difference for a hammer. A column that cannot be read is no candidate.
 bool shows_hammer(const std::vector<CsvColumn>& columns,
                   const std::function<std::vector<double>(std::size_t, std::size_t)>& read) {
   std::vector<double> shares;
   for (std::size_t i = 1; i < columns.size(); ++i) {
-    if (columns[i].has_numbers) shares.push_back(active_share(read(columns[i].index, kHammerSamples)));
+    if (!columns[i].has_numbers) continue;
+    try {
+      shares.push_back(active_share(read(columns[i].index, kHammerSamples)));
+    } catch (const InputError&) {
+      continue;
+    }
   }
   std::sort(shares.begin(), shares.end());
   return shares.size() > 1 && kMaxMeasureRatio * shares[0] < shares[1];
