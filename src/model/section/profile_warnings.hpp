@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ struct ProfileWarning {
 };
 
 /// The codes of profile warnings, all with the severity warn. docs/reference/warnings.md has a row for each.
-inline constexpr std::string_view kProfileWarningCodes[] = {"long_slices", "low_shear"};
+inline constexpr std::array<std::string_view, 2> kProfileWarningCodes{"long_slices", "low_shear"};
 
 /// The warning long_slices: frequencies depend on how the table was read. Its value is the largest relative difference
 /// of a frequency. `freq_Hz` are the frequencies of the elastic modes with the table read as slices,
