@@ -136,7 +136,7 @@ std::vector<Mode> modes_of(const FrfDataset& set, const std::vector<FittedMode>&
                                .channel = set.channels[o].channel,
                                .value = fit.residues(static_cast<Index>(o), static_cast<Index>(m)),
                                .std = fit.residue_std(static_cast<Index>(o), static_cast<Index>(m)),
-                               .relative_std = gain_std(set, set.channels[o].point, mode.pole.freq_Hz)});
+                               .relative_std = gain_amplitude_std(set, set.channels[o].point, mode.pole.freq_Hz)});
     }
     modes.push_back(std::move(mode));
   }

@@ -14,10 +14,9 @@
 namespace percuss::acquire {
 namespace {
 
-// kMaxSamples per signal are enough for a hit. A file of many signals gets fewer per signal (kMaxInAll in all, at least
-// kMinSamples each), so that a guess takes less than a second.
-constexpr std::size_t kMaxSamples = std::size_t{1} << 18U, kMinSamples = std::size_t{1} << 14U;
-constexpr std::size_t kMaxInAll = std::size_t{1} << 21U;
+// A file of many signals gets fewer samples per signal (kMaxInAll in all, at least kMinSamples each), so that a guess
+// takes less than a second.
+constexpr std::size_t kMinSamples = std::size_t{1} << 14U, kMaxInAll = std::size_t{1} << 21U;
 
 bool is_plain_name(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
@@ -44,7 +43,7 @@ std::string option_value(const CsvColumn& signal, const std::vector<CsvColumn>& 
 
 // The median; of some evenly spaced samples where there are many, which is as good for the rest position.
 double rest_of(std::span<const double> samples) {
-  const std::size_t step = (samples.size() - 1) / kMaxSamples + 1;
+  const std::size_t step = (samples.size() - 1) / kGuessedSamples + 1;
   std::vector<double> some;
   some.reserve(samples.size() / step + 1);
   for (std::size_t i = 0; i < samples.size(); i += step) some.push_back(samples[i]);
@@ -146,7 +145,8 @@ std::optional<Message> unread_hammer_note(
     if (is_read || !signal.has_numbers || is_no_signal(signal, known, {})) continue;
     const bool named = quantity_named(signal.base) == Quantity::force;
     try {
-      const bool pulses = may_be_force(signal) && hammer_measure(read(signal.index, kMaxSamples)) < kMaxHammerMeasure;
+      const bool pulses =
+          may_be_force(signal) && hammer_measure(read(signal.index, kGuessedSamples)) < kMaxHammerMeasure;
       if (!named && !pulses) continue;
     } catch (const InputError&) {
       if (!named) continue;
@@ -166,7 +166,7 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
   const CsvColumn* force = nullptr;
   double smallest = std::numeric_limits<double>::infinity();
   const std::size_t max_samples =
-      std::clamp(kMaxInAll / std::max<std::size_t>(signals.size(), 1), kMinSamples, kMaxSamples);
+      std::clamp(kMaxInAll / std::max<std::size_t>(signals.size(), 1), kMinSamples, kGuessedSamples);
   for (const CsvColumn& signal : signals) {
     if (!signal.has_numbers || found.size() == kMaxGuessedSignals) continue;
     if (known.has_force && signal.index == known.force.index) continue;

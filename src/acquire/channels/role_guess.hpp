@@ -14,6 +14,8 @@ namespace percuss::acquire {
 struct CsvColumns;
 struct ReadOptions;
 
+/// Samples of a signal whose role is guessed or checked, at most: enough for a hit.
+inline constexpr std::size_t kGuessedSamples = std::size_t{1} << 18U;
 inline constexpr std::size_t kMaxGuessedSignals = 64;  // more than a command line should list
 /// The largest ratio between the hammer_measure() of two hammers. That of a response is 20 times its hammer's or more.
 inline constexpr double kMaxMeasureRatio = 10;
@@ -32,8 +34,8 @@ struct RoleGuess {
 };
 
 /// The share of samples in which a signal is active: (Σ x²)² / (N Σ x⁴), where x is the distance from the median (of at
-/// most 262144 evenly spaced samples). A hammer pulse has a few thousandths, a decay more, noise 1/3. 1 for a constant
-/// signal and for numbers that are not finite. (1)
+/// most kGuessedSamples evenly spaced samples). A hammer pulse has a few thousandths, a decay more, noise 1/3. 1 for a
+/// constant signal and for numbers that are not finite. (1)
 double active_share(std::span<const double> samples);
 
 /// How little a signal resembles a hammer's force, small for a hammer: (1) times the larger of 0.05 and the ratio of

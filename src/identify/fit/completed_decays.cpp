@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "core/math/tall_products.hpp"
 #include "core/parallel/parallel.hpp"
-#include "identify/model/modal_model.hpp"
+#include "identify/model/point_columns.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -34,12 +35,16 @@ bool CompletedDecays::truncation_is_known(const FrfDataset& cut) {
 void CompletedDecays::add_missing_decays(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
   parallel_for_cost(cut_.channels.size(), kFlopsPerProduct * cut_.lines.count,
                     [&](std::size_t o) { whole_.channels[o].frf = cut_.channels[o].frf; });
+  const auto channels = channels_by_point(cut_);
   for (std::size_t m = 0; m < poles.size(); ++m) {
     if (remaining_amplitude(poles[m], cut_.lines) < kMinTruncation) continue;
     const TruncatedDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);
-    parallel_for_cost(cut_.channels.size(), kFlopsPerLine * cut_.lines.count, [&](std::size_t o) {
-      missing.add_to(whole_.channels[o].frf, residues(static_cast<Index>(o), static_cast<Index>(m)),
-                     cut_.points[cut_.channels[o].point]);
+    parallel_for_cost(channels.size(), kFlopsPerLine * cut_.lines.count, [&](std::size_t p) {
+      if (channels[p].empty()) return;
+      const std::vector<Complex> decay = missing.at(cut_.points[p]);
+      for (const std::size_t o : channels[p])
+        add_scaled(whole_.channels[o].frf.data(), residues(static_cast<Index>(o), static_cast<Index>(m)), decay.data(),
+                   decay.size());
     });
   }
 }

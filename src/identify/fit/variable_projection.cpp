@@ -21,11 +21,9 @@ VariableProjection::VariableProjection(const FrfDataset& set, const std::vector<
       data_(static_cast<Index>(count), static_cast<Index>(data.size())),
       weight_(std::move(weight)),
       first_(first),
-      count_(count) {
+      count_(count),
+      by_point_(channels_by_point(set)) {
   for (std::size_t o = 0; o < set.channels.size(); ++o) {
-    const std::size_t point = set.channels[o].point;
-    if (by_point_.size() <= point) by_point_.resize(point + 1);
-    by_point_[point].push_back(o);
     together_.front().push_back(o);
     data_.col(static_cast<Index>(o)) = data[o];
   }
@@ -38,9 +36,11 @@ void VariableProjection::project(MatrixXcd& columns) const {
 
 ProjectedState VariableProjection::evaluate(const std::vector<Pole>& poles) const {
   ProjectedState state;
+  std::vector<PointColumns> modes;
+  for (const Pole& pole : poles) modes.emplace_back(pole, set_, first_, count_);
   for (const auto& channels : channels_with_equal_columns(poles)) {
     if (channels.empty()) continue;
-    state.parts.push_back(solve(channels, poles));
+    state.parts.push_back(solve(channels, modes));
     const ProjectedPart& part = state.parts.back();
     for (std::size_t i = 0; i < channels.size(); ++i) {
       const double w = weight_(static_cast<Index>(channels[i]));
@@ -90,9 +90,13 @@ void VariableProjection::add_normal_equations(const ProjectedPart& part,
 
 MatrixXcd VariableProjection::projected_slopes(const ProjectedPart& part) const {
   MatrixXcd slopes = part.slopes;
-  project(slopes);
-  subtract_product(slopes, part.columns, part.inverse_gram.lazyProduct(adjoint_product(part.columns, slopes)).eval());
+  project_out(part, slopes);
   return slopes;
+}
+
+void VariableProjection::project_out(const ProjectedPart& part, MatrixXcd& further) const {
+  project(further);
+  subtract_product(further, part.columns, part.inverse_gram.lazyProduct(adjoint_product(part.columns, further)).eval());
 }
 
 MatrixXcd VariableProjection::residue_derivatives(const ProjectedPart& part, Index channel) const {
@@ -111,16 +115,16 @@ const std::vector<std::vector<std::size_t>>& VariableProjection::channels_with_e
 }
 
 ProjectedPart VariableProjection::solve(const std::vector<std::size_t>& channels,
-                                        const std::vector<Pole>& poles) const {
+                                        const std::vector<PointColumns>& mode_columns) const {
   ProjectedPart part;
   part.channels = channels;
   const PointForce& force = set_.points[set_.channels[channels.front()].point];
   const auto lines = static_cast<Index>(count_);
-  const auto modes = static_cast<Index>(poles.size());
+  const auto modes = static_cast<Index>(mode_columns.size());
   part.columns.resize(lines, modes);
   part.slopes.resize(lines, 2 * modes);
   for (Index m = 0; m < modes; ++m) {
-    const ModeColumn mode = mode_column(poles[static_cast<std::size_t>(m)], force, set_.lines, first_, count_);
+    const ModeColumn mode = mode_columns[static_cast<std::size_t>(m)].at(force);
     part.columns.col(m) = mode.value;
     part.slopes.col(2 * m) = mode.by_freq;
     part.slopes.col(2 * m + 1) = mode.by_damping;

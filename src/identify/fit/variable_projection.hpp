@@ -7,6 +7,7 @@
 
 #include "core/math/levenberg_marquardt.hpp"
 #include "identify/model/frf_dataset.hpp"
+#include "identify/model/point_columns.hpp"
 
 namespace percuss::identify {
 
@@ -44,6 +45,9 @@ class VariableProjection {
   /// The normal equations of each point's FRFs alone, [points].
   std::vector<NormalEquations> normal_equations_by_point(const ProjectedState& state, std::size_t modes) const;
 
+  /// Projects the polynomial and the columns of a part out of further columns, [lines, …].
+  void project_out(const ProjectedPart& part, Eigen::MatrixXcd& further) const;
+
   /// The slopes of a part with the polynomial and the columns projected out, [lines, 2 modes].
   Eigen::MatrixXcd projected_slopes(const ProjectedPart& part) const;
 
@@ -55,7 +59,7 @@ class VariableProjection {
 
  private:
   const std::vector<std::vector<std::size_t>>& channels_with_equal_columns(const std::vector<Pole>& poles) const;
-  ProjectedPart solve(const std::vector<std::size_t>& channels, const std::vector<Pole>& poles) const;
+  ProjectedPart solve(const std::vector<std::size_t>& channels, const std::vector<PointColumns>& mode_columns) const;
   void project(Eigen::MatrixXcd& columns) const;
   void add_normal_equations(const ProjectedPart& part,
                             const std::function<NormalEquations&(std::size_t)>& sum_of) const;

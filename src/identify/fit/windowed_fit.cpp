@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/budget.hpp"
 #include "core/math/linear_algebra.hpp"
+#include "core/math/tall_products.hpp"
 #include "core/parallel/parallel.hpp"
+#include "identify/model/point_columns.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -189,16 +192,16 @@ bool WindowedFit::has_outgrown_window() const {
 void WindowedFit::subtract(const LocalFit& fit, std::size_t mode, const FitGroup& window,
                            std::vector<VectorXcd>& data) const {
   const bool decayed = decays_within_record(fit.poles[mode], set_.points.front(), set_.lines);
+  const PointValues values(fit.poles[mode], set_, window.first, window.count);
   std::size_t point = set_.points.size();
-  ModeColumn column;
+  std::vector<Complex> work;
+  std::span<const Complex> column;
   for (std::size_t o = 0; o < data.size(); ++o) {
     const bool same = point < set_.points.size() && (decayed || set_.channels[o].point == point);
-    if (!same) {
-      const PointForce& force = set_.points[set_.channels[o].point];
-      column = mode_column(fit.poles[mode], force, set_.lines, window.first, window.count, ColumnContent::value);
-    }
+    if (!same) column = values.at(set_.points[set_.channels[o].point], work);
     point = set_.channels[o].point;
-    data[o] -= column.value * fit.residues(static_cast<Index>(o), static_cast<Index>(mode));
+    add_scaled(data[o].data(), -fit.residues(static_cast<Index>(o), static_cast<Index>(mode)), column.data(),
+               column.size());
   }
 }
 

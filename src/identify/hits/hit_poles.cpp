@@ -8,6 +8,7 @@
 #include "identify/fit/local_fit.hpp"
 #include "identify/fit/variable_projection.hpp"
 #include "identify/hits/mode_windows.hpp"
+#include "identify/model/close_poles.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -69,10 +70,13 @@ void step_window(const FrfDataset& set, const HitFrfs& hits, const std::vector<M
   projection.set_weight(noise);
   const auto normal = projection.normal_equations_by_point(state, poles.size());
   const std::vector<double> energies = residual_energies(state, hits, noise);
-  const std::vector<std::size_t> residue_of = residue_indices(set, hits);
+  const HitResidues residues(set, hits, modes, window, state, freedom);
   std::vector<std::vector<ResidueRatio>> ratios;  // [window.modes][hits]
-  for (std::size_t i = 0; i < poles.size(); ++i)
-    ratios.push_back(residue_ratios(hits, state, modes[window.modes[i]], residue_of, static_cast<Index>(i), freedom));
+  for (std::size_t i = 0; i < poles.size(); ++i) {
+    ratios.push_back(residues.ratios(i));
+    out[window.modes[i]].differs_from_previous =
+        i > 0 && are_close(poles[i - 1], poles[i]) && scatter_clearly(residues.contrasts(i - 1, i));
+  }
   const std::size_t channels = data.size() / hits.points.size();
   for (std::size_t h = 0; h < hits.points.size(); ++h) {
     const Eigen::MatrixXd inverse = inverse_gram(normal[h].matrix);
@@ -164,7 +168,7 @@ std::vector<VectorXd> weights_of_hits(const HitFrfs& hits, const std::vector<Vec
 
 std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                            const std::vector<ModeWindow>& windows) {
-  std::vector<HitPoles> out(modes.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size()), .together = {}});
+  std::vector<HitPoles> out(modes.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size())});
   const std::size_t lines = windows.empty() ? 0 : windows.front().count;
   parallel_for_cost(windows.size(), kFlopsPerLine * lines * hits.accel.size(),
                     [&](std::size_t w) { step_window(set, hits, modes, windows[w], out); });
@@ -177,7 +181,7 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
   const auto fit = [&](const FrfDataset& of, const std::vector<VectorXcd>& data) {
     return fit_by_residual(of, data, start, window);
   };
-  std::vector<HitPoles> out(start.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size()), .together = {}});
+  std::vector<HitPoles> out(start.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size())});
   const LocalFit together = fit(set, window_data(set, modes, window));
   for (std::size_t i = 0; i < start.size(); ++i) out[i].together = pole_of_fit(together, i, start[i]);
   const auto data = hit_data(set, hits, modes, window);

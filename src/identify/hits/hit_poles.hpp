@@ -19,10 +19,13 @@ struct HitPole {
 };
 
 /// The poles of one mode in every hit. fitted_hit_poles() also gives the pole of all hits together, over the same
-/// window.
+/// window. linearised_hit_poles() also gives whether the mode overlaps the previous mode of its window and the ratio of
+/// their residues differs between the hits. Two fixed poles imitate one resonance that moves: their residues change
+/// from hit to hit. A gain common to both does not count.
 struct HitPoles {
   std::vector<HitPole> hits;
   HitPole together;
+  bool differs_from_previous = false;
 };
 
 /// Each mode's pole in each hit, [modes]: one Gauss–Newton step of the hit's own FRFs from the modes' poles, over each

@@ -142,9 +142,10 @@ ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vecto
   const auto [mean, certainty, unused] = weighted(spread2);
   static_cast<void>(unused);
   const double noise2 = 1 / weights;
+  const double scatter = std::sqrt(std::max(0.0, 1 / certainty - noise2));
   return {.mean = mean,
           .std = std::sqrt(noise2),
-          .hits = student_factor(value.size() - 1) * std::sqrt(std::max(0.0, 1 / certainty - noise2)),
+          .hits = scatter > 0 ? student_factor(value.size() - 1) * scatter : 0,
           .spread = std::sqrt(spread2),
           .deviate = chi2_deviate(chi2, degrees)};
 }
@@ -190,12 +191,10 @@ std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs&
     if (window.modes.size() < 2) continue;
     // Hits do not determine a pair that only imitates their scatter.
     const auto differs = [&](std::size_t m) {
-      return scatter_of_mode(linear.poles[m], peak_N).significant() ||
+      return linear.poles[m].differs_from_previous || scatter_of_mode(linear.poles[m], peak_N).significant() ||
              is_undetermined(hits, residue_of, modes[m], linear.poles[m]);
     };
-    const bool scatters = std::any_of(window.modes.begin(), window.modes.end(), differs) ||
-                          residues_of_pair_scatter(set, hits, modes, window);
-    if (!scatters) continue;
+    if (std::none_of(window.modes.begin(), window.modes.end(), differs)) continue;
     for (const std::size_t m : modes_from_hit_scatter(set, hits, modes, window)) imitated[m] = 1;
   }
   if (std::none_of(imitated.begin(), imitated.end(), [](char one) { return one != 0; })) return {};

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <span>
 
+#include "core/math/tall_products.hpp"
 #include "identify/fit/windowed_fit.hpp"
 #include "identify/model/frf_lines.hpp"
-#include "identify/model/modal_model.hpp"
+#include "identify/model/point_columns.hpp"
 
 namespace percuss::identify {
 std::vector<Pole> ModeWindow::poles(const std::vector<Mode>& all) const {
@@ -48,20 +50,28 @@ void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes,
                           const std::vector<std::size_t>& residue_of, std::vector<Eigen::VectorXcd>& data) {
   struct OtherMode {
     std::size_t mode;
-    std::optional<ModeValues> values;  // of the last pole
+    std::optional<PointValues> values;  // of the last pole
+    std::size_t point = 0;              // of `column`
+    std::vector<Complex> work;
+    std::span<const Complex> column;
   };
   std::vector<OtherMode> others;
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (std::find(window.modes.begin(), window.modes.end(), m) == window.modes.end())
-      others.push_back({.mode = m, .values = {}});
+      others.push_back({.mode = m, .values = {}, .work = {}, .column = {}});
   }
   for (std::size_t o = 0; o < data.size(); ++o) {
-    for (auto& [m, values] : others) {
-      const Residue& residue = modes[m].residues[residue_of[o]];
-      const Pole pole = residue.own_pole.value_or(modes[m].pole);
-      if (!values || !(values->pole() == pole))
-        values.emplace(pole, set.window_decay_per_s(), set.lines, window.first, window.count);
-      values->add_to({data[o].data(), window.count}, -residue.value, set.points[set.channels[o].point]);
+    const std::size_t point = set.channels[o].point;
+    for (OtherMode& other : others) {
+      const Residue& residue = modes[other.mode].residues[residue_of[o]];
+      const Pole pole = residue.own_pole.value_or(modes[other.mode].pole);
+      const bool same_pole = other.values && other.values->pole() == pole;
+      if (!same_pole) other.values.emplace(pole, set, window.first, window.count);
+      if (!same_pole || other.point != point) {
+        other.column = other.values->at(set.points[point], other.work);
+        other.point = point;
+      }
+      add_scaled(data[o].data(), -residue.value, other.column.data(), window.count);
     }
   }
 }

@@ -1,25 +1,97 @@
 #include "identify/hits/residue_ratios.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/math/linear_algebra.hpp"
+#include "core/math/significance.hpp"
 
 namespace percuss::identify {
+namespace {
 
-std::vector<ResidueRatio> residue_ratios(const HitFrfs& hits, const ProjectedState& state, const Mode& mode,
-                                         const std::vector<std::size_t>& residue_of, Eigen::Index at, double freedom) {
-  std::vector<ResidueRatio> ratios(hits.points.size());
-  for (const ProjectedPart& part : state.parts) {
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr double kClearScatter = 5;  // normal deviate of χ²
+// The least standard deviation of a residue ratio between the hits that counts as scatter. Noise of the force, which is
+// largest at a resonance, causes a tenth of it; a pole that moves by a hundredth of the distance between the two poles
+// causes twice as much.
+constexpr double kMinSpread = 0.01;
+constexpr double kMinNoise2 = 1e-300;
+
+double noise2_of(const ProjectedPart& part, Index channel, double freedom) {
+  return std::max(part.residual.col(channel).squaredNorm() / freedom, kMinNoise2);
+}
+
+}  // namespace
+
+std::vector<ResidueRatio> HitResidues::ratios(std::size_t mode) const {
+  std::vector<ResidueRatio> ratios(hits_.points.size());
+  const auto at = static_cast<Index>(mode);
+  for (const ProjectedPart& part : state_.parts) {
     for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const std::size_t o = part.channels[i];
-      const auto column = static_cast<Eigen::Index>(i);
-      const double noise2 = std::max(part.residual.col(column).squaredNorm() / freedom, 1e-300);
-      const Complex expected = mode.residues[residue_of[o]].value;
-      const double scale = 2 / (noise2 * part.inverse_gram(at, at).real());  // the real part has half the variance
-      ResidueRatio& ratio = ratios[hits.set.channels[o].point];
-      ratio.sum += scale * (std::conj(expected) * part.amplitude(at, column)).real();
-      ratio.weight += scale * std::norm(expected);
+      const auto column = static_cast<Index>(i);
+      const Complex residue = expected(mode, o).value;
+      // The real part has half the variance.
+      const double scale = 2 / (noise2_of(part, column, freedom_) * part.inverse_gram(at, at).real());
+      ResidueRatio& ratio = ratios[hits_.set.channels[o].point];
+      ratio.sum += scale * (std::conj(residue) * part.amplitude(at, column)).real();
+      ratio.weight += scale * std::norm(residue);
     }
   }
   return ratios;
+}
+
+std::vector<ResidueRatio> HitResidues::contrasts(std::size_t mode, std::size_t other) const {
+  const auto modes = static_cast<Index>(window_.modes.size());
+  std::vector<MatrixXd> matrix(hits_.points.size(), MatrixXd::Zero(modes, modes));
+  std::vector<VectorXd> right(hits_.points.size(), VectorXd::Zero(modes));
+  for (const ProjectedPart& part : state_.parts) add_ratio_equations(part, matrix, right);
+  std::vector<ResidueRatio> out(hits_.points.size());
+  const auto first = static_cast<Index>(mode), second = static_cast<Index>(other);
+  for (std::size_t h = 0; h < out.size(); ++h) {
+    const MatrixXd covariance = core::inverse_gram(matrix[h]);
+    const VectorXd ratio = covariance * right[h];
+    const double variance = covariance(first, first) + covariance(second, second) - 2 * covariance(first, second);
+    if (variance > 0) out[h] = {.sum = (ratio(first) - ratio(second)) / variance, .weight = 1 / variance};
+  }
+  return out;
+}
+
+// Adds a part's share of the normal equations of each hit's ratios, by the residues' covariance.
+void HitResidues::add_ratio_equations(const ProjectedPart& part, std::vector<MatrixXd>& matrix,
+                                      std::vector<VectorXd>& right) const {
+  const Index modes = right.front().size();
+  const MatrixXcd gram = core::inverse_gram(MatrixXcd(part.inverse_gram.topLeftCorner(modes, modes)));
+  for (std::size_t n = 0; n < part.channels.size(); ++n) {
+    const std::size_t o = part.channels[n], hit = hits_.set.channels[o].point;
+    const auto column = static_cast<Index>(n);
+    VectorXcd residues(modes);
+    for (Index m = 0; m < modes; ++m) residues(m) = expected(static_cast<std::size_t>(m), o).value;
+    const MatrixXcd weighted = (2 / noise2_of(part, column, freedom_)) * residues.conjugate().asDiagonal() * gram;
+    matrix[hit] += (weighted * residues.asDiagonal()).real();
+    right[hit] += (weighted * part.amplitude.col(column).head(modes)).real();
+  }
+}
+
+bool scatter_clearly(const std::vector<ResidueRatio>& ratios) {
+  ResidueRatio all;
+  double chi2 = 0, degrees = -1;
+  for (const ResidueRatio& one : ratios) {
+    all.sum += one.sum;
+    all.weight += one.weight;
+  }
+  for (const ResidueRatio& one : ratios) {
+    if (!(one.weight > 0)) continue;
+    chi2 += one.weight * std::pow(one.value() - all.value(), 2);
+    ++degrees;
+  }
+  return degrees > 0 && chi2_deviate(chi2, degrees) > kClearScatter &&
+         chi2 - degrees > std::pow(kMinSpread, 2) * all.weight;
 }
 
 }  // namespace percuss::identify

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -14,11 +15,44 @@ struct ResidueRatio {
   double value() const { return sum / weight; }
 };
 
-/// The ratios of one mode, [hits]: real, and common to all channels. A hit beside its place, in another direction or
-/// with another gain of the force changes the residues of all channels by one factor.
-/// `state`: the fit of the single hits at the modes' poles; `at`: the mode's place among these poles; `freedom`: the
-/// degrees of freedom of a channel's residual.
-std::vector<ResidueRatio> residue_ratios(const HitFrfs& hits, const ProjectedState& state, const Mode& mode,
-                                         const std::vector<std::size_t>& residue_of, Eigen::Index at, double freedom);
+/// The residues of the single hits, from a fit of their FRFs over a window at the modes' poles. The arguments must
+/// outlive this object.
+class HitResidues {
+ public:
+  /// state    the fit
+  /// freedom  degrees of freedom of a channel's residual
+  HitResidues(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes, const ModeWindow& window,
+              const ProjectedState& state, double freedom)
+      : hits_(hits),
+        modes_(modes),
+        window_(window),
+        state_(state),
+        residue_of_(residue_indices(set, hits)),
+        freedom_(freedom) {}
+
+  /// The ratios of a mode of the window, [hits]: real, and common to all channels. A hit beside its place, in another
+  /// direction or with another gain of the force changes the residues of all channels by one factor.
+  std::vector<ResidueRatio> ratios(std::size_t mode) const;
+
+  /// The difference between two modes' ratios, [hits]: an error of the force's gain is common to both.
+  std::vector<ResidueRatio> contrasts(std::size_t mode, std::size_t other) const;
+
+ private:
+  void add_ratio_equations(const ProjectedPart& part, std::vector<Eigen::MatrixXd>& matrix,
+                           std::vector<Eigen::VectorXd>& right) const;
+  const Residue& expected(std::size_t mode, std::size_t channel) const {
+    return modes_[window_.modes[mode]].residues[residue_of_[channel]];
+  }
+
+  const HitFrfs& hits_;
+  const std::vector<Mode>& modes_;
+  const ModeWindow& window_;
+  const ProjectedState& state_;
+  std::vector<std::size_t> residue_of_;
+  double freedom_;
+};
+
+/// Whether the ratios of the hits, or their differences, scatter significantly, and by more than gain errors explain.
+bool scatter_clearly(const std::vector<ResidueRatio>& ratios);
 
 }  // namespace percuss::identify

@@ -64,7 +64,7 @@ void add_residue_scatter(const FrfDataset& set, const HitFrfs& hits, const Windo
       PointRatios& at = points[hits.points[h]];
       at.value.push_back(ratio.value());
       at.std.push_back(
-          std::hypot(std::sqrt(1 / ratio.weight), gain_std(hits.set, h, mode.pole.freq_Hz), kRoundingRatio));
+          std::hypot(std::sqrt(1 / ratio.weight), gain_amplitude_std(hits.set, h, mode.pole.freq_Hz), kRoundingRatio));
       at.power.push_back(hits.set.points[h].ff[line]);
     }
     const std::vector<double> scatter = scatter_of_points(points);

@@ -11,9 +11,4 @@ namespace percuss::identify {
 std::vector<std::size_t> modes_of_some_hits(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                             const ModeWindow& window);
 
-/// Whether modes of the window overlap and the ratio of their residues differs between the hits. Two fixed poles
-/// imitate one resonance that moves: their residues change from hit to hit. A gain common to both does not count.
-bool residues_of_pair_scatter(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                              const ModeWindow& window);
-
 }  // namespace percuss::identify

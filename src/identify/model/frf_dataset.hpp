@@ -23,6 +23,13 @@ struct FrfDataset {
   double window_decay_per_s() const { return points.empty() ? 0 : points.front().window_decay_per_s(); }
 };
 
+/// [points] the indices of each point's FRFs.
+inline std::vector<std::vector<std::size_t>> channels_by_point(const FrfDataset& set) {
+  std::vector<std::vector<std::size_t>> of(set.points.size());
+  for (std::size_t o = 0; o < set.channels.size(); ++o) of[set.channels[o].point].push_back(o);
+  return of;
+}
+
 /// Σ|H|² over all FRFs at one spectral line, (m/s²)²/N²
 inline double power_at(const FrfDataset& set, std::size_t line) {
   double power = 0;

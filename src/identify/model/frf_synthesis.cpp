@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <type_traits>
 #include <variant>
 
+#include "core/math/complex.hpp"
 #include "core/math/tall_products.hpp"
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
+#include "identify/model/point_columns.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -82,70 +85,69 @@ double noise_share(const Eigen::VectorXcd& residual) {
       1.0, (residual.segment(1, n) - 0.5 * (residual.head(n) + residual.tail(n))).squaredNorm() / (1.5 * energy));
 }
 
-// The contribution of the modes to an FRF, at some lines of the set.
-class ModeColumns {
- public:
-  ModeColumns(const FrfDataset& set, const std::vector<Mode>& modes, std::size_t first, std::size_t count)
-      : set_(set), modes_(modes), first_(first), count_(count) {
-    values_.reserve(modes.size());
-    for (const Mode& mode : modes) values_.emplace_back(mode.pole, set.window_decay_per_s(), set.lines, first_, count_);
-  }
-
-  Eigen::VectorXcd sum_of(std::size_t o) const {
-    const PointForce& force = set_.points[set_.channels[o].point];
-    Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(count_));
-    for (std::size_t m = 0; m < modes_.size(); ++m) {
-      const Residue& residue = modes_[m].residues[o];
-      if (residue.own_pole) {
-        ModeValues(*residue.own_pole, set_.window_decay_per_s(), set_.lines, first_, count_)
-            .add_to({sum.data(), count_}, residue.value, force);
-      } else {
-        values_[m].add_to({sum.data(), count_}, residue.value, force);
+// The sums over the modes in (1), [channels][count], at lines first … first + count − 1 of the set.
+std::vector<Eigen::VectorXcd> sums_at(const FrfDataset& set, const std::vector<Mode>& modes, std::size_t first,
+                                      std::size_t count) {
+  std::vector<PointValues> values;
+  values.reserve(modes.size());
+  for (const Mode& mode : modes) values.emplace_back(mode.pole, set, first, count);
+  const auto channels = channels_by_point(set);
+  std::vector<Eigen::VectorXcd> sums(set.channels.size());
+  const auto add = [&](const PointValues& of, std::size_t point, std::size_t o, Complex residue) {
+    std::vector<Complex> work;
+    add_scaled(sums[o].data(), residue, of.at(set.points[point], work).data(), count);
+  };
+  parallel_for_cost(channels.size(), kFlopsPerModeLine * count * modes.size(), [&](std::size_t p) {
+    for (const std::size_t o : channels[p]) sums[o] = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(count));
+    std::vector<Complex> work;
+    for (std::size_t m = 0; m < modes.size() && !channels[p].empty(); ++m) {
+      const auto column = values[m].at(set.points[p], work);
+      for (const std::size_t o : channels[p]) {
+        const Residue& residue = modes[m].residues[o];
+        if (residue.own_pole)
+          add(PointValues(*residue.own_pole, set, first, count), p, o, residue.value);
+        else
+          add_scaled(sums[o].data(), residue.value, column.data(), count);
       }
     }
-    return sum;
-  }
+  });
+  return sums;
+}
 
- private:
-  const FrfDataset& set_;
-  const std::vector<Mode>& modes_;
-  std::size_t first_, count_;
-  std::vector<ModeValues> values_;
-};
+Eigen::Map<const Eigen::VectorXcd> measured(const FrfDataset& set, std::size_t o, Eigen::Index first,
+                                            Eigen::Index count) {
+  return {set.channels[o].frf.data() + first, count};
+}
 
-// Synthesises FRF o, to which the modes contribute `sum`. Returns the power of the measured FRF.
-double synthesise(const FrfDataset& set, std::size_t o, std::size_t first, const Eigen::VectorXcd& sum,
-                  const AnyTermFit& terms, SynthesisedFrf& made) {
-  const FrfChannel& channel = set.channels[o];
-  const Eigen::Index lines = sum.size();
-  const auto begin = channel.frf.begin() + static_cast<std::ptrdiff_t>(first);
-  const std::vector<Complex> measured(begin, begin + lines);
-  const Eigen::Map<const Eigen::VectorXcd> frf(measured.data(), lines);
+// Synthesises FRF o, to which the modes contribute `sum` at lines from `first` on. Returns the power of the measured
+// FRF.
+double synthesise(const FrfDataset& set, std::size_t o, Eigen::Index first,
+                  const Eigen::Ref<const Eigen::VectorXcd>& sum, const AnyTermFit& terms, SynthesisedFrf& made) {
+  const auto frf = measured(set, o, first, sum.size());
   Eigen::MatrixXcd rest = frf - sum;
   const Eigen::VectorXcd fitted = std::visit([&](const auto& of) { return of.take_from(rest); }, terms);
   const Eigen::VectorXcd whole = frf - rest;  // (1)
-  made = {.point = channel.point,
-          .channel = channel.channel,
-          .value = {whole.data(), whole.data() + lines},
+  made = {.point = set.channels[o].point,
+          .channel = set.channels[o].channel,
+          .value = {whole.data(), whole.data() + whole.size()},
           .terms = {fitted.data(), fitted.data() + kTerms}};
-  made.frac = frac(measured, made.value);
+  made.frac = frac({frf.data(), made.value.size()}, made.value);
   made.noise_share = noise_share(rest.col(0));
-  double power = 0;
-  for (const Complex& h : measured) power += std::norm(h);
-  return power;
+  return frf.squaredNorm();
 }
 
-// sum(o): the contribution of the modes to FRF o at the lines of the band.
-template <class Sum>
-std::vector<SynthesisedFrf> synthesised_from(const FrfDataset& set, const acquire::LineRange& band, std::size_t flops,
-                                             const Sum& sum) {
+// sums: [channels] the sums of the modes, which begin `offset` lines before the band.
+std::vector<SynthesisedFrf> synthesised_from(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& sums,
+                                             const acquire::LineRange& band, Eigen::Index offset) {
   assert(band.first >= set.lines.first && band.first + band.count <= set.lines.first + set.lines.count);
   if (band.count == 0) return {};
   const AnyTermFit terms = term_fit(band, set.window_decay_per_s());
+  const auto first = static_cast<Eigen::Index>(band.first - set.lines.first);
   std::vector<SynthesisedFrf> out(set.channels.size());
   std::vector<double> power(out.size());
-  parallel_for_cost(out.size(), flops, [&](std::size_t o) {
-    power[o] = synthesise(set, o, band.first - set.lines.first, sum(o), terms, out[o]);
+  parallel_for_cost(out.size(), kFlopsPerModeLine * band.count, [&](std::size_t o) {
+    const auto sum = sums[o].segment(offset, static_cast<Eigen::Index>(band.count));
+    power[o] = synthesise(set, o, first, sum, terms, out[o]);
   });
   const double most = power.empty() ? 0 : *std::max_element(power.begin(), power.end());
   constexpr double kFloor = 1e-30;  // of the strongest FRF's power: a dead channel reads −300 dB
@@ -156,12 +158,12 @@ std::vector<SynthesisedFrf> synthesised_from(const FrfDataset& set, const acquir
 
 }  // namespace
 
-double frac(const std::vector<Complex>& measured, const std::vector<Complex>& synthesised) {
+double frac(std::span<const Complex> measured, std::span<const Complex> synthesised) {
   assert(measured.size() == synthesised.size());
   Complex cross;
   double a = 0, b = 0;
   for (std::size_t k = 0; k < measured.size(); ++k) {
-    cross += std::conj(measured[k]) * synthesised[k];
+    cross += conj_times(measured[k], synthesised[k]);
     a += std::norm(measured[k]);
     b += std::norm(synthesised[k]);
   }
@@ -171,25 +173,27 @@ double frac(const std::vector<Complex>& measured, const std::vector<Complex>& sy
 std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::vector<Mode>& modes,
                                              const acquire::LineRange& band) {
   if (band.count == 0) return {};
-  const ModeColumns columns(set, modes, band.first - set.lines.first, band.count);
-  return synthesised_from(set, band, kFlopsPerModeLine * band.count * (modes.size() + 1),
-                          [&](std::size_t o) { return columns.sum_of(o); });
+  return synthesised_from(set, sums_at(set, modes, band.first - set.lines.first, band.count), band, 0);
 }
 
 std::vector<Eigen::VectorXcd> modal_sums(const FrfDataset& set, const std::vector<Mode>& modes) {
-  const ModeColumns columns(set, modes, 0, set.lines.count);
-  std::vector<Eigen::VectorXcd> sums(set.channels.size());
-  parallel_for_cost(sums.size(), kFlopsPerModeLine * set.lines.count * modes.size(),
-                    [&](std::size_t o) { sums[o] = columns.sum_of(o); });
-  return sums;
+  return sums_at(set, modes, 0, set.lines.count);
 }
 
 std::vector<SynthesisedFrf> frfs_from_sums(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& sums,
                                            const acquire::LineRange& band) {
-  const auto first = static_cast<Eigen::Index>(band.first - set.lines.first);
-  return synthesised_from(set, band, kFlopsPerModeLine * band.count, [&](std::size_t o) -> Eigen::VectorXcd {
-    return sums[o].segment(first, static_cast<Eigen::Index>(band.count));
+  return synthesised_from(set, sums, band, static_cast<Eigen::Index>(band.first - set.lines.first));
+}
+
+std::vector<Eigen::VectorXcd> residuals_from_sums(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& sums) {
+  const AnyTermFit terms = term_fit(set.lines, set.window_decay_per_s());
+  std::vector<Eigen::VectorXcd> residuals(sums.size());
+  parallel_for_cost(sums.size(), kFlopsPerModeLine * set.lines.count, [&](std::size_t o) {
+    Eigen::MatrixXcd rest = measured(set, o, 0, sums[o].size()) - sums[o];
+    std::visit([&](const auto& of) { of.take_from(rest); }, terms);
+    residuals[o] = rest.col(0);
   });
+  return residuals;
 }
 
 }  // namespace percuss::identify

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "identify/model/frf_dataset.hpp"
@@ -40,7 +41,11 @@ std::vector<Eigen::VectorXcd> modal_sums(const FrfDataset& set, const std::vecto
 std::vector<SynthesisedFrf> frfs_from_sums(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& sums,
                                            const acquire::LineRange& band);
 
+/// What remains of each FRF without the modes and the four residual terms, from modal_sums() of the same set and modes.
+/// shape  [channels][lines of the set]
+std::vector<Eigen::VectorXcd> residuals_from_sums(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& sums);
+
 /// FRAC (2) of two FRFs; 0 where either FRF is zero everywhere.
-double frac(const std::vector<Complex>& measured, const std::vector<Complex>& synthesised);
+double frac(std::span<const Complex> measured, std::span<const Complex> synthesised);
 
 }  // namespace percuss::identify

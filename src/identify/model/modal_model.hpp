@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -81,37 +80,5 @@ ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const
 /// φ of (1) from H, for one point.
 ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointForce& force,
                                const acquire::LineRange& lines, std::size_t first);
-
-/// H − φ of (1): the part of a mode's decay after the records' end, at lines first … first + count − 1. The terms
-/// common to all points are computed once.
-class TruncatedDecay {
- public:
-  TruncatedDecay(const Pole& pole, double window_decay_per_s, const acquire::LineRange& lines, std::size_t first,
-                 std::size_t count);
-  /// Adds residue·(H − φ) for the hits at one point. shape  sum [count]
-  void add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const;
-
- private:
-  acquire::LineRange lines_;
-  std::size_t first_;
-  Complex windowed_;                      // s − σ
-  std::vector<Complex> kernel_, mirror_;  // [count] c·D and conj(c)·D̃
-};
-
-/// φ of (1) at lines first … first + count − 1, for any point. The terms common to all points are computed once.
-class ModeValues {
- public:
-  ModeValues(const Pole& pole, double window_decay_per_s, const acquire::LineRange& lines, std::size_t first,
-             std::size_t count);
-  const Pole& pole() const { return pole_; }
-  /// Adds residue·φ for the hits at one point. shape  sum [count]
-  void add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const;
-
- private:
-  Pole pole_;
-  acquire::LineRange lines_;
-  Eigen::VectorXcd whole_;
-  std::optional<TruncatedDecay> missing_;  // nothing where the decay ends within the record
-};
 
 }  // namespace percuss::identify

@@ -18,6 +18,8 @@ using Eigen::Index;
 // cancel like the squares of single samples. With a spacing of one sample, each group is one sample.
 constexpr double kDelay = 0.32;
 
+constexpr double kEqualParts = 0.01;  // difference of the variances of real and imaginary part, over their sum
+
 constexpr double kNarrow = 0.2;  // half of a band's width over its highest line
 constexpr double kMinGroups = 16;
 
@@ -69,6 +71,15 @@ double cut_ringing_N(const PointForce& force, double turns) {
   if (!force.blocks.front().ungated_N.empty()) return 0;
   const double gain = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMaxRingingGain);
   return kCutRinging * force.noise_N * gain * std::sqrt(static_cast<double>(force.blocks.size()));
+}
+
+// Variance of the real part of the error that the noise of the gate causes, over the variance of the whole error: the
+// mean of cos² over the samples' phases, which count from the pulse's centre.
+double real_share(const PointForce& force, double samples, double turns) {
+  const double angle = kTwoPi * turns;
+  const double inequality = std::sin(angle * samples) / (samples * std::sin(angle));
+  if (!(std::abs(inequality) > kEqualParts)) return 0.5;
+  return 0.5 * std::max(0.0, 1 + inequality * std::cos(angle * (samples - 1 - 2 * centre_of(force.blocks.front()))));
 }
 
 double one_over_force(const PointForce& force, std::size_t line) {
@@ -137,6 +148,14 @@ double gain_std(const FrfDataset& set, std::size_t point, double freq_Hz) {
   const double cut_N = cut_ringing_N(force, set.lines.freq_Hz(line) / set.lines.fs_Hz);
   const double of_gate_N = force.noise_N * std::sqrt(gated_samples(force));
   return one_over_force(force, line) * std::sqrt(0.5) * std::hypot(of_gate_N, cut_N, cut_N);
+}
+
+double gain_amplitude_std(const FrfDataset& set, std::size_t point, double freq_Hz) {
+  const PointForce& force = set.points[point];
+  if (force.blocks.empty() || force.ff.empty()) return 0;  // the force is unknown
+  const double samples = gated_samples(force);
+  const double turns = set.lines.freq_Hz(set.lines.nearest(freq_Hz)) / set.lines.fs_Hz;
+  return gain_std(set, point, freq_Hz) * std::sqrt(2 * real_share(force, samples, turns));
 }
 
 }  // namespace percuss::identify

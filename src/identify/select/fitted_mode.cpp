@@ -23,7 +23,7 @@ Mode mode_of(const FrfDataset& set, const LocalFit& fit, std::size_t m) {
                              .channel = set.channels[o].channel,
                              .value = fit.residues(static_cast<Index>(o), i),
                              .std = fit.residue_std(static_cast<Index>(o), i),
-                             .relative_std = gain_std(set, set.channels[o].point, mode.pole.freq_Hz)});
+                             .relative_std = gain_amplitude_std(set, set.channels[o].point, mode.pole.freq_Hz)});
   }
   return mode;
 }

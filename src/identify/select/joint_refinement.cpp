@@ -75,7 +75,7 @@ void take_joint_mode(const FrfDataset& set, const JointFit& joint, std::size_t m
     residue.channel = set.channels[o].channel;
     residue.value = joint.residues(static_cast<Index>(o), i);
     residue.std = of_residue * joint.residue_std(static_cast<Index>(o), i);
-    if (is_new) residue.relative_std = gain_std(set, residue.point, mode.pole.freq_Hz);
+    if (is_new) residue.relative_std = gain_amplitude_std(set, residue.point, mode.pole.freq_Hz);
   }
 }
 

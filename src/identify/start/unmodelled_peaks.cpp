@@ -20,18 +20,6 @@ constexpr double kNear = 3;            // half-power bandwidths around a mode, o
 constexpr double kUnexplained = 0.25;  // residual energy over a peak's energy: below it the modes explain the peak
 constexpr double kPeakSpan = 6;        // half-widths on either side, for a peak's energy
 
-// The residual of the synthesised FRFs, [channels][lines].
-std::vector<Eigen::VectorXcd> residual_of(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& sums) {
-  std::vector<Eigen::VectorXcd> left;
-  const auto made = frfs_from_sums(set, sums, set.lines);
-  for (std::size_t o = 0; o < set.channels.size(); ++o) {
-    const auto lines = static_cast<Index>(set.lines.count);
-    left.emplace_back(Eigen::Map<const Eigen::VectorXcd>(set.channels[o].frf.data(), lines) -
-                      Eigen::Map<const Eigen::VectorXcd>(made[o].value.data(), lines));
-  }
-  return left;
-}
-
 // Energy of the lines around a resonance, a straight background removed.
 template <class Lines>
 double energy_around(const Resonance& at, const Lines& lines) {
@@ -70,7 +58,7 @@ std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::v
   if (lines.empty()) return {};
   double largest = 0;
   for (std::size_t k = 0; k < set.lines.count; ++k) largest = std::max(largest, power_at(set, k));
-  const auto left = residual_of(set, modal_sums(set, modes));
+  const auto left = residuals_from_sums(set, modal_sums(set, modes));
   const auto resonances = residual_resonances(set, left);
   std::vector<UnmodelledPeak> peaks;
   for (const std::size_t line : lines) {
@@ -90,7 +78,7 @@ std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode
 std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode>& modes,
                                    const std::vector<Eigen::VectorXcd>& sums) {
   if (set.lines.count < 8 || set.channels.empty()) return {};
-  const auto left = residual_of(set, sums);
+  const auto left = residuals_from_sums(set, sums);
   if (!smooth_somewhere(left)) return {};
   auto resonances = residual_resonances(set, left);
   std::erase_if(resonances, [&](const Resonance& at) { return !unexplained(set, left, at); });

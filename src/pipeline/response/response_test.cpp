@@ -23,8 +23,8 @@ namespace {
 constexpr double kAntiAlias = 0.44;   // of fs: above it a recorder's filter shapes the response
 constexpr double kLowestLines = 1.5;  // lower end of the default band, in spectral lines
 constexpr std::size_t kMinSamples = 64;
-constexpr double kShortest = 0.5;  // of the median length
-constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;
+constexpr double kShortest = 0.5;                           // of the median length
+constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;  // of a transform
 
 std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOptions& options) {
   std::vector<ResponseHit> hits;

@@ -26,12 +26,10 @@ Warning no_force() {
       "name the force's channel, if there is one");
 }
 
-constexpr std::size_t kExaminedSamples = std::size_t{1} << 18U;  // of each response: enough for a hit
-
 double hammer_measure_of(const acquire::Record& record, std::size_t channel) {
   std::vector<double> samples;
-  for (std::size_t row = 0; row < record.rows.size() && samples.size() < kExaminedSamples; ++row) {
-    const std::size_t count = std::min(record.rows[row].samples, kExaminedSamples - samples.size());
+  for (std::size_t row = 0; row < record.rows.size() && samples.size() < acquire::kGuessedSamples; ++row) {
+    const std::size_t count = std::min(record.rows[row].samples, acquire::kGuessedSamples - samples.size());
     samples.resize(samples.size() + count);
     record.read_accel_mps2(row, channel, 0, std::span(samples).last(count));
   }

@@ -167,7 +167,7 @@ void fit_residues_of(const std::vector<std::size_t>& changed, std::vector<identi
            .channel = set.channels[o].channel,
            .value = fit.residues(channel, column),
            .std = fit.residue_std(channel, column),
-           .relative_std = identify::gain_std(set, set.channels[o].point, modes[m].pole.freq_Hz)});
+           .relative_std = identify::gain_amplitude_std(set, set.channels[o].point, modes[m].pole.freq_Hz)});
     }
   }
 }

@@ -11,8 +11,6 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;
-
 bool lacks_pulse(const AnalysedHit& hit) {
   const auto& findings = hit.hit.findings;
   return !hit.accepted && !hit.by_user && std::any_of(findings.begin(), findings.end(), [](const auto& finding) {
@@ -25,7 +23,7 @@ bool lacks_pulse(const AnalysedHit& hit) {
 std::vector<Warning> role_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
   if (!record.has_force || hits.empty() || !std::all_of(hits.begin(), hits.end(), lacks_pulse)) return {};
   const std::size_t row = hits.front().hit.row;
-  std::vector<double> samples(std::min(record.rows[row].samples, kMaxSamples));
+  std::vector<double> samples(std::min(record.rows[row].samples, acquire::kGuessedSamples));
   record.read_force_N(row, 0, samples);
   const double force_measure = acquire::hammer_measure(samples);
   std::size_t hammer = 0;

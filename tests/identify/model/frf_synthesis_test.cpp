@@ -121,9 +121,24 @@ TEST(SynthesisedFrf, IncludesTruncatedDecays) {
 }
 
 TEST(Frac, DoesNotDependOnScale) {
-  EXPECT_NEAR(frac({1, {0, 2}, 3}, {{0, 5}, -10, {0, 15}}), 1, kRounding);
-  EXPECT_NEAR(frac({1, 0}, {0, 1}), 0, kRounding);
-  EXPECT_EQ(frac({0, 0}, {0, 1}), 0);
+  using Frf = std::vector<Complex>;
+  EXPECT_NEAR(frac(Frf{1, {0, 2}, 3}, Frf{{0, 5}, -10, {0, 15}}), 1, kRounding);
+  EXPECT_NEAR(frac(Frf{1, 0}, Frf{0, 1}), 0, kRounding);
+  EXPECT_EQ(frac(Frf{0, 0}, Frf{0, 1}), 0);
+}
+
+TEST(ResidualsFromSums, AreTheMeasuredLessTheSynthesisedFrfs) {
+  Case c;
+  c.modes.pop_back();  // so that a resonance remains
+  const auto made = synthesised_frfs(c.set, c.modes, c.set.lines);
+  const auto left = residuals_from_sums(c.set, modal_sums(c.set, c.modes));
+  ASSERT_EQ(left.size(), c.set.channels.size());
+  for (std::size_t o = 0; o < left.size(); ++o) {
+    const Eigen::Map<const Eigen::VectorXcd> measured(c.set.channels[o].frf.data(), left[o].size());
+    const Eigen::Map<const Eigen::VectorXcd> synthesised(made[o].value.data(), left[o].size());
+    EXPECT_GT(left[o].norm(), 0.01 * measured.norm());
+    EXPECT_LE((measured - synthesised - left[o]).norm(), kRounding * measured.norm());
+  }
 }
 
 }  // namespace percuss::identify::frf_synthesis_test

@@ -104,8 +104,7 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 }
 
 constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
-constexpr std::size_t kHammerSamples = std::size_t{1} << 18U;
-constexpr double kMinFrequencyStep = 0.05;  // of a column without a name; as a time step in s it would mean 20 Hz
+constexpr double kMinFrequencyStep = 0.05;   // of a column without a name; as a time step in s it would mean 20 Hz
 
 std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
   std::vector<double> samples(std::min(table.lines(), max_samples));
@@ -122,7 +121,7 @@ bool shows_hammer(const std::vector<CsvColumn>& columns,
   for (std::size_t i = 1; i < columns.size(); ++i) {
     if (!columns[i].has_numbers) continue;
     try {
-      shares.push_back(active_share(read(columns[i].index, kHammerSamples)));
+      shares.push_back(active_share(read(columns[i].index, kGuessedSamples)));
     } catch (const InputError&) {
       continue;
     }
