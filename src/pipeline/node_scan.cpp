@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMinPoints = 3;  // two points show a change of sign, but not where it lies between them
 
-// |H| at the mode's peak for each point of `at`.
+// |H| at the mode's peak for each point of `at`: the root of the sum of squares over the channels.
 std::vector<double> peaks_of(const Analysis& analysis, const identify::Mode& mode, const std::vector<int>& at) {
   const std::size_t k = analysis.lines().nearest(mode.pole.freq_Hz);
   std::vector<double> peak(at.size());
@@ -95,7 +95,8 @@ void require_geometry_of_scan(const Analysis& analysis, const ScanPositions& pos
   }
   if (difference_m <= kMaxDifference * length_m) return;
   throw InputError(
-      fmt::format("the positions span {:.4g} mm, but the record's geometry places the points up to {:.4g} mm from the "
+      fmt::format("the positions lie up to {:.4g} mm from the first one, but the record's geometry places the points "
+                  "up to {:.4g} mm from the "
                   "first one, and {:.4g} mm away from these positions",
                   1e3 * length_m, 1e3 * *std::max_element(known_m->begin(), known_m->end()), 1e3 * difference_m),
       analysis.record().source(), "state the positions of the points, with their unit", {"positions"});

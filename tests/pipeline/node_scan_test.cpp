@@ -125,7 +125,8 @@ TEST(NodeScan, RefusesPositionsThatContradictTheGeometry) {
   const Analysis analysis(synth::synthesise(scan_spec("wood-bat", 0)).record, {.band_Hz = std::pair{60.0, 1500.0}});
   const ScanPositions millimetres{.start_m = 3e-3, .step_m = 0.25e-3, .count = 25};
   const std::string message = test::input_error_of([&] { scan_nodes(analysis, millimetres, kMinimum_in * kInch_m); });
-  EXPECT_THAT(message, testing::HasSubstr("the positions span 6 mm, but the record's geometry"));
+  EXPECT_THAT(message,
+              testing::HasSubstr("the positions lie up to 6 mm from the first one, but the record's geometry"));
 }
 
 TEST(NodeScan, RefusesHitsAtOnePoint) {

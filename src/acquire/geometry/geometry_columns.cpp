@@ -13,8 +13,8 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kMaxAssumed_m = 10;               // of lengths without a unit; larger ones are probably in mm or in
-constexpr std::size_t kLengthsAndAngles = kLines;  // the fields from kX to before kLines have units
+constexpr double kMaxAssumed_m = 10;         // of lengths without a unit; larger ones are probably in mm or inches
+constexpr std::size_t kEndOfUnits = kLines;  // the fields from kX to before kLines have units
 
 constexpr std::array<std::array<std::string_view, 3>, kGeometryFields> kNames = {{{"point", "node", "no"},
                                                                                   {"x"},
@@ -51,7 +51,7 @@ GeometryColumns geometry_columns(const std::vector<std::string_view>& names, con
       if (columns[field].index)
         throw InputError(fmt::format("two columns are called {}", kNames[field].front()), where, "keep one");
       columns[field].index = i;
-      if (field != kPoint && field < kLengthsAndAngles && !name.unit.empty())
+      if (field != kPoint && field < kEndOfUnits && !name.unit.empty())
         set_unit(columns[field], field, name.unit, where);
     }
   }
@@ -72,7 +72,7 @@ bool take_units(GeometryColumns& columns, const std::vector<std::string_view>& c
     if (parse_number(cell, dialect.decimal_comma).problem != NumberProblem::not_a_number && !trimmed(cell).empty())
       return false;
   }
-  for (std::size_t field = kX; field < kLengthsAndAngles; ++field) {
+  for (std::size_t field = kX; field < kEndOfUnits; ++field) {
     GeometryColumn& column = columns[field];
     if (column.index && *column.index < cells.size() && !trimmed(cells[*column.index]).empty())
       set_unit(column, field, to_utf8(trimmed(cells[*column.index])), where);
@@ -82,7 +82,7 @@ bool take_units(GeometryColumns& columns, const std::vector<std::string_view>& c
 
 bool lacks_length_unit(const GeometryColumns& columns, const std::string& where) {
   std::optional<std::size_t> without, with;
-  for (std::size_t field = kX; field < kLengthsAndAngles; ++field) {
+  for (std::size_t field = kX; field < kEndOfUnits; ++field) {
     if (!columns.at(field).index) continue;
     const bool angle = quantity_of(field) == Quantity::angle;
     if (columns.at(field).unit) {

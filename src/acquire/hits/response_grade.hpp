@@ -38,7 +38,7 @@ using SampleWindow = std::function<std::span<const double>(std::size_t first, st
 ///   the response still falls at the end;
 ///   the response falls only a little, and the level before the hit is unknown or at most half of the final level, so
 ///   that the end may be ringing.
-/// Reads a 64th of the samples at a time.
+/// Reads the samples before the pulse at once, and those after it in 64 parts.
 std::size_t decayed_length(const Hit& hit, std::size_t samples, const SampleWindow& accel_mps2);
 
 /// Adds `truncated_decay` and `overload` of the worst channel to the findings of the hit.

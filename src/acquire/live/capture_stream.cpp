@@ -120,7 +120,7 @@ void CaptureStream::pump() {
 std::optional<SampleBlock> CaptureStream::next(std::chrono::milliseconds patience) {
   const auto deadline = std::chrono::steady_clock::now() + patience;
   for (;;) {
-    const bool last = finished_;  // before the look for a block
+    const bool last = finished_;  // read before take(): a block that arrives in between is not missed
     if (auto block = store_->take()) return block;
     if (last || std::chrono::steady_clock::now() >= deadline) return {};
     std::this_thread::sleep_for(pause_);

@@ -9,9 +9,10 @@ namespace percuss::acquire {
 namespace {
 
 constexpr double kMaxRing_bytes = 32.0 * 1024 * 1024;
-constexpr std::size_t kMinRing = 1024;      // frames
-constexpr std::size_t kMinSlowRing = 8192;  // frames at a low rate, where 12 s are few, if they fit into the memory
-// Frames that the analysis takes together, whatever the rate, before it knows of the first blow.
+constexpr std::size_t kMinRing = 1024;  // frames
+// Frames, for low rates, where StoreOptions::ring_s holds few frames. Limited by kMaxRing_bytes.
+constexpr std::size_t kMinSlowRing = 8192;
+// Frames that the search for blows takes together at most, whatever the rate, with a margin.
 constexpr std::size_t kTakenTogether = 1024;
 constexpr std::size_t kMaxBlock_bytes = std::size_t{4} << 20U;
 constexpr std::size_t kMaxFindings = 10000;  // kept until they are taken
@@ -190,8 +191,9 @@ void SampleStore::watch_journal() {
   fault_noted_ = !fault.empty();
 }
 
-// The ring keeps what the reader or the journal still needs. When it gets full, the reader gets older frames from the
-// journal. When that is not possible either, the oldest frames are lost, and counted.
+// The ring keeps the frames that the reader or the journal still needs. When the reader lags by more than half of the
+// ring, it gets the older frames from the journal. When the ring is nearly full nevertheless, the oldest frames are
+// lost, and counted.
 void SampleStore::make_room() {
   std::uint64_t lost_by_reader = 0;
   std::uint64_t frame = 0;

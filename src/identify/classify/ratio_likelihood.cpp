@@ -11,8 +11,9 @@ using std::numbers::pi;
 using Complex = std::complex<double>;
 
 constexpr double kPatternStd_rad = 0.035;  // 2°: error of the pattern, for mixed shapes and barrels that are not round
-constexpr double kPlane_rad = 0.14;        // 8°: difference between the planes of different bending modes
-constexpr double kKnownPlane = 0.7;        // prior of bending in the bat's plane; the rest is bending in any plane
+constexpr double kPlaneStd_rad = 0.14;     // 8°: scatter of the planes of different bending modes
+// Prior of bending in the bat's plane or at right angles to it; the rest is bending in any plane.
+constexpr double kKnownPlane = 0.7;
 constexpr double kOtherTypePrior =
     0.05;                             // prior of modes that are neither bending nor n = 2, for a bat below a few kHz
 constexpr double kMinDensity = 1e-6;  // lower limit of a density
@@ -76,7 +77,7 @@ double RatioLikelihood::bending(const RatioAngle& ratio, double plane_rad) const
     const double a = std::cos(first_rad_ - plane), b = std::cos(second_rad_ - plane);
     const double slope = std::abs(std::sin(second_rad_ - first_rad_)) / std::max(a * a + b * b, kMinDensity);  // dχ/dψ
     in_plane +=
-        0.5 * wrapped_density(ratio.chi_rad - std::atan2(b, a), std::hypot(chi_std_rad(ratio), slope * kPlane_rad));
+        0.5 * wrapped_density(ratio.chi_rad - std::atan2(b, a), std::hypot(chi_std_rad(ratio), slope * kPlaneStd_rad));
   }
   return kKnownPlane * in_plane + (1 - kKnownPlane) * bending(ratio);
 }

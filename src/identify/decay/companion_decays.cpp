@@ -12,10 +12,10 @@ namespace percuss::identify {
 namespace {
 
 constexpr std::size_t kMinChannels = 3;    // fewer do not tell shapes apart
-constexpr std::size_t kMinCompanions = 2;  // two decays are a pair of modes
+constexpr std::size_t kMinCompanions = 2;  // a mode with one companion may be a pair of modes
 constexpr double kReach = 0.03;            // of the mode's frequency
-constexpr double kWeak = 0.5;              // of the mode's amplitude; a stronger companion must be closer:
-constexpr double kClose = 3;               // half-power bandwidths of the broader one
+constexpr double kWeak = 0.5;              // of the mode's amplitude; a stronger companion must be within kClose
+constexpr double kClose = 3;               // half-power bandwidths of the broader decay
 constexpr double kMinMac = 0.8;
 constexpr double kSameShape = 3.1;  // normal deviate of χ²; of one shape, one pair in 1000 exceeds it
 
@@ -35,7 +35,7 @@ bool have_one_shape(const Mode& a, const Mode& b) {
     bb += std::norm(other.value);
     ab += std::conj(one.value) * other.value;
     const double variance = one.std * one.std + other.std * other.std;
-    if (!(variance > 0)) continue;  // the reference
+    if (!(variance > 0)) continue;  // the reference channel: 1 by definition
     chi2 += std::norm(one.value - other.value) / variance;
     freedom += 2;
   }

@@ -5,9 +5,10 @@
 
 namespace percuss::identify {
 
-/// The misfit of one resonance can look like a second mode in its bandwidth. Such a partner is unresolved where the
-/// misfit explains its damping: the standard deviation of the damping with misfit is above half of it. Fits the other
-/// modes again without unresolved partners, until none is left; `found` as it is where none is.
+/// The misfit of one resonance can look like a second mode in its bandwidth. Of two close modes, the less clear one is
+/// unresolved if the standard deviation of its damping ratio, misfit included, exceeds half of the damping ratio. Fits
+/// the other modes again without the unresolved ones, until no mode is unresolved. Returns `found` unchanged if no mode
+/// is unresolved.
 std::vector<FittedMode> without_unresolved_partners(const FrfDataset& set, std::vector<FittedMode> found,
                                                     const SequentialFitOptions& options);
 

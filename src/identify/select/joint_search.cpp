@@ -72,8 +72,9 @@ bool must_search(const FrfDataset& set, const std::vector<VectorXcd>& residual, 
   });
 }
 
-// The FRFs for the search, without truncation; nothing where `set` itself serves. With many points, a start of low
-// damping would give each point columns of its own.
+// The FRFs for the search, completed by the decays that the records cut off; nothing where `set` itself is used. A
+// truncated decay differs from point to point, so that each point would need columns of its own. Without truncation,
+// all points share them.
 std::optional<FrfDataset> with_shared_columns(const FrfDataset& set, const std::vector<FittedMode>& modes) {
   if (set.points.size() < kSharedPoints || set.window_decay_per_s() != 0 || !CompletedDecays::truncation_is_known(set))
     return std::nullopt;

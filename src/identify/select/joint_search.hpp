@@ -11,7 +11,7 @@ namespace percuss::identify {
 /// only in a residual that over some block of lines is smoother than noise (smooth_somewhere). Misfit and resonance
 /// must be large enough to disturb a mode (is_material). The search fits all modes together (best_joint_fit), so that
 /// crowded and heavily damped modes need no windows of their own. Replaces `modes` only where the new modes explain
-/// significantly more (min_gain).
+/// significantly more (min_gain_beside).
 /// `residual` belongs to a fit of all `modes` together, [channels][lines]; empty: unknown.
 /// theory (4.21)
 void search_jointly(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual,

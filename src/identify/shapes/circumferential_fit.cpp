@@ -10,11 +10,11 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kSameRing = 2e-3;           // axial distance within a ring, over the survey's length
+constexpr double kSameRing = 2e-3;           // axial distance of neighbours in a ring, over the survey's length
 constexpr double kSameAngle = 0.01;          // rad between two equal angles
 constexpr std::size_t kMinRingAngles = 4;    // distinguish n = 1 from n = 2
 constexpr int kMaxCircumferentialOrder = 8;  // n
-constexpr double kMaxGap_rad = 2.6;          // 150°: rings with a wider gap are arcs
+constexpr double kMaxGap_rad = 2.6;          // 149°: rings with a wider gap are arcs
 constexpr double kResolved = 0.05;           // least ratio of a pattern's smallest pivot to its largest
 
 struct Point {

@@ -28,7 +28,7 @@ struct LscfOrder {
 /// ends of the band. B_o (of degree max_order at every order) is eliminated. The normal equations of A are Toeplitz
 /// sums computed by FFT. They are nested, so that one factorisation serves all orders. The constant coefficient is
 /// fixed, which moves noise poles outside the unit circle, where they are unstable and omitted. w_o is one over the
-/// noise variance of FRF o (LineNoise). The decay of an exponential window is subtracted from the poles.
+/// noise variance of FRF o (LineNoise). The effect of an exponential window on the poles is undone: s = s′ + σ.
 /// shapes  orders 2 … max_order, ascending; empty with fewer than 8 lines or no FRF.
 /// source  [6] in docs/theory/sources.md.
 /// theory (4.3), (4.4), (4.5), (4.6)

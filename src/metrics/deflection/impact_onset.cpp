@@ -11,8 +11,8 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr double kLowest = 4;          // standard deviations of the noise
-constexpr double kHighest = 0.25;      // of the first extreme
+constexpr double kLowest = 4;          // level at which the rise begins, in standard deviations of the noise
+constexpr double kHighest = 0.25;      // level at which the fitted rise ends, over the first extreme
 constexpr double kClearExtreme = 0.2;  // of the largest sample
 constexpr double kFloor = 1e-3;        // of the first extreme: misfit of (1)
 // An anti-alias filter rings before the touch: up to this many samples before the rise may have the opposite sign.

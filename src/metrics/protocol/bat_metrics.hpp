@@ -17,7 +17,7 @@ struct BatReadings {
   std::optional<UncertainValue> moi_kgm2;      // replaces the pendulum
   std::optional<UncertainValue> ball_kg, z_m;  // z from the barrel's tip
   std::optional<UncertainValue> in_mps, out_mps;
-  std::optional<UncertainValue> besr, bbcor;  // one of them replaces the speeds
+  std::optional<UncertainValue> besr, bbcor;  // one of them, where the speeds are absent
   std::optional<UncertainValue> swing_mps;    // replaces the swing model
   double pitch_mps = kPitchSpeed_mps;
   double nominal_mps = kNominalSpeed_mps;
@@ -26,7 +26,7 @@ struct BatReadings {
   SwingModel swing;
 };
 
-/// The results (P1) to (P10); absent where a reading is missing.
+/// The results (P1) and (P3) to (P10); absent where a reading is missing.
 struct BatMetrics {
   std::optional<UncertainValue> drop, moi_kgm2, besr, ncaa_besr, bbs_mps, bbcor, contact_mps, swing_mps, k;
   std::optional<int> drop_class;

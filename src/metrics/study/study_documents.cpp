@@ -22,7 +22,7 @@ const Json& member(const Json& object, const char* key) {
   return object.is_object() && found != object.end() ? *found : none;
 }
 
-// Sets the column from `value`, if this is a text or a number.
+// Sets the column from `value`, if this is a text or a number. An earlier value stays.
 void take(BatProperties& p, const char* column, const Json& value) {
   if (value.is_string()) p.emplace(column, value.get<std::string>());
   if (value.is_number()) p.emplace(column, fmt::format("{}", value.get<double>()));

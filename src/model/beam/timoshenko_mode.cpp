@@ -113,7 +113,8 @@ BeamMode timoshenko_mode(const UniformBeam& beam, std::size_t elastic) {
   const Waves w = waves_of(beam, *lambda);
   const double e = std::exp(-w.a), s = std::sin(w.b), c = std::cos(w.b);
   const double kb = w.bend / w.b, ka = w.lean / w.a;
-  // Columns sin, cos, e^(−δ(1−ξ)), e^(−δξ); rows φ' and w' − φ at the free end, then at x = 0.
+  // Columns sin, cos, e^(−δ(1−ξ)), e^(−δξ). Rows: φ' and w' − φ at the free end; at x = 0 the same for a free beam,
+  // else w and the balance of moments (φ alone for a clamp).
   Eigen::Matrix4d ends;
   ends.row(0) << -w.bend * s, -w.bend * c, w.lean, w.lean * e;
   ends.row(1) << c / w.b, -s / w.b, -1 / w.a, e / w.a;

@@ -62,7 +62,8 @@ class PairSearch {
  private:
   bool both_free() const { return free_[0] && free_[1]; }
 
-  // chi2 falls along a valley: where the search ran into a limit, the best pair has its a at a limit.
+  // chi2 has a long valley. A search that meets a limit may stop in it too early, so that the best pairs at both limits
+  // of a are tried as well.
   void use_better_limit() {
     for (const double limit : {0.0, kMaxStiffnessExponent}) {
       const Exponents at_limit = valley_at(0, limit);

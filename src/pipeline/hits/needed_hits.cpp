@@ -22,7 +22,7 @@ bool holds_second_contact(const acquire::Hit& hit, const Finding& finding, doubl
   if (finding.code == FindingCode::double_hit && finding.value > kMaxUsableRatio) return false;
   const double delay = std::floor(finding.delay_s.value_or(0) * fs_Hz), peak = static_cast<double>(hit.peak);
   const auto first = static_cast<double>(hit.gate_first);
-  return first + delay <= peak || first + static_cast<double>(hit.gated_N.size()) >= peak + delay;
+  return finding.before_main ? first + delay <= peak : first + static_cast<double>(hit.gated_N.size()) >= peak + delay;
 }
 
 // Whether the hit was rejected for these reasons alone, and its gate holds the whole force.

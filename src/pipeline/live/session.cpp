@@ -13,7 +13,8 @@ namespace {
 using acquire::RowMark;
 using Kind = SessionEvent::Kind;
 
-constexpr std::size_t kNoisyPoints = 3;  // so many points in doubt are no accident
+constexpr std::size_t kNoisyPoints =
+    3;  // from this many other doubtful points on, noise may be the cause, not a wrong blow
 
 }  // namespace
 
@@ -59,7 +60,7 @@ std::size_t Session::complete_points() const {
   return count;
 }
 
-// Goes to the next point that lacks blows, after the current one and then from the first. False: no other point does.
+// Goes to the next point that is not settled, after the current one and then from the first. False: all others are.
 bool Session::go_on() {
   for (std::size_t step = 1; step < plan_.points.size(); ++step) {
     const std::size_t index = (current_ + step) % plan_.points.size();

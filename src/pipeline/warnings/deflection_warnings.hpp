@@ -22,7 +22,7 @@ struct DeflectionResults {
   std::vector<OfHit> deflections{};
 };
 
-/// no_pulse, no_rest, not_at_rest, not_told, larger_later, modes_alone, drift.
+/// no_pulse, no_rest, not_at_rest, earlier_ringing, not_told, larger_later, modes_alone, drift.
 std::vector<Warning> deflection_warnings(const DeflectionResults& test);
 
 }  // namespace percuss::pipeline

@@ -9,8 +9,9 @@
 
 namespace percuss::report {
 
-/// A mode's displacements of the frame's points along x, y and z, as a motion Re(φ e^{jωt}): scaled to 1 at the
-/// largest, and turned so that the deflection is largest at ωt = 0, where the strongest point moves along its normal.
+/// A mode's displacements of the frame's points along x, y and z, as a motion Re(φ e^{jωt}). The largest displacement
+/// of a point is 1. The phase makes the sum of the squared displacements largest at ωt = 0. The sign is such that the
+/// point with the largest component along its normal then moves in the direction of this normal.
 struct WireframeMode {
   std::string name;
   double freq_Hz = 0, damping_ratio = 0, mpc = 0;
@@ -30,8 +31,8 @@ struct Wireframe {
   std::vector<WireframeMode> modes;
 };
 
-/// Contains the points whose coordinates are known. Sensors are drawn at driving points; a roving sensor was at each
-/// point. The survey must have modes.
+/// Contains the points whose coordinates are known. Fixed sensors are drawn at the driving points,
+/// a roving sensor at every point where it was. The survey must have modes.
 Wireframe wireframe(const pipeline::Survey& survey);
 
 }  // namespace percuss::report

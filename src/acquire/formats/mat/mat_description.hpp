@@ -13,7 +13,7 @@ namespace percuss::acquire {
 /// is no such variable, or if it does not hold `count` real numbers.
 std::vector<std::optional<double>> per_channel(const MatFile& file, const char* name, std::size_t count);
 
-/// The row's number in a variable with a whole number per hit; 0 where there is none.
+/// The value for `row` in a variable that holds one whole number per hit; 0 if the file has no such variable.
 /// errors  InputError: another number of values, or one that is not whole.
 int whole_number(const MatFile& file, const char* name, std::size_t row, std::size_t rows);
 
@@ -23,7 +23,8 @@ std::size_t stated_hits(const MatFile& file);
 /// Whether percuss's own layout uses the name for something else than a signal.
 bool is_own_description(const std::string& name);
 
-/// Whether the variable may hold a signal: numbers that percuss's own layout does not use to describe signals.
+/// Whether the variable may hold a signal: several numbers that are no abscissa, and that percuss's own layout does not
+/// use for something else.
 bool may_be_signal(const MatVariable& variable);
 
 /// The text of the variable that states the unit of `name`: "accel_unit", "accelUnit", "unit_accel", "units.accel"; for

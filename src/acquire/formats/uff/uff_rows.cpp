@@ -36,8 +36,8 @@ std::vector<UffRow> rows_in_order(Functions functions, std::vector<bool> is_forc
   return rows;
 }
 
-// One row per force. Of the responses with one degree of freedom and quantity, the k-th is in the k-th row. Empty when
-// the rows would differ in length.
+// One row per force. Among the responses with the same degree of freedom and quantity, the k-th belongs to the k-th
+// row. Empty when the rows would differ in length.
 std::vector<UffRow> rows_by_dof(const Functions& functions, const std::vector<bool>& is_force) {
   std::vector<UffRow> rows;
   for (std::size_t i = 0; i < functions.size(); ++i) {
@@ -64,7 +64,7 @@ struct MeanStep {
 
 MeanStep mean_step(const UffFunction& f) {
   if (f.count < 2) return {0, 0};
-  constexpr double kTimeRounding = 1e-5;  // relative: times have five digits in a text
+  constexpr double kTimeRounding = 1e-5;  // relative: times have five decimals in a text (E13.5)
   const double first_s = f.x(0), last_s = f.x(f.count - 1), steps = static_cast<double>(f.count - 1);
   return {(last_s - first_s) / steps, kTimeRounding * (std::abs(first_s) + std::abs(last_s)) / steps};
 }

@@ -13,7 +13,7 @@ using UffRow = std::vector<const UffFunction*>;
 /// fits:
 ///   each force begins a row;
 ///   each force ends a row;
-///   each force has a row, and of the responses with one degree of freedom and quantity, the k-th is in the k-th row.
+///   each force has a row; among the responses with the same degree of freedom and quantity, the k-th belongs to it.
 /// Without forces all functions are one row.
 /// errors  InputError: the responses do not divide evenly among the forces, lengths differ within a row, or steps
 /// differ between any two functions.
