@@ -7,6 +7,7 @@
 #include "identify/misfit/misfit.hpp"
 #include "identify/misfit/unresolved_partners.hpp"
 #include "identify/multi_output.hpp"
+#include "identify/select/common_residues.hpp"
 #include "identify/select/joint_refinement.hpp"
 #include "identify/select/joint_search.hpp"
 #include "identify/select/local_force_noise.hpp"
@@ -16,8 +17,9 @@
 namespace percuss::identify {
 namespace {
 
-std::vector<Mode> with_force_noise(const FrfDataset& set, std::vector<FittedMode> found) {
+std::vector<Mode> finished(const FrfDataset& set, std::vector<FittedMode> found) {
   add_force_noise(set, found);
+  fit_common_residues(set, found);
   std::vector<Mode> modes;
   modes.reserve(found.size());
   for (FittedMode& mode : found) modes.push_back(std::move(mode.mode));
@@ -31,13 +33,13 @@ std::vector<Mode> fit_all_channels(const FrfDataset& set, const IdentifyOptions&
   if (options.effort == Effort::best && !found.empty()) residual = refine_jointly(set, found);
   if (options.effort != Effort::quick && residual.empty()) residual = refine_without_satellites(set, found);
   if (options.effort != Effort::quick) search_jointly(set, residual, found);
-  return with_force_noise(set, std::move(found));
+  return finished(set, std::move(found));
 }
 
 std::vector<Mode> fit_at_starts(const FrfDataset& set, const IdentifyOptions& options) {
   std::vector<FittedMode> found = fit_starts(set, options.start_Hz, options.effort).modes;
   if (options.effort == Effort::best && !found.empty()) refine_jointly(set, found);
-  return with_force_noise(set, std::move(found));
+  return finished(set, std::move(found));
 }
 
 }  // namespace
@@ -64,7 +66,7 @@ std::vector<Mode> modes_from_poles(const FrfDataset& set, const std::vector<Pole
   sequential.start = poles;
   std::vector<FittedMode> found = fit_sequentially(set, sequential);
   if (effort == Effort::best && !found.empty()) refine_jointly(set, found);
-  return with_force_noise(set, std::move(found));
+  return finished(set, std::move(found));
 }
 
 std::vector<RefusedStart> refused_starts(const FrfDataset& set, const IdentifyOptions& options) {

@@ -10,6 +10,7 @@
 #include "identify/select/joint_growth.hpp"
 #include "identify/select/joint_refinement.hpp"
 #include "identify/select/joint_selection.hpp"
+#include "identify/select/repeated_modes.hpp"
 #include "identify/select/settled_fit.hpp"
 #include "identify/start/candidates.hpp"
 #include "identify/start/residual_smoothness.hpp"
@@ -21,6 +22,7 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 
 constexpr int kFinalFits = 3;             // of settled_fit(): without the scatter partners, a fit may converge slowly
+constexpr int kHalvesRounds = 6;          // of dropping modes that the halves of the points do not repeat
 constexpr std::size_t kSharedPoints = 3;  // with fewer points, shared columns save no work
 
 std::vector<FittedMode> joint_modes(const FrfDataset& set, const JointFit& fit) {
@@ -101,6 +103,21 @@ std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const st
   return with_tested_residues(set, *fewer);
 }
 
+// The fit without modes that the halves of the points do not repeat. Poles whose fit does not settle are divided again:
+// without further modes it may settle.
+JointFit with_repeated_modes(const FrfDataset& set, JointFit fit) {
+  JointFitBudget budget(set);
+  std::vector<Pole> poles = fit.poles;
+  for (int round = 0; round < kHalvesRounds; ++round) {
+    std::vector<Pole> kept = poles_in_both_halves(set, poles);
+    if (kept.size() == poles.size() || kept.empty()) break;
+    const std::optional<JointFit> fewer = settled_fit(set, kept, budget, kFinalFits);
+    poles = fewer ? fewer->poles : std::move(kept);
+    if (fewer) fit = with_tested_residues(set, *fewer);
+  }
+  return fit;
+}
+
 }  // namespace
 
 void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residual, std::vector<FittedMode>& modes) {
@@ -111,6 +128,7 @@ void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residua
   std::optional<JointFit> fit = best_joint_fit(shared, before, modes);
   if (fit) fit = without_scatter_partners(shared, modes, *std::move(fit));
   if (!fit) return;
+  if (set.points.size() >= kMinDividedPoints) fit = with_repeated_modes(shared, *std::move(fit));
   const std::size_t unknowns = unknowns_of(set, modes), after = fit->poles.size() * unknowns_per_mode(set);
   const std::vector<Pole> known = poles_of(modes);
   const double least = min_gain_beside(set, after > unknowns ? after - unknowns : unknowns_per_mode(set),
