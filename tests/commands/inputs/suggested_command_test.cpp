@@ -134,6 +134,13 @@ TEST_F(SuggestedCommand, TakesTimesOfATestWithoutNamesAsMilliseconds) {
   EXPECT_NEAR(first_mode_Hz(run_suggestion(message)), 200, test::kFrequencyTolerance_Hz);
 }
 
+TEST_F(SuggestedCommand, AsksForTheRateWhereTheFirstColumnCountsSamples) {
+  std::vector<double> count;
+  for (std::size_t i = 0; i < record_.time_s.size(); ++i) count.push_back(static_cast<double>(i));
+  test::write_columns(file("x.csv"), "n,CH1,CH2", {count, record_.force_N, record_.accel_mps2});
+  EXPECT_THAT(suggestion({"analyze", "x.csv"}), EndsWith(" --fs HZ\n"));
+}
+
 // The message is about the roles, not about the text that the guess meets.
 TEST_F(SuggestedCommand, IsGivenThoughAColumnHoldsAText) {
   std::string text;

@@ -130,8 +130,10 @@ bool shows_hammer(const std::vector<CsvColumn>& columns,
   return shares.size() > 1 && kMaxMeasureRatio * shares[0] < shares[1];
 }
 
-// The sampling rate of times in ms, if they are no plausible times in s; otherwise 0.
+// The sampling rate of times in ms, if they are no plausible times in s; otherwise 0. Numbers that rise by one count
+// the samples.
 double rate_in_ms(const std::vector<double>& times) {
+  if (times.back() - times.front() == static_cast<double>(times.size() - 1)) return 0;
   const double rate_Hz = static_cast<double>(times.size() - 1) / (times.back() - times.front());
   return rate_Hz < kMinTestRate_Hz ? 1000 * rate_Hz : 0;
 }
