@@ -17,6 +17,7 @@
 namespace percuss::identify {
 namespace {
 
+// Adds the noise of the force, and fits residues together that do not add up to the FRFs.
 std::vector<Mode> finished(const FrfDataset& set, std::vector<FittedMode> found) {
   add_force_noise(set, found);
   fit_common_residues(set, found);

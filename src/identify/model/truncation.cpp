@@ -37,7 +37,7 @@ Truncation::Truncation(const Pole& pole, double window_decay_per_s, const acquir
 std::vector<Truncation::Factors> Truncation::factors(std::size_t first, std::size_t count) const {
   const double dt_s = 1 / lines_.fs_Hz;
   const Complex s = terms_.s;
-  const Complex two_j_wd(0, 2 * s.imag());  // s.imag() = ±ω_d: the conjugate pole has the conjugate factor
+  const Complex two_j_wd(0, 2 * s.imag());
   const Complex c = s * s / two_j_wd, c_by_s = 2.0 * s / two_j_wd;
   const Complex decay = std::exp(windowed_ * dt_s);
   const Complex step = std::polar(1.0, -kTwoPi * lines_.df_Hz() * dt_s);

@@ -1,5 +1,5 @@
 #pragma once
-#include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "identify/model/modal_model.hpp"
