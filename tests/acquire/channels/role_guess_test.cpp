@@ -45,8 +45,8 @@ TEST(HammerMeasure, IsSmallForPulsesOfOneSign) {
 }
 
 TEST(RisesEvenly, IsTrueForTimesOnly) {
-  std::vector<double> time;
-  for (int i = 0; i < 100; ++i) time.push_back(std::round(1e4 * i / 2560.0) / 1e4);  // rounded to 0.1 ms
+  std::vector<double> time(100);
+  for (std::size_t i = 0; i < time.size(); ++i) time[i] = std::round(1e4 * double(i) / 2560) / 1e4;  // to 0.1 ms
   EXPECT_TRUE(rises_evenly(time));
   time[50] += 1.0 / 2560;
   EXPECT_FALSE(rises_evenly(time)) << "a sample is lost";
@@ -74,8 +74,8 @@ TEST(UnreadHammer, IsNamedByItsNameOrItsPulses) {
 }
 
 TEST(GuessRoles, TakesThePulseAsTheForce) {
-  std::vector<double> time;
-  for (int i = 0; i < 1000; ++i) time.push_back(i / 1000.0);
+  std::vector<double> time(1000);
+  for (std::size_t i = 0; i < time.size(); ++i) time[i] = double(i) / 1000;
   const std::vector<std::vector<double>> columns{time, sine(1000), pulse(1000, 10, 1)};
   std::vector<CsvColumn> signals;
   for (std::size_t i = 0; i < columns.size(); ++i)
