@@ -192,7 +192,9 @@ def measured_rows(tool, data, measured):
         document = percuss(tool, 'analyze', *files, *CSV, '--files', 'hits', '--band', '40:450', '--per-hit')
         known = frequencies(reference['spruce_plates'].get('plate_%d' % plate, []))
         rows.append(row('spruce plate %d' % plate, document, known))
-    document = percuss(tool, 'analyze', os.path.join(data, 'pyfrf_5hits', 'record.h5'), '--per-hit', '--quiet')
+    # The last of its reference modes lies above the band that the force's own spectrum gives.
+    document = percuss(tool, 'analyze', os.path.join(data, 'pyfrf_5hits', 'record.h5'), '--per-hit', '--quiet',
+                       '--band', '100:8000')
     rows.append(row('steel part, 5 hits', document, frequencies(reference['pyfrf_5hits']['modes'])))
     beam = sorted(glob.glob(os.path.join(data, 'modelab_beam', 'Hxysv*.txt')))
     tests = [percuss(tool, 'survey', *some, '--quiet') for some in (beam, beam[::2], beam[1::2])]

@@ -43,8 +43,10 @@ class DecayProblem : public LeastSquaresProblem {
       : windows_(group.windows),
         of_(of),
         data_(stacked(data)),
+        inverse_std_(group.line_std.cwiseInverse()),
         level_(group.level.size() == data.cols() ? group.level : Eigen::VectorXd::Ones(data.cols())),
         weight_(Eigen::VectorXd::Ones(data.cols())) {
+    whiten(data_);
     solve(group.rates, now_);
   }
 
@@ -122,6 +124,14 @@ class DecayProblem : public LeastSquaresProblem {
     }
   }
 
+  // Divides stacked lines by the standard deviations of their noise.
+  void whiten(Eigen::MatrixXd& values) const {
+    if (inverse_std_.size() == 0) return;
+    const Index lines = values.rows() / 2;
+    values.topRows(lines).array().colwise() *= inverse_std_.array();
+    values.bottomRows(lines).array().colwise() *= inverse_std_.array();
+  }
+
   // Solves into `state`, whose matrices are used again where their sizes fit.
   void solve(const std::vector<DecayRate>& rates, State& state) {
     const auto modes = static_cast<Index>(rates.size());
@@ -129,6 +139,8 @@ class DecayProblem : public LeastSquaresProblem {
     columns_.resize(data_.rows(), 2 * modes);
     state.slope.resize(data_.rows(), 2 * modes);
     for (Index m = 0; m < modes; ++m) write_columns(rates[static_cast<std::size_t>(m)], 2 * m, columns_, state.slope);
+    whiten(columns_);
+    whiten(state.slope);
     qr_.compute(columns_);
     state.q.setIdentity(data_.rows(), 2 * modes);
     state.q.applyOnTheLeft(qr_.householderQ());
@@ -162,6 +174,7 @@ class DecayProblem : public LeastSquaresProblem {
   std::vector<std::pair<std::size_t, std::size_t>> windows_;
   const DecaySpectra& of_;
   Eigen::MatrixXd data_;
+  Eigen::VectorXd inverse_std_;     // [lines], of DecayGroup::line_std
   Eigen::VectorXd level_, weight_;  // [hits × channels]
   State now_, trial_;
   Eigen::MatrixXd columns_, along_;

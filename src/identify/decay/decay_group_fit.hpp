@@ -13,13 +13,15 @@ struct DecayGroup {
   std::vector<DecayRate> rates;
   std::vector<std::pair<std::size_t, std::size_t>> windows;  // first line and count; ascending, disjoint
   Eigen::VectorXd level{};  // [hits × channels] noise power of a hit over its channel's geometric mean; empty: all 1
+  Eigen::VectorXd line_std{};  // of the noise in the lines of the windows, relative; empty: all 1
 };
 
 struct DecayGroupFit {
   std::vector<DecayRate> rates;  // in the order of the group
   Eigen::MatrixXcd amplitude;    // [modes, hits × channels] at the first sample
   Eigen::MatrixXd covariance;    // of (Re s, Im s) of each mode, [2 modes, 2 modes]
-  Eigen::VectorXd noise;         // [hits × channels] variance of the real and of the imaginary part of a line
+  /// [hits × channels] variance of the real and of the imaginary part of a line where line_std is 1.
+  Eigen::VectorXd noise;
   Eigen::MatrixXd inverse_gram;  // [2 modes, 2 modes] of the columns: times `noise` the covariance of an amplitude
   /// The step of the rates by each hit alone, and its normal matrix, [hits].
   std::vector<Eigen::VectorXd> hit_step;
@@ -34,11 +36,11 @@ struct DecayGroupFit {
 /// The accuracy of a group fit. rough: few steps, for a search that fits the group again later.
 enum class DecayAccuracy { rough, full };
 
-/// Maximum likelihood of the group's rates in white noise, one variance per channel: amplitudes are eliminated by QR
-/// (variable projection), the rates found by Levenberg–Marquardt steps. `data` are spectra without all other modes,
-/// over the group's windows one after the other, [lines, hits × channels].
-/// The amplitudes of each hit and channel are free complex numbers. Restricting them to products of one number per hit
-/// and one per channel would not lower the Cramér–Rao bound of the rates.
+/// Maximum likelihood of the group's rates in noise of a known spectrum and one variance per channel: amplitudes are
+/// eliminated by QR (variable projection), the rates found by Levenberg–Marquardt steps. `data` are spectra without all
+/// other modes, over the group's windows one after the other, [lines, hits × channels]. The amplitudes of each hit and
+/// channel are free complex numbers. Restricting them to products of one number per hit and one per channel would not
+/// lower the Cramér–Rao bound of the rates.
 DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data,
                               DecayAccuracy accuracy = DecayAccuracy::full);
 

@@ -5,6 +5,7 @@
 
 #include "core/math/linear_algebra.hpp"
 #include "core/units.hpp"
+#include "identify/decay/decay_noise.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -14,7 +15,7 @@ using Eigen::Index;
 constexpr std::size_t kMaxTogether = 8;
 constexpr double kStill = 1e-11;     // relative change of a rate in one sweep, below which the fit ends
 constexpr double kStillStds = 1e-3;  // the same in standard deviations of the rate
-constexpr double kOtherLevel = 0.1;  // relative change of a hit's noise level that calls for a new fit
+constexpr double kOtherLevel = 0.1;  // relative change of the noise of a hit or of a line that calls for a new fit
 
 double frequency_Hz(const FittedDecay& mode) { return mode.rate.rate_radps.imag() / kTwoPi; }
 
@@ -72,6 +73,14 @@ bool is_still(const FittedDecay& mode, const Complex& step) {
   return std::abs(step) < std::max(kStill * std::abs(mode.rate.rate_radps), kStillStds * std_radps);
 }
 
+// Replaces weights where one changes by more than kOtherLevel. Returns whether it did. Empty weights are all 1.
+bool replace_if_changed(const Eigen::VectorXd& value, Eigen::VectorXd& weights) {
+  const Eigen::VectorXd old = weights.size() == 0 ? Eigen::VectorXd::Ones(value.size()).eval() : weights;
+  if (((value - old).array().abs() <= kOtherLevel * old.array()).all()) return false;
+  weights = value;
+  return true;
+}
+
 void sort(std::vector<FittedDecay>& modes) {
   std::stable_sort(modes.begin(), modes.end(), [](const FittedDecay& a, const FittedDecay& b) {
     return a.rate.rate_radps.imag() < b.rate.rate_radps.imag();
@@ -112,17 +121,22 @@ void DecayModel::unsettle_near(const DecayRate& rate) {
   }
 }
 
-void DecayModel::set_levels(const Eigen::MatrixXd& noise) {
+void DecayModel::set_noise(const Eigen::MatrixXd& noise) {
   const auto channels = static_cast<Index>(measured_->channels), hits = static_cast<Index>(measured_->hits);
   const Eigen::VectorXd log_power = noise.row(0).transpose().array().log();
   const Eigen::Map<const Eigen::MatrixXd> table(log_power.data(), channels, hits);
   const Eigen::MatrixXd above = (table.colwise() - table.rowwise().mean()).array().exp();
-  const Eigen::VectorXd level = above.reshaped();
-  const bool changed = level_.size() == 0 ? !level.isOnes(kOtherLevel)
-                                          : ((level - level_).array().abs() > kOtherLevel * level_.array()).any();
-  if (!changed) return;
-  level_ = level;
+  const bool other_levels = replace_if_changed(above.reshaped(), level_);
+  const bool other_lines = replace_if_changed(smooth_noise_std(noise), line_std_);
+  if (!other_levels && !other_lines) return;
   for (FittedDecay& mode : modes_) mode.settled.reset();
+}
+
+double DecayModel::variance_at(const DecayRate& rate) const {
+  if (line_std_.size() == 0) return 1;
+  const double line = std::round(rate.rate_radps.imag() / kTwoPi / measured_->line_Hz());
+  const auto last = static_cast<double>(line_std_.size() - 1);
+  return std::pow(line_std_(static_cast<Index>(std::clamp(line, 0.0, last))), 2);
 }
 
 bool DecayModel::is_settled(const std::vector<std::size_t>& members, DecayAccuracy accuracy) const {
@@ -152,7 +166,7 @@ DecaySpectra DecayModel::residual() const {
 }
 
 void DecayModel::fit_group(const std::vector<std::size_t>& members, const DecayWindows& windows) {
-  DecayGroup group{.rates = {}, .windows = {}, .level = level_};
+  DecayGroup group{.rates = {}, .windows = {}, .level = level_, .line_std = {}};
   std::vector<std::pair<std::size_t, std::size_t>> ranges;  // first, one past the last
   for (const std::size_t m : members) {
     group.rates.push_back(modes_[m].rate);
@@ -178,8 +192,13 @@ void DecayModel::fit_group(const std::vector<std::size_t>& members, const DecayW
     }
   }
   Eigen::MatrixXcd data(static_cast<Index>(lines), measured_->lines.cols());
+  if (line_std_.size() > 0) group.line_std.resize(data.rows());
   Index row = 0;
   for (const auto& [first, count] : group.windows) {
+    if (line_std_.size() > 0) {
+      group.line_std.segment(row, static_cast<Index>(count)) =
+          line_std_.segment(static_cast<Index>(first), static_cast<Index>(count));
+    }
     auto part = data.middleRows(row, static_cast<Index>(count));
     part = measured_->lines.middleRows(static_cast<Index>(first), static_cast<Index>(count));
     for (std::size_t m = 0; m < modes_.size(); ++m) {
@@ -194,8 +213,9 @@ void DecayModel::fit_group(const std::vector<std::size_t>& members, const DecayW
     mode.rate = fitted.rates[i];
     mode.amplitude = fitted.amplitude.row(static_cast<Index>(i));
     mode.covariance = fitted.covariance.block<2, 2>(at, at);
-    mode.inverse_gram = fitted.inverse_gram.block<2, 2>(at, at);
-    mode.noise = fitted.noise;
+    const double variance = variance_at(mode.rate);
+    mode.inverse_gram = fitted.inverse_gram.block<2, 2>(at, at) / variance;
+    mode.noise = fitted.noise * variance;
     mode.misfit = fitted.misfit;
     mode.converged = fitted.converged;
     mode.hit_step.clear();

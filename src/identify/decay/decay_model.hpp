@@ -45,9 +45,10 @@ class DecayModel {
   void add(const DecayRate& rate);
   void remove(std::size_t mode);
   void set_rivals(std::size_t mode, const std::pair<double, double>& rivals_Hz) { modes_[mode].rivals_Hz = rivals_Hz; }
-  /// Sets the noise power of each hit, divided by the geometric mean over the hits of its channel. `noise`: E|R|² of a
-  /// residual [lines, hits × channels]. If a ratio changes by more than 10 %, all groups are fitted again.
-  void set_levels(const Eigen::MatrixXd& noise);
+  /// Sets the noise power of each hit, divided by the geometric mean over the hits of its channel, and the spectrum of
+  /// the noise, averaged over channels and octaves. `noise`: E|R|² of a residual [lines, hits × channels]. If a ratio
+  /// changes by more than 10 %, all groups are fitted again.
+  void set_noise(const Eigen::MatrixXd& noise);
   /// Fits all groups in turn, `sweeps` times at most.
   void fit(int sweeps, const DecayWindows& windows);
   /// The measured spectra minus all modes.
@@ -63,7 +64,10 @@ class DecayModel {
 
   const DecaySpectra* measured_;
   std::vector<FittedDecay> modes_;
-  Eigen::VectorXd level_;  // DecayGroup::level
+  double variance_at(const DecayRate& rate) const;
+
+  Eigen::VectorXd level_;     // DecayGroup::level
+  Eigen::VectorXd line_std_;  // [lines] as of smooth_noise_std(); empty: all 1
 };
 
 }  // namespace percuss::identify

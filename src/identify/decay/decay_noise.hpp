@@ -13,6 +13,10 @@ namespace percuss::identify {
 /// shapes  floor [hits × channels]; result [lines, hits × channels].
 Eigen::MatrixXd decay_line_noise(const DecaySpectra& residual, const Eigen::VectorXd& floor);
 
+/// The standard deviation of the lines relative to its geometric mean, averaged over channels, hits and an octave
+/// around each line. `noise` as of decay_line_noise(). shape [lines].
+Eigen::VectorXd smooth_noise_std(const Eigen::MatrixXd& noise);
+
 /// The power of rounding: the mean power of a hit's lines in a channel times the square of the accuracy of the model's
 /// columns. shape [hits × channels].
 Eigen::VectorXd decay_rounding(const DecaySpectra& measured);

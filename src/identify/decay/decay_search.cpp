@@ -14,10 +14,11 @@ namespace {
 using Eigen::Index;
 
 constexpr std::size_t kRates = 12;
-constexpr double kSlowest = 0.5;                 // decay over the record, in nepers
-constexpr double kFastest = 1.0 / 16;            // of the sampling rate
-constexpr double kSearchesPerFalseAlarm = 1000;  // one in so many searches of noise alone finds a decay
-constexpr double kWeakest = 0.02;                // of the strongest candidate: weaker ones wait until it is fitted
+constexpr double kSlowest = 0.5;                  // decay over the record, in nepers
+constexpr double kFastest = 1.0 / 16;             // of the sampling rate
+constexpr double kLight = 0.05, kHeaviest = 0.5;  // damping ratios
+constexpr double kSearchesPerFalseAlarm = 1000;   // one in so many searches of noise alone finds a decay
+constexpr double kWeakest = 0.02;                 // of the strongest candidate: weaker ones wait until it is fitted
 constexpr double kApart_lines = 6;  // between candidates of one search, in addition to three half-power bandwidths
 
 std::vector<double> rates_per_s(const DecaySpectra& of) {
@@ -29,8 +30,8 @@ std::vector<double> rates_per_s(const DecaySpectra& of) {
 }
 
 struct FilterBank {
-  Eigen::ArrayXd energy;  // [padded lines] largest over the rates
-  Eigen::ArrayXd rate_per_s;
+  Eigen::ArrayXXd energy;  // [padded lines, rates]
+  std::vector<double> rates_per_s;
   double line_Hz = 0;
 };
 
@@ -50,14 +51,16 @@ FilterBank matched_filters(const DecaySpectra& residual, const Eigen::MatrixXd& 
   std::vector<std::vector<double>> x(static_cast<std::size_t>(residual.lines.cols()));
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = whitened(residual, noise, static_cast<Index>(i));
   plan_real_dft(padded);
-  Eigen::ArrayXXd energy = Eigen::ArrayXXd::Zero(lines, static_cast<Index>(rates.size()));
+  FilterBank out{.energy = Eigen::ArrayXXd::Zero(lines, static_cast<Index>(rates.size())),
+                 .rates_per_s = rates,
+                 .line_Hz = residual.fs_Hz / static_cast<double>(padded)};
   static const PerThread<std::vector<double>> scratch;
   constexpr std::size_t kFlopsPerSample = 100;
   parallel_for_cost(rates.size(), kFlopsPerSample * padded * x.size(), [&](std::size_t r) {
     const double decay = std::exp(-rates[r] / residual.fs_Hz);
     std::vector<double>& windowed = scratch.local();
     windowed.assign(padded, 0);
-    auto of_rate = energy.col(static_cast<Index>(r));
+    auto of_rate = out.energy.col(static_cast<Index>(r));
     for (const std::vector<double>& one : x) {
       double weight = 1, sum = 0;
       for (std::size_t n = 0; n < one.size(); ++n) {
@@ -69,16 +72,36 @@ FilterBank matched_filters(const DecaySpectra& residual, const Eigen::MatrixXd& 
       for (Index k = 0; k < lines; ++k) of_rate(k) += std::norm(transform[static_cast<std::size_t>(k)]) / sum;
     }
   });
-  FilterBank out{.energy = energy.col(0),
-                 .rate_per_s = Eigen::ArrayXd::Constant(lines, rates[0]),
-                 .line_Hz = residual.fs_Hz / static_cast<double>(padded)};
-  for (std::size_t r = 1; r < rates.size(); ++r) {
-    for (Index k = 0; k < lines; ++k) {
-      const double e = energy(k, static_cast<Index>(r));
-      if (e > out.energy(k)) out.rate_per_s(k) = rates[r];
-      out.energy(k) = std::max(out.energy(k), e);
-    }
+  return out;
+}
+
+// The candidate at a padded line: the rate with the largest energy, among those below a damping ratio.
+DecayCandidate candidate_at(const FilterBank& bank, Index line, double max_damping) {
+  const double omega = kTwoPi * bank.line_Hz * static_cast<double>(line);
+  std::size_t best = 0;
+  for (std::size_t r = 1; r < bank.rates_per_s.size() && bank.rates_per_s[r] < max_damping * omega; ++r) {
+    if (bank.energy(line, static_cast<Index>(r)) > bank.energy(line, static_cast<Index>(best))) best = r;
   }
+  return {.rate = {Complex(-bank.rates_per_s[best], omega)}, .energy = bank.energy(line, static_cast<Index>(best))};
+}
+
+// The maxima of the energy over the band that exceed the threshold, without the refused ones. The strongest first.
+std::vector<DecayCandidate> maxima(const FilterBank& bank, double max_damping, double threshold, double margin_Hz,
+                                   const DecaySearchLimits& limits) {
+  const auto first = static_cast<Index>(std::max(1.0, std::ceil(limits.band_Hz.first / bank.line_Hz)));
+  const Index last =
+      std::min(bank.energy.rows() - 2, static_cast<Index>(std::floor(limits.band_Hz.second / bank.line_Hz)));
+  std::vector<DecayCandidate> out, lines;
+  for (Index k = first - 1; k <= last + 1; ++k) lines.push_back(candidate_at(bank, k, max_damping));
+  for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
+    const double e = lines[i].energy;
+    if (e < threshold || e < lines[i - 1].energy || e < lines[i + 1].energy) continue;
+    if (std::none_of(limits.refused.begin(), limits.refused.end(),
+                     [&](const DecayRate& other) { return overlap(lines[i].rate, other, 1, margin_Hz); }))
+      out.push_back(lines[i]);
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const DecayCandidate& a, const DecayCandidate& b) { return a.energy > b.energy; });
   return out;
 }
 
@@ -93,24 +116,14 @@ double decay_threshold(std::size_t spectra, std::size_t places) {
 std::vector<DecayCandidate> strongest_decays(const DecaySpectra& residual, const Eigen::MatrixXd& noise,
                                              const DecaySearchLimits& limits) {
   const FilterBank bank = matched_filters(residual, noise);
-  const auto first = static_cast<Index>(std::max(1.0, std::ceil(limits.band_Hz.first / bank.line_Hz)));
-  const Index last =
-      std::min(bank.energy.size() - 2, static_cast<Index>(std::floor(limits.band_Hz.second / bank.line_Hz)));
+  const double lines = (limits.band_Hz.second - limits.band_Hz.first) / bank.line_Hz;
   const double threshold = decay_threshold(static_cast<std::size_t>(residual.lines.cols()),
-                                           static_cast<std::size_t>(std::max<Index>(last - first, 1)) * kRates);
-  std::vector<DecayCandidate> peaks;
-  for (Index k = first; k <= last; ++k) {
-    const double e = bank.energy(k);
-    if (e < threshold || e < bank.energy(k - 1) || e < bank.energy(k + 1)) continue;
-    const double omega = kTwoPi * bank.line_Hz * static_cast<double>(k);
-    const DecayRate rate{Complex(-bank.rate_per_s(k), omega)};
-    const bool refused = std::any_of(limits.refused.begin(), limits.refused.end(), [&](const DecayRate& other) {
-      return overlap(rate, other, 1, residual.line_Hz() / 2);
-    });
-    if (!refused) peaks.push_back({.rate = rate, .energy = e});
-  }
-  std::stable_sort(peaks.begin(), peaks.end(),
-                   [](const DecayCandidate& a, const DecayCandidate& b) { return a.energy > b.energy; });
+                                           static_cast<std::size_t>(std::max(lines, 1.0)) * kRates);
+  const double margin_Hz = residual.line_Hz() / 2;
+  // The modes that are not fitted yet jump together at the start, which looks like a heavily damped decay. Heavily
+  // damped decays wait until the others are fitted.
+  std::vector<DecayCandidate> peaks = maxima(bank, kLight, threshold, margin_Hz, limits);
+  if (peaks.empty()) peaks = maxima(bank, kHeaviest, threshold, margin_Hz, limits);
   std::vector<DecayCandidate> chosen;
   for (const DecayCandidate& peak : peaks) {
     if (chosen.size() >= limits.max_candidates || peak.energy < kWeakest * peaks.front().energy) break;

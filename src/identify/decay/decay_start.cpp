@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/units.hpp"
+#include "core/math/significance.hpp"
+#include "identify/decay/noise_prediction.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -11,28 +12,91 @@ namespace {
 constexpr double kSafe_s = 20e-3, kSafeShare = 1.0 / 8;  // of safe_start()
 constexpr double kMinSafe_s = 5e-3;                      // longer than the contact of a ball
 constexpr std::size_t kBackBlock = 8;                    // samples
-constexpr double kAlarm = 4;                             // standard deviations of a block's mean square
+constexpr std::size_t kMaxBlocks = 16;                   // that are tested together
+constexpr std::size_t kAfter = 16;  // samples after the start, from which those before are predicted
+constexpr double kAlarm = 4;        // normal deviate of a sum's χ²
 constexpr int kMaxMoves = 4;
 constexpr double kWorthwhile = 0.05;  // of the start: a smaller move changes nothing
 
-// Per hit and channel: the variance of a sample in the residual, from the noise and from the uncertainty of the decays
-// `before_s` seconds before their start.
+// Of one response: what its prediction errors before the start of the decays should be.
 struct Expected {
-  Eigen::VectorXd noise;
   const FreeDecayFit* fit = nullptr;
-  double variance(Eigen::Index signal, double before_s) const {
-    double sum = noise(signal);
+  Eigen::Index signal = 0;
+  NoisePrediction prediction{};
+  double fs_Hz = 0;
+
+  // The variance of an error `before_s` seconds before the start, from the noise and from the uncertainty of the
+  // decays.
+  double variance(double before_s) const {
+    double sum = prediction.error_variance;
     for (const FittedDecay& decay : fit->decays) {
-      sum += decay.noise(signal) * decay.inverse_gram.trace() / 2 *
-             std::exp(std::min(200.0, -2 * decay.rate.rate_radps.real() * before_s));
+      const double at_start = decay.noise(signal) * decay.inverse_gram.trace() / 2;
+      const double growth = std::exp(std::min(200.0, -2 * decay.rate.rate_radps.real() * before_s));
+      sum += at_start * growth * prediction.gain(decay.rate, fs_Hz);
     }
     return sum;
   }
 };
 
-Expected expected_of(const FreeDecayFit& fit, std::size_t samples) {
-  // Σ_k |R(k)|² of the one-sided lines is N²/2 of a sample's variance.
-  return {.noise = fit.noise.colwise().sum().transpose() * 2 / std::pow(static_cast<double>(samples), 2), .fit = &fit};
+// The constant of each response that the fit leaves out.
+std::vector<double> constants(const FreeDecays& whole, const FreeDecayFit& fit, std::size_t start) {
+  std::vector<double> out;
+  for (const std::vector<double>& one : whole.response) {
+    double sum = 0;
+    for (std::size_t n = start; n < one.size(); ++n) sum += one[n];
+    out.push_back(sum / static_cast<double>(one.size() - start));
+  }
+  const DecaySpectra shape{.fs_Hz = whole.fs_Hz, .samples = whole.samples() - start, .lines = {}};
+  for (const FittedDecay& decay : fit.decays) {
+    const Eigen::RowVector2cd dc = decay_values(decay.rate, shape, 0, 1).row(0) / static_cast<double>(shape.samples);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const Complex a = decay.amplitude(static_cast<Eigen::Index>(i));
+      out[i] -= dc(0).real() * a.real() + dc(1).real() * a.imag();
+    }
+  }
+  return out;
+}
+
+// The responses minus the decays, extrapolated back, from the first sample to kAfter samples beyond the start.
+std::vector<std::vector<double>> residuals(const FreeDecays& whole, const FreeDecayFit& fit, std::size_t start) {
+  const std::vector<double> bias = constants(whole, fit, start);
+  const std::size_t samples = std::min(start + kAfter, whole.samples());
+  std::vector<std::vector<double>> out;
+  for (std::size_t i = 0; i < whole.response.size(); ++i) {
+    out.emplace_back(whole.response[i].begin(), whole.response[i].begin() + static_cast<std::ptrdiff_t>(samples));
+    for (double& value : out.back()) value -= bias[i];
+  }
+  for (const FittedDecay& decay : fit.decays) {
+    const Complex step = std::exp(decay.rate.rate_radps / whole.fs_Hz);
+    Complex now = std::exp(decay.rate.rate_radps * (-static_cast<double>(start) / whole.fs_Hz));
+    for (std::size_t n = 0; n < samples; ++n, now *= step) {
+      for (std::size_t i = 0; i < out.size(); ++i)
+        out[i][n] -= (decay.amplitude(static_cast<Eigen::Index>(i)) * now).real();
+    }
+  }
+  return out;
+}
+
+// χ² of the prediction errors in each block of kBackBlock samples before the start. The first one ends at the start.
+std::vector<double> block_chi2(const FreeDecays& whole, const FreeDecayFit& fit, std::size_t start) {
+  const std::vector<std::vector<double>> rest = residuals(whole, fit, start);
+  std::vector<double> out(start / kBackBlock, 0.0);
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const auto signal = static_cast<Eigen::Index>(i);
+    const Expected expected{.fit = &fit,
+                            .signal = signal,
+                            .prediction = noise_prediction(fit.noise.col(signal), whole.samples() - start),
+                            .fs_Hz = whole.fs_Hz};
+    for (std::size_t b = 0; b < out.size(); ++b) {
+      const std::size_t first = start - (b + 1) * kBackBlock;
+      const double variance = expected.variance(static_cast<double>(start - first) / whole.fs_Hz);
+      double square = 0;
+      for (std::size_t n = first; n < first + kBackBlock; ++n)
+        square += std::pow(expected.prediction.error(rest[i], n), 2);
+      out[b] += square / variance;
+    }
+  }
+  return out;
 }
 
 }  // namespace
@@ -49,40 +113,20 @@ FreeDecays decays_from(const FreeDecays& whole, std::size_t first) {
 }
 
 std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std::size_t start) {
-  const Expected expected = expected_of(fit, whole.samples() - start);
-  std::vector<double> bias;  // the constant that the fit leaves out
-  for (const std::vector<double>& one : whole.response) {
+  const std::vector<double> chi2 = block_chi2(whole, fit, start);
+  const auto freedom = static_cast<double>(kBackBlock * whole.response.size());
+  for (std::size_t b = 0; b < chi2.size(); ++b) {
+    // A weak force that ends slowly exceeds the noise in a sum over several blocks only.
     double sum = 0;
-    for (std::size_t n = start; n < one.size(); ++n) sum += one[n];
-    bias.push_back(sum / static_cast<double>(one.size() - start));
-  }
-  for (std::size_t i = 0; i < bias.size(); ++i) {
-    for (const FittedDecay& decay : fit.decays) {
-      const DecaySpectra shape{.fs_Hz = whole.fs_Hz, .samples = whole.samples() - start, .lines = {}};
-      const DecayColumns dc = decay_columns(decay.rate, shape, 0, 1);
-      const Complex a = decay.amplitude(static_cast<Eigen::Index>(i));
-      bias[i] -=
-          (dc.value(0, 0).real() * a.real() + dc.value(0, 1).real() * a.imag()) / static_cast<double>(shape.samples);
+    for (std::size_t blocks = 1; blocks <= std::min(kMaxBlocks, b + 1); ++blocks) {
+      sum += chi2[b + 1 - blocks];
+      const bool tested = (blocks & (blocks - 1)) == 0;
+      if (!tested || chi2_deviate(sum, static_cast<double>(blocks) * freedom) < kAlarm) continue;
+      // In the block after those that exceed the limit, a weak force may still act: that block is left out, too.
+      return std::min(start, start - (b + 1) * kBackBlock + (blocks + 1) * kBackBlock);
     }
   }
-  std::size_t first = start;
-  while (first >= kBackBlock) {
-    double square = 0;
-    for (std::size_t n = first - kBackBlock; n < first; ++n) {
-      const double t_s = (static_cast<double>(n) - static_cast<double>(start)) / whole.fs_Hz;
-      for (std::size_t i = 0; i < whole.response.size(); ++i) {
-        double rest = whole.response[i][n] - bias[i];
-        for (const FittedDecay& decay : fit.decays)
-          rest -= (decay.amplitude(static_cast<Eigen::Index>(i)) * std::exp(decay.rate.rate_radps * t_s)).real();
-        square += rest * rest / expected.variance(static_cast<Eigen::Index>(i), -t_s);
-      }
-    }
-    const auto count = static_cast<double>(kBackBlock * whole.response.size());
-    // In the block after the one that exceeds the limit, a weak force may still act: that block is left out, too.
-    if (!(square / count < 1 + kAlarm * std::sqrt(2 / count))) return std::min(start, first + kBackBlock);
-    first -= kBackBlock;
-  }
-  return first;
+  return start - chi2.size() * kBackBlock;
 }
 
 StartedFit fit_from_earliest_start(const FreeDecays& whole, std::size_t safe, const FreeDecayOptions& options) {

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "core/units.hpp"
@@ -27,7 +28,8 @@ constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
 // or damping changes while it decays. The misfit is about as wide as the mode: a peak far narrower is no misfit of a
 // broad background.
 constexpr double kMimics = 1e-3, kMimicsAlone = 0.1;
-constexpr double kNarrowest = 0.1;  // decay rate of a misfit over the mode's
+constexpr double kNarrowest = 0.1;     // decay rate of a misfit over the mode's
+constexpr double kFastestFit = 0.125;  // decay rate over the sampling rate: a faster decay is over in a few samples
 
 std::size_t line_of(const FittedDecay& mode, const DecaySpectra& of) {
   const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz());
@@ -58,11 +60,17 @@ bool may_be_misfit(const DecayRate& weak, const DecayRate& strong) {
   return overlap(weak, strong) && weak.rate_radps.real() < kNarrowest * strong.rate_radps.real();
 }
 
+// Whether the fit of a decay ended at a rate that describes no motion of the structure.
+bool ran_away(const DecayRate& rate, double fs_Hz) {
+  return -rate.rate_radps.real() > kFastestFit * fs_Hz || rate.rate_radps.imag() > std::numbers::pi * fs_Hz;
+}
+
 // The index of a decay to leave out; the number of decays where all stay.
-std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& energy, double threshold, double mimics) {
+std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& energy, double threshold, double mimics,
+                        double fs_Hz) {
   const auto& modes = model.modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (!(energy[m] >= threshold)) return m;
+    if (!(energy[m] >= threshold) || ran_away(modes[m].rate, fs_Hz)) return m;
     for (std::size_t other = 0; other < modes.size(); ++other) {
       if (other != m && energy[m] < mimics * energy[other] && may_be_misfit(modes[m].rate, modes[other].rate)) return m;
     }
@@ -176,7 +184,7 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
     for (;;) {
       out.noise = decay_line_noise(model.residual(), rounding);
       out.energy = energies(model, measured, out.noise);
-      const std::size_t m = unconfirmed(model, out.energy, out.threshold, mimics);
+      const std::size_t m = unconfirmed(model, out.energy, out.threshold, mimics, measured.fs_Hz);
       if (m == model.modes().size()) return;
       limits.refused.push_back(model.modes()[m].rate);
       model.remove(m);
@@ -214,7 +222,7 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
       return out;
     }
     if (round > 0 && model.modes().size() <= before) break;
-    model.set_levels(out.noise);
+    model.set_noise(out.noise);
     model.fit(kFinalSweeps, {});
     drop_unconfirmed();
     limits.refused.clear();
@@ -224,7 +232,7 @@ FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOption
     if (auto alone = without_imitations(model, m, measured, out.noise, energies(model, measured, out.noise)))
       model = std::move(*alone);
   }
-  model.set_levels(out.noise);
+  model.set_noise(out.noise);
   double left = options.search ? chi2(model.residual(), out.noise) : 0;
   for (std::size_t m = 0; options.search && m < model.modes().size(); ++m) {
     if (auto pair = with_pair(model, m, left, measured, out.noise)) {

@@ -10,22 +10,45 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kBlock_s = 0.5e-3, kHistory_s = 20e-3;
-constexpr std::size_t kMinBlock = 8;  // samples
-constexpr double kRise = 10;          // of the power, in one block
-constexpr double kWeakest = 3e-3;     // of the strongest block's power
-constexpr double kAboveQuiet = 30;    // of the power in the quietest fifth of the row
-constexpr double kAtStart = 0.5;      // of the strongest block's power: a blow within the first 20 ms of a row
+constexpr double kContact_s = 1.5e-3;   // a soft tip needs this long to reach its largest force
+constexpr std::size_t kMinBlock = 8;    // samples
+constexpr double kRise = 10;            // of the power, within a contact
+constexpr double kWeakest = 3e-3;       // of the strongest block's power
+constexpr double kAboveQuiet = 30;      // of the power in the quietest fifth of the row
+constexpr double kLeastRate_Hz = 5000;  // of the means whose differences are taken
+constexpr double kClearer = 2;          // power over the quiet power: a longer mean must raise it so much
+constexpr double kAtStart = 0.5;        // of the strongest block's power: a blow within the first 20 ms of a row
 constexpr std::size_t kNoiseBlocks = 20;
 constexpr double kAboveNoise = 1.5;   // times the largest value in these blocks before the rise
 constexpr double kOnsetLevel = 0.03;  // of the largest value in the rise
 
 using Signals = std::vector<std::vector<double>>;  // [channels][samples]
 
-Signals differences(const Signals& x) {
-  Signals out = x;
+// Lengths in samples, except where stated.
+struct Blocks {
+  std::size_t samples = 0;
+  std::size_t history = 0, contact = 0;  // in blocks
+};
+
+Blocks blocks_at(double fs_Hz) {
+  const auto samples = std::max(kMinBlock, static_cast<std::size_t>(std::lround(kBlock_s * fs_Hz)));
+  const auto whole = [&](double time_s) { return static_cast<std::size_t>(std::lround(time_s * fs_Hz)) / samples; };
+  return {.samples = samples,
+          .history = std::max<std::size_t>(2, whole(kHistory_s)),
+          .contact = std::max<std::size_t>(1, whole(kContact_s))};
+}
+
+// The mean of `length` samples from n on minus the mean of as many before n; 0 where there are not enough samples.
+Signals differences(const Signals& x, std::size_t length) {
+  Signals out(x.size());
   for (std::size_t c = 0; c < x.size(); ++c) {
-    out[c].front() = 0;
-    for (std::size_t n = 1; n < x[c].size(); ++n) out[c][n] = x[c][n] - x[c][n - 1];
+    const std::vector<double>& one = x[c];
+    out[c].assign(one.size(), 0);
+    for (std::size_t n = length; n + length <= one.size(); ++n) {
+      double sum = 0;
+      for (std::size_t i = 0; i < length; ++i) sum += one[n + i] - one[n - 1 - i];
+      out[c][n] = sum / static_cast<double>(length);
+    }
   }
   return out;
 }
@@ -60,36 +83,57 @@ double quiet_level(std::vector<double> power) {
   return *at;
 }
 
+// The differences that show a blow most clearly. At a high sampling rate the differences of single samples consist of
+// the noise of high frequencies, which a soft blow does not excite.
+Signals clearest_differences(const Signals& x, const Blocks& blocks, double fs_Hz) {
+  const auto clearness = [&](const Signals& signals) {
+    const std::vector<double> power = block_power(signals, blocks.samples);
+    const double quiet = quiet_level(power);
+    return quiet > 0 ? extremes_of(power).high / quiet : 0;
+  };
+  Signals out = differences(x, 1);
+  double most = clearness(out);
+  for (std::size_t length = 2; fs_Hz >= kLeastRate_Hz * static_cast<double>(length); length *= 2) {
+    Signals longer = differences(x, length);
+    const double clear = clearness(longer);
+    if (!(clear > kClearer * most)) continue;
+    most = clear;
+    out = std::move(longer);
+  }
+  return out;
+}
+
 double median_after(const std::vector<double>& power, std::size_t b, std::size_t history) {
   const std::size_t last = std::min(b + 1 + history, power.size());
   return median({power.begin() + static_cast<std::ptrdiff_t>(b), power.begin() + static_cast<std::ptrdiff_t>(last)});
 }
 
-std::vector<std::size_t> rising_blocks(const std::vector<double>& power, std::size_t history) {
+std::vector<std::size_t> rising_blocks(const std::vector<double>& power, const Blocks& blocks) {
   const double strongest = extremes_of(power).high, weakest = kWeakest * strongest;
   const double least = std::max(weakest, kAboveQuiet * quiet_level(power));
   std::vector<std::size_t> out;
   for (std::size_t b = 1; b < power.size(); ++b) {
     if (power[b] < weakest) continue;
-    const std::size_t from = b - std::min(b, history);
-    const double before = *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(from),
-                                            power.begin() + static_cast<std::ptrdiff_t>(b));
-    const bool ringing = !out.empty() && b - out.back() <= history;
+    const std::size_t rise = std::min(b, blocks.contact), from = b - std::min(b, blocks.history);
+    const double before =
+        *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(from),
+                          power.begin() + static_cast<std::ptrdiff_t>(std::max(from + 1, b + 1 - rise)));
+    const bool ringing = !out.empty() && b - out.back() <= blocks.history;
     // A row that begins just before the blow and ends within the decay has no quiet part. Its blow is strong, and the
     // decay after it is strong, too. Noise is strong in one block only.
     const bool at_start = from == 0 &&
                           std::max(power[b], power[std::min(b + 1, power.size() - 1)]) > kAtStart * strongest &&
-                          median_after(power, b, history) > kRise * before;
+                          median_after(power, b, blocks.history) > kRise * before;
     if (power[b] > kRise * before && !ringing && (power[b] > least || at_start)) out.push_back(b);
   }
   return out;
 }
 
-// The first sample of the rise, searched in three blocks: the block before `block_index`, this block and the next one.
-// At this sample a channel exceeds the noise before the three blocks, and the fraction kOnsetLevel of its largest value
-// in them.
-std::size_t onset_in(const Signals& x, std::size_t block_index, std::size_t block) {
-  const std::size_t first = std::max<std::size_t>((block_index - 1) * block, 1);
+// The first sample of the rise, searched from a contact before the block `block_index` to the end of the next block. At
+// this sample a channel exceeds the noise before that part, and the fraction kOnsetLevel of its largest value in it.
+std::size_t onset_in(const Signals& x, std::size_t block_index, const Blocks& blocks) {
+  const std::size_t block = blocks.samples;
+  const std::size_t first = std::max<std::size_t>((block_index - std::min(block_index, blocks.contact)) * block, 1);
   const std::size_t last = std::min((block_index + 2) * block, x.front().size());
   const std::size_t before = first - std::min(first - 1, kNoiseBlocks * block);
   std::size_t onset = last;
@@ -110,31 +154,30 @@ std::size_t onset_in(const Signals& x, std::size_t block_index, std::size_t bloc
 }  // namespace
 
 std::vector<ResponseImpact> response_impacts(const acquire::Record& record, const acquire::HitOptions& options) {
-  const auto block = std::max(kMinBlock, static_cast<std::size_t>(std::lround(kBlock_s * record.fs_Hz)));
-  const auto history =
-      std::max<std::size_t>(2, static_cast<std::size_t>(std::lround(kHistory_s * record.fs_Hz)) / block);
+  const Blocks blocks = blocks_at(record.fs_Hz);
   std::vector<ResponseImpact> out;
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     const acquire::SampleRange range = acquire::select_time_range(record, row, options);
     const std::size_t samples = range.last - range.first;
-    if (samples < 4 * block) continue;
+    if (samples < 4 * blocks.samples) continue;
     Signals x(record.accel.size(), std::vector<double>(samples));
     for (std::size_t c = 0; c < x.size(); ++c) record.read_accel_mps2(row, c, range.first, x[c]);
     std::vector<ResponseImpact> found;
     const auto find_in = [&](const Signals& signals) {
-      for (const std::size_t b : rising_blocks(block_power(signals, block), history))
-        found.push_back({.row = row, .first = onset_in(signals, b, block)});
+      for (const std::size_t b : rising_blocks(block_power(signals, blocks.samples), blocks))
+        found.push_back({.row = row, .first = onset_in(signals, b, blocks)});
     };
     // A blow excites all frequencies, so the differences of the samples show it even during slow motion. If they show
     // no blow, the samples themselves are searched: the blow may excite only a slow mode, whose differences lie below
     // the noise although its samples exceed it.
-    find_in(differences(x));
+    find_in(clearest_differences(x, blocks, record.fs_Hz));
     if (found.empty()) find_in(centred(x));
     const bool moves =
         std::any_of(x.begin(), x.end(), [](const auto& one) { return extremes_of(one).high > extremes_of(one).low; });
     if (found.empty() && moves) found.push_back({.row = row, .first = 0, .whole_pulse = false});
     for (std::size_t i = 0; i < found.size(); ++i) {
-      found[i].last = i + 1 < found.size() ? found[i + 1].first - std::min(found[i + 1].first, block) : samples;
+      found[i].last =
+          i + 1 < found.size() ? found[i + 1].first - std::min(found[i + 1].first, blocks.samples) : samples;
       found[i].first += range.first;
       found[i].last += range.first;
       out.push_back(found[i]);

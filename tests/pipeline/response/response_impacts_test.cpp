@@ -73,4 +73,31 @@ TEST(ResponseImpacts, RejectsRowsWithoutABlowIfOthersShowOne) {
   EXPECT_EQ(test.found.modes.size(), 1U);
 }
 
+// At 48 kHz, the differences of single samples are the microphone's noise. A finger tap rises in a millisecond: over
+// several blocks, none of which is ten times the block before it.
+TEST(ResponseImpacts, FindsSoftTapsInWhiteNoiseAtAHighRate) {
+  constexpr double kPhone_Hz = 48000;
+  constexpr std::size_t kLead = 20000, kEach = 40000, kContact = 96;
+  const Complex step = std::exp(identify::decay_rate_of({300, 0.01}).rate_radps / kPhone_Hz);
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> gauss;
+    std::vector<double> x(kLead + 3 * kEach);
+    Complex motion = 0;
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      const std::size_t since = n < kLead ? kEach : (n - kLead) % kEach;
+      const double phase = kTwoPi * static_cast<double>(since) / kContact;
+      motion = step * motion + (since < kContact ? (1 - std::cos(phase)) / kContact : 0);
+      x[n] = motion.real() + 0.01 * gauss(random);
+    }
+    const auto found = response_impacts(test::response_record(kPhone_Hz, {{x}}, 0, true), {});
+    ASSERT_EQ(found.size(), 3U) << seed;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto start = static_cast<double>(kLead + i * kEach);
+      EXPECT_GT(static_cast<double>(found[i].first), start - 24) << seed;
+      EXPECT_LT(static_cast<double>(found[i].first), start + kContact) << seed;
+    }
+  }
+}
+
 }  // namespace percuss::pipeline::response_impacts_test

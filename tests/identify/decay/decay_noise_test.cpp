@@ -1,0 +1,57 @@
+#include "identify/decay/decay_noise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/units.hpp"
+
+namespace percuss::identify::decay_noise_test {
+
+constexpr std::size_t kSamples = 32768;
+
+// E|X(k)|² of noise x(n) = pole x(n − 1) + e(n), with e of unit variance.
+double variance_of_line(double pole, double line) {
+  return kSamples / std::norm(1.0 - pole * std::exp(Complex(0, -kTwoPi * line / kSamples)));
+}
+
+DecaySpectra noise_of(double pole, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> gauss;
+  FreeDecays out{.fs_Hz = 48000, .hits = 1, .channels = 1, .response = {std::vector<double>(kSamples)}};
+  double now = 0;
+  for (int n = 0; n < 5000; ++n) now = pole * now + gauss(random);
+  for (double& value : out.response[0]) value = now = pole * now + gauss(random);
+  return decay_spectra(out);
+}
+
+// The noise of a room or of a phone's microphone falls with the frequency: here from line 26 on.
+TEST(DecayNoise, FollowsNoiseThatFallsAtLowFrequencies) {
+  const double pole = 0.995;
+  double worst = 0, mean = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Eigen::MatrixXd noise = decay_line_noise(noise_of(pole, seed), Eigen::VectorXd::Zero(1));
+    for (const Eigen::Index k : {16, 40, 80, 160, 320, 640, 1280, 5000, 15000}) {
+      const double ratio = std::log(noise(k, 0) / variance_of_line(pole, static_cast<double>(k)));
+      worst = std::max(worst, std::abs(ratio));
+      mean += ratio / (20 * 9);
+    }
+  }
+  EXPECT_LT(worst, 1.2);  // the median of 32 exponential variables: std 0.25 of its logarithm, 4.5 times that
+  EXPECT_NEAR(mean, 0, 0.1);
+}
+
+TEST(DecayNoise, IsSmoothOverAnOctave) {
+  const Eigen::VectorXd white = smooth_noise_std(decay_line_noise(noise_of(0, 1), Eigen::VectorXd::Zero(1)));
+  for (Eigen::Index k = 200; k < white.size(); k += 100) EXPECT_NEAR(white(k), 1, 0.06) << k;
+  const Eigen::VectorXd falling = smooth_noise_std(decay_line_noise(noise_of(0.995, 1), Eigen::VectorXd::Zero(1)));
+  // In an octave of noise that falls with the frequency squared, the mean logarithm is that of the centre.
+  for (const Eigen::Index k : {400, 800, 1600})
+    EXPECT_NEAR(falling(2 * k) / falling(k),
+                std::sqrt(variance_of_line(0.995, 2.0 * static_cast<double>(k)) /
+                          variance_of_line(0.995, static_cast<double>(k))),
+                0.05);
+}
+
+}  // namespace percuss::identify::decay_noise_test
