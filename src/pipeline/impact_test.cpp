@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "acquire/hits/time_selection.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
@@ -24,6 +25,9 @@ namespace {
 
 // Fewest samples before the onset that allow an estimate of the bias despite the ringing of the filter.
 constexpr std::size_t kMinRestSamples = 16;
+// The rest before an impact gives the bias of the acceleration, whose integral grows with the square of the time. A
+// longer one than this may hold a drift that is no straight line.
+constexpr double kRest_s = 0.1;
 
 bool has_pulse(const AnalysedHit& hit) {
   return std::none_of(hit.hit.findings.begin(), hit.hit.findings.end(),
@@ -83,14 +87,27 @@ std::vector<metrics::ModalContribution> modal_contributions(const Analysis& anal
   return contributions;
 }
 
+// The first sample of an impact's signals: earlier than the hit's where the structure rests before it and the user
+// states no pre-trigger.
+std::size_t first_sample(const acquire::Record& record, const acquire::HitOptions& options,
+                         const std::vector<AnalysedHit>& impacts, std::size_t h) {
+  const acquire::Hit& hit = impacts[h].hit;
+  if (options.pretrigger_s) return hit.first;
+  const auto rest = static_cast<std::size_t>(kRest_s * record.fs_Hz);
+  const std::size_t earliest =
+      std::max(last_blow_before(impacts, h).end, acquire::select_time_range(record, hit.row, options).first);
+  return std::min(hit.first, std::max(earliest, hit.gate_first - std::min(hit.gate_first, rest)));
+}
+
 DeflectedHit deflected(const acquire::Record& record, const AnalysedHit& hit, const ImpactTestOptions& options,
-                       std::size_t h, std::size_t channel, const std::vector<metrics::ModalContribution>& modes,
-                       metrics::DeflectionMethod method) {
-  std::vector<double> accel(hit.hit.samples), force(hit.hit.samples);
-  record.read_accel_mps2(hit.hit.row, channel, hit.hit.first, accel);
+                       std::size_t h, std::size_t first, std::size_t channel,
+                       const std::vector<metrics::ModalContribution>& modes, metrics::DeflectionMethod method) {
+  const std::size_t samples = hit.hit.first + hit.hit.samples - first;
+  std::vector<double> accel(samples), force(samples);
+  record.read_accel_mps2(hit.hit.row, channel, first, accel);
   if (!modes.empty() || options.effective_mass_kg) {
     for (std::size_t i = 0; i < hit.hit.gated_N.size(); ++i) {
-      const std::size_t at = hit.hit.gate_first + i - hit.hit.first;
+      const std::size_t at = hit.hit.gate_first + i - first;
       if (at < force.size()) force[at] = hit.hit.gated_N[i];
     }
   } else {
@@ -98,7 +115,7 @@ DeflectedHit deflected(const acquire::Record& record, const AnalysedHit& hit, co
   }
   const metrics::ImpactSignal signal{.fs_Hz = record.fs_Hz,
                                      .accel_mps2 = accel,
-                                     .onset_s = onset_from_first_sample_s(hit.hit, record.fs_Hz),
+                                     .onset_s = hit.hit.onset_s - static_cast<double>(first) / record.fs_Hz,
                                      .force_N = force,
                                      .force_noise_N = hit.hit.noise_N,
                                      .rigid_per_kg = options.effective_mass_kg ? 1 / *options.effective_mass_kg : 0,
@@ -108,7 +125,7 @@ DeflectedHit deflected(const acquire::Record& record, const AnalysedHit& hit, co
   return {.hit = h,
           .channel = channel,
           .point = hit.point,
-          .first_s = static_cast<double>(hit.hit.first) / record.fs_Hz,
+          .first_s = static_cast<double>(first) / record.fs_Hz,
           .deflection = metrics::deflection_of(signal, chosen)};
 }
 
@@ -221,8 +238,10 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
       const std::size_t h = hits[i / channels], c = i % channels;
       const auto& modes = contributions.at({impacts[h].point, c});
       const bool by_modes = method == metrics::DeflectionMethod::automatic && moving[i / channels] && !modes.empty();
-      test.hits[i] =
-          deflected(record, impacts[h], options, h, c, modes, by_modes ? metrics::DeflectionMethod::modal : method);
+      const std::size_t first =
+          moving[i / channels] ? impacts[h].hit.first : first_sample(record, analysis.options().hits, impacts, h);
+      test.hits[i] = deflected(record, impacts[h], options, h, first, c, modes,
+                               by_modes ? metrics::DeflectionMethod::modal : method);
     });
     return 0;
   });

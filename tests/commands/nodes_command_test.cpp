@@ -171,6 +171,16 @@ TEST_F(NodesCommand, RejectsInvalidPositions) {
   }
 }
 
+// Numbers in m or mm, as Python's lists may be, would give nodes 40 times off without a word.
+TEST_F(NodesCommand, AsksForTheUnitOfPositionsThatAreHardlyInches) {
+  for (const char* positions : {"0.1524:0.0127:0.2286", "0.15,0.17,0.19", "152.4:12.7:228.6", "152,165,178"}) {
+    const auto outcome = nodes({file("scan.h5"), "--positions", positions});
+    EXPECT_EQ(outcome.code, 2) << positions;
+    EXPECT_THAT(outcome.err, HasSubstr("without a unit they are inches")) << positions;
+    EXPECT_THAT(outcome.err, HasSubstr("state the unit")) << positions;
+  }
+}
+
 TEST_F(NodesCommand, RejectsAScanOfAnotherLength) {
   const auto outcome = nodes({file("scan.h5"), "--positions", "3:0.25:9"});
   EXPECT_EQ(outcome.code, 3);

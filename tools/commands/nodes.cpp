@@ -38,6 +38,9 @@ struct NodesFlags {
   std::optional<std::string> positions;
 };
 
+// Limits of positions whose unit is not stated.
+constexpr double kShortestScan_in = 1, kLongestBarrel_in = 60;
+
 constexpr const char* kPositionsRemedy =
     "give START:STEP:END or a list, with a unit (in, m, mm, cm, ft), such as 3:0.25:9in or 3,3.5,5in; without a unit, "
     "inches";
@@ -47,6 +50,16 @@ double to_metres(std::string_view unit_name, const std::string& text) {
   const auto unit = parse_unit(unit_name);
   if (unit && unit->quantity == Quantity::length) return unit->to_SI;
   throw OptionError::wrong_value("positions", text, kPositionsRemedy, "its unit does not measure length");
+}
+
+// Positions without a unit are inches. Within one inch they are rather metres, beyond five feet millimetres.
+void check_plausible_inches(double first, double last, const std::string& text) {
+  const auto [low, high] = std::minmax(first, last);
+  const bool close = high - low<kShortestScan_in, far = high> kLongestBarrel_in;
+  if (!close && !far) return;
+  throw OptionError::wrong_value(
+      "positions", text, "state the unit, such as 0.15:0.01:0.3m or 6:0.5:9in",
+      fmt::format("without a unit they are inches, and {}", close ? "these lie within one inch" : "no bat is so long"));
 }
 
 // "3,3.5,5in": the last unit holds for the numbers without one.
@@ -65,6 +78,10 @@ pipeline::ScanPositions parse_list(const std::string& text) {
     from = end + 1;
   }
   if (numbers.size() < 2) throw OptionError::wrong_value("positions", text, kPositionsRemedy, "it is one position");
+  if (std::all_of(units.begin(), units.end(), [](std::string_view unit) { return unit.empty(); })) {
+    const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+    check_plausible_inches(*low, *high, text);
+  }
   for (std::size_t i = 0; i < numbers.size(); ++i)
     numbers[i] *= to_metres(units[i].empty() ? units.back() : units[i], text);
   return pipeline::listed_positions(std::move(numbers), text);
@@ -74,6 +91,7 @@ pipeline::ScanPositions parse_list(const std::string& text) {
 pipeline::ScanPositions parse_positions(const std::string& text) {
   if (text.find(':') == std::string::npos) return parse_list(text);
   const auto [range, name] = parse_range_with_unit("positions", text, kPositionsRemedy);
+  if (name.empty()) check_plausible_inches(range.low, range.high(), text);
   const double to_m = to_metres(name, text);
   return {.start_m = range.low * to_m, .step_m = range.step * to_m, .count = range.count};
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "acquire/channels/axis_unit.hpp"
 #include "acquire/channels/column_words.hpp"
 #include "acquire/channels/csv_columns.hpp"
 #include "core/error.hpp"
@@ -86,6 +87,12 @@ bool needs_sensitivity(const CsvColumn& signal, const ReadOptions& options) {
   const bool stated = !options.accel_scale.empty() || !options.accel_sensitivity_V_per_mps2.empty() ||
                       !options.accel_unit.empty() || (setup != nullptr && (setup->sensitivity_V_per_SI || setup->unit));
   return unit && unit->quantity == Quantity::voltage && !stated;
+}
+
+// The sampling rate that evenly rising numbers state if they are times in s; 0 if that is not plausible.
+double rate_of_times_Hz(std::span<const double> times) {
+  const double rate_Hz = static_cast<double>(times.size() - 1) / (times.back() - times.front());
+  return rate_Hz < kMinTestRate_Hz ? 0 : rate_Hz;
 }
 
 // Whether the user or the unit says that the signal is a response.
@@ -174,8 +181,11 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
     if (is_no_signal(signal, known, options) || measures_another_quantity(signal)) continue;
     try {
       const std::vector<double> samples = read(signal.index, max_samples);
-      if (signal.index == 0 && rises_evenly(samples)) {
-        guess.rate_known = true;
+      if (rises_evenly(samples)) {
+        if (signal.index == 0)
+          guess.rate_known = true;
+        else
+          guess.assumed_rate_Hz = rate_of_times_Hz(samples);
         continue;
       }
       const double measure = hammer_measure(samples);

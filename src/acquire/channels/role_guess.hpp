@@ -29,7 +29,9 @@ struct RoleGuess {
   std::vector<std::string> accel;
   bool rate_known = true;      // false: nothing in the file states the sampling rate
   bool in_volts = false;       // accelerations are in volts, and nothing states their sensitivity
-  double assumed_rate_Hz = 0;  // if a first column that rises evenly, without a unit, is a time in ms; 0: not assumed
+  /// If a first column that rises evenly, without a unit, is a time in ms, or if another such column is a time in s; 0:
+  /// not assumed.
+  double assumed_rate_Hz = 0;
   bool frf_table = false;  // the file is a table of FRFs: real and imaginary parts beside a column that rises evenly
 };
 
@@ -45,7 +47,7 @@ double hammer_measure(std::span<const double> samples);
 /// Whether the numbers rise evenly, as times do: none is more than half a step from its place. False for fewer than 8.
 bool rises_evenly(std::span<const double> samples);
 
-/// Guesses the unknown roles from the samples. A first signal that rises evenly is the time. The force is the signal
+/// Guesses the unknown roles from the samples. A signal that rises evenly is a time. The force is the signal
 /// with the smallest hammer_measure() among those that neither a unit nor the user states to be responses. Times,
 /// counters, signals that the set-up ignores, and signals of another quantity (a velocity, an angle) get no role. All
 /// others are accelerations, also a single signal. The force in `known` stays, as do the accelerations that the options

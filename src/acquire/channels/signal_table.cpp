@@ -146,6 +146,7 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
     error.format = table.format;
     if (table.read) error.guess = guess_of(table, header, error.known, options);
     error.guess.rate_known = table.fs_Hz > 0 || options.fs_Hz.has_value() || !options.fs_variable.empty();
+    if (error.guess.rate_known) error.guess.assumed_rate_Hz = 0;
     // The user chooses among arrays by their sizes.
     for (CsvColumn& column : error.columns) {
       if (!column.shape.empty()) column.unit = column.shape;

@@ -91,6 +91,21 @@ TEST(GuessRoles, TakesThePulseAsTheForce) {
   EXPECT_EQ(guess_roles(signals, {}, {}, read).force, "3") << "the name is not the only one";
 }
 
+// Oscilloscopes write settings in the first columns, and times in a later one.
+TEST(GuessRoles, TakesEvenlyRisingNumbersAsTimesInAnyColumn) {
+  std::vector<double> time(1000);
+  for (std::size_t i = 0; i < time.size(); ++i) time[i] = -0.002 + static_cast<double>(i) * 4e-5;
+  const std::vector<std::vector<double>> columns{time, sine(1000)};
+  const auto read = [&](std::size_t index, std::size_t) { return columns[index - 3]; };
+  const std::vector<CsvColumn> signals{{.index = 3, .name = "column 4", .base = ""},
+                                       {.index = 4, .name = "column 5", .base = ""}};
+  const RoleGuess guess = guess_roles(signals, {}, {}, read);
+  EXPECT_EQ(guess.force, "");
+  EXPECT_THAT(guess.accel, ElementsAre("5"));
+  EXPECT_FALSE(guess.rate_known);
+  EXPECT_NEAR(guess.assumed_rate_Hz, 25000, 1e-6);
+}
+
 TEST(GuessRoles, TakesNoAccelerationAsTheForce) {
   const std::vector<std::vector<double>> columns{pulse(1000, 10, 1), sine(1000)};
   const auto read = [&](std::size_t index, std::size_t) { return columns[index]; };

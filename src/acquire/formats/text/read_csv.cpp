@@ -151,7 +151,9 @@ RoleGuess guess_of(const CsvTable& table, const CsvColumns& known, const ReadOpt
     if (!guess.frf_table && !options.fs_Hz && columns.front().unit.empty() && rises_evenly(first))
       guess.assumed_rate_Hz = rate_in_ms(first);
   }
-  guess.rate_known = guess.rate_known || table.header().fs_Hz || options.fs_Hz || clock_column(table);
+  const bool stated = table.header().fs_Hz || options.fs_Hz || clock_column(table);
+  if (stated) guess.assumed_rate_Hz = 0;
+  guess.rate_known = guess.rate_known || stated;
   return guess;
 }
 
