@@ -93,7 +93,7 @@ void Survey::place_points() {
         fmt::format("add it, or use the record's point numbers, {} to {}", *measured.begin(), *measured.rbegin()),
         {"geometry"});
   }
-  add(missing_points(*geometry_, measured));
+  add(missing_points(*geometry_, measured, analysis_.record().files.size()));
 }
 
 void Survey::find_driving_points() {

@@ -44,7 +44,8 @@ std::vector<Warning> match_point_numbers(acquire::Geometry& geometry, const std:
   return warnings;
 }
 
-std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std::set<int>& measured) {
+std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std::set<int>& measured,
+                                    std::size_t files) {
   std::string names;
   std::size_t missing = 0;
   for (const acquire::GeometryPoint& p : geometry.points) {
@@ -53,11 +54,13 @@ std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std
   }
   if (missing == 0) return {};
   if (missing > kMaxNamed) names += fmt::format(" and {} more", missing - kMaxNamed);
-  return {{"missing_points",
-           fmt::format("{} of the geometry's {} points were not measured: {}; files taken as points are numbered in "
-                       "the order of their names, without gaps",
-                       missing, geometry.points.size(), names),
-           {"files"}}};
+  Warning warning{"missing_points", fmt::format("{} of the geometry's {} points were not measured: {}", missing,
+                                                geometry.points.size(), names)};
+  if (files > 1) {
+    warning.message += "; files taken as points are numbered in the order of their names, without gaps";
+    warning.options.emplace_back("files");
+  }
+  return {std::move(warning)};
 }
 
 std::vector<Warning> narrow_arc(const acquire::Geometry& geometry) {

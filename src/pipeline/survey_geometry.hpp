@@ -15,7 +15,8 @@ std::vector<Warning> match_point_numbers(acquire::Geometry& geometry, const std:
                                          const std::vector<std::size_t>& driving = {});
 
 /// The points of a stated geometry that were not measured: a survey in parts, or a missing file that shifts all others.
-std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std::set<int>& measured);
+std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std::set<int>& measured,
+                                    std::size_t files);
 
 /// Points around a tube whose angles hardly differ: radians read as degrees, or a plate read as a tube.
 std::vector<Warning> narrow_arc(const acquire::Geometry& geometry);

@@ -36,6 +36,9 @@ void write_shapes(acquire::hdf5::OutputHdf5& out, const pipeline::Survey& survey
     out.write("shape", std::array{m}, 0, std::span<const Complex>(value));
     out.write("shape_std", std::array{m}, 0, std::span<const double>(std));
   }
+  std::vector<double> scale_std;
+  for (const identify::ModeShape& shape : shapes) scale_std.push_back(shape.scale_std);
+  write_numbers(out, "scale_std", scale_std);
   std::vector<double> point, channel;
   out.create_set("xyz_m", std::array<std::size_t, 2>{places.size(), 3});
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -81,7 +84,8 @@ void write_cmif(acquire::hdf5::OutputHdf5& out, const pipeline::Survey& survey) 
 
 std::string shapes_csv(const pipeline::Survey& survey) {
   std::string out =
-      "mode,frequency_hz,damping_ratio,family,order,point,channel,position_m,angle_deg,x_m,y_m,z_m,re,im,std\n";
+      "mode,frequency_hz,damping_ratio,family,order,point,channel,position_m,angle_deg,x_m,y_m,z_m,re,im,std,scale_"
+      "std\n";
   auto end = std::back_inserter(out);
   const auto& modes = survey.analysis().modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -96,7 +100,8 @@ std::string shapes_csv(const pipeline::Survey& survey) {
       out += tube ? fmt::format("{},{},", at->position_m, at->angle_rad * kRadian_deg) : ",,";
       const auto xyz = plot_position(survey, place.point);
       out += xyz ? fmt::format("{},{},{},", (*xyz)[0], (*xyz)[1], (*xyz)[2]) : ",,,";
-      fmt::format_to(end, "{},{},{}\n", place.value.real(), place.value.imag(), place.std);
+      fmt::format_to(end, "{},{},{},{}\n", place.value.real(), place.value.imag(), place.std,
+                     survey.shapes()[m].scale_std);
     }
   }
   return out;

@@ -174,12 +174,13 @@ TEST_F(SurveyCommand, WritesShapesAndTheIndicator) {
   const auto shapes = test::lines_of(test::bytes_of(file("s.csv")));
   ASSERT_EQ(shapes.size(), 1U + 2U * 18U);
   EXPECT_THAT(shapes[0], HasSubstr("mode,frequency_hz,damping_ratio,family,order,point"));
+  EXPECT_THAT(shapes[0], testing::EndsWith(",std,scale_std"));
   EXPECT_THAT(shapes[1], HasSubstr(",bending,1,0,0,0.05,"));
   const auto indicator = test::lines_of(test::bytes_of(file("s.cmif.csv")));
   EXPECT_EQ(indicator[0], "frequency_hz,singular_value_1");
   EXPECT_GT(indicator.size(), 500U);
   const acquire::hdf5::InputHdf5 stored(file("s.h5"));
-  for (const char* set : {"shape", "shape_std", "xyz_m", "point", "auto_mac", "cmif", "cmif_frequency_hz"})
+  for (const char* set : {"shape", "shape_std", "scale_std", "xyz_m", "point", "auto_mac", "cmif", "cmif_frequency_hz"})
     EXPECT_TRUE(stored.has(set)) << set;
   EXPECT_EQ(test::bytes_of(file("s.hdf5")), test::bytes_of(file("s.h5")));
   EXPECT_EQ(test::parse_json(test::bytes_of(file("s.json")))["schema"], "percuss/analysis/1");

@@ -53,10 +53,12 @@ TEST(SurveyGeometry, SaysThatItsUnitIsAssumed) {
 }
 
 TEST(SurveyGeometry, NamesPointsWithoutMeasurement) {
-  EXPECT_THAT(missing_points(triangle(0), {0, 1, 2}), IsEmpty());
-  const auto warnings = missing_points(triangle(0), {0, 2});
+  EXPECT_THAT(missing_points(triangle(0), {0, 1, 2}, 1), IsEmpty());
+  const auto warnings = missing_points(triangle(0), {0, 2}, 3);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_THAT(warnings.front().message, testing::StartsWith("1 of the geometry's 3 points were not measured: 1;"));
+  // The order of files explains nothing where one file states its points.
+  EXPECT_EQ(missing_points(triangle(0), {0, 2}, 1).at(0).message, "1 of the geometry's 3 points were not measured: 1");
 }
 
 // Angles of 0 to 2π read as degrees. Points on one line along the tube, and points all around it, are plausible.
