@@ -1,4 +1,4 @@
-// percuss_process_ratio TOOL LO:HI FILE
+// percuss_process_ratio TOOL LO:HI FILE  (LO:HI: the band of the analysis in Hz)
 // Prints wall-clock times of whole processes of the tool on a record in the page cache: start, hits, FRFs and modes,
 // with one thread and with all. Also prints each time as a multiple of two others: bare FFTW transforms, and reading
 // the force's bytes. There is one transform for each row and signal, in memory, on one thread, planned with

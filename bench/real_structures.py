@@ -30,6 +30,11 @@ estimate, not the truth. "Over σ" is the scatter of a mode's single hits over t
 median over the modes, and the part below 3. "Halves" compares the modes of every other point with those of the rest,
 over their σ.
 """
+ABOUT_SIMULATED = """\
+Simulated tests with one imperfection each. [stress.md](stress.md#imperfect-tests) defines the outcomes. Named and
+warned: results are wrong, and a message says why, or that they may be. SILENT: wrong without a message. UNNAMED: right
+or fair results with unreliable standard deviations, and no message says why.
+"""
 ABOUT_SCENARIOS = """\
 Each scenario is a hammer test of a tube with one imperfection of real tests, simulated at 16 times the sampling rate
 and independently of percuss. A true mode is clear if it lies in the band and the Cramér–Rao bound on its damping ratio
@@ -254,7 +259,7 @@ def accuracy_section(rows, results):
                  'halves over σ']
         text.append('| ' + ' | '.join(heads) + ' |\n' + '|---' * len(heads) + '|\n' + '\n'.join(rows) + '\n')
     if results:
-        text.append('Simulated tests with one imperfection each ([stress.md](stress.md#imperfect-tests)):\n')
+        text.append(ABOUT_SIMULATED)
         text.append(outcome_table(results, lambda r: 'all tests') + '\n')
     return '\n'.join(text).rstrip('\n')
 

@@ -48,10 +48,12 @@ void require_samples(const ArrayRow& row, const ArrayTest& test, bool has_force,
   for (const StridedSamples& signal : row.accel) {
     const std::size_t wanted = has_force ? row.force.samples : row.accel.front().samples;
     if (signal.samples == wanted) continue;
-    throw InputError("row " + std::to_string(r) + ": " + std::to_string(signal.samples) +
-                         " samples of acceleration for " + std::to_string(wanted) + " of force",
-                     "arrays",
-                     "give the same number of samples: force (hits, samples), accel (hits, channels, samples)");
+    throw InputError(
+        "row " + std::to_string(r) + ": " + std::to_string(signal.samples) + " samples of acceleration for " +
+            std::to_string(wanted) + (has_force ? " of force" : " of the first acceleration"),
+        "arrays",
+        has_force ? "give the same number of samples: force (hits, samples), accel (hits, channels, samples)"
+                  : "give the same number of samples: accel (hits, channels, samples)");
   }
   if (has_force != test.has_force || (r > 0 && row.accel.size() != test.rows.front().accel.size()))
     throw InputError("row " + std::to_string(r) + " has other channels than the first", "arrays",

@@ -2,7 +2,7 @@
 from sources.page import Section, signed
 
 PLACES = 'at=0.025:0.065:0.545'
-BATS = {'composite': (4000, 1200, 2.24), 'other': (3000, 800, 2.6)}  # EI, T, ρA
+BATS = {'composite': (4000, 1200, 2.24), 'other': (3000, 800, 2.6)}  # EI in N·m², T in N·m/rad, ρA in kg/m
 
 # The test of the source, with the modes of a model beam: a ball strikes nine points, three times each, and an
 # accelerometer under the point is the only channel. The pulse has the momentum and the
@@ -69,10 +69,10 @@ T = 800 N·m/rad, ρA = 2.6 kg/m, takes its place.""", 'tables 1 to 3; figures 1
     return s
 
 
-def impact_test(s, name, stiffness, torsion, mass):
+def impact_test(s, name, stiffness, torsion, mass_per_length):
     """The commands that make an impact test and a hammer test of a bat, and compare both with the model beam."""
-    beam = 'ei=%g,rho_a=%g,torsion=%g,length=0.57' % (stiffness, mass, torsion)
-    return [s.command('sh impact-test.sh %s %g %g %g' % (name, stiffness, torsion, mass)),
+    beam = 'ei=%g,rho_a=%g,torsion=%g,length=0.57' % (stiffness, mass_per_length, torsion)
+    return [s.command('sh impact-test.sh %s %g %g %g' % (name, stiffness, torsion, mass_per_length)),
             s.command('percuss analyze %s-hammer.h5 --band 5:5000 --object other -o %s.modal.json --quiet > /dev/null'
                       % (name, name)),
             s.command('percuss deflect %s-[1-9].csv --files points --positions 0.025:0.065:0.545 --beam-distance 0.5 '

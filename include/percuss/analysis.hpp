@@ -37,8 +37,8 @@ namespace api {
 struct AnalysisData;
 }
 
-/// quick: finds modes that show a peak. standard: also finds modes without a peak. best: fits all modes together, at
-/// the statistical limit.
+/// quick: finds modes that show a peak. standard: also finds modes without a peak. best: fits all modes together, to
+/// the Cramér–Rao bound.
 enum class Effort { quick, standard, best };
 
 /// Bending and hoop are types of a tube's modes. automatic: a tube where the sensors' angles are stated, or where the

@@ -50,7 +50,7 @@ std::vector<BeamMode> beam_modes(const Beam& beam, const BeamModeOptions& option
 /// A ball that hits a beam at rest.
 struct BeamImpact {
   Beam beam{};
-  double at_m = 0.51;  // from the spring's end
+  double at_m = 0.51;  // from x = 0, the supported end
   double ball_mass_kg = 0.16, speed_mps = 5;
   double hertz_Npm15 = 3.2e6;  // k of the contact force k α^(3/2) (1 + χ α̇), α the approach
   double hysteresis_spm = 0;   // χ; 0: a contact without loss

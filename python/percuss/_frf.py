@@ -37,7 +37,8 @@ class Frf:
     std, coherence : array, optional
         Standard deviation of the complex number in the unit of H, and ordinary coherence, in the shape of H. The ± of modes
         follow from std where it exceeds the residual of the fit; the weights of the fit come from the residual. Errors count
-        as independent from line to line: the force's noise in FRFs averaged from hits makes the ± too large.
+        as independent from line to line. In FRFs averaged from hits, neighbouring lines share the error from the force's
+        noise: there the ± are too large.
     points : sequence of int, optional
         Number of each struck point. Default: from 0 up. The points are sorted by their numbers.
     names : sequence of str, optional

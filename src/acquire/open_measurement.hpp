@@ -22,7 +22,8 @@ bool needs_sandbox(const std::string& path);
 /// A server that forks sandboxed processes for open_measurement_forked. They open files with these options.
 std::shared_ptr<ForkServer> measurement_fork_server(const FrfReadOptions& options);
 
-/// As open_measurement, but the server forks the process that reads a foreign file. `options` must equal the server's.
+/// As open_measurement, but where needs_sandbox(path), the server forks the process that reads the file. `options` must
+/// equal the server's.
 Measurement open_measurement_forked(const std::shared_ptr<ForkServer>& fork_server, const std::string& path,
                                     const FrfReadOptions& options);
 

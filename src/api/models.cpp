@@ -152,7 +152,8 @@ BeamImpactResult beam_impact(const BeamImpact& impact) {
   api::require_above_zero(impact.speed_mps, "BeamImpact::speed_mps");
   api::require_above_zero(impact.hertz_Npm15, "BeamImpact::hertz_Npm15");
   if (!(impact.at_m >= 0 && impact.at_m <= impact.beam.length_m))
-    throw InputError("the impact is not on the beam", "BeamImpact::at_m", "give a position from the spring's end");
+    throw InputError("the impact is not on the beam", "BeamImpact::at_m",
+                     "give a position between 0, the supported end, and the length");
   if (impact.beam.gyration_m > 0 || impact.beam.shear_stiffness_N > 0) {
     throw InputError("an impact is computed on Euler–Bernoulli beams only", "BeamImpact::beam",
                      "leave out the radius of gyration and the shear stiffness");

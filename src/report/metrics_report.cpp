@@ -45,7 +45,7 @@ Json profile_json(const BatProfileReadings& p, const metrics::BatMetrics& m) {
   Json json{{"length_in", recorded_or_null(p.length_in, p.steps.length_in)},
             {"weight_oz", recorded_or_null(p.weight_oz, p.steps.weight_oz)},
             {"cg_in", recorded_or_null(p.cg_in, p.steps.cg_in)},
-            {"handle_diameter_in", recorded_or_null(p.handle_in, p.steps.diameter_in)},
+            {"handle_diameter_in", recorded_or_null(p.handle_diameter_in, p.steps.diameter_in)},
             {"ball_g", recorded_or_null(p.ball_g, p.steps.ball_g)},
             {"rings", Json::array()},
             {"drop_class", m.drop_class ? Json(*m.drop_class) : Json()}};

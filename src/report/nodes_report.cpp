@@ -109,7 +109,7 @@ ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeSc
                    {"family"},
                    {"frequency", TextTable::Align::right},
                    {"node from the barrel's end", TextTable::Align::right},
-                   {"minimum of the peak", TextTable::Align::right},
+                   {"lowest peak at", TextTable::Align::right},
                    {""}});
   for (const pipeline::ModeAlongScan& along : scan.modes) {
     const identify::Mode& mode = analysis.modes()[along.mode];

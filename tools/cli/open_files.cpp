@@ -98,8 +98,9 @@ void refuse_beside_others(const std::exception_ptr& error, const std::string& pa
   try {
     std::rethrow_exception(error);
   } catch (const acquire::AmbiguousColumns& ambiguous) {
-    throw InputError(ambiguous.problem(), path,
-                     "if it is no test as the other files of the folder are, move it, or name those by a pattern");
+    throw InputError(
+        ambiguous.problem(), path,
+        "if it is not a test like the other files of the folder, move it, or name the others by a pattern");
   } catch (...) {  // another error stays as it is
   }
 }

@@ -43,7 +43,7 @@ pipeline::Warning files_disagree(const pipeline::Analysis& joined, const pipelin
 
 [[noreturn]] void refuse_disagreeing(const pipeline::Analysis& analysis, const pipeline::Warning& said) {
   throw InputError(said.message.substr(0, said.message.find(" and are not averaged")), analysis.record().source(),
-                   "write one file at a time, or state how the files belong together", {"files"});
+                   "analyse one file at a time, or state how the files belong together", {"files"});
 }
 
 // Several files are one test unless the user says otherwise or their FRFs disagree.

@@ -98,7 +98,7 @@ report::NamedMetrics named_metrics(const MetricsFlags& f, report::BatLabel label
           .profile = {.length_in = f.length_in,
                       .weight_oz = f.weight_oz,
                       .cg_in = f.cg_in,
-                      .handle_in = f.handle_in,
+                      .handle_diameter_in = f.handle_diameter_in,
                       .ball_g = f.ball_g,
                       .rings_in = f.rings_in,
                       .steps = f.steps}};

@@ -36,7 +36,7 @@ void add_metrics_readings(Command& command, MetricsFlags& f) {
   command.list("--diameter-in", f.rings_in, "Set the barrel diameters 3, 4, ... 9 in from the tip")
       .above_zero()
       .type("IN,...");
-  command.value("--handle-diameter-in", f.handle_in, "Set the diameter of the handle 6 in from the knob")
+  command.value("--handle-diameter-in", f.handle_diameter_in, "Set the diameter of the handle 6 in from the knob")
       .above_zero()
       .type("IN");
   command.heading(previous);

@@ -159,8 +159,8 @@ void add_synth(CommandLine& line) {
   flags->host = command.host();
   command.about(
       "Makes hammer tests of structures with exactly known modes, with noise and the faults of real tests, for "
-      "learning and for tests of software. Writes the truth beside each record as JSON. docs/guides/synth.md "
-      "describes the spec.");
+      "learning and for tests of software. Each record that is written has its truth beside it, as JSON. "
+      "docs/guides/synth.md describes the spec.");
   command.example("percuss synth --list", "List the presets");
   command.example("percuss synth composite-bat -o composite.h5",
                   "Write a preset as a record, with its truth in composite.truth.json");

@@ -6,7 +6,8 @@
 
 namespace percuss::acquire {
 
-/// The smallest change from one sample to the next, an estimate of the recorder's resolution. 0 for a constant.
+/// The smallest change other than 0 from one sample to the next: an estimate of the recorder's resolution. 0 for a
+/// constant signal.
 double resolution_of(std::span<const double> x);
 
 inline constexpr std::size_t kClippingBlock = 512;
@@ -14,8 +15,8 @@ inline constexpr std::size_t kClippingBlock = 512;
 /// The number of samples at the extreme values of x when these look like clipping, otherwise 0. Two patterns count:
 /// - at least three equal samples in a row, beside which the signal falls by more steps of the resolution than beside a
 ///   smooth peak;
-/// - several peaks that end at the same value, with hardly a sample just below it, where an oscillation spends most of
-///   its time.
+/// - several peaks that end at the same value, with few samples just below it. An oscillation that is not clipped has
+///   many samples there.
 /// An extreme equal to `rest` is not clipping: a one-sided signal rests there before and after.
 /// `blocks` are block_extremes of x by kClippingBlock. `around` contains x; the resolution is found in it.
 std::size_t count_clipped_samples(std::span<const double> x, std::span<const Extremes> blocks,

@@ -81,7 +81,7 @@ DeviceFormat pipe_format(const WavHeader& header) {
   return format;
 }
 
-// A set-up with units or sensitivities is about the stored numbers.
+// Units and sensitivities of a set-up apply to the stored numbers: the scales of the header are then not used.
 bool states_scales(const std::vector<ChannelSetup>& setup) {
   return std::any_of(setup.begin(), setup.end(), [](const ChannelSetup& channel) {
     return channel.unit.has_value() || channel.sensitivity_V_per_SI.has_value();

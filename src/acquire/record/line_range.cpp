@@ -17,7 +17,8 @@ LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::
   const std::size_t n = freq_Hz.size();
   if (n < 2) throw InputError("fewer than two frequencies", where, remedy);
   const double rough_Hz = (freq_Hz.back() - freq_Hz.front()) / static_cast<double>(n - 1);
-  if (!(freq_Hz.front() >= 0) || !(rough_Hz > 0)) throw InputError("frequencies that do not rise", where, remedy);
+  if (!(freq_Hz.front() >= 0) || !(rough_Hz > 0))
+    throw InputError("frequencies that are negative, or do not rise", where, remedy);
   const double first = std::round(freq_Hz.front() / rough_Hz);
   if (!(first < static_cast<double>(kMaxFrfLines)))
     throw InputError("frequencies too close together (more than 2^28 lines from 0 Hz)", where, remedy);

@@ -10,8 +10,8 @@ namespace percuss {
 inline namespace core {
 namespace {
 
-constexpr long long kAnyPower = 1LL << 40;     // beyond the power of ten of every text in memory
-constexpr std::size_t kLongestRewritten = 64;  // characters of a number with decimal comma or D exponent
+constexpr long long kHugeExponent = 1LL << 40;  // more than the digits of any text in memory can offset
+constexpr std::size_t kLongestRewritten = 64;   // characters of a number with decimal comma or D exponent
 
 bool is_padding(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -29,7 +29,7 @@ ParsedNumber out_of_range(std::string_view text) {
     std::string_view digits = text.substr(exponent_at + 1);
     if (digits.front() == '+') digits.remove_prefix(1);
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-    if (error == std::errc::result_out_of_range) exponent = digits.front() == '-' ? -kAnyPower : kAnyPower;
+    if (error == std::errc::result_out_of_range) exponent = digits.front() == '-' ? -kHugeExponent : kHugeExponent;
   }
   if (power + exponent < 0) return {0, NumberProblem::none};
   return {0, NumberProblem::too_large};

@@ -36,7 +36,7 @@ struct ClassifyOptions {
   ObjectKind object = ObjectKind::automatic;
   bool angles_assumed = false;   // nobody stated the sensors' angles
   double overlay_dB = 1;         // tight, because bending modes with a difference of 1.7 dB exist
-  double double_peak_Hz = 25;    // [8]: closer peaks are a split mode
+  double double_peak_Hz = 25;    // [8]: closer peaks of one type are a split mode, if within 15 % of the frequency
   double angle_std_rad = 0.035;  // 2°: placement of a sensor by hand
   double gain_std = 0.03;        // relative, of each channel: calibration and mounting
 };
@@ -59,12 +59,11 @@ struct LowerOrders {
 ///   bending in the plane ψ:      cos(θ₂ − ψ)/cos(θ₁ − ψ)             any value; tan ψ for 90°           (1)
 ///   hoop (n = 2), turned by θ₀:  cos 2(θ₂ − θ₀)/cos 2(θ₁ − θ₀)       −1 for 90°, whatever θ₀             (2)
 /// Both likelihoods include the errors of the ratio, of the sensors' placement and of the channels' gains. All modes
-/// are classified together (type_posterior.hpp). Below 90 % confidence, the second type is stated as well.
-/// Without sensors, for an `other` object, and where assumed angles do not fit the modes (tube_evidence.hpp), the modes
-/// keep an unknown type and no order. They also have no split mode, unless `object` is tube: split modes of a stated
-/// tube are marked without sensors too.
-/// overlay_dB[m] is the measured level difference at mode m's peak. source  [8] section 3.6 for the overlay rule and
-/// the 25 Hz rule. theory (6.1), (6.2), (6.3)
+/// are classified together (type_posterior.hpp). ModeClassification::alternative says when the second type is stated as
+/// well. Without sensors, for an `other` object, and where assumed angles do not fit the modes (tube_evidence.hpp), the
+/// modes keep an unknown type and no order. They also have no split mode, unless `object` is tube: split modes of a
+/// stated tube are marked without sensors too. overlay_dB[m] is the measured level difference at mode m's peak. source
+/// [8] section 3.6 for the overlay rule and the 25 Hz rule. theory (6.1), (6.2), (6.3)
 std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
                                          const std::vector<std::optional<double>>& overlay_dB,
                                          const ClassifyOptions& options = {});

@@ -69,7 +69,7 @@ double independent_density(double log_ratio) { return sech(log_ratio / kBroader)
 
 // Likelihoods of two partners that do not depend on the shared unknowns.
 struct PairTable {
-  TypeWeights size{1, 1, 1};   // of the members' sizes, as one mode of each type
+  TypeWeights size{1, 1, 1};   // of the members' sizes, if both are one mode in its two planes; per type of the mode
   double unrelated_modes = 1;  // of the members' sizes, as unrelated modes
   double right_angle = 1;      // of the angle between the planes
 };

@@ -70,11 +70,11 @@ bool descend(LocalProblem& problem, const LocalFitOptions& options, std::size_t 
   return stop == LevenbergMarquardtStop::small_step || stop == LevenbergMarquardtStop::small_decrease;
 }
 
-void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalProblem& problem, const VectorXd& weight,
-                     const WindowNoise& window) {
+void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalProblem& problem,
+                     const VectorXd& noise_scale, const WindowNoise& window) {
   const ProjectedState& state = problem.state();
   const std::size_t modes = fit.poles.size();
-  // |residual|² per line is the sum of two equal variances, of real and imaginary part, and so is weight².
+  // |residual|² per line is the sum of two equal variances, of real and imaginary part, and so is noise_scale².
   const double scale = fit.degrees > 0 ? state.cost / static_cast<double>(fit.degrees) : 1;
   const MatrixXd covariance = inverse_gram(problem.normal_equations().matrix) * scale;
   for (Index m = 0; m < static_cast<Index>(modes); ++m) {
@@ -91,7 +91,7 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalP
       for (Index m = 0; m < static_cast<Index>(modes); ++m) {
         fit.residues(o, m) = part.amplitude(m, column);
         const double linear =
-            part.inverse_gram(m, m).real() * weight(o) * weight(o) * scale;  // variance of the real part
+            part.inverse_gram(m, m).real() * noise_scale(o) * noise_scale(o) * scale;  // variance of the real part
         const double from_poles =
             (derivatives.row(m) * covariance.cast<Complex>() * derivatives.row(m).adjoint())(0).real();
         const Pole& pole = fit.poles[static_cast<std::size_t>(m)];
@@ -107,7 +107,7 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalP
 
 }  // namespace
 
-LocalFit fit_locally(const FrfDataset& set, const std::vector<VectorXcd>& data, const VectorXd& weight,
+LocalFit fit_locally(const FrfDataset& set, const std::vector<VectorXcd>& data, const VectorXd& noise_scale,
                      std::vector<Pole> start, const LocalFitOptions& options) {
   const auto channels = static_cast<Index>(set.channels.size());
   const auto modes = static_cast<Index>(start.size());
@@ -117,7 +117,7 @@ LocalFit fit_locally(const FrfDataset& set, const std::vector<VectorXcd>& data, 
                .freq_std_Hz = VectorXd::Zero(modes),
                .damping_std = VectorXd::Zero(modes),
                .noise = VectorXd::Zero(channels)};
-  const VariableProjection projection(set, data, weight, options.first, options.count, options.residual_terms);
+  const VariableProjection projection(set, data, noise_scale, options.first, options.count, options.residual_terms);
   const auto unknowns = 2 * fit.poles.size() + 2 * set.channels.size() * (fit.poles.size() + options.residual_terms);
   const std::size_t values = 2 * set.channels.size() * options.count;
   fit.degrees = values > unknowns ? values - unknowns : 0;
@@ -125,7 +125,7 @@ LocalFit fit_locally(const FrfDataset& set, const std::vector<VectorXcd>& data, 
   fit.converged = descend(problem, options, fit.degrees);
   fit.poles = problem.poles();
   fit.cost = problem.cost();
-  add_uncertainty(fit, projection, problem, weight, WindowNoise(set));
+  add_uncertainty(fit, projection, problem, noise_scale, WindowNoise(set));
   return fit;
 }
 

@@ -29,15 +29,13 @@ struct LocalFitOptions {
 
 /// Least squares of all FRFs in a window by modes with complex residues and a polynomial. Poles are found by
 /// Levenberg–Marquardt with an analytic Jacobian; residues and polynomial are eliminated (variable projection). The
-/// residuals of FRF o are divided by weight[o], for example its noise. All standard deviations are scaled by the
-/// residual.
-/// shapes  data[o] holds options.count lines, the other modes' contributions subtracted; weight [channels].
-/// source  [7] in docs/theory/sources.md.
-/// theory (4.14)
-LocalFit fit_locally(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, const Eigen::VectorXd& weight,
-                     std::vector<Pole> start, const LocalFitOptions& options);
+/// residuals of FRF o are divided by noise_scale[o], for example the rms of its noise. All standard deviations are
+/// scaled by the residual. shapes  data[o] holds options.count lines, the other modes' contributions subtracted;
+/// noise_scale [channels]. source  [7] in docs/theory/sources.md. theory (4.14)
+LocalFit fit_locally(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data,
+                     const Eigen::VectorXd& noise_scale, std::vector<Pole> start, const LocalFitOptions& options);
 
-/// A first pole by a linear fit over a window: (jω − s) H = a + b(jω), with one s for all FRFs, and a and b per FRF.
+/// A first pole by a linear fit over a window: (jω − s)·H = a + b·jω, with one s for all FRFs, and a and b per FRF.
 /// freq_Hz is 0 where the window holds no decaying oscillation.
 /// theory (4.2)
 Pole pole_of_window(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, std::size_t first);

@@ -14,12 +14,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-VariableProjection::VariableProjection(const FrfDataset& set, const std::vector<VectorXcd>& data, VectorXd weight,
+VariableProjection::VariableProjection(const FrfDataset& set, const std::vector<VectorXcd>& data, VectorXd noise_scale,
                                        std::size_t first, std::size_t count, std::size_t polynomial_terms)
     : set_(set),
       polynomial_(orthonormal_polynomials(static_cast<Index>(count), static_cast<Index>(polynomial_terms))),
       data_(static_cast<Index>(count), static_cast<Index>(data.size())),
-      weight_(std::move(weight)),
+      noise_scale_(std::move(noise_scale)),
       first_(first),
       count_(count),
       by_point_(channels_by_point(set)) {
@@ -43,7 +43,7 @@ ProjectedState VariableProjection::evaluate(const std::vector<Pole>& poles) cons
     state.parts.push_back(solve(channels, modes));
     const ProjectedPart& part = state.parts.back();
     for (std::size_t i = 0; i < channels.size(); ++i) {
-      const double w = weight_(static_cast<Index>(channels[i]));
+      const double w = noise_scale_(static_cast<Index>(channels[i]));
       state.cost += part.residual.col(static_cast<Index>(i)).squaredNorm() / (w * w);
     }
   }
@@ -77,7 +77,7 @@ void VariableProjection::add_normal_equations(const ProjectedPart& part,
   const MatrixXcd score = adjoint_product(part.slopes, part.residual);
   for (std::size_t i = 0; i < part.channels.size(); ++i) {
     NormalEquations& normal = sum_of(part.channels[i]);
-    const double w = weight_(static_cast<Index>(part.channels[i]));
+    const double w = noise_scale_(static_cast<Index>(part.channels[i]));
     const auto column = static_cast<Index>(i);
     for (Index r = 0; r < n; ++r) {
       const Complex amplitude = std::conj(part.amplitude(r / 2, column));

@@ -24,15 +24,15 @@ struct ProjectedPart {
 
 struct ProjectedState {
   std::vector<ProjectedPart> parts;
-  double cost = 0;  // Σ |residual|²/weight²
+  double cost = 0;  // Σ |residual|²/noise_scale²
 };
 
 /// Least squares of the FRFs in a window by modes and a complex polynomial, as a function of the poles alone: residues
 /// and polynomial are eliminated. source  [7] in docs/theory/sources.md.
 class VariableProjection {
  public:
-  /// data[o] holds `count` lines from `first` on; weight [channels]. set must outlive this object.
-  VariableProjection(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, Eigen::VectorXd weight,
+  /// data[o] holds `count` lines from `first` on; noise_scale [channels]. set must outlive this object.
+  VariableProjection(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, Eigen::VectorXd noise_scale,
                      std::size_t first, std::size_t count, std::size_t polynomial_terms);
 
   ProjectedState evaluate(const std::vector<Pole>& poles) const;
@@ -51,8 +51,8 @@ class VariableProjection {
   /// The slopes of a part with the polynomial and the columns projected out, [lines, 2 modes].
   Eigen::MatrixXcd projected_slopes(const ProjectedPart& part) const;
 
-  /// Replaces the weights; a ProjectedState stays valid but for its cost.
-  void set_weight(Eigen::VectorXd weight) { weight_ = std::move(weight); }
+  /// Replaces noise_scale; a ProjectedState stays valid but for its cost.
+  void set_noise_scale(Eigen::VectorXd noise_scale) { noise_scale_ = std::move(noise_scale); }
 
   /// Derivatives of an FRF's residues by the poles: −(columns⁺)·slopes·residue, [modes, 2 modes].
   Eigen::MatrixXcd residue_derivatives(const ProjectedPart& part, Eigen::Index channel) const;
@@ -67,7 +67,7 @@ class VariableProjection {
   const FrfDataset& set_;
   Eigen::MatrixXd polynomial_;  // [lines, terms] orthonormal
   Eigen::MatrixXcd data_;       // [lines, channels] the polynomial projected out
-  Eigen::VectorXd weight_;
+  Eigen::VectorXd noise_scale_;
   std::size_t first_, count_;
   std::vector<std::vector<std::size_t>> by_point_, together_{1};  // the FRFs of each point; all FRFs in one list
 };

@@ -231,8 +231,8 @@ std::vector<VectorXcd> WindowedFit::residual() const {
 }
 
 LocalFit WindowedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& data, std::vector<Pole> start,
-                          const VectorXd& weight, double tolerance) const {
-  return fit_locally(set_, data, weight, std::move(start),
+                          const VectorXd& noise_scale, double tolerance) const {
+  return fit_locally(set_, data, noise_scale, std::move(start),
                      {.first = group.first, .count = group.count, .tolerance = tolerance, .change = options_.change});
 }
 

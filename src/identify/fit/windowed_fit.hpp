@@ -55,7 +55,7 @@ class WindowedFit {
   std::vector<Eigen::VectorXcd> residual() const;
   /// A trial fit of the group's window from other poles.
   LocalFit fit(const FitGroup& group, const std::vector<Eigen::VectorXcd>& data, std::vector<Pole> start,
-               const Eigen::VectorXd& weight, double tolerance = LocalFitOptions{}.tolerance) const;
+               const Eigen::VectorXd& noise_scale, double tolerance = LocalFitOptions{}.tolerance) const;
   /// [channels] rms noise in the window, from the fit's residual.
   Eigen::VectorXd residual_noise(const FitGroup& group) const;
 

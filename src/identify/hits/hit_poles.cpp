@@ -67,7 +67,7 @@ void step_window(const FrfDataset& set, const HitFrfs& hits, const std::vector<M
   const ProjectedState state = projection.evaluate(poles);
   const double freedom = std::max(1.0, static_cast<double>(window.count) - static_cast<double>(poles.size() + terms));
   const VectorXd noise = noise_of(state, data, freedom);
-  projection.set_weight(noise);
+  projection.set_noise_scale(noise);
   const auto normal = projection.normal_equations_by_point(state, poles.size());
   const std::vector<double> energies = residual_energies(state, hits, noise);
   const HitResidues residues(set, hits, modes, window, state, freedom);

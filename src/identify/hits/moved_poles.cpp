@@ -11,8 +11,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXcd;
 
-// Largest part of the energy lost by the moved poles that new residues may leave unexplained. New residues regain half
-// of that energy for a single mode, and nine tenths for two modes less than a bandwidth apart.
+// Moving the poles raises the energy of the residual. New residues are taken only if they leave at most this part of
+// the rise. They remove half of it for a single mode, and nine tenths for two modes less than a bandwidth apart.
 constexpr double kMaxLeft = 0.1;
 
 // [modes, channels]

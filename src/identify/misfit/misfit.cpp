@@ -128,7 +128,7 @@ void add_misfit_of_window(const FrfDataset& set, const ModeWindow& window, std::
   const auto lines = static_cast<double>(window.count);
   if (!(lines > 2 * used)) return;
   const VectorXd noise = noise_of(state, static_cast<Index>(data.size()), lines - used);
-  projection.set_weight(noise);
+  projection.set_noise_scale(noise);
   const VectorXd shift = decay_term_shift(set, window, poles, projection, state, noise);
   const VectorXd smooth = smooth_misfit_std(projection, state, noise, used);
   VectorXd misfit = smooth.cwiseMax(shift);

@@ -63,8 +63,8 @@ double likelihood_ratio(const FrfDataset& set, const std::vector<Eigen::VectorXc
 /// Real unknowns of one mode: its pole and its complex residues.
 std::size_t unknowns_per_mode(const FrfDataset& set);
 
-/// The limit that the likelihood ratio of a fit with `unknowns` additional unknowns must exceed. Each of the many
-/// residues of a mode of a survey needs to gain less than each of the few of a single record.
+/// The limit that the likelihood ratio of a fit with `unknowns` additional unknowns must exceed. The limit per unknown
+/// is 150/unknowns_per_mode(), within 8 … 25: the more FRFs, the less each unknown needs to gain.
 double min_gain(const FrfDataset& set, std::size_t unknowns);
 
 /// Poles, and the residual of their fit.
@@ -74,8 +74,9 @@ struct KnownModes {
 };
 
 /// The clear modes of a fit beside the known ones: they stand 20 dB above the residual, are twice as significant as
-/// necessary, lie a bandwidth from every other mode, and make the lines around them likelier. A misfit of strong modes
-/// leaves few independent lines, so that such a mode gains little in the likelihood ratio of the whole band.
+/// necessary, lie a bandwidth from every other mode, and raise the likelihood of the lines around them. They need a
+/// rule of their own: beside the misfit of strong modes, a clear mode gains little in the likelihood ratio of the whole
+/// band.
 std::vector<Pole> clear_modes(const FrfDataset& set, const KnownModes& known, const JointFit& fit);
 
 /// As min_gain() for `unknowns` additional unknowns, without the unknowns of `clear` clear modes.

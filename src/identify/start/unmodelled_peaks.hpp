@@ -13,12 +13,13 @@ struct UnmodelledPeak {
 };
 
 /// Prominent peaks (prominent_lines) farther than three half-power bandwidths, and three lines, from every mode. The
-/// residual has a resonance there, with a quarter of the energy or more. Only peaks within the force's bandwidth and
-/// within `range_dB` of the largest line. Ascending.
+/// residual has a resonance there that holds at least a quarter of the FRFs' energy around it. Only peaks within the
+/// force's bandwidth and within `range_dB` of the largest line. Ascending.
 std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::vector<Mode>& modes, double range_dB);
 
-/// Stable poles (stable_poles) within the force's bandwidth and farther than a half-power bandwidth from every mode.
-/// The residual has a resonance there, with a quarter of the energy or more. Ascending.
+/// Stable poles (stable_poles) within the force's bandwidth and farther than a half-power bandwidth, and one line, from
+/// every mode. The residual has a resonance there that holds at least a quarter of the FRFs' energy around it.
+/// Ascending.
 std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode>& modes);
 /// The same poles, from modal_sums() of the set and the modes.
 std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode>& modes,

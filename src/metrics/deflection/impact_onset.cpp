@@ -106,7 +106,7 @@ ImpactOnset impact_onset(std::span<const double> x, double fs_Hz, std::size_t fi
   const std::size_t top = first_extreme(x, first);
   const double extreme = std::abs(x[top]), sign = std::copysign(1.0, x[top]);
   const double least = std::max(kLowest * noise, kLowest * kFloor * extreme);
-  // The rise begins after the last sample before the extreme that is within the noise.
+  // The rise begins after the last sample within the noise that precedes the extreme.
   std::size_t from = top;
   while (from > 0 && sign * x[from - 1] > least) --from;
   const auto at = static_cast<double>(from);

@@ -77,7 +77,7 @@ ReadingsRow read_row(StrictObject& row, const LabReadings& common) {
                                 {"ball_g", &r.ball_g},
                                 {"v_in_mph", &r.in_mph},
                                 {"v_swing_mph", &r.swing_mph},
-                                {"handle_diameter_in", &r.handle_in}})
+                                {"handle_diameter_in", &r.handle_diameter_in}})
     row.read_within(key, kSmallest, kLargest, *to);
   row.read_within("z_in", 0, kLargest, r.z_in);
   for (const auto& [key, to] : {std::pair{"v_out_mph", &r.out_mph}, {"besr", &r.besr}, {"bbcor", &r.bbcor}})

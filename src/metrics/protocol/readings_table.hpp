@@ -10,7 +10,7 @@ namespace percuss::metrics {
 /// The readings of a bat and an impact in the laboratory's units. cg and z are from the barrel's tip.
 struct LabReadings {
   std::optional<double> length_in, weight_oz, cg_in, moi_ozin2, ball_g, z_in, in_mph, out_mph, besr, bbcor, swing_mph;
-  std::optional<double> handle_in;
+  std::optional<double> handle_diameter_in;
   std::vector<double> rings_in, periods_s, crossings_s;
 };
 

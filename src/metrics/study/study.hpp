@@ -13,7 +13,7 @@ enum class StudyFamily { wood, nonwood };
 
 /// Bats of one length in a figure.
 struct StudyClass {
-  int length_class = 0;           // inches; 0: all lengths, without the differences between lengths
+  int length_class = 0;           // inches; 0: bats of all lengths, whose association is taken within each length
   std::vector<std::size_t> bats;  // of Study::bats
   std::optional<Association> association;
   std::optional<TrendLine> trend;     // of one length only

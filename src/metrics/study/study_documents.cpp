@@ -32,7 +32,7 @@ void take_all(BatProperties& p, const Json& object, std::initializer_list<const 
   for (const char* key : keys) take(p, key, member(object, key));
 }
 
-// The first and second frequency of each family, without the second modes of close pairs.
+// The frequencies of order 1 and 2 of each family. Of a split mode (two peaks of one family and order), the first.
 void take_frequencies(const Json& analysis, BatProperties& p) {
   const Json& modes = member(analysis, "modes");
   if (!modes.is_array()) return;

@@ -164,7 +164,7 @@ std::size_t rigid_body_modes(BeamSupport support) {
 }
 
 std::vector<double> beam_nodes_m(const BeamMode& mode) {
-  // A half wave is π/λ long, and two nodes lie almost that far apart.
+  // A half wave is π/λ of the beam's length. Neighbouring nodes lie almost that far apart.
   constexpr double kPerHalfWave = 8;
   const auto steps = static_cast<std::size_t>(std::ceil(kPerHalfWave * (mode.lambda / kHalfTurn_rad + 1)));
   const auto at = [&](std::size_t i) { return mode.length_m * static_cast<double>(i) / static_cast<double>(steps); };

@@ -45,12 +45,12 @@ struct ImpactResult {
   double cor = 0;        // −v_out/v_in at the first separation; negative when the ball follows the beam
   double contact_s = 0;  // from the first touch to the first separation
   double peak_force_N = 0;
-  // The beam's largest deflection at at_m, until 80 ms after separation: by magnitude, positive along the ball's
-  // motion; and the largest along the ball's motion. All NaN where the beam flies off.
+  // The beam's deflection at at_m, until 80 ms after the first separation. peak: the largest magnitude, with its sign
+  // (positive along the ball's initial motion). forward: the largest value in that direction. NaN if flies_off.
   double peak_deflection_m = 0, peak_deflection_time_s = 0;
   double forward_deflection_m = 0, forward_deflection_time_s = 0;
   bool flies_off = false;  // a rigid-body mode carries the struck point away, so there is no largest deflection
-  std::optional<double> recontact_s;            // time of the next touch within those 80 ms
+  std::optional<double> recontact_s;            // from the first touch to the second; none within those 80 ms: empty
   std::size_t contacts = 1;                     // until the ball stays away for 80 ms
   double last_separation_s = 0;                 // from the first touch
   std::optional<double> final_cor;              // −v_out/v_in after the last contact; none where contacts do not end

@@ -21,7 +21,8 @@ std::vector<ChannelDelay> stated_delays(const std::vector<double>& delay_s, cons
 /// up to 0.44 of the sampling rate. Before and after a row a channel keeps the row's first and last value.
 acquire::Record align_record(acquire::Record record, const std::vector<ChannelDelay>& delays);
 
-/// Samples at the end of a row that the record of align_record() cannot fill.
+/// The number of samples at the end of a row that align_record() computes wholly or partly from the repeated last
+/// value. The length of the interpolation filter is included.
 std::size_t samples_without_data(const std::vector<ChannelDelay>& delays, double fs_Hz);
 
 }  // namespace percuss::pipeline

@@ -28,7 +28,7 @@ double step_of(std::span<const double> x) {
   return step;
 }
 
-// Peak to peak of the motion that the decay before a run lets expect within it.
+// The peak-to-peak motion expected within a run, extrapolated from the decay before it.
 double expected_motion(std::span<const double> before) {
   const std::size_t count = std::min(kMotion, before.size() / 2);
   if (count < kMinMotion) return 0;
@@ -58,7 +58,7 @@ std::optional<LongDropout> find_long_dropout(std::span<const double> x, std::siz
   std::optional<LongDropout> found;
   std::optional<double> step, largest;
   for (std::size_t n = first; n + kMaxFault < x.size();) {
-    // A longer run that begins here or later, but before `probe`, would hold both of these samples.
+    // A run of more than kMaxFault samples that begins at n … probe − 1 contains the samples probe − 1 and probe.
     const std::size_t probe = n + kMaxFault;
     if (x[probe] != x[probe - 1]) {
       n = probe;

@@ -125,7 +125,7 @@ std::optional<RecordedWindow> find_recorded_window(const std::vector<NoiseHistor
     if (fall > kMinFall && end_level < kMaxEnd && -line.slope > kClear * line.slope_std && straight &&
         std::abs(line.at_zero) < start_tolerance(responses, line)) {
       return RecordedWindow{.decay_per_s = -line.slope,
-                            .decay_std = line.slope_std,
+                            .decay_std_per_s = line.slope_std,
                             .end_level = end_level,
                             .start_level = std::exp(line.at_zero)};
     }

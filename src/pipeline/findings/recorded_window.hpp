@@ -17,7 +17,7 @@ struct NoiseHistory {
 /// noise and the motion alike, and damping comes out too high.
 struct RecordedWindow {
   bool exponential = true;  // false: the noise falls to zero at the end as under a Hann window
-  double decay_per_s = 0, decay_std = 0;
+  double decay_per_s = 0, decay_std_per_s = 0;
   double end_level = 0;    // noise at the end over noise before the hit, or in the middle of the record
   double start_level = 0;  // exponential: the fitted noise at the hit over the noise before it
 };

@@ -18,11 +18,12 @@ using BlowSamples = std::vector<std::vector<double>>;
 BlowSamples read_blow(const SampleHistory& history, const LiveChannels& channels, std::uint64_t first,
                       std::size_t samples);
 
-/// `description` with one row of these samples.
+/// `description` with one row that refers to these samples: they must outlive the record.
 acquire::Record record_of_blow(const acquire::Record& description, const BlowSamples& samples);
 
-/// The samples that a blow needs until its decay has ended in every response: each has fallen into its noise or below
-/// −52 dB of its start. Nothing where they ring at the end of these samples. `pretrigger` samples precede the pulse.
+/// The number of samples to keep per blow: until the decay has ended in every response (it has fallen into its noise or
+/// below −52 dB of its start), and half as many to spare, but not more than given. Nothing if a response still rings at
+/// the end. `pretrigger` samples precede the pulse.
 std::optional<std::size_t> decayed_samples(const acquire::Record& description, const BlowSamples& samples,
                                            std::size_t pretrigger);
 

@@ -71,31 +71,33 @@ bool Session::go_on() {
   return false;
 }
 
-bool Session::settled(std::size_t index) const { return done_at(index) && (enough_[index] || !in_doubt(index)); }
+bool Session::settled(std::size_t index) const {
+  return done_at(index) && (enough_[index] || !needs_more_blows(index));
+}
 
-bool Session::is_doubtful(int point) const { return differing_.contains(point) && accepted_at(point) > 0; }
+bool Session::blows_differ(int point) const { return differing_.contains(point) && accepted_at(point) > 0; }
 
 bool Session::needs_blows_to_compare() const {
-  return is_doubtful(point()) && accepted_at(point()) < kMinHitsToFindOutlier;
+  return blows_differ(point()) && accepted_at(point()) < kMinHitsToFindOutlier;
 }
 
 std::vector<int> Session::doubtful_points() const {
   std::vector<int> out;
   std::copy_if(plan_.points.begin(), plan_.points.end(), std::back_inserter(out),
-               [this](int point) { return is_doubtful(point); });
+               [this](int point) { return blows_differ(point); });
   return out;
 }
 
-bool Session::in_doubt(std::size_t index) const {
+bool Session::needs_more_blows(std::size_t index) const {
   const int point = plan_.points[index];
-  if (!is_doubtful(point) || accepted_at(point) >= std::max(kMinHitsToFindOutlier, plan_.hits + 1)) return false;
-  std::size_t others = 0, others_in_doubt = 0;
+  if (!blows_differ(point) || accepted_at(point) >= std::max(kMinHitsToFindOutlier, plan_.hits + 1)) return false;
+  std::size_t others = 0, others_differ = 0;
   for (const int other : plan_.points) {
     if (other == point || accepted_at(other) == 0) continue;
     ++others;
-    others_in_doubt += is_doubtful(other) ? 1U : 0U;
+    others_differ += blows_differ(other) ? 1U : 0U;
   }
-  return others_in_doubt < kNoisyPoints || 2 * others_in_doubt <= others;
+  return others_differ < kNoisyPoints || 2 * others_differ <= others;
 }
 
 void Session::advance() {

@@ -74,12 +74,12 @@ class Session {
 
  private:
   bool done_at(std::size_t index) const;
-  /// Has its blows, and is not in doubt.
+  /// Has its blows, and needs no more of them, or the operator has called them enough.
   bool settled(std::size_t index) const;
-  bool is_doubtful(int point) const;
-  /// Whether further blows are needed at a point that has its blows, to tell which of them is wrong. Where most other
-  /// points are in doubt, too, the noise is to blame.
-  bool in_doubt(std::size_t index) const;
+  bool blows_differ(int point) const;
+  /// Whether the blows of a point differ, and further ones can tell which is wrong. Not where the blows of most other
+  /// points differ, too: then noise is the cause.
+  bool needs_more_blows(std::size_t index) const;
   bool go_on();
   void advance();
   void undo();

@@ -45,7 +45,7 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
     // Without a visible pulse, the impact may lie anywhere in the row.
     if (any_shown && !hits[h].impact.whole_pulse) {
       hits[h].accepted = false;
-      hits[h].reason = "no impact rises above the noise, as it does in other rows";
+      hits[h].reason = "no impact rises above the noise here, unlike in other rows";
     }
     if (static_cast<double>(hits[h].impact.last - hits[h].impact.first) < least) {
       hits[h].accepted = false;

@@ -5,7 +5,7 @@
 
 namespace percuss::pipeline {
 
-/// The warnings about a test without a force, most serious first:
+/// The warnings about a test without a force, sorted with the most serious first. In no order here:
 ///   hammer_as_response  a response looks like the hammer
 ///   no_force         results that need a force are missing
 ///   no_free_decay    no impact can be used

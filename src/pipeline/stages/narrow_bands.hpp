@@ -11,7 +11,7 @@ namespace percuss::pipeline {
 /// Adds the modes that a narrow band around each of these resonances shows (identify::modes_at_frequencies), where
 /// their residues follow the force from hit to hit. Where no point has the three hits that are necessary to see it, a
 /// mode must die out within the record, which a tone does not. `modes` belong to `set`, the average of the hits, and
-/// ascend in frequency. theory (4.21)
+/// ascend in frequency. theory (4.26) and the paragraph after it
 void add_modes_at(const std::vector<identify::UnmodelledResonance>& resonances, std::vector<identify::Mode>& modes,
                   const identify::FrfDataset& set, const identify::HitFrfs& hits, identify::Effort effort);
 

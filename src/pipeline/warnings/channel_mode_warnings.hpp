@@ -10,8 +10,8 @@ namespace percuss::pipeline {
 /// mass_loading: frequencies that fall where a mode moves most.
 std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& modes);
 
-/// skew, clock_mismatch, units_differ, implausible_motion, reversed, same_motion. `correctable`: the input is a record
-/// in time, from which a delay can be taken out.
+/// skew, clock_mismatch, units_differ, implausible_motion, reversed, same_motion, dead_channel. `correctable`: the
+/// input is a record in time, from which a delay can be taken out.
 std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const std::vector<identify::Mode>& modes,
                                            const ChannelFindings& findings, bool correctable);
 

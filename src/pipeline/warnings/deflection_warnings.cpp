@@ -41,8 +41,8 @@ void add_motion_left_out(const DeflectionResults& test, std::vector<Warning>& ou
     out.push_back(with_remedy(
         {"larger_later",
          fmt::format(
-             "{} of {} deflections have larger values after the largest one stated, but there the ± grows faster: "
-             "the value stated is the one that exceeds its ± most, not the end of the motion",
+             "{} of {} deflections become larger after the value stated, but their ± grows faster: the value stated is "
+             "the one that exceeds its ± most; it may not be the largest of the motion",
              growing, test.deflections.size()),
          {"effective_mass"}},
         "record with more pre-trigger; for a free structure, state its effective mass at the struck point"));
@@ -115,9 +115,9 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
   if (drifts && test.mass_known) {
     out.push_back(with_remedy(
         {"drift",
-         "without the rigid-body motion of the stated effective mass, the structure does not return to its rest "
-         "position, or the record is too short to show that it does: the mass has no effect, late deflections drift, "
-         "and their ± includes the drift",
+         "after the rigid-body motion of the stated effective mass is subtracted, the structure does not return to its "
+         "rest position, or the record is too short to show that it does: the mass has no effect, late deflections "
+         "drift, and their ± includes the drift",
          {"effective_mass"}},
         "check the effective mass, or record with more pre-trigger"));
   } else if (drifts && !test.free_body) {

@@ -129,7 +129,8 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
   return {with_remedy(
       {"aliasing",
        fmt::format("no steep anti-alias filter acts before sampling at {:.6g} Hz: at half the sampling rate the force "
-                   "still has {:.0f} % of its level at low frequencies, and the responses do not fall towards it. "
+                   "still has {:.0f} % of its level at low frequencies, and the responses still hold their highest "
+                   "frequencies. "
                    "Modes above {:.6g} Hz are folded into the band: their frequencies are false, and modes near them "
                    "are biased",
                    record.fs_Hz, 100 * most, record.fs_Hz / 2)},

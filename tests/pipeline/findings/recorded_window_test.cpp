@@ -26,7 +26,7 @@ TEST(RecordedWindow, IsFoundWithItsDecay) {
     ASSERT_TRUE(window) << end;
     EXPECT_TRUE(window->exponential);
     const double duration_s = static_cast<double>(kBlocks * kDifferenceBlock) / kFs_Hz;
-    EXPECT_NEAR(window->decay_per_s, -std::log(end) / duration_s, 5 * window->decay_std) << end;
+    EXPECT_NEAR(window->decay_per_s, -std::log(end) / duration_s, 5 * window->decay_std_per_s) << end;
     EXPECT_NEAR(window->end_level, end, 0.02) << end;  // end_level is the level at the middle of the last block
   }
 }

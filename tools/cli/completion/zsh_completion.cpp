@@ -63,22 +63,22 @@ std::string group_function(const Declaration& all, const DeclaredCommand& comman
   std::string names, calls;
   for (const DeclaredCommand* one : commands_of(all, command)) {
     names += fmt::format("\n        '{}:{}'", base_name(*one), zsh_quoted(one->summary, ":\\"));
-    calls += fmt::format("\n        {}) {} && found=0 ;;", base_name(*one), function_of(all, *one));
+    calls += fmt::format("\n        {}) {} && ret=0 ;;", base_name(*one), function_of(all, *one));
   }
   return fmt::format(R"({}() {{
-  local context state state_descr line found=1
+  local context state state_descr line ret=1
   typeset -A opt_args
   _arguments -C{} \
-    '1:COMMAND:->command' '*::WORD:->word' && found=0
+    '1:COMMAND:->command' '*::WORD:->word' && ret=0
   case $state in
     command)
       local -a commands=({})
-      _describe command commands && found=0 ;;
+      _describe command commands && ret=0 ;;
     word)
       case $line[1] in{}
       esac ;;
   esac
-  return found
+  return ret
 }}
 )",
                      function_of(all, command), specs, names, calls);

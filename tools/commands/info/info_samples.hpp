@@ -14,7 +14,7 @@ namespace percuss::tools {
 struct ChannelSamples {
   double rms = 0, peak = 0;        // in SI; the peak is the largest magnitude, with its sign
   double hammer_measure = 1;       // acquire::hammer_measure
-  bool hammer = false;             // looks like a hammer; never a response if the force looks like one
+  bool hammer = false;             // looks like a hammer; false for all responses if the force does
   std::vector<double> envelope{};  // largest magnitudes over time
 };
 

@@ -42,8 +42,9 @@ std::vector<RowMark> read_marks(const InputHdf5& file, std::size_t rows) {
   for (const int number : numbers_per_row(file, "rejected", rows)) {
     const auto mark = row_mark(number);
     if (!mark) {
-      throw InputError(std::to_string(number) + " is not the number of a reason", file.where("rejected"),
-                       "store 0 for blows that count, or a number of docs/reference/formats.md");
+      throw InputError(
+          std::to_string(number) + " is not the number of a reason", file.where("rejected"),
+          "store 0 for a hit that was not rejected, or one of the reasons 1 to 15 in docs/reference/formats.md");
     }
     marks.push_back(*mark);
   }

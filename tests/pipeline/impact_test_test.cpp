@@ -1,0 +1,35 @@
+#include "pipeline/impact_test.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::pipeline::impact_test_test {
+
+ImpactTest deflect_with(std::optional<double> pretrigger_s) {
+  synth::SynthSpec spec =
+      test::bat_spec({{.freq_Hz = 205, .damping_ratio = 0.008, .order = 1, .amplitude_per_sqrt_kg = 1.7}}, 1.5);
+  spec.layout = synth::SynthLayout::continuous;
+  spec.hit_times_s = {0.5};
+  spec.hits = 1;
+  spec.noise = {.force = 1e-4, .accel = 1e-3};
+  return deflect(Analysis(synth::synthesise(spec).record,
+                          {.band_Hz = std::pair{60.0, 1000.0}, .hits = {.pretrigger_s = pretrigger_s}, .threads = 1}),
+                 {.deflection = {.method = metrics::DeflectionMethod::drift_free, .free_body = true}});
+}
+
+// The std of the bias falls with the root of the rest's length, and that of the drift faster. A pre-trigger of 5 ms
+// once left 0.2 m of uncertainty after a second, although half a second of rest was recorded.
+TEST(ImpactTest, TakesTheBiasFromALongRest) {
+  const ImpactTest test = deflect_with({});
+  ASSERT_FALSE(test.hits.empty());
+  EXPECT_NEAR(test.hits[0].first_s, 0.4, 1e-3);
+  EXPECT_LT(test.hits[0].deflection.drift_m, deflect_with(0.01).hits.at(0).deflection.drift_m / 20);
+}
+
+TEST(ImpactTest, KeepsAStatedPretrigger) { EXPECT_NEAR(deflect_with(0.01).hits.at(0).first_s, 0.49, 1e-3); }
+
+}  // namespace percuss::pipeline::impact_test_test
