@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "core/units.hpp"
@@ -29,7 +28,7 @@ constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
 // broad background.
 constexpr double kMimics = 1e-3, kMimicsAlone = 0.1;
 constexpr double kNarrowest = 0.1;     // decay rate of a misfit over the mode's
-constexpr double kFastestFit = 0.125;  // decay rate over the sampling rate: a faster decay is over in a few samples
+constexpr double kFastestFit = 0.25;  // decay rate over the sampling rate: a faster decay is over in a few samples
 
 std::size_t line_of(const FittedDecay& mode, const DecaySpectra& of) {
   const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz());
@@ -60,9 +59,9 @@ bool may_be_misfit(const DecayRate& weak, const DecayRate& strong) {
   return overlap(weak, strong) && weak.rate_radps.real() < kNarrowest * strong.rate_radps.real();
 }
 
-// Whether the fit of a decay ended at a rate that describes no motion of the structure.
+// Whether the fit of a decay ended at a rate that describes the end of the force, and no motion of the structure.
 bool ran_away(const DecayRate& rate, double fs_Hz) {
-  return -rate.rate_radps.real() > kFastestFit * fs_Hz || rate.rate_radps.imag() > std::numbers::pi * fs_Hz;
+  return -rate.rate_radps.real() > kFastestFit * fs_Hz;
 }
 
 // The index of a decay to leave out; the number of decays where all stay.
