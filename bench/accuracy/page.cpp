@@ -70,8 +70,8 @@ std::string least_covered(const TaskFigures& task) {
 std::string opening(const Measured& measured, const std::string& build_description) {
   return fmt::format(R"(# Accuracy and speed
 
-How accurate are the results of percuss, and how long do they take? One command measures both and writes this page, except
-its last section, with its tables, its charts and the numbers in its sentences:
+How accurate are the results of percuss, and how long do they take? One command measures both and writes this page,
+except its last section, with its tables, its charts and the numbers in its sentences:
 
 ```
 build/release/bench/percuss_accuracy docs/project

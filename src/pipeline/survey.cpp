@@ -74,9 +74,7 @@ void Survey::place_points() {
   std::vector<std::size_t> stated;
   for (const identify::DrivingPoint& at : options_.driving) stated.push_back(at.point);
   if (options_.geometry) geometry_warnings_ = match_point_numbers(*geometry_, analysis_.points(), stated);
-  std::set<int> known;
   for (const acquire::GeometryPoint& p : geometry_->points) {
-    known.insert(p.point);
     if (is_tube()) tube_places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
   }
   const auto add = [&](std::vector<Warning> more) {
@@ -85,14 +83,8 @@ void Survey::place_points() {
   add(narrow_arc(*geometry_));
   if (!options_.geometry) return;
   const std::set<int> measured = analysis_.points();
-  for (const int point : measured) {
-    if (known.contains(point)) continue;
-    throw InputError(
-        fmt::format("the geometry lacks point {}, which was measured", point),
-        options_.geometry_source.empty() ? analysis_.record().source() : options_.geometry_source,
-        fmt::format("add it, or use the record's point numbers, {} to {}", *measured.begin(), *measured.rbegin()),
-        {"geometry"});
-  }
+  require_points(*geometry_, measured,
+                 options_.geometry_source.empty() ? analysis_.record().source() : options_.geometry_source);
   add(missing_points(*geometry_, measured, analysis_.record().files.size()));
 }
 

@@ -61,6 +61,22 @@ TEST(SurveyGeometry, NamesPointsWithoutMeasurement) {
   EXPECT_EQ(missing_points(triangle(0), {0, 2}, 1).at(0).message, "1 of the geometry's 3 points were not measured: 1");
 }
 
+// "Add point 0" would shift all other points by one.
+TEST(SurveyGeometry, NamesTheMissingPointInTheNumbersOfTheGeometry) {
+  acquire::Geometry from_one;
+  for (int point = 1; point <= 19; ++point) from_one.points.push_back({.point = point});
+  std::set<int> measured;
+  for (int point = 0; point < 20; ++point) measured.insert(point);
+  try {
+    require_points(from_one, measured, "geo.csv");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("lacks its point 20"));
+  }
+  EXPECT_THROW(require_points(triangle(0), {0, 1, 7}, "geo.csv"), InputError);
+  EXPECT_NO_THROW(require_points(triangle(0), {0, 2}, "geo.csv"));
+}
+
 // Angles of 0 to 2π read as degrees. Points on one line along the tube, and points all around it, are plausible.
 TEST(SurveyGeometry, DoubtsAnglesThatHardlyDiffer) {
   const auto warned = [](double range_rad) {

@@ -54,7 +54,7 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
   command
       .value("--effort", flags.effort,
              "Choose the effort. quick: fit modes with a peak, each over its own spectral lines; standard: also modes "
-             "without a peak; best: all modes together, to the Cramér–Rao bound")
+             "without a peak; best: all modes together, as precisely as the noise permits")
       .one_of({"quick", "standard", "best"})
       .show_default();
   command.value("--estimator", flags.estimator, "Estimate FRFs with h1, h2 or hv")

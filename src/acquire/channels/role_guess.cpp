@@ -171,7 +171,7 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
   RoleGuess guess{.force = {}, .accel = {}, .rate_known = known.time.has_value()};
   std::vector<const CsvColumn*> found;
   const CsvColumn* force = nullptr;
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   const std::size_t max_samples =
       std::clamp(kMaxInAll / std::max<std::size_t>(signals.size(), 1), kMinSamples, kGuessedSamples);
   for (const CsvColumn& signal : signals) {
@@ -189,6 +189,7 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
         continue;
       }
       const double measure = hammer_measure(samples);
+      largest = std::max(largest, measure);
       if (measure < smallest && !is_stated_response(signal, options)) {
         smallest = measure;
         force = &signal;
@@ -199,7 +200,8 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
     }
   }
   if (known.has_force) force = &known.force;
-  if (!known.has_force && found.size() < 2) force = nullptr;
+  // One signal, or signals that are all alike, as two channels of a microphone: none of them is the force.
+  if (!known.has_force && (found.size() < 2 || largest < kMaxMeasureRatio * smallest)) force = nullptr;
   if (force != nullptr) guess.force = value(*force);
   for (const CsvColumn* signal : found) {
     if (signal == force) continue;

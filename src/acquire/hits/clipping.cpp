@@ -12,6 +12,8 @@ constexpr std::size_t kMinRun = 3;
 // In steps: a quantised parabola with three equal samples falls by at most 4 beside them.
 constexpr double kSmoothPeak = 5;
 constexpr std::size_t kMinPeaks = 4;
+constexpr double kPairFall = 1000;   // steps, of a flat pair
+constexpr double kSymmetric = 1e-3;  // difference of the falls on either side, over the larger one
 // A quantised oscillation has twice as many samples within kNearSteps steps of its largest value as at that value. A
 // clipped oscillation has fewer than half as many.
 constexpr double kNearSteps = 4.5, kMaxNearRatio = 0.5;
@@ -103,6 +105,18 @@ std::size_t count_clipped_samples(std::span<const double> x, std::span<const Ext
         is_flat_topped(x, blocks, level, *resolution, count) ? count.samples : samples_in_runs(x, level, *resolution);
   }
   return found;
+}
+
+bool is_flat_pair(std::span<const double> pulse, std::span<const double> around) {
+  const auto top = static_cast<std::size_t>(
+      std::max_element(pulse.begin(), pulse.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+      pulse.begin());
+  if (pulse.empty() || top == 0 || top + 2 >= pulse.size() || pulse[top + 1] != pulse[top]) return false;
+  const double before = std::abs(pulse[top] - pulse[top - 1]), after = std::abs(pulse[top] - pulse[top + 2]);
+  // A computed pulse may be symmetric about the middle of its two largest samples.
+  if (std::abs(before - after) < kSymmetric * std::max(before, after)) return false;
+  const double step = resolution_of(around);
+  return step > 0 && std::min(before, after) > kPairFall * step;
 }
 
 }  // namespace percuss::acquire

@@ -22,4 +22,9 @@ inline constexpr std::size_t kClippingBlock = 512;
 std::size_t count_clipped_samples(std::span<const double> x, std::span<const Extremes> blocks,
                                   std::span<const double> around, double rest);
 
+/// Whether a pulse of few samples is clipped: its two largest samples are equal and neighbours, although the samples
+/// beside them lie lower by 1000 steps of the resolution or more, and not equally low. Rounding makes the two largest
+/// samples of a smooth pulse equal with a probability of the resolution over that distance. `around` as above.
+bool is_flat_pair(std::span<const double> pulse, std::span<const double> around);
+
 }  // namespace percuss::acquire

@@ -30,7 +30,8 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse, b
   const auto rise = static_cast<std::size_t>(std::max(0.0, pulse.rise));
   const std::size_t fall = std::min(x.size(), static_cast<std::size_t>(pulse.fall) + 2);
   const auto within = x.subspan(rise, fall - rise);
-  const std::size_t clipped = count_clipped_samples(within, block_extremes(within, kClippingBlock), x, 0);
+  std::size_t clipped = count_clipped_samples(within, block_extremes(within, kClippingBlock), x, 0);
+  if (clipped == 0 && is_flat_pair(within, x)) clipped = 2;
   if (clipped > 0) {
     hit.findings.push_back({.code = FindingCode::overload,
                             .severity = Severity::reject,

@@ -10,14 +10,15 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kBlock_s = 0.5e-3, kHistory_s = 20e-3;
-constexpr double kContact_s = 1.5e-3;   // a soft tip needs this long to reach its largest force
-constexpr std::size_t kMinBlock = 8;    // samples
-constexpr double kRise = 10;            // of the power, within a contact
-constexpr double kWeakest = 3e-3;       // of the strongest block's power
-constexpr double kAboveQuiet = 30;      // of the power in the quietest fifth of the row
-constexpr double kLeastRate_Hz = 5000;  // of the means whose differences are taken
-constexpr double kClearer = 2;          // power over the quiet power: a longer mean must raise it so much
-constexpr double kAtStart = 0.5;        // of the strongest block's power: a blow within the first 20 ms of a row
+constexpr double kContact_s = 1.5e-3;  // a soft tip needs this long to reach its largest force
+constexpr std::size_t kMinBlock = 8;   // samples
+constexpr double kRise = 10;           // of the power, within a contact
+constexpr double kWeakest = 3e-3;      // of the strongest block's power
+constexpr double kAboveQuiet = 30;     // of the power in the quietest fifth of the row
+constexpr std::size_t kFewestBefore = 5, kLonger = 4, kLongest = 16;  // blocks; lengths of longer blocks in blocks
+constexpr double kLeastRate_Hz = 5000;                                // of the means whose differences are taken
+constexpr double kClearer = 2;    // power over the quiet power: a longer mean must raise it so much
+constexpr double kAtStart = 0.5;  // of the strongest block's power: a blow within the first 20 ms of a row
 constexpr std::size_t kNoiseBlocks = 20;
 constexpr double kAboveNoise = 1.5;   // times the largest value in these blocks before the rise
 constexpr double kOnsetLevel = 0.03;  // of the largest value in the rise
@@ -28,6 +29,7 @@ using Signals = std::vector<std::vector<double>>;  // [channels][samples]
 struct Blocks {
   std::size_t samples = 0;
   std::size_t history = 0, contact = 0;  // in blocks
+  double above_quiet = kAboveQuiet;
 };
 
 Blocks blocks_at(double fs_Hz) {
@@ -36,6 +38,15 @@ Blocks blocks_at(double fs_Hz) {
   return {.samples = samples,
           .history = std::max<std::size_t>(2, whole(kHistory_s)),
           .contact = std::max<std::size_t>(1, whole(kContact_s))};
+}
+
+// Blocks `times` as long, in which noise hardly varies. Five of them precede a rise, which is longer than any beat of
+// two modes takes to rise tenfold.
+Blocks longer_blocks(const Blocks& blocks, std::size_t times) {
+  return {.samples = blocks.samples * times,
+          .history = std::max(kFewestBefore, blocks.history / times),
+          .contact = 1,
+          .above_quiet = kRise};
 }
 
 // The mean of `length` samples from n on minus the mean of as many before n; 0 where there are not enough samples.
@@ -110,7 +121,7 @@ double median_after(const std::vector<double>& power, std::size_t b, std::size_t
 
 std::vector<std::size_t> rising_blocks(const std::vector<double>& power, const Blocks& blocks) {
   const double strongest = extremes_of(power).high, weakest = kWeakest * strongest;
-  const double least = std::max(weakest, kAboveQuiet * quiet_level(power));
+  const double least = std::max(weakest, blocks.above_quiet * quiet_level(power));
   std::vector<std::size_t> out;
   for (std::size_t b = 1; b < power.size(); ++b) {
     if (power[b] < weakest) continue;
@@ -163,15 +174,26 @@ std::vector<ResponseImpact> response_impacts(const acquire::Record& record, cons
     Signals x(record.accel.size(), std::vector<double>(samples));
     for (std::size_t c = 0; c < x.size(); ++c) record.read_accel_mps2(row, c, range.first, x[c]);
     std::vector<ResponseImpact> found;
-    const auto find_in = [&](const Signals& signals) {
-      for (const std::size_t b : rising_blocks(block_power(signals, blocks.samples), blocks))
-        found.push_back({.row = row, .first = onset_in(signals, b, blocks)});
+    const auto find_in = [&](const Signals& signals, const Blocks& of) {
+      for (const std::size_t b : rising_blocks(block_power(signals, of.samples), of)) {
+        const std::size_t first = onset_in(signals, b, of);
+        const bool known = std::any_of(found.begin(), found.end(), [&](const ResponseImpact& one) {
+          return std::max(one.first, first) - std::min(one.first, first) <= (of.history + 2) * of.samples;
+        });
+        if (!known) found.push_back({.row = row, .first = first});
+      }
     };
     // A blow excites all frequencies, so the differences of the samples show it even during slow motion. If they show
     // no blow, the samples themselves are searched: the blow may excite only a slow mode, whose differences lie below
     // the noise although its samples exceed it.
-    find_in(clearest_differences(x, blocks, record.fs_Hz));
-    if (found.empty()) find_in(centred(x));
+    const Signals clearest = clearest_differences(x, blocks, record.fs_Hz);
+    find_in(clearest, blocks);
+    if (found.empty()) find_in(centred(x), blocks);
+    // A weak blow in noise exceeds only the noise's mean over a longer time.
+    for (std::size_t times = kLonger; times <= kLongest; times *= kLonger)
+      find_in(clearest, longer_blocks(blocks, times));
+    std::sort(found.begin(), found.end(),
+              [](const ResponseImpact& a, const ResponseImpact& b) { return a.first < b.first; });
     const bool moves =
         std::any_of(x.begin(), x.end(), [](const auto& one) { return extremes_of(one).high > extremes_of(one).low; });
     if (found.empty() && moves) found.push_back({.row = row, .first = 0, .whole_pulse = false});

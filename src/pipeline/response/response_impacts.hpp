@@ -15,8 +15,8 @@ struct ResponseImpact {
   bool whole_pulse = true;  // false: the row begins after the impact
 };
 
-/// The impacts of a record without a force, row by row. At an impact, the power of the responses' first differences
-/// rises above ten times its largest value in the preceding 20 ms. If a row has no such rise, the power of the
+/// The impacts of a record without a force, row by row. At an impact, the power of the responses' differences rises
+/// within 1.5 ms above ten times its largest value in the 20 ms before. If a row has no such rise, the power of the
 /// responses is searched instead. A row without any rise begins within a decay.
 /// errors  InputError: no samples in the selected time.
 std::vector<ResponseImpact> response_impacts(const acquire::Record& record, const acquire::HitOptions& options);

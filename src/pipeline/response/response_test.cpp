@@ -11,9 +11,11 @@
 #include "core/math/fft.hpp"
 #include "core/math/statistics.hpp"
 #include "core/parallel/parallel.hpp"
+#include "identify/decay/decay_disturbance.hpp"
 #include "identify/decay/decay_start.hpp"
 #include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/response/response_warnings.hpp"
+#include "pipeline/response/usable_decay.hpp"
 #include "pipeline/run_analyses.hpp"
 #include "pipeline/source/band.hpp"
 
@@ -25,17 +27,24 @@ constexpr double kLowestLines = 1.5;  // lower end of the default band, in spect
 constexpr std::size_t kMinSamples = 64;
 constexpr double kShortest = 0.5;                           // of the median length
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;  // of a transform
+constexpr int kMaxAttempts = 3;                             // fits, each without the disturbances of the one before
 
 std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOptions& options) {
   std::vector<ResponseHit> hits;
   std::vector<double> lengths;
   for (const ResponseImpact& impact : response_impacts(record, options.hits)) {
-    hits.push_back({.impact = impact,
+    const UsableDecay usable = usable_decay(record, impact);
+    ResponseHit hit{.impact = impact,
                     .point = record.rows[impact.row].point,
                     .onset_s = static_cast<double>(impact.first) / record.fs_Hz,
                     .accepted = true,
-                    .reason = {}});
-    lengths.push_back(static_cast<double>(impact.last - impact.first));
+                    .reason = {},
+                    .gated = usable.gated};
+    if (usable.clipped) hit.clipped_s = static_cast<double>(usable.first - impact.first) / record.fs_Hz;
+    hit.impact.first = usable.first;
+    hit.impact.last = usable.last;
+    lengths.push_back(static_cast<double>(usable.last - usable.first));
+    hits.push_back(std::move(hit));
   }
   require_hits(options.accept_hits, hits.size(), record, "accept_hit");
   require_hits(options.reject_hits, hits.size(), record, "reject_hit");
@@ -49,7 +58,7 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
     }
     if (static_cast<double>(hits[h].impact.last - hits[h].impact.first) < least) {
       hits[h].accepted = false;
-      hits[h].reason = "too few samples until the next impact or the end";
+      hits[h].reason = "too few usable samples until the next impact or the end";
     }
     const bool accept = names_hit(options.accept_hits, options.reject_hits, h);
     const bool reject = names_hit(options.reject_hits, options.accept_hits, h);
@@ -85,6 +94,29 @@ identify::FreeDecays decays_of(const ResponseTest& test) {
     }
   }
   return out;
+}
+
+// Rejects the hits whose decays are disturbed. Where all are, their decays end before the disturbance. Returns whether
+// anything changed.
+bool leave_out_disturbances(ResponseTest& test, const std::vector<std::optional<std::size_t>>& disturbed) {
+  const bool all = std::all_of(disturbed.begin(), disturbed.end(), [](const auto& at) { return at.has_value(); });
+  bool changed = false;
+  auto at = disturbed.begin();
+  for (ResponseHit& hit : test.hits) {
+    if (!hit.accepted) continue;
+    const std::optional<std::size_t> sample = *at++;
+    if (!sample || hit.by_user || *sample < kMinSamples) continue;
+    changed = true;
+    if (all) {
+      hit.impact.last = hit.impact.first + *sample;
+      hit.shortened = true;
+    } else {
+      hit.accepted = false;
+      hit.reason = fmt::format("another blow or a contact {:.3g} s after the impact",
+                               static_cast<double>(*sample) / test.record.fs_Hz);
+    }
+  }
+  return changed;
 }
 
 std::pair<double, double> band_of(const ResponseTest& test, std::size_t samples) {
@@ -131,7 +163,7 @@ ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& op
   assume_angles(test.record, test.options.classes);
   test.hits = graded(test.record, test.options);
   test.samples = common_samples(test);
-  if (test.possible()) {
+  for (int attempt = 1; test.possible(); ++attempt) {
     const identify::FreeDecays whole = decays_of(test);
     const std::size_t safe = identify::safe_start(test.samples, whole.fs_Hz);
     test.band_Hz = band_of(test, test.samples - safe);
@@ -140,10 +172,15 @@ ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& op
                                           {.band_Hz = test.band_Hz,
                                            .start_Hz = test.options.modes.start_Hz,
                                            .search = test.options.modes.start_Hz.empty()});
+    if (attempt < kMaxAttempts && leave_out_disturbances(test, identify::decay_disturbances(whole, started))) {
+      test.samples = common_samples(test);
+      continue;
+    }
     test.start_s = static_cast<double>(started.start) / whole.fs_Hz;
     test.found = identify::modes_of_decays(started.fit, whole.channels, test.band_Hz);
     if (test.options.modes.modes) keep_most_energetic(test.found.modes, *test.options.modes.modes);
     test.classifications = classified(test);
+    break;
   }
   test.warnings = response_warnings(test);
   return test;

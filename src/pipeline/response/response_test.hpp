@@ -16,7 +16,10 @@ struct ResponseHit {
   int point = 0;
   double onset_s = 0;  // from the row's beginning
   bool accepted = false, by_user = false;
-  std::string reason;  // why it is rejected
+  std::string reason;      // why it is rejected
+  double clipped_s = 0;    // from the onset to the last clipped sample; the decay is fitted after it
+  bool gated = false;      // the recorder cut the decay off
+  bool shortened = false;  // the decay ends before a disturbance (decay_disturbances())
 };
 
 /// The results of a test without a force: modes from free decays.

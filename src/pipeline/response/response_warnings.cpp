@@ -54,6 +54,68 @@ std::vector<Warning> hammer_as_response(const acquire::Record& record) {
                                   name))};
 }
 
+// Whether the fit describes a motion that is no sum of decays by a comb of oscillations: their distances are then the
+// inverse of the time that the motion lasts.
+bool is_comb(const ResponseTest& test) {
+  constexpr std::size_t kTeeth = 8;
+  constexpr double kLines = 3;
+  std::vector<double> freq_Hz;
+  for (const auto* list : {&test.found.modes, &test.found.tones}) {
+    for (const identify::DecayMode& one : *list) freq_Hz.push_back(one.mode.pole.freq_Hz);
+  }
+  std::sort(freq_Hz.begin(), freq_Hz.end());
+  std::size_t teeth = 0;
+  for (std::size_t i = 1; i < freq_Hz.size(); ++i) {
+    const double lines = (freq_Hz[i] - freq_Hz[i - 1]) * static_cast<double>(test.samples) / test.record.fs_Hz;
+    if (lines < kLines) ++teeth;
+  }
+  return teeth >= kTeeth;
+}
+
+// What the recorder did to the decays, and what disturbed them.
+std::vector<Warning> damaged_decays(const ResponseTest& test) {
+  double clipped_s = 0;
+  bool gated = false, shortened = false;
+  for (const ResponseHit& hit : test.hits) {
+    clipped_s = std::max(clipped_s, hit.clipped_s);
+    gated = gated || hit.gated;
+    shortened = shortened || hit.shortened;
+  }
+  std::vector<Warning> out;
+  if (clipped_s > 0) {
+    out.push_back(with_remedy(
+        {"response_clipped",
+         fmt::format("the responses are clipped up to {:.2g} s after the impacts: the modes come from the motion after "
+                     "that, and modes that have died out by then are missing",
+                     clipped_s),
+         {},
+         {},
+         acquire::Severity::warn},
+        "lower the gain of the recorder, or strike more softly"));
+  }
+  if (gated) {
+    out.push_back(with_remedy({"cut_decay",
+                               "the recorder cuts decays off (its samples become constant while the structure still "
+                               "moves): only the motion before that is used"},
+                              "switch off the recorder's noise gate and automatic gain"));
+  }
+  if (is_comb(test)) {
+    out.push_back(with_remedy({"disturbed_decay",
+                               "many oscillations lie side by side, nearer than the length of the decays resolves: the "
+                               "motion is no sum of free decays, as with an unseen blow or contact within them, or an "
+                               "automatic gain. The modes are not reliable",
+                               {"from", "to", "reject_hit"},
+                               {},
+                               acquire::Severity::reject},
+                              "record in less noise, with one blow at a time, or use only a quiet part"));
+  } else if (shortened) {
+    out.push_back(with_remedy(
+        {"disturbed_decay", "another blow or a contact follows each impact: only the motion before that is used"},
+        "leave time between the blows, and touch nothing until the motion has died out"));
+  }
+  return out;
+}
+
 std::vector<Warning> tones(const ResponseTest& test) {
   std::string list;
   for (const identify::DecayMode& tone : test.found.tones)
@@ -112,6 +174,7 @@ std::vector<Warning> response_warnings(const ResponseTest& test) {
     out.push_back(with_remedy({"no_free_decay", "no impact is followed by a free decay", {"accept_hit", "from"}},
                               "record longer after each impact"));
   }
+  add(damaged_decays(test));
   add(uneven_decays(test));
   add(tones(test));
   add(pairs_or_scatter(test));

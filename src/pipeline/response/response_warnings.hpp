@@ -9,6 +9,7 @@ namespace percuss::pipeline {
 ///   hammer_as_response  a response looks like the hammer
 ///   no_force         results that need a force are missing
 ///   no_free_decay    no impact can be used
+///   response_clipped, cut_decay, disturbed_decay  the decays are used in part
 ///   uneven_decay     a mode whose decay is not exponential
 ///   tone             sinusoids that do not decay
 ///   pair_or_scatter  one mode whose frequency differs between the hits, or two close modes

@@ -61,6 +61,8 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"hum", Severity::warn},
     {"tone", Severity::warn},
     {"pair_or_scatter", Severity::warn},
+    {"cut_decay", Severity::warn},
+    {"disturbed_decay", Severity::warn},
     {"uneven_decay", Severity::warn},
     {"spike", Severity::warn},
     {"double_peak", Severity::warn},

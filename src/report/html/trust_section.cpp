@@ -104,6 +104,8 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"crowded", PagePart::fit},
     {"pair_or_scatter", PagePart::fit},
     {"uneven_decay", PagePart::fit},
+    {"cut_decay", PagePart::response},
+    {"disturbed_decay", PagePart::response},
     {"unmodelled_poles", PagePart::stabilisation},
     {"start_refused", PagePart::stabilisation},
     {"sensor_on_node", PagePart::shapes},

@@ -106,6 +106,14 @@ TEST(GuessRoles, TakesEvenlyRisingNumbersAsTimesInAnyColumn) {
   EXPECT_NEAR(guess.assumed_rate_Hz, 25000, 1e-6);
 }
 
+TEST(GuessRoles, TakesNeitherOfTwoAlikeSignalsAsTheForce) {
+  const auto read = [&](std::size_t, std::size_t) { return sine(1000); };
+  const std::vector<CsvColumn> signals{{.index = 0, .name = "left", .base = "left"},
+                                       {.index = 1, .name = "right", .base = "right"}};
+  EXPECT_EQ(guess_roles(signals, {}, {}, read).force, "");
+  EXPECT_THAT(guess_roles(signals, {}, {}, read).accel, ElementsAre("left", "right"));
+}
+
 TEST(GuessRoles, TakesNoAccelerationAsTheForce) {
   const std::vector<std::vector<double>> columns{pulse(1000, 10, 1), sine(1000)};
   const auto read = [&](std::size_t index, std::size_t) { return columns[index]; };

@@ -52,6 +52,30 @@ TEST(ClippedSamples, CountClippedPeaks) {
   }
 }
 
+// A pulse of six samples whose upper half is clipped keeps two samples at the limit.
+TEST(FlatPair, IsAClippedShortPulse) {
+  for (const double sign : {1.0, -1.0}) {
+    const std::vector<double> clipped{0.01, -0.02, 21.3 * sign, 90.0 * sign, 90.0 * sign, 15.2 * sign, 0.03, -0.01};
+    EXPECT_TRUE(is_flat_pair(clipped, clipped));
+  }
+}
+
+TEST(FlatPair, IsNoneInSmoothPulses) {
+  const std::vector<double> symmetric{0.01, -0.02, 20, 90, 90, 20, 0.03, -0.01};
+  EXPECT_FALSE(is_flat_pair(symmetric, symmetric)) << "a computed pulse";
+  const std::vector<double> coarse{0, 0, 2.1, 9, 9, 1.5, 0.1, 0};
+  EXPECT_FALSE(is_flat_pair(coarse, coarse)) << "rounding to 0.1";
+  // 12 bits at half of the range: of 1000 pulses, rounding makes the two largest samples of some equal.
+  std::size_t flat = 0;
+  for (std::size_t i = 0; i < 1000; ++i) {
+    std::vector<double> x(60);
+    test::add_haversine(x, 10 + static_cast<double>(i) / 1000, 7, 1000);
+    for (double& value : x) value = std::round(value);
+    if (is_flat_pair(x, x)) ++flat;
+  }
+  EXPECT_EQ(flat, 0U);
+}
+
 TEST(ClippedSamples, CountBothLimits) {
   std::vector<double> x(4000);
   std::size_t clipped = 0;

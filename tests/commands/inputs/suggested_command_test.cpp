@@ -62,7 +62,7 @@ TEST_F(SuggestedCommand, FollowsTheRolesOfASetUp) {
 TEST_F(SuggestedCommand, AsksForTheSensitivityOfVolts) {
   test::write_columns(file("x.csv"), "time_s,CH1 (V),CH2 (V)", {record_.time_s, record_.force_N, record_.accel_mps2});
   EXPECT_THAT(suggestion({"analyze", "x.csv"}),
-              EndsWith(" --force-channel 2 --accel-channel 3 --accel-sensitivity mV/g\n"));
+              EndsWith(" --force-channel 2 --accel-channel 3 --accel-sensitivity NUMBERmV/g\n"));
   EXPECT_THAT(suggestion({"analyze", "x.csv", "--accel-sensitivity", "100"}),
               EndsWith(" --accel-sensitivity 100 --force-channel 2 --accel-channel 3\n"));
 }
