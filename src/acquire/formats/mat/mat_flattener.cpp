@@ -90,6 +90,26 @@ std::vector<MatField> fields_of(const matvar_t* structure) {
   return fields;
 }
 
+// The fields of cells that each hold one structure of the same fields, as of a structure array; otherwise none.
+std::vector<MatField> fields_of_cells(const std::vector<const matvar_t*>& cells) {
+  std::vector<MatField> all;
+  for (const matvar_t* cell : cells) {
+    const bool one =
+        cell != nullptr && cell->dims != nullptr && cell->class_type == MAT_C_STRUCT && elements(cell) == 1;
+    const std::vector<MatField> fields = one ? fields_of(cell) : std::vector<MatField>{};
+    const auto same = [](const MatField& a, const MatField& b) { return a.name == b.name; };
+    if (all.empty()) {
+      all = fields;
+    } else if (std::equal(all.begin(), all.end(), fields.begin(), fields.end(), same)) {
+      for (std::size_t f = 0; f < all.size(); ++f) all[f].values.push_back(fields[f].values.front());
+    } else {
+      return {};
+    }
+    if (all.empty()) return {};
+  }
+  return all;
+}
+
 // The texts of a field that names channels: they differ, and one of them names a force. Nothing for other fields; the
 // elements are hits then.
 std::vector<std::string> channel_names(const MatField& field) {
@@ -151,9 +171,11 @@ void MatFlattener::add(const std::string& name, const matvar_t* variable) {
   if (variable->class_type == MAT_C_CHAR) return add_text(name, variable);
   if (variable->class_type == MAT_C_STRUCT) return add_structure(name, variable);
   if (variable->class_type == MAT_C_CELL) {
-    const auto* const cells = static_cast<matvar_t* const*>(variable->data);
-    if (cells != nullptr) add_elements(name, {cells, cells + elements(variable)}, '{', '}');
-    return;
+    const auto* const data = static_cast<matvar_t* const*>(variable->data);
+    if (data == nullptr) return;
+    const std::vector<const matvar_t*> cells(data, data + elements(variable));
+    const std::vector<MatField> fields = cells.size() > 1 ? fields_of_cells(cells) : std::vector<MatField>{};
+    return fields.empty() ? add_elements(name, cells, '{', '}') : add_fields(name, fields);
   }
   if (variable->class_type == MAT_C_EMPTY) return;
   const bool sparse = variable->class_type == MAT_C_SPARSE;
@@ -211,7 +233,10 @@ void MatFlattener::add_text(const std::string& name, const matvar_t* variable) {
 }
 
 void MatFlattener::add_structure(const std::string& name, const matvar_t* variable) {
-  const std::vector<MatField> fields = fields_of(variable);
+  add_fields(name, fields_of(variable));
+}
+
+void MatFlattener::add_fields(const std::string& name, const std::vector<MatField>& fields) {
   for (const MatField& field : fields) {
     const std::vector<std::string> channels = channel_names(field);
     if (!channels.empty() && channels.size() <= kMaxElements) return add_channels(channels, fields);

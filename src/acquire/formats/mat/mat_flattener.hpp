@@ -42,6 +42,7 @@ class MatFlattener {
   void add_numbers(const std::string& name, const matvar_t* variable);
   void add_text(const std::string& name, const matvar_t* variable);
   void add_structure(const std::string& name, const matvar_t* variable);
+  void add_fields(const std::string& name, const std::vector<MatField>& fields);
   // Adds a structure array whose elements are channels of these names. If only one field holds samples, its variables
   // are named as the channels, so that a unit in the name is found; otherwise CHANNEL.FIELD.
   void add_channels(const std::vector<std::string>& names, const std::vector<MatField>& fields);

@@ -115,6 +115,28 @@ TEST_F(MatFiles, KeepTheNamesOfInnerFields) {
   EXPECT_NE(find_variable(read, "other{2}.accel"), nullptr);
 }
 
+// One structure per hit in a cell array is a structure array in another form.
+TEST_F(MatFiles, ReadCellsOfStructuresAsAStructureArray) {
+  const auto hit = [] {
+    const std::array<std::size_t, 2> one{1, 1};
+    const std::array<const char*, 3> fields{"force", "acc", nullptr};
+    matvar_t* out = Mat_VarCreateStruct2(nullptr, 2, one.data(), fields.data());
+    for (const char* field : {"force", "acc"})
+      Mat_VarSetStructFieldByName(out, field, 0, MatWriter::numbers<double>(field, MAT_C_DOUBLE, MAT_T_DOUBLE));
+    return out;
+  };
+  {
+    MatWriter file(path_);
+    file.put(MatWriter::cell("test", {hit(), hit(), hit()}));
+  }
+  const MatFile read = read_mat_file(path_);
+  ASSERT_THAT(read.variables, SizeIs(2));
+  for (const char* name : {"test.force", "test.acc"}) {
+    ASSERT_NE(find_variable(read, name), nullptr) << name;
+    EXPECT_THAT(find_variable(read, name)->shape, ElementsAre(3, 2)) << name;
+  }
+}
+
 TEST_F(MatFiles, NameWhatIsNotRead) {
   {
     MatWriter file(path_);
