@@ -49,7 +49,8 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
   const std::string previous = command.heading(kAnalysisHeading);
   command
       .value("--band", flags.band,
-             "Analyse this frequency band in Hz, such as 60:3200 (default: the band that the hammer excites)")
+             "Analyse this frequency band in Hz, such as 60:3200 (default: up to the highest frequency that the hammer "
+             "excites, from 1 % of it on)")
       .type("LO:HI");
   command
       .value("--effort", flags.effort,

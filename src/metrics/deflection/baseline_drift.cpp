@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/math/significance.hpp"
 #include "core/units.hpp"
 
 namespace percuss::metrics {
@@ -16,6 +17,9 @@ using Eigen::Vector2d;
 constexpr std::size_t kMinRest = 8;  // samples needed for a straight line and its scatter
 // The standard deviation of an unknown bias, over the signal's RMS. A larger bias means a broken sensor.
 constexpr double kUnknownBias = 0.1;
+constexpr std::size_t kMinMeans = 8;
+constexpr double kSteepest = 2;        // growth per octave, of noise whose power falls with the frequency
+constexpr double kColoured = 3;        // normal deviate from which noise is not white
 constexpr double kMinCycles = 3;       // of the oscillation within a window, for a mean near zero
 constexpr double kContradiction = 30;  // χ² of two means, exceeded by chance once in three million
 constexpr double kLeakageMargin = 2;   // the oscillation's amplitude and phase are only estimated
@@ -87,6 +91,33 @@ ParabolaResidual parabola_residual(std::span<const double> w, double from, doubl
           .cycles = static_cast<double>(crossings) / 2};
 }
 
+// The standard deviation of white noise whose means over many samples scatter as those of `residual`, from which a
+// straight line was subtracted. The means of coloured noise scatter more than its samples let expect.
+double low_frequency_std(std::span<const double> residual) {
+  double largest = 0, growth = 1;  // of the variance, from the means half as long
+  for (std::size_t length = 1; length == 1 || residual.size() / length >= kMinMeans; length *= 2) {
+    const std::size_t means = residual.size() / length;
+    double sum = 0;
+    for (std::size_t b = 0; b < means; ++b) {
+      double mean = 0;
+      for (const double value : residual.subspan(b * length, length)) mean += value / static_cast<double>(length);
+      sum += mean * mean * static_cast<double>(length);
+    }
+    const auto degrees = static_cast<double>(means) - 2;
+    const double variance = sum / degrees;
+    const bool more = length > 1 && chi2_deviate(sum / largest, degrees) > kColoured;
+    if (length == 1 || more) {
+      growth = length == 1 ? 1 : std::clamp(variance / largest, 1.0, kSteepest);
+      largest = std::max(largest, variance);
+    } else {
+      growth = 1;
+    }
+    if (!(largest > 0)) return 0;
+  }
+  // The longest means are an eighth of the rest; the bias is a mean over the whole of it.
+  return std::sqrt(largest * std::pow(growth, 3));
+}
+
 }  // namespace
 
 Vector2d drifted_deflection_m(double t_s, double highpass_corner_Hz) {
@@ -113,9 +144,9 @@ BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double f
   }
   const Matrix2d inverse = normal.inverse();
   rest.bias = inverse * right;
-  double energy = 0;
-  for (std::size_t i = 0; i < before_mps2.size(); ++i) energy += std::pow(before_mps2[i] - rest.bias.dot(basis(i)), 2);
-  rest.noise_mps2 = std::sqrt(energy / (n - 2));
+  std::vector<double> residual(before_mps2.size());
+  for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = before_mps2[i] - rest.bias.dot(basis(i));
+  rest.noise_mps2 = low_frequency_std(residual);
   rest.covariance = inverse * rest.noise_mps2 * rest.noise_mps2;
   return rest;
 }

@@ -11,7 +11,9 @@ namespace percuss::metrics {
 struct BaselineEstimate {
   Eigen::Vector2d bias;        // m/s², m/s³
   Eigen::Matrix2d covariance;  // of both
-  double noise_mps2 = 0;       // standard deviation of a sample
+  /// Of white noise that is as strong as the measured noise at low frequencies, which double integration amplifies:
+  /// standard deviation of a sample.
+  double noise_mps2 = 0;
 };
 
 /// Estimates bias and noise from the samples before the impact. With fewer than eight samples the bias is 0, with a

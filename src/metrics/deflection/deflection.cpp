@@ -17,7 +17,9 @@ constexpr std::size_t kRinging = 32;   // longest ringing of an anti-alias filte
 constexpr double kMethodError = 1e-6;  // of the largest deflection: error by rounding and by the filter's first ringing
 constexpr double kOnsetNoise = 8;      // standard deviations of the noise that a motion must exceed …
 constexpr double kOnsetLevel = 1e-3;   // … and the part of the largest acceleration
-constexpr double kLowestShare = 0.5;   // default lowest frequency over the frequency of the strongest line
+constexpr double kGlitch = 0.01;       // of the largest acceleration: a weaker motion …
+constexpr std::ptrdiff_t kQuietAfterGlitch = 64;  // … that so many samples at rest follow is no impact
+constexpr double kLowestShare = 0.5;              // default lowest frequency over the frequency of the strongest line
 
 double largest_magnitude(std::span<const double> x) { return extremes_of(x).max_distance_from(0); }
 
@@ -176,9 +178,21 @@ double motion_onset_s(std::span<const double> accel_mps2, double fs_Hz) {
   const Spread noise = spread_of({accel_mps2.begin(), accel_mps2.begin() + static_cast<std::ptrdiff_t>(quiet)});
   const double largest = extremes_of(accel_mps2).max_distance_from(noise.median);
   const double level = std::max(kOnsetNoise * noise.robust_std, kOnsetLevel * largest);
-  const auto moves =
-      std::find_if(accel_mps2.begin(), accel_mps2.end(), [&](double a) { return std::abs(a - noise.median) > level; });
-  return static_cast<double>(moves - accel_mps2.begin()) / fs_Hz;
+  const auto moves = [&](double a) { return std::abs(a - noise.median) > level; };
+  auto first = std::find_if(accel_mps2.begin(), accel_mps2.end(), moves);
+  // A glitch, such as a filter that settles at the start of the record, is weak and over before the impact.
+  while (first != accel_mps2.end()) {
+    auto last = first;
+    auto next = std::find_if(last + 1, accel_mps2.end(), moves);
+    while (next != accel_mps2.end() && next - last <= kQuietAfterGlitch) {
+      last = next;
+      next = std::find_if(last + 1, accel_mps2.end(), moves);
+    }
+    const auto weak = [&](double a) { return std::abs(a - noise.median) < kGlitch * largest; };
+    if (next == accel_mps2.end() || !std::all_of(first, last + 1, weak)) break;
+    first = next;
+  }
+  return static_cast<double>(first - accel_mps2.begin()) / fs_Hz;
 }
 
 }  // namespace percuss::metrics

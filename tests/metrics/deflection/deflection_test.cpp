@@ -322,6 +322,43 @@ TEST(BaselineEstimate, RecoversBiasDriftAndNoise) {
   EXPECT_NEAR(rest.noise_mps2, 0.1, 0.001);
 }
 
+// A filter that settles at the start of a record is no impact.
+TEST(MotionOnset, IsNotAGlitchAtTheStart) {
+  std::vector<double> x(3000);
+  std::mt19937 random(1);
+  std::normal_distribution<double> gauss;
+  for (std::size_t n = 0; n < x.size(); ++n) {
+    x[n] = 0.3 * gauss(random) + (n < 6 ? 6.0 * (n % 2 == 0 ? 1 : -1) : 0);
+    if (n >= 2000) x[n] += 2000 * std::sin(0.01 * static_cast<double>(n - 2000));
+  }
+  EXPECT_NEAR(motion_onset_s(x, 20000), 0.1, 2e-4);
+}
+
+// Noise whose power falls from 30 Hz on, as a micro-machined sensor has: its mean over the rest scatters far more than
+// that of white noise of the same samples. The ± of bias and drift must say so.
+TEST(BaselineEstimate, StatesTheScatterOfColouredNoise) {
+  constexpr double kFs_Hz = 20000, kPole = 0.99;
+  double squares = 0, white_noise = 0;
+  constexpr unsigned kSeeds = 60;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> gauss;
+    std::vector<double> coloured(4000), white(4000);
+    double now = 0;
+    for (int n = 0; n < 2000; ++n) now = kPole * now + gauss(random);
+    for (std::size_t n = 0; n < coloured.size(); ++n) {
+      coloured[n] = now = kPole * now + gauss(random);
+      white[n] = gauss(random);
+    }
+    const BaselineEstimate rest = baseline_estimate(coloured, kFs_Hz, 1);
+    squares += rest.bias(0) * rest.bias(0) / rest.covariance(0, 0);
+    white_noise += baseline_estimate(white, kFs_Hz, 1).noise_mps2 / kSeeds;
+  }
+  EXPECT_GT(std::sqrt(squares / kSeeds), 0.4);  // a factor of 16 if the noise is taken for white
+  EXPECT_LT(std::sqrt(squares / kSeeds), 1.6);
+  EXPECT_NEAR(white_noise, 1, 0.01);
+}
+
 TEST(BaselineEstimate, IsZeroForFewSamples) {
   const BaselineEstimate rest = baseline_estimate(std::vector<double>(5, 7.0), 1000, 20);
   EXPECT_EQ(rest.bias(0), 0);
