@@ -73,12 +73,12 @@ def frf(
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
     band : (low, high), optional
-        Analyse this frequency band in Hz, such as 60:3200 (default: the band that the hammer
-        excites).
+        Analyse this frequency band in Hz, such as 60:3200 (default: up to the highest frequency
+        that the hammer excites, from 1 % of it on).
     effort : {'quick', 'standard', 'best'}, optional
         Choose the effort. quick: fit modes with a peak, each over its own spectral lines; standard:
-        also modes without a peak; best: all modes together, at the statistical limit. Default:
-        best.
+        also modes without a peak; best: all modes together, as precisely as the noise permits.
+        Default: best.
     estimator : {'h1', 'h2', 'hv'}, optional
         Estimate FRFs with h1, h2 or hv. Default: h1.
     accept_hit : int, str, or a list of them, optional

@@ -17,8 +17,8 @@ def synth(
     """Make synthetic test records with exactly known truth.
 
     Makes hammer tests of structures with exactly known modes, with noise and the faults of real
-    tests, for learning and for tests of software. Writes the truth beside each record as JSON.
-    docs/guides/synth.md describes the spec.
+    tests, for learning and for tests of software. Each record that is written has its truth beside
+    it, as JSON. docs/guides/synth.md describes the spec.
 
     Parameters
     ----------
