@@ -1,6 +1,7 @@
 #include "pipeline/analysis.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/error.hpp"
@@ -136,6 +137,29 @@ TestSpectra Analysis::measured_spectra() const {
           .window_decay_per_s = window_decay_per_s()};
 }
 
+namespace {
+
+// The first poles are fitted to responses with the ringing, and are biased where it is strong; so is then the ringing,
+// which is extrapolated with them. Both are computed again until the poles stand still.
+constexpr int kRingingPasses = 8;
+constexpr double kStrongRinging = 3e-3;  // of the largest response
+constexpr double kStill = 0.2;           // standard deviations of a pole
+
+bool stand_still(const std::vector<identify::Mode>& before, const std::vector<identify::Mode>& now) {
+  return std::equal(before.begin(), before.end(), now.begin(), now.end(),
+                    [](const identify::Mode& a, const identify::Mode& b) {
+                      return std::abs(a.pole.freq_Hz - b.pole.freq_Hz) < kStill * b.freq_std_Hz &&
+                             std::abs(a.pole.damping_ratio - b.pole.damping_ratio) < kStill * b.damping_std;
+                    });
+}
+
+bool rings_strongly(const std::vector<EarlierRinging>& ringing) {
+  return std::any_of(ringing.begin(), ringing.end(),
+                     [](const EarlierRinging& one) { return one.share > kStrongRinging; });
+}
+
+}  // namespace
+
 const std::vector<EarlierRinging>& Analysis::earlier_ringing() const {
   return within_budget(budget_, earlier_ringing_, [&] {
     if (given_frfs() != nullptr || !may_ring_at_hits(hits())) return std::vector<EarlierRinging>{};
@@ -145,7 +169,21 @@ const std::vector<EarlierRinging>& Analysis::earlier_ringing() const {
     first.modes = trace_.run("modes", [&] { return identify::identify_modes(first.frfs, all_modes()); });
     std::vector<EarlierRinging> ringing = trace_.run(
         "earlier ringing", [&] { return find_earlier_ringing(aligned_record(), first.frfs, from, first.modes); });
+    std::vector<identify::Mode> known = first.modes;
     if (ringing.empty()) first_modes_ = std::move(first);
+    for (int pass = 1; pass < kRingingPasses && rings_strongly(ringing); ++pass) {
+      const HitResponses settled = without_ringing(responses(), ringing, hits(), transform_options());
+      const TestSpectra quiet{.lines = from.lines,
+                              .hits = from.hits,
+                              .force = from.force,
+                              .responses = settled,
+                              .window_decay_per_s = from.window_decay_per_s};
+      const identify::FrfDataset set = source_->dataset(quiet, accepted_hits(quiet.hits), nullptr);
+      auto modes = trace_.run("modes", [&] { return identify::identify_modes(set, all_modes()); });
+      ringing = trace_.run("earlier ringing", [&] { return find_earlier_ringing(aligned_record(), set, from, modes); });
+      if (stand_still(known, modes)) break;
+      known = std::move(modes);
+    }
     return ringing;
   });
 }
