@@ -27,7 +27,7 @@ constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
 // or damping changes while it decays. The misfit is about as wide as the mode: a peak far narrower is no misfit of a
 // broad background.
 constexpr double kMimics = 1e-3, kMimicsAlone = 0.1;
-constexpr double kNarrowest = 0.1;     // decay rate of a misfit over the mode's
+constexpr double kNarrowest = 0.1;    // decay rate of a misfit over the mode's
 constexpr double kFastestFit = 0.25;  // decay rate over the sampling rate: a faster decay is over in a few samples
 
 std::size_t line_of(const FittedDecay& mode, const DecaySpectra& of) {
@@ -60,9 +60,7 @@ bool may_be_misfit(const DecayRate& weak, const DecayRate& strong) {
 }
 
 // Whether the fit of a decay ended at a rate that describes the end of the force, and no motion of the structure.
-bool ran_away(const DecayRate& rate, double fs_Hz) {
-  return -rate.rate_radps.real() > kFastestFit * fs_Hz;
-}
+bool ran_away(const DecayRate& rate, double fs_Hz) { return -rate.rate_radps.real() > kFastestFit * fs_Hz; }
 
 // The index of a decay to leave out; the number of decays where all stay.
 std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& energy, double threshold, double mimics,
