@@ -53,19 +53,19 @@ void require_points(const acquire::Geometry& geometry, const std::set<int>& meas
     if (!known.contains(point + 1)) missing_from_one.push_back(point + 1);
   }
   if (missing.empty()) return;
-  if (!known.contains(0) && measured.contains(0) && 2 * missing_from_one.size() < measured.size()) {
-    throw InputError(fmt::format("the geometry numbers its points from 1 and the record from 0, but {} points were "
-                                 "measured: the geometry lacks its point {}",
-                                 measured.size(), missing_from_one.front()),
-                     where,
-                     "add it to the geometry. Files taken as points count as one point each: join the files of one "
-                     "point first, if there are several",
-                     {"geometry", "files"});
-  }
-  throw InputError(
-      fmt::format("the geometry lacks point {}, which was measured", missing.front()), where,
-      fmt::format("add it, or use the record's point numbers, {} to {}", *measured.begin(), *measured.rbegin()),
-      {"geometry"});
+  const bool may_count_from_one = !known.contains(0) && measured.contains(0) &&
+                                  2 * missing_from_one.size() < measured.size() && !missing_from_one.empty();
+  const std::string or_from_one =
+      may_count_from_one
+          ? fmt::format(
+                " (point {} if the geometry numbers its points from 1; files taken as points count as one point "
+                "each)",
+                missing_from_one.front())
+          : "";
+  throw InputError(fmt::format("the geometry lacks point {}, which was measured", missing.front()), where,
+                   fmt::format("add it{}, or use the record's point numbers, {} to {}", or_from_one, *measured.begin(),
+                               *measured.rbegin()),
+                   {"geometry"});
 }
 
 std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std::set<int>& measured,

@@ -14,8 +14,8 @@ namespace percuss::pipeline {
 std::vector<Warning> match_point_numbers(acquire::Geometry& geometry, const std::set<int>& measured,
                                          const std::vector<std::size_t>& driving = {});
 
-/// errors  InputError at `where`: the geometry lacks a point that was measured. If it numbers its points from 1 and the
-/// record from 0, the message states the missing point in the geometry's numbers.
+/// errors  InputError at `where`: the geometry lacks a point that was measured. If it may number its points from
+/// 1 and the record from 0, the message states the missing point in these numbers, too.
 void require_points(const acquire::Geometry& geometry, const std::set<int>& measured, const std::string& where);
 
 /// The points of a stated geometry that were not measured: a survey in parts, or a missing file that shifts all others.

@@ -71,7 +71,7 @@ TEST(SurveyGeometry, NamesTheMissingPointInTheNumbersOfTheGeometry) {
     require_points(from_one, measured, "geo.csv");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("lacks its point 20"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("point 20 if the geometry numbers its points from 1"));
   }
   EXPECT_THROW(require_points(triangle(0), {0, 1, 7}, "geo.csv"), InputError);
   EXPECT_NO_THROW(require_points(triangle(0), {0, 2}, "geo.csv"));

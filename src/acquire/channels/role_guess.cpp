@@ -171,6 +171,7 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
   RoleGuess guess{.force = {}, .accel = {}, .rate_known = known.time.has_value()};
   std::vector<const CsvColumn*> found;
   const CsvColumn* force = nullptr;
+  std::size_t candidates = 0;  // for the force
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   const std::size_t max_samples =
       std::clamp(kMaxInAll / std::max<std::size_t>(signals.size(), 1), kMinSamples, kGuessedSamples);
@@ -188,11 +189,14 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
           guess.assumed_rate_Hz = rate_of_times_Hz(samples);
         continue;
       }
-      const double measure = hammer_measure(samples);
-      largest = std::max(largest, measure);
-      if (measure < smallest && !is_stated_response(signal, options)) {
-        smallest = measure;
-        force = &signal;
+      if (!is_stated_response(signal, options)) {
+        const double measure = hammer_measure(samples);
+        largest = std::max(largest, measure);
+        ++candidates;
+        if (measure < smallest) {
+          smallest = measure;
+          force = &signal;
+        }
       }
       found.push_back(&signal);
     } catch (const InputError&) {
@@ -201,7 +205,8 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
   }
   if (known.has_force) force = &known.force;
   // One signal, or signals that are all alike, as two channels of a microphone: none of them is the force.
-  if (!known.has_force && (found.size() < 2 || largest < kMaxMeasureRatio * smallest)) force = nullptr;
+  const bool alike = candidates > 1 && largest < kMaxMeasureRatio * smallest;
+  if (!known.has_force && (found.size() < 2 || alike)) force = nullptr;
   if (force != nullptr) guess.force = value(*force);
   for (const CsvColumn* signal : found) {
     if (signal == force) continue;

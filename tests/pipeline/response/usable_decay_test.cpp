@@ -44,8 +44,9 @@ TEST(UsableDecay, BeginsAfterClippedSamples) {
   const ResponseTest test =
       analyse_responses(test::response_record(kFs_Hz, {{decays(3, 2, 1)}}, 0, true), {.threads = 1});
   ASSERT_EQ(test.hits.size(), 2U);
-  // 3 exp(−7.54 t/s) falls to 1 in 0.146 s.
-  EXPECT_NEAR(test.hits[0].clipped_s, 0.146, 0.002);
+  // 3 exp(−7.54 t/s) falls to 1 in 0.146 s. The largest of 13.7 samples per period is up to 2.7 % below the peak, which
+  // the decay takes 4 ms for.
+  EXPECT_NEAR(test.hits[0].clipped_s, 0.146, 0.005);
   EXPECT_THAT(test.warnings, Contains(Field(&Warning::code, "response_clipped")));
   expect_the_mode(test);
 }
