@@ -16,7 +16,7 @@ using Eigen::Index;
 constexpr std::size_t kRates = 12;
 constexpr double kSlowest = 0.5;                  // decay over the record, in nepers
 constexpr double kFastest = 1.0 / 16;             // of the sampling rate
-constexpr double kLight = 0.25, kHeaviest = 0.5;  // damping ratios
+constexpr double kLight = 0.12, kHeaviest = 0.5;  // damping ratios
 constexpr double kSearchesPerFalseAlarm = 1000;   // one in so many searches of noise alone finds a decay
 constexpr double kWeakest = 0.02;                 // of the strongest candidate: weaker ones wait until it is fitted
 constexpr double kApart_lines = 6;  // between candidates of one search, in addition to three half-power bandwidths
