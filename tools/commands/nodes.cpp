@@ -52,10 +52,11 @@ double to_metres(std::string_view unit_name, const std::string& text) {
   throw OptionError::wrong_value("positions", text, kPositionsRemedy, "its unit does not measure length");
 }
 
-// Positions without a unit are inches. Within one inch they are rather metres, beyond five feet millimetres.
-void check_plausible_inches(double first, double last, const std::string& text) {
-  const auto [low, high] = std::minmax(first, last);
-  const bool close = high - low<kShortestScan_in, far = high> kLongestBarrel_in;
+// Refuses positions without a unit that are hardly inches: within one inch they are probably metres, beyond five feet
+// millimetres.
+void check_plausible_inches(double low, double high, const std::string& text) {
+  const bool close = high - low < kShortestScan_in;
+  const bool far = high > kLongestBarrel_in;
   if (!close && !far) return;
   throw OptionError::wrong_value(
       "positions", text, "state the unit, such as 0.15:0.01:0.3m or 6:0.5:9in",

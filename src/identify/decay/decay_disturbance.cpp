@@ -46,14 +46,7 @@ std::vector<std::optional<std::size_t>> decay_disturbances(const FreeDecays& who
     const auto signal = static_cast<Eigen::Index>(i);
     std::vector<double> rest(whole.response[i].begin() + static_cast<std::ptrdiff_t>(fit.start),
                              whole.response[i].end());
-    for (const FittedDecay& decay : fit.fit.decays) {
-      const Complex step = std::exp(decay.rate.rate_radps / whole.fs_Hz);
-      Complex now = decay.amplitude(signal);
-      for (double& value : rest) {
-        value -= now.real();
-        now *= step;
-      }
-    }
+    subtract_decays(fit.fit, whole.fs_Hz, i, 0, rest);
     const NoisePrediction prediction = noise_prediction(fit.fit.noise.col(signal), samples);
     const auto rise = first_rise(block_errors(rest, prediction, block));
     if (!rise) continue;

@@ -120,8 +120,8 @@ std::vector<DecayCandidate> strongest_decays(const DecaySpectra& residual, const
   const double threshold = decay_threshold(static_cast<std::size_t>(residual.lines.cols()),
                                            static_cast<std::size_t>(std::max(lines, 1.0)) * kRates);
   const double margin_Hz = residual.line_Hz() / 2;
-  // The modes that are not fitted yet jump together at the start, which looks like a heavily damped decay. Heavily
-  // damped decays wait until the others are fitted.
+  // All modes that are not fitted yet begin at the same moment, where their sum looks like a heavily damped decay. Such
+  // candidates wait until no other is left.
   std::vector<DecayCandidate> peaks = maxima(bank, kLight, threshold, margin_Hz, limits);
   if (peaks.empty()) peaks = maxima(bank, kHeaviest, threshold, margin_Hz, limits);
   std::vector<DecayCandidate> chosen;

@@ -65,14 +65,7 @@ std::vector<std::vector<double>> residuals(const FreeDecays& whole, const FreeDe
   for (std::size_t i = 0; i < whole.response.size(); ++i) {
     out.emplace_back(whole.response[i].begin(), whole.response[i].begin() + static_cast<std::ptrdiff_t>(samples));
     for (double& value : out.back()) value -= bias[i];
-  }
-  for (const FittedDecay& decay : fit.decays) {
-    const Complex step = std::exp(decay.rate.rate_radps / whole.fs_Hz);
-    Complex now = std::exp(decay.rate.rate_radps * (-static_cast<double>(start) / whole.fs_Hz));
-    for (std::size_t n = 0; n < samples; ++n, now *= step) {
-      for (std::size_t i = 0; i < out.size(); ++i)
-        out[i][n] -= (decay.amplitude(static_cast<Eigen::Index>(i)) * now).real();
-    }
+    subtract_decays(fit, whole.fs_Hz, i, start, out.back());
   }
   return out;
 }
@@ -110,6 +103,19 @@ FreeDecays decays_from(const FreeDecays& whole, std::size_t first) {
   for (const std::vector<double>& one : whole.response)
     out.response.emplace_back(one.begin() + static_cast<std::ptrdiff_t>(first), one.end());
   return out;
+}
+
+void subtract_decays(const FreeDecayFit& fit, double fs_Hz, std::size_t signal, std::size_t start,
+                     std::span<double> x) {
+  for (const FittedDecay& decay : fit.decays) {
+    const Complex amplitude = decay.amplitude(static_cast<Eigen::Index>(signal));
+    const Complex step = std::exp(decay.rate.rate_radps / fs_Hz);
+    Complex now = std::exp(decay.rate.rate_radps * (-static_cast<double>(start) / fs_Hz));
+    for (double& value : x) {
+      value -= (amplitude * now).real();
+      now *= step;
+    }
+  }
 }
 
 std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std::size_t start) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <span>
 
 #include "identify/decay/free_decay_fit.hpp"
 
@@ -11,6 +12,10 @@ std::size_t safe_start(std::size_t samples, double fs_Hz);
 
 /// The records from a sample on.
 FreeDecays decays_from(const FreeDecays& whole, std::size_t first);
+
+/// Subtracts the fitted decays from samples `x` of response `signal`. The decays start at sample `start` of x; before
+/// it they are extrapolated back.
+void subtract_decays(const FreeDecayFit& fit, double fs_Hz, std::size_t signal, std::size_t start, std::span<double> x);
 
 /// The earliest sample of `whole` from which the fitted decays explain the records. `fit` is of decays_from(whole,
 /// start). The decays are extrapolated back from `start`, block by block, until the residual exceeds the noise: there

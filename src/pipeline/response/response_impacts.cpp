@@ -16,7 +16,7 @@ constexpr double kRise = 10;           // of the power, within a contact
 constexpr double kWeakest = 3e-3;      // of the strongest block's power
 constexpr double kAboveQuiet = 30;     // of the power in the quietest fifth of the row
 constexpr std::size_t kFewestBefore = 5, kLonger = 4, kLongest = 16;  // blocks; lengths of longer blocks in blocks
-constexpr double kLeastRate_Hz = 5000;                                // of the means whose differences are taken
+constexpr double kLowestRate_Hz = 5000;                               // of the means whose differences are taken
 constexpr double kClearer = 2;    // power over the quiet power: a longer mean must raise it so much
 constexpr double kAtStart = 0.5;  // of the strongest block's power: a blow within the first 20 ms of a row
 constexpr std::size_t kNoiseBlocks = 20;
@@ -104,7 +104,7 @@ Signals clearest_differences(const Signals& x, const Blocks& blocks, double fs_H
   };
   Signals out = differences(x, 1);
   double most = clearness(out);
-  for (std::size_t length = 2; fs_Hz >= kLeastRate_Hz * static_cast<double>(length); length *= 2) {
+  for (std::size_t length = 2; fs_Hz >= kLowestRate_Hz * static_cast<double>(length); length *= 2) {
     Signals longer = differences(x, length);
     const double clear = clearness(longer);
     if (!(clear > kClearer * most)) continue;
