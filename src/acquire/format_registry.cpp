@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include "acquire/formats/hdf5/hdf5_format.hpp"
 #include "acquire/formats/mat/mat_format.hpp"
 #include "acquire/formats/sound/sound_format.hpp"
+#include "acquire/formats/text/csv_layout.hpp"
 #include "acquire/formats/text/text_formats.hpp"
 #include "acquire/formats/uff/uff_format.hpp"
 
@@ -14,6 +16,8 @@ namespace {
 
 constexpr std::array<const FileFormat*, 6> kFormats{&kHdf5Format,  &kMatFormat, &kUffFormat,
                                                     &kSoundFormat, &kLvmFormat, &kTextFormat};
+
+constexpr std::size_t kMaxProse_bytes = std::size_t{64} << 10U;
 
 template <class Writes>
 std::vector<std::string> extensions_where(const Writes& writes) {
@@ -62,6 +66,19 @@ bool has_known_extension(const std::string& path) {
   const std::string extension = file_extension(path);
   return std::any_of(kFormats.begin(), kFormats.end(),
                      [&](const FileFormat* format) { return contains(format->extensions, extension); });
+}
+
+bool is_text_without_numbers(const std::string& path) {
+  if (!contains(kTextFormat.extensions, file_extension(path))) return false;
+  try {
+    const std::string head = first_bytes(path, kMaxProse_bytes + 1);
+    if (head.size() > kMaxProse_bytes || &detected_format({path, head}) != &kTextFormat) return false;
+    layout_of_text({.path = path, .data = {std::shared_ptr<void>(), head.data()}, .size = head.size()}, CsvContent::frf);
+  } catch (const NoNumbers&) {
+    return true;
+  } catch (const InputError&) {  // whoever opens the file reports it
+  }
+  return false;
 }
 
 }  // namespace percuss::acquire

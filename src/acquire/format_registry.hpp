@@ -25,4 +25,8 @@ const std::vector<std::string>& frf_extensions();
 /// Whether the file name has the extension of a known format. Of a folder, only such files are read.
 bool has_known_extension(const std::string& path);
 
+/// Whether the file is a text without numbers, such as a README beside records. False for a file of more than 64 KiB,
+/// which is not read, and for one that cannot be read.
+bool is_text_without_numbers(const std::string& path);
+
 }  // namespace percuss::acquire

@@ -22,6 +22,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// Records a … d: a valid record, a record without a pulse, an invalid file, another valid record.
 class BatchCommand : public testing::Test {
@@ -200,6 +201,18 @@ TEST_F(BatchCommand, FindsRecordsRelativeToItsManifest) {
   EXPECT_THAT(bytes_of(folder_.file("here/m.jsonl")), HasSubstr(R"("path":"recs/a.h5")"));
   fs::rename(folder_.file("here"), folder_.file("there"));
   EXPECT_EQ(batch({"run", "--manifest", "there/m.jsonl", "-o", "out"}).code, 0);
+}
+
+TEST_F(BatchCommand, LeavesOutTextsOfAFolderThatHoldNoNumbers) {
+  fs::create_directories(folder_.file("bats"));
+  test::write_small_test(folder_.file("bats/x.csv"), R"("hits": 1)");
+  test::write_bytes(folder_.file("bats/README.txt"), "Bats of June.\nHit at the barrel, 3 times each.\n");
+  const auto planned = batch({"plan", "bats", "-o", "m.jsonl"});
+  ASSERT_EQ(planned.code, 0) << planned.err;
+  EXPECT_THAT(planned.err, HasSubstr("skipped 1 file of other kinds"));
+  EXPECT_THAT(bytes_of(folder_.file("m.jsonl")), AllOf(HasSubstr("x.csv"), Not(HasSubstr("README"))));
+  ASSERT_EQ(batch({"plan", "bats/README.txt", "-o", "n.jsonl"}).code, 0);
+  EXPECT_THAT(bytes_of(folder_.file("n.jsonl")), HasSubstr("README")) << "a file that is named is planned";
 }
 
 TEST_F(BatchCommand, RejectsOptionsAsAnalyzeDoes) {

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
+#include "acquire/format_registry.hpp"
 #include "batch/plan.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_error.hpp"
@@ -31,6 +34,16 @@ struct PlanFlags {
   bool frf = false, hash = false;
 };
 
+// Leaves out texts without numbers, such as a README, that were found in folders and by patterns.
+void leave_out_texts(batch::RecordFiles& files, const std::vector<std::string>& named) {
+  const std::set<std::string> typed(named.begin(), named.end());
+  const auto texts = std::stable_partition(files.paths.begin(), files.paths.end(), [&](const std::string& path) {
+    return typed.contains(path) || !acquire::is_text_without_numbers(path);
+  });
+  files.left_out.insert(files.left_out.end(), texts, files.paths.end());
+  files.paths.erase(texts, files.paths.end());
+}
+
 batch::RecordFiles files_of(const PlanFlags& flags) {
   if (flags.inputs.empty()) {
     throw OptionError({}, "no record is given",
@@ -43,6 +56,7 @@ batch::RecordFiles files_of(const PlanFlags& flags) {
     names.insert(names.end(), listed.begin(), listed.end());
   }
   batch::RecordFiles files = batch::record_files(names);
+  leave_out_texts(files, names);
   if (files.paths.empty()) {
     throw InputError("no record found", names.empty() ? "standard input" : names.front(),
                      "name the files, or a folder that holds some");
