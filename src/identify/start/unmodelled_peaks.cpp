@@ -20,15 +20,63 @@ constexpr double kNear = 3;            // half-power bandwidths around a mode, o
 constexpr double kUnexplained = 0.25;  // residual energy over a peak's energy: below it the modes explain the peak
 constexpr double kPeakSpan = 6;        // half-widths on either side, for a peak's energy
 
-// Energy of the lines around a resonance, a straight background removed.
+// Of the energy that noise does not explain, a polynomial of kTailTerms leaves at least 0.2 for a resonance within
+// kPeakSpan whose place and width are known to a factor of 1.4, and less than 0.15 for the tail of a mode that is
+// farther away than 1.1 of that span. A polynomial of kNoiseTerms leaves noise alone.
+constexpr Index kTailTerms = 5, kNoiseTerms = 10;
+constexpr double kTailRest = 0.15;
+
+// The lines around a resonance, and those of them that exist.
+struct Surroundings {
+  Index first = 0, count = 0;
+  bool complete = true;  // false where the spectral lines end within them
+};
+
+Surroundings surroundings_of(const Resonance& at, Index lines) {
+  const double reach = kPeakSpan * at.half_width;
+  const auto first = static_cast<Index>(std::floor(at.line - reach));
+  const auto last = static_cast<Index>(std::ceil(at.line + reach));
+  const Index from = std::max(first, Index{0}), to = std::min(last, lines - 1);
+  return {.first = from, .count = to - from + 1, .complete = from == first && to == last};
+}
+
+// Energy of the lines around a resonance that the columns of `background` do not describe.
+template <class Lines>
+double energy_beside(const Eigen::MatrixXd& background, const Surroundings& around, const Lines& lines) {
+  const Eigen::VectorXcd part = lines.segment(around.first, around.count);
+  return (part - background * (background.transpose() * part)).squaredNorm();
+}
+
 template <class Lines>
 double energy_around(const Resonance& at, const Lines& lines) {
-  const double reach = kPeakSpan * at.half_width;
-  const auto first = static_cast<Index>(std::max(0.0, std::floor(at.line - reach)));
-  const auto last = std::min(lines.size() - 1, static_cast<Index>(std::ceil(at.line + reach)));
-  const Eigen::VectorXcd part = lines.segment(first, last - first + 1);
-  const Eigen::MatrixXd straight = orthonormal_polynomials(part.size(), 2);
-  return (part - straight * (straight.transpose() * part)).squaredNorm();
+  const Surroundings around = surroundings_of(at, lines.size());
+  return energy_beside(orthonormal_polynomials(around.count, 2), around, lines);
+}
+
+// True where the residual around a resonance is the tail of a mode beyond the spectral lines: a polynomial describes
+// it, or it is largest at their first or last.
+bool is_tail(const std::vector<Eigen::VectorXcd>& left, const Resonance& at) {
+  const Index lines = left.front().size();
+  const Surroundings around = surroundings_of(at, lines);
+  if (!around.complete) {
+    Eigen::VectorXd power = Eigen::VectorXd::Zero(around.count);
+    for (const Eigen::VectorXcd& of_frf : left) power += of_frf.segment(around.first, around.count).cwiseAbs2();
+    Index largest = 0;
+    power.maxCoeff(&largest);
+    return around.first + largest == 0 || around.first + largest + 1 == lines;
+  }
+  const auto energy_beside_polynomial = [&](Index terms) {
+    const Eigen::MatrixXd background = orthonormal_polynomials(around.count, terms);
+    double energy = 0;
+    for (const Eigen::VectorXcd& of_frf : left) energy += energy_beside(background, around, of_frf);
+    return energy;
+  };
+  const double noise_per_line =
+      energy_beside_polynomial(kNoiseTerms) / static_cast<double>(std::max(around.count - kNoiseTerms, Index{1}));
+  const auto beside_noise = [&](Index terms) {
+    return energy_beside_polynomial(terms) - noise_per_line * static_cast<double>(around.count - terms);
+  };
+  return beside_noise(kTailTerms) < kTailRest * beside_noise(2);
 }
 
 // True where enough of the peak's energy remains in the residual. The peak is then not noise on a mode's flank or a
@@ -81,7 +129,7 @@ std::vector<Pole> unmodelled_poles(const FrfDataset& set, const std::vector<Mode
   const auto left = residuals_from_sums(set, sums);
   if (!smooth_somewhere(left)) return {};
   auto resonances = residual_resonances(set, left);
-  std::erase_if(resonances, [&](const Resonance& at) { return !unexplained(set, left, at); });
+  std::erase_if(resonances, [&](const Resonance& at) { return !unexplained(set, left, at) || is_tail(left, at); });
   if (resonances.empty()) return {};
   std::vector<Pole> poles = stable_poles(set);
   std::erase_if(poles, [&](const Pole& pole) {
