@@ -81,7 +81,7 @@ changed_sources() {
 # tidy FILES: runs clang-tidy on the compiled .cpp files of the list. Files of one unity unit are checked together, in a unit
 # of only these files, because parsing the headers of libraries takes most of the time.
 tidy() {
-  cmake --preset tidy -B build/tidy-units -DPERCUSS_TOGETHER=ON >/dev/null
+  cmake --preset tidy -B build/tidy-units -DPERCUSS_UNITY_BUILD=ON >/dev/null
   printf '%s\n' "$1" >build/tidy-units/files
   find build/tidy-units -name 'unity_*.cxx' | while read -r unit; do
     sed -n "s|^#include \"$PWD/\(.*\)\"\$|\1|p" "$unit" | { grep -xF -f build/tidy-units/files || true; } |

@@ -17,7 +17,7 @@ function(percuss_options target)
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=1000;--param=ggc-min-heapsize=1000000>)
   # Unity builds compile common template instantiations once.
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PERCUSS_TOGETHER} UNITY_BUILD_BATCH_SIZE 24)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PERCUSS_UNITY_BUILD} UNITY_BUILD_BATCH_SIZE 24)
   if(PERCUSS_SANITIZE)
     target_compile_options(${target} PUBLIC -fsanitize=${PERCUSS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${PERCUSS_SANITIZE})
@@ -38,7 +38,7 @@ target_precompile_headers(percuss_headers PRIVATE
 function(percuss_code target)
   percuss_options(${target})
   target_compile_options(${target} PRIVATE -fPIC)
-  # Header-only libraries, which an installation does not need.
+  # Eigen and nlohmann_json are header-only: an installation does not need them. fmt is linked.
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:Eigen3::Eigen> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
                         fmt::fmt)
   if(NOT target STREQUAL "percuss_headers")

@@ -29,6 +29,7 @@ void run_frf_text(std::string_view bytes);
 // Well-formed contents of files that libraries decode.
 void run_mat(std::string_view bytes);
 void run_hdf5(std::string_view bytes);
+// Arbitrary bytes as the calibration that percuss stores in a sound file.
 void run_sound_calibration(std::string_view bytes);
 // Arbitrary bytes as files of these formats, in a sandboxed process.
 void run_binary_formats(std::string_view bytes);

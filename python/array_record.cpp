@@ -70,7 +70,7 @@ const StridedSamples& strided_samples_of(const ArrayTest& test, std::size_t row,
   return signal == 0 ? array_row.force : array_row.accel.at(signal - 1);
 }
 
-bool is_contiguous_si(const StridedSamples& signal) {
+bool is_contiguous_double(const StridedSamples& signal) {
   return signal.type == NumberType::float64 && signal.step_bytes == sizeof(double) &&
          reinterpret_cast<std::uintptr_t>(signal.first) % alignof(double) == 0;
 }
@@ -171,8 +171,8 @@ acquire::Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, c
   acquire::Record record = acquire::record_of_table(table, roles, options);
   bool contiguous = !chosen;
   for (const ArrayRow& row : test->rows) {
-    contiguous = contiguous && (!test->has_force || is_contiguous_si(row.force)) &&
-                 std::all_of(row.accel.begin(), row.accel.end(), is_contiguous_si);
+    contiguous = contiguous && (!test->has_force || is_contiguous_double(row.force)) &&
+                 std::all_of(row.accel.begin(), row.accel.end(), is_contiguous_double);
   }
   contiguous = contiguous &&
                std::all_of(record.accel.begin(), record.accel.end(), [](const auto& one) { return one.to_SI == 1; });

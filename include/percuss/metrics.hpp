@@ -23,7 +23,7 @@
 
 namespace percuss {
 
-/// A number and its standard deviation; 0: not known.
+/// A number and its standard deviation. A standard deviation of 0 means that it is not known.
 struct Measured {
   double value = 0, std = 0;
 };

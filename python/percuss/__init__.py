@@ -30,7 +30,7 @@ A result holds arrays and a JSON document:
 
 Functions:
 
-    read, info, write          read and write records and FRFs: HDF5, MAT, UFF, LabVIEW, sound, CSV
+    read, info, write          read records and FRFs: HDF5, MAT, UFF, LabVIEW, sound, CSV; write all but LabVIEW
     Record, Frf                make a record, or frequency responses, from arrays
     analyze, frf, survey       identify modes, average FRFs, identify mode shapes
     nodes, deflect, calibrate  locate nodes, compute deflection under an impact, calibrate a hammer

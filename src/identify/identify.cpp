@@ -17,7 +17,7 @@
 namespace percuss::identify {
 namespace {
 
-// Adds the noise of the force, and fits residues together that do not add up to the FRFs.
+// Adds the noise of the force. Where the modes' residues do not add up to the FRFs, fits them all together.
 std::vector<Mode> finished(const FrfDataset& set, std::vector<FittedMode> found) {
   add_force_noise(set, found);
   fit_common_residues(set, found);

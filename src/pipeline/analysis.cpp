@@ -139,8 +139,8 @@ TestSpectra Analysis::measured_spectra() const {
 
 namespace {
 
-// The first poles are fitted to responses with the ringing, and are biased where it is strong; so is then the ringing,
-// which is extrapolated with them. Both are computed again until the poles stand still.
+// The first poles are fitted to responses that still contain the ringing of earlier blows. Strong ringing biases these
+// poles, and then also the ringing that is extrapolated with them. Both are computed again until the poles stand still.
 constexpr int kRingingPasses = 8;
 constexpr double kStrongRinging = 3e-3;  // of the largest response
 constexpr double kStill = 0.2;           // standard deviations of a pole

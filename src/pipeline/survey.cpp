@@ -201,7 +201,7 @@ std::vector<identify::DrivingPointCheck> Survey::driving_checks() const {
 }
 
 std::vector<identify::ReciprocityCheck> Survey::reciprocity() const {
-  std::vector<std::pair<identify::DrivingPoint, identify::DrivingPoint>> pairs;
+  std::vector<std::pair<identify::FrfIndex, identify::FrfIndex>> pairs;
   for (std::size_t i = 0; i < driving_.size(); ++i) {
     for (std::size_t j = i + 1; j < driving_.size(); ++j) {
       if (driving_[i].channel == driving_[j].channel) continue;

@@ -18,8 +18,8 @@ constexpr std::size_t kRowsInTable = 13;
 }  // namespace
 
 double effective_mass_kg(const model::BatModes& bat, double z_m) {
-  const double mobility_per_kg = bat.rigid_mobility_per_kg(z_m);
-  return mobility_per_kg > 0 ? 1 / mobility_per_kg : std::numeric_limits<double>::quiet_NaN();
+  const double accelerance_per_kg = bat.rigid_accelerance_per_kg(z_m);
+  return accelerance_per_kg > 0 ? 1 / accelerance_per_kg : std::numeric_limits<double>::quiet_NaN();
 }
 
 BatCurve bat_curve(const model::BatModes& bat, const model::BatCollision& collision, const std::vector<double>& z_m) {

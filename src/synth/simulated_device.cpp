@@ -119,7 +119,7 @@ class SimulatedDevice final : public acquire::PolledDevice {
     has_piece_ = true;
   }
 
-  // The frames of a loss are rendered, but never arrive.
+  // The frames of a loss count in time, but never arrive.
   void write_until(std::uint64_t last, acquire::FrameSink& sink) {
     while (frame_ < last && !stopping()) {
       if (next_loss_ < losses_.size() && frame_ >= losses_[next_loss_].at) {

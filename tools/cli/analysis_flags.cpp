@@ -74,7 +74,7 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
   command.value("--trigger", flags.trigger_N, "Detect a hit above this force (default: from the noise)")
       .above_zero()
       .type("NEWTON");
-  command.value("--pretrigger", flags.pretrigger_s, "Keep this time before each hit of a long record")
+  command.value("--pretrigger", flags.pretrigger_s, "Keep this time before the peak of each hit of a long record")
       .not_negative()
       .type("S");
   command.value("--length", flags.length_s, "Keep this time of each hit, pre-trigger included").above_zero().type("S");

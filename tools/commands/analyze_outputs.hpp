@@ -39,7 +39,7 @@ bool holds_several_tests(const AnalyzeFlags& flags);
 /// Rejects, before anything is computed, outputs and sections that allow only one test. Throws UsageError.
 void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSection>& sections, std::size_t tests);
 
-/// The text for a terminal. The results decide on the sections and on the modes of single hits.
+/// The text for a terminal. `sections` and `per_hit` of `options` are ignored: the results state them.
 std::string text_of(const AnalyzeResults& results, report::TextOptions options);
 
 /// Writes all output files of the flags.

@@ -28,7 +28,7 @@
 namespace percuss::tools {
 namespace {
 
-// Resolution of the position of the smallest peak, which the rule of thumb takes as the node.
+// The position with the smallest peak of a mode is rounded to this step. A rule of thumb takes it as the node.
 constexpr double kResolution_m = 0.125 * kInch_m;
 
 struct NodesFlags {

@@ -117,7 +117,7 @@ double active_share(std::span<const double> samples) {
   return active_share_around(samples, rest_of(samples));
 }
 
-double hammer_measure(std::span<const double> samples) {
+double hammer_dissimilarity(std::span<const double> samples) {
   constexpr double kMinSideRatio = 0.05;
   if (samples.empty() || !are_finite(samples)) return 1;
   const double rest = rest_of(samples);
@@ -153,7 +153,7 @@ std::optional<Message> unread_hammer_note(
     const bool named = quantity_named(signal.base) == Quantity::force;
     try {
       const bool pulses =
-          may_be_force(signal) && hammer_measure(read(signal.index, kGuessedSamples)) < kMaxHammerMeasure;
+          may_be_force(signal) && hammer_dissimilarity(read(signal.index, kGuessedSamples)) < kMaxHammerDissimilarity;
       if (!named && !pulses) continue;
     } catch (const InputError&) {
       if (!named) continue;
@@ -190,7 +190,7 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
         continue;
       }
       if (!is_stated_response(signal, options)) {
-        const double measure = hammer_measure(samples);
+        const double measure = hammer_dissimilarity(samples);
         largest = std::max(largest, measure);
         ++candidates;
         if (measure < smallest) {
@@ -205,7 +205,7 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
   }
   if (known.has_force) force = &known.force;
   // One signal, or signals that are all alike, as two channels of a microphone: none of them is the force.
-  const bool alike = candidates > 1 && largest < kMaxMeasureRatio * smallest;
+  const bool alike = candidates > 1 && largest < kMaxDissimilarityRatio * smallest;
   if (!known.has_force && (found.size() < 2 || alike)) force = nullptr;
   if (force != nullptr) guess.force = value(*force);
   for (const CsvColumn* signal : found) {

@@ -17,11 +17,12 @@ struct ReadOptions;
 /// Samples of a signal whose role is guessed or checked, at most: enough for a hit.
 inline constexpr std::size_t kGuessedSamples = std::size_t{1} << 18U;
 inline constexpr std::size_t kMaxGuessedSignals = 64;  // more than a command line should list
-/// The largest ratio between the hammer_measure() of two hammers. That of a response is 20 times its hammer's or more.
-inline constexpr double kMaxMeasureRatio = 10;
-/// The largest hammer_measure() of a hammer. A haversine of 5 ms in 0.3 s has 4e-4, the decay of a mode of 2 kHz and 1
-/// % in 1 s has 5e-3.
-inline constexpr double kMaxHammerMeasure = 1e-3;
+/// The largest ratio between the hammer_dissimilarity() of two hammers. That of a response is 20 times its hammer's or
+/// more.
+inline constexpr double kMaxDissimilarityRatio = 10;
+/// The largest hammer_dissimilarity() of a hammer. A haversine of 5 ms in 0.3 s has 4e-4, the decay of a mode of 2 kHz
+/// and 1 % in 1 s has 5e-3.
+inline constexpr double kMaxHammerDissimilarity = 1e-3;
 
 /// The likely force and accelerations of a file that does not name them, as the options accept them. Empty: no guess.
 struct RoleGuess {
@@ -29,8 +30,8 @@ struct RoleGuess {
   std::vector<std::string> accel;
   bool rate_known = true;  // false: nothing in the file states the sampling rate
   bool in_volts = false;   // accelerations are in volts, and nothing states their sensitivity
-  /// If a first column that rises evenly, without a unit, is a time in ms, or if another such column is a time in s; 0:
-  /// not assumed.
+  /// The sampling rate if a column that rises evenly is a time: in ms for a first column without a unit, in s for
+  /// another column. 0: no such column.
   double assumed_rate_Hz = 0;
   bool frf_table = false;  // the file is a table of FRFs: real and imaginary parts beside a column that rises evenly
 };
@@ -42,13 +43,13 @@ double active_share(std::span<const double> samples);
 
 /// How little a signal resembles a hammer's force, small for a hammer: (1) times the larger of 0.05 and the ratio of
 /// the extremes on both sides of the median. A decay swings to both sides, a pulse to one.                      (2)
-double hammer_measure(std::span<const double> samples);
+double hammer_dissimilarity(std::span<const double> samples);
 
 /// Whether the numbers rise evenly, as times do: none is more than half a step from its place. False for fewer than 8.
 bool rises_evenly(std::span<const double> samples);
 
 /// Guesses the unknown roles from the samples. A signal that rises evenly is a time. The force is the signal
-/// with the smallest hammer_measure() among those that neither a unit nor the user states to be responses. Times,
+/// with the smallest hammer_dissimilarity() among those that neither a unit nor the user states to be responses. Times,
 /// counters, signals that the set-up ignores, and signals of another quantity (a velocity, an angle) get no role. All
 /// others are accelerations, also a single signal and signals that are all alike. The force in `known` stays, as do the
 /// accelerations that the options name and the roles of their set-up. `read` gives up to the demanded number of

@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little, "journals are little-e
 
 constexpr std::string_view kJournalMagic = "PERCUSSJ";
 constexpr std::size_t kCrcOffset = 24;
-constexpr const char* kNoJournal = "the file is not a journal of this version";
+constexpr const char* kRemedy = "the journal cannot be resumed; record anew";
 
 template <class Number>
 void put(std::string& bytes, std::size_t at, Number number) {
@@ -136,7 +136,7 @@ std::string format_json(const StreamFormat& format) {
 }
 
 StreamFormat parse_format(const std::string& text, const std::string& where) {
-  const auto json = parse_json<nlohmann::json>({.text = text, .where = where, .remedy = kNoJournal, .max_depth = 2});
+  const auto json = parse_json<nlohmann::json>({.text = text, .where = where, .remedy = kRemedy, .max_depth = 2});
   StreamFormat format;
   try {
     format.device = json.at("device").get<std::string>();
@@ -147,13 +147,13 @@ StreamFormat parse_format(const std::string& text, const std::string& where) {
     format.full_scale = json.at("full_scale").get<double>();
     format.full_scales = json.at("full_scales").get<std::vector<double>>();
   } catch (const nlohmann::json::exception&) {
-    throw InputError("a damaged description of the stream", where, kNoJournal);
+    throw InputError("a damaged description of the stream", where, kRemedy);
   }
   constexpr std::size_t kMaxChannels = 4096;
   const auto fits = [&](const auto& texts) { return texts.empty() || texts.size() == format.channels; };
   if (!(format.fs_Hz > 0) || !std::isfinite(format.fs_Hz) || format.channels == 0 || format.channels > kMaxChannels ||
       !fits(format.names) || !fits(format.units) || !fits(format.full_scales))
-    throw InputError("a description of the stream that contradicts itself", where, kNoJournal);
+    throw InputError("a description of the stream that contradicts itself", where, kRemedy);
   return format;
 }
 

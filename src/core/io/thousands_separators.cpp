@@ -59,8 +59,8 @@ struct ColumnCells {
 
 }  // namespace
 
-std::string with_thousands_separators(std::string_view text, const std::vector<std::string_view>& probes,
-                                      const CsvDialect& dialect) {
+std::string cell_with_thousands_separators(std::string_view text, const std::vector<std::string_view>& probes,
+                                           const CsvDialect& dialect) {
   std::vector<std::string_view> lines = probes;
   const char* const end = probes.empty() ? nullptr : probes.back().data();  // the first of the probes in the text
   for (std::size_t n = 0; n < kHeadLines && !text.empty() && text.data() != end; ++n) {

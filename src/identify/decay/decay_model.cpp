@@ -22,10 +22,10 @@ double frequency_Hz(const FittedDecay& mode) { return mode.rate.rate_radps.imag(
 // First line and one past the last.
 std::pair<std::size_t, std::size_t> window_of(const DecayRate& rate, const DecaySpectra& of,
                                               const DecayWindows& windows) {
-  const double half_power = -rate.rate_radps.real() / std::numbers::pi / of.line_Hz();
+  const double half_power = -rate.rate_radps.real() / std::numbers::pi / of.df_Hz();
   const double reach =
       std::min(std::max(windows.half_power_bandwidths * std::max(half_power, 0.0), windows.lines), windows.max_lines);
-  const double centre = rate.rate_radps.imag() / kTwoPi / of.line_Hz();
+  const double centre = rate.rate_radps.imag() / kTwoPi / of.df_Hz();
   const auto lines = static_cast<double>(of.lines.rows());
   const double last = of.samples % 2 == 0 ? lines - 1 : lines;  // without the lines that are real
   const double first = std::clamp(std::floor(centre - reach), 1.0, last - 1);
@@ -134,7 +134,7 @@ void DecayModel::set_noise(const Eigen::MatrixXd& noise) {
 
 double DecayModel::variance_at(const DecayRate& rate) const {
   if (line_std_.size() == 0) return 1;
-  const double line = std::round(rate.rate_radps.imag() / kTwoPi / measured_->line_Hz());
+  const double line = std::round(rate.rate_radps.imag() / kTwoPi / measured_->df_Hz());
   const auto last = static_cast<double>(line_std_.size() - 1);
   return std::pow(line_std_(static_cast<Index>(std::clamp(line, 0.0, last))), 2);
 }

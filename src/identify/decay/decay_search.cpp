@@ -22,7 +22,7 @@ constexpr double kWeakest = 0.02;                 // of the strongest candidate:
 constexpr double kApart_lines = 6;  // between candidates of one search, in addition to three half-power bandwidths
 
 std::vector<double> rates_per_s(const DecaySpectra& of) {
-  const double slowest = kSlowest * of.line_Hz(), fastest = std::max(slowest, kFastest * of.fs_Hz);
+  const double slowest = kSlowest * of.df_Hz(), fastest = std::max(slowest, kFastest * of.fs_Hz);
   std::vector<double> rates;
   for (std::size_t r = 0; r < kRates; ++r)
     rates.push_back(slowest * std::pow(fastest / slowest, static_cast<double>(r) / (kRates - 1)));
@@ -32,7 +32,7 @@ std::vector<double> rates_per_s(const DecaySpectra& of) {
 struct FilterBank {
   Eigen::ArrayXXd energy;  // [padded lines, rates]
   std::vector<double> rates_per_s;
-  double line_Hz = 0;
+  double df_Hz = 0;
 };
 
 std::vector<double> whitened(const DecaySpectra& residual, const Eigen::MatrixXd& noise, Index i) {
@@ -53,7 +53,7 @@ FilterBank matched_filters(const DecaySpectra& residual, const Eigen::MatrixXd& 
   plan_real_dft(padded);
   FilterBank out{.energy = Eigen::ArrayXXd::Zero(lines, static_cast<Index>(rates.size())),
                  .rates_per_s = rates,
-                 .line_Hz = residual.fs_Hz / static_cast<double>(padded)};
+                 .df_Hz = residual.fs_Hz / static_cast<double>(padded)};
   static const PerThread<std::vector<double>> scratch;
   constexpr std::size_t kFlopsPerSample = 100;
   parallel_for_cost(rates.size(), kFlopsPerSample * padded * x.size(), [&](std::size_t r) {
@@ -77,7 +77,7 @@ FilterBank matched_filters(const DecaySpectra& residual, const Eigen::MatrixXd& 
 
 // The candidate at a padded line: the rate with the largest energy, among those below a damping ratio.
 DecayCandidate candidate_at(const FilterBank& bank, Index line, double max_damping) {
-  const double omega = kTwoPi * bank.line_Hz * static_cast<double>(line);
+  const double omega = kTwoPi * bank.df_Hz * static_cast<double>(line);
   std::size_t best = 0;
   for (std::size_t r = 1; r < bank.rates_per_s.size() && bank.rates_per_s[r] < max_damping * omega; ++r) {
     if (bank.energy(line, static_cast<Index>(r)) > bank.energy(line, static_cast<Index>(best))) best = r;
@@ -88,9 +88,9 @@ DecayCandidate candidate_at(const FilterBank& bank, Index line, double max_dampi
 // The maxima of the energy over the band that exceed the threshold, without the refused ones. The strongest first.
 std::vector<DecayCandidate> maxima(const FilterBank& bank, double max_damping, double threshold, double margin_Hz,
                                    const DecaySearchLimits& limits) {
-  const auto first = static_cast<Index>(std::max(1.0, std::ceil(limits.band_Hz.first / bank.line_Hz)));
+  const auto first = static_cast<Index>(std::max(1.0, std::ceil(limits.band_Hz.first / bank.df_Hz)));
   const Index last =
-      std::min(bank.energy.rows() - 2, static_cast<Index>(std::floor(limits.band_Hz.second / bank.line_Hz)));
+      std::min(bank.energy.rows() - 2, static_cast<Index>(std::floor(limits.band_Hz.second / bank.df_Hz)));
   std::vector<DecayCandidate> out, lines;
   for (Index k = first - 1; k <= last + 1; ++k) lines.push_back(candidate_at(bank, k, max_damping));
   for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
@@ -116,10 +116,10 @@ double decay_threshold(std::size_t spectra, std::size_t places) {
 std::vector<DecayCandidate> strongest_decays(const DecaySpectra& residual, const Eigen::MatrixXd& noise,
                                              const DecaySearchLimits& limits) {
   const FilterBank bank = matched_filters(residual, noise);
-  const double lines = (limits.band_Hz.second - limits.band_Hz.first) / bank.line_Hz;
+  const double lines = (limits.band_Hz.second - limits.band_Hz.first) / bank.df_Hz;
   const double threshold = decay_threshold(static_cast<std::size_t>(residual.lines.cols()),
                                            static_cast<std::size_t>(std::max(lines, 1.0)) * kRates);
-  const double margin_Hz = residual.line_Hz() / 2;
+  const double margin_Hz = residual.df_Hz() / 2;
   // All modes that are not fitted yet begin at the same moment, where their sum looks like a heavily damped decay. Such
   // candidates wait until no other is left.
   std::vector<DecayCandidate> peaks = maxima(bank, kLight, threshold, margin_Hz, limits);
@@ -128,7 +128,7 @@ std::vector<DecayCandidate> strongest_decays(const DecaySpectra& residual, const
   for (const DecayCandidate& peak : peaks) {
     if (chosen.size() >= limits.max_candidates || peak.energy < kWeakest * peaks.front().energy) break;
     if (std::all_of(chosen.begin(), chosen.end(), [&](const DecayCandidate& other) {
-          return !overlap(peak.rate, other.rate, 3, kApart_lines * residual.line_Hz());
+          return !overlap(peak.rate, other.rate, 3, kApart_lines * residual.df_Hz());
         }))
       chosen.push_back(peak);
   }

@@ -28,7 +28,7 @@ struct DecaySpectra {
   // exp(−jω_kΔ) of the lines, shared by copies; computed where they are needed if null.
   std::shared_ptr<const std::vector<Complex>> phasors{};
 
-  double line_Hz() const { return fs_Hz / static_cast<double>(samples); }
+  double df_Hz() const { return fs_Hz / static_cast<double>(samples); }
 };
 DecaySpectra decay_spectra(const FreeDecays& decays);
 

@@ -31,7 +31,7 @@ constexpr double kNarrowest = 0.1;    // decay rate of a misfit over the mode's
 constexpr double kFastestFit = 0.25;  // decay rate over the sampling rate: a faster decay is over in a few samples
 
 std::size_t line_of(const FittedDecay& mode, const DecaySpectra& of) {
-  const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / of.line_Hz());
+  const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / of.df_Hz());
   return static_cast<std::size_t>(std::clamp(line, 1.0, static_cast<double>(of.lines.rows() - 1)));
 }
 
@@ -164,7 +164,7 @@ std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double lef
 // Whether the fit of a candidate stayed near it.
 bool is_modelled(const DecayRate& candidate, const DecayModel& model, const DecaySpectra& of) {
   return std::any_of(model.modes().begin(), model.modes().end(),
-                     [&](const FittedDecay& mode) { return overlap(mode.rate, candidate, 1, of.line_Hz()); });
+                     [&](const FittedDecay& mode) { return overlap(mode.rate, candidate, 1, of.df_Hz()); });
 }
 
 }  // namespace

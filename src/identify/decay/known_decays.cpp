@@ -15,8 +15,8 @@ constexpr double kNearBandwidths = 5, kNearLines = 20;  // on either side of a d
 // Mean power of the residual's real and imaginary part near a rate, [hits × channels].
 Eigen::RowVectorXd noise_near(const DecayRate& rate, const DecaySpectra& of, std::size_t first,
                               const Eigen::MatrixXcd& residual) {
-  const double at = rate.pole().freq_Hz / of.line_Hz() - static_cast<double>(first);
-  const double reach = std::max(kNearLines, kNearBandwidths * rate.pole().half_power_Hz() / of.line_Hz());
+  const double at = rate.pole().freq_Hz / of.df_Hz() - static_cast<double>(first);
+  const double reach = std::max(kNearLines, kNearBandwidths * rate.pole().half_power_Hz() / of.df_Hz());
   const auto last = static_cast<double>(residual.rows() - 1);
   const auto low = static_cast<Index>(std::clamp(at - reach, 0.0, last));
   const auto high = static_cast<Index>(std::clamp(at + reach, 0.0, last));

@@ -17,7 +17,7 @@ struct JointFit {
   Eigen::VectorXd freq_std_Hz, damping_std;  // including the force's noise
   std::vector<Eigen::VectorXcd> residual;    // [channels][lines], (m/s²)/N
   bool converged = false;
-  int trials = 0;  // points at which the model was evaluated
+  int trials = 0;  // evaluations of the model
 };
 
 struct JointFitOptions {
@@ -27,7 +27,7 @@ struct JointFitOptions {
   int max_steps = 20;
   double tolerance = 1e-7;      // of a step, see normalised_step
   double cost_tolerance = 0;    // relative: a smaller expected decrease of the squares ends the fit too
-  double core_share = 0;        // see FrequencyBins
+  double core_share = 0;        // see LineGroups
   int max_small_decreases = 0;  // see LevenbergMarquardtOptions
   bool test_real = true;        // false: all residues stay complex, at a fraction of the work
 };

@@ -14,16 +14,16 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// ε·H of one FRF for each variable of ε. shapes  response [rows], errors [bins, variables].
+// ε·H of one FRF for each variable of ε. shapes  response [rows], errors [groups, variables].
 MatrixXd times_response(const MatrixXcd& errors, const VectorXd& response) {
-  const Index bins = errors.rows();
+  const Index groups = errors.rows();
   const MatrixXd re = errors.real();
   const MatrixXd im = errors.imag();
-  const auto h_re = response.head(bins).asDiagonal();
-  const auto h_im = response.tail(bins).asDiagonal();
-  MatrixXd response_error(2 * bins, errors.cols());
-  response_error.topRows(bins) = h_re * re - h_im * im;
-  response_error.bottomRows(bins) = h_re * im + h_im * re;
+  const auto h_re = response.head(groups).asDiagonal();
+  const auto h_im = response.tail(groups).asDiagonal();
+  MatrixXd response_error(2 * groups, errors.cols());
+  response_error.topRows(groups) = h_re * re - h_im * im;
+  response_error.bottomRows(groups) = h_re * im + h_im * re;
   return response_error;
 }
 
@@ -43,7 +43,7 @@ void JointProjection::add_force_noise(const JointState& state, const JointPart& 
                                       MatrixXd& covariance) const {
   const MatrixXd projection = part.inverse * tall_transposed_product(part.columns, part.slopes);
   const MatrixXd synthesised = tall_product(part.columns, part.amplitude);
-  const std::vector<std::size_t> lines = bins_.middles();
+  const std::vector<std::size_t> lines = groups_.middles();
   const auto points = by_point(set_, part);
   std::vector<MatrixXd> pole_scores(points.size());
   parallel_for_cost(
@@ -69,7 +69,7 @@ void JointProjection::add_force_noise(const JointState& state, const JointPart& 
 
 void JointProjection::add_residue_variance(const JointState& state, const JointPart& part, MatrixXd& variance) const {
   const MatrixXd synthesised = tall_product(part.columns, part.amplitude);
-  const std::vector<std::size_t> lines = bins_.middles();
+  const std::vector<std::size_t> lines = groups_.middles();
   const auto points = by_point(set_, part);
   parallel_for_cost(
       points.size(), kFlopsPerProduct * lines.size() * static_cast<std::size_t>(part.columns.cols()),

@@ -35,7 +35,7 @@ bool JointModel::all_real() const {
 
 JointProjection::JointProjection(const FrfDataset& set, const std::vector<Pole>& poles, double core_share)
     : set_(set),
-      bins_(set.lines, poles, core_share),
+      groups_(set.lines, poles, core_share),
       background_(out_of_band_terms(set.lines)),
       noise_(VectorXd::Ones(static_cast<Index>(set.channels.size()))) {
   const bool together = std::all_of(set.points.begin(), set.points.end(), [&](const PointForce& force) {
@@ -61,14 +61,14 @@ JointProjection::JointProjection(const FrfDataset& set, const std::vector<Pole>&
 
 void JointProjection::fill(Plan& plan) const {
   const auto lines = static_cast<Index>(set_.lines.count);
-  plan.data.resize(2 * bins_.count(), static_cast<Index>(plan.channels.size()));
+  plan.data.resize(2 * groups_.count(), static_cast<Index>(plan.channels.size()));
   parallel_for_cost(plan.channels.size(), kFlopsPerProduct * set_.lines.count, [&](std::size_t i) {
     const Eigen::Map<const VectorXcd> frf(set_.channels[plan.channels[i]].frf.data(), lines);
-    bins_.sum(frf, plan.weight, plan.data.col(static_cast<Index>(i)));
+    groups_.sum(frf, plan.weight, plan.data.col(static_cast<Index>(i)));
   });
-  plan.background.resize(2 * bins_.count(), background_.cols());
+  plan.background.resize(2 * groups_.count(), background_.cols());
   for (Index term = 0; term < background_.cols(); ++term)
-    bins_.sum(background_.col(term).cast<Complex>(), plan.weight, plan.background.col(term));
+    groups_.sum(background_.col(term).cast<Complex>(), plan.weight, plan.background.col(term));
 }
 
 JointState JointProjection::evaluate(JointModel model, ColumnContent need) const {
@@ -95,7 +95,7 @@ std::vector<ModeColumn> JointProjection::untruncated_columns(const JointModel& m
 
 JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
                                  const std::vector<ModeColumn>& whole) const {
-  const Index rows = 2 * bins_.count();
+  const Index rows = 2 * groups_.count();
   const auto modes = static_cast<Index>(model.poles.size());
   JointPart part;
   part.channels = plan.channels;
@@ -114,13 +114,13 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
     const auto m = static_cast<Index>(at);
     const ModeColumn mode = subtract_truncation(whole[at], model.poles[at], force, set_.lines, 0);
     const auto first = static_cast<Index>(part.first[at]);
-    bins_.sum(mode.value, plan.weight, part.columns.col(first));
+    groups_.sum(mode.value, plan.weight, part.columns.col(first));
     if (!slopes) {
       if (!model.real[at]) turn(part.columns.col(first), part.columns.col(first + 1));
       return;
     }
-    bins_.sum(mode.by_freq, plan.weight, part.slopes.col(2 * first));
-    bins_.sum(mode.by_damping, plan.weight, part.slopes.col(2 * first + 1));
+    groups_.sum(mode.by_freq, plan.weight, part.slopes.col(2 * first));
+    groups_.sum(mode.by_damping, plan.weight, part.slopes.col(2 * first + 1));
     turn(part.columns.col(first), part.quadrature.col(m));
     if (model.real[at]) return;
     part.columns.col(first + 1) = part.quadrature.col(m);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/math/levenberg_marquardt.hpp"
-#include "identify/fit/frequency_bins.hpp"
+#include "identify/fit/line_groups.hpp"
 #include "identify/model/frf_dataset.hpp"
 #include "identify/noise/force_noise.hpp"
 
@@ -18,7 +18,7 @@ struct JointModel {
 };
 
 /// The linear part of a joint fit at given poles, for FRFs that share their columns. The rows are weighted frequency
-/// bins, real parts above imaginary parts.
+/// groups, real parts above imaginary parts.
 struct JointPart {
   std::vector<std::size_t> channels;  // indices into FrfDataset::channels
   std::vector<std::size_t> first;     // [modes] column of the residue's real part; the imaginary part's follows
@@ -39,7 +39,7 @@ struct JointState {
 /// (out_of_band_terms).
 class JointProjection {
  public:
-  /// set must outlive this object. `core_share`: see FrequencyBins.
+  /// set must outlive this object. `core_share`: see LineGroups.
   JointProjection(const FrfDataset& set, const std::vector<Pole>& poles, double core_share = 0);
 
   /// Without derivatives, `slopes` and `quadrature` of the parts are empty; amplitudes and residuals are known.
@@ -86,7 +86,7 @@ class JointProjection {
   void add_residue_variance(const JointState& state, const JointPart& part, Eigen::MatrixXd& variance) const;
 
   const FrfDataset& set_;
-  FrequencyBins bins_;
+  LineGroups groups_;
   Eigen::MatrixXd background_;  // [lines, terms]
   std::vector<Plan> parts_;
   Eigen::VectorXd noise_;

@@ -196,9 +196,9 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
 
 std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window) {
-  std::vector<std::size_t> imitated, left = window.modes;
+  std::vector<std::size_t> imitating, left = window.modes;
   std::vector<Pole> poles = window.poles(modes);
-  if (poles.size() < 2) return imitated;
+  if (poles.size() < 2) return imitating;
   const auto data = hit_data(set, hits, modes, window);
   const std::vector<VectorXd> weights = weights_of_hits(hits, data, poles, window);
   HitCosts with = costs_of_hits(hits, data, weights, poles, window);
@@ -218,12 +218,12 @@ std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const Hit
       least_costs = without;
     }
     if (least == poles.size()) break;
-    imitated.push_back(left[least]);
+    imitating.push_back(left[least]);
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(least));
     poles.erase(poles.begin() + static_cast<std::ptrdiff_t>(least));
     with = least_costs;
   }
-  return imitated;
+  return imitating;
 }
 
 }  // namespace percuss::identify

@@ -82,7 +82,7 @@ void take_mean(Mode& mode, const ModeScatter& scatter, const HitPole& together) 
 }
 
 void add_part(const ScatterOfHits& scatter, StdParts& parts, double& spread, double& total) {
-  parts.hits = scatter.hits;
+  parts.hits = scatter.std_from_scatter;
   spread = scatter.spread;
   total = parts.total();
 }
@@ -145,7 +145,7 @@ ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vecto
   const double scatter = std::sqrt(std::max(0.0, 1 / certainty - noise2));
   return {.mean = mean,
           .std = std::sqrt(noise2),
-          .hits = scatter > 0 ? student_factor(value.size() - 1) * scatter : 0,
+          .std_from_scatter = scatter > 0 ? student_factor(value.size() - 1) * scatter : 0,
           .spread = std::sqrt(spread2),
           .deviate = chi2_deviate(chi2, degrees)};
 }
@@ -182,12 +182,12 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedH
   explain_scatter(series, peak_N, modes);
 }
 
-std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
-                                           const std::vector<double>& peak_N, const std::vector<Mode>& modes) {
+std::vector<double> without_imitating_modes(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
+                                            const std::vector<double>& peak_N, const std::vector<Mode>& modes) {
   const std::vector<std::size_t> residue_of = residue_indices(set, hits);
-  std::vector<char> imitated(modes.size(), 0);
+  std::vector<char> imitating(modes.size(), 0);
   for (const ModeWindow& window : linear.windows) {
-    for (const std::size_t m : modes_of_some_hits(set, hits, modes, window)) imitated[m] = 1;
+    for (const std::size_t m : spurious_modes_of_nonlinearity(set, hits, modes, window)) imitating[m] = 1;
     if (window.modes.size() < 2) continue;
     // Hits do not determine a pair that only imitates their scatter.
     const auto differs = [&](std::size_t m) {
@@ -195,12 +195,12 @@ std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs&
              is_undetermined(hits, residue_of, modes[m], linear.poles[m]);
     };
     if (std::none_of(window.modes.begin(), window.modes.end(), differs)) continue;
-    for (const std::size_t m : modes_from_hit_scatter(set, hits, modes, window)) imitated[m] = 1;
+    for (const std::size_t m : modes_from_hit_scatter(set, hits, modes, window)) imitating[m] = 1;
   }
-  if (std::none_of(imitated.begin(), imitated.end(), [](char one) { return one != 0; })) return {};
+  if (std::none_of(imitating.begin(), imitating.end(), [](char one) { return one != 0; })) return {};
   std::vector<double> left_Hz;
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (!imitated[m]) left_Hz.push_back(modes[m].pole.freq_Hz);
+    if (!imitating[m]) left_Hz.push_back(modes[m].pole.freq_Hz);
   }
   return left_Hz;
 }

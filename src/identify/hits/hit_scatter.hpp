@@ -9,12 +9,13 @@ namespace percuss::identify {
 /// A mean of values that may scatter beyond their standard deviations (random effects, method of moments).
 struct ScatterOfHits {
   double mean = 0;
-  double std = 0;      // of the mean, from the values' own standard deviations
-  double hits = 0;     // of the mean, from the further scatter of the values, with Student's factor for few hits
-  double spread = 0;   // between the values, beyond their standard deviations
-  double deviate = 0;  // the scatter's χ² as a normal deviate
+  double std = 0;               // of the mean, from the values' own standard deviations
+  double std_from_scatter = 0;  // of the mean, from the scatter beyond std, times Student's factor
+  double spread = 0;            // between the values, beyond their standard deviations
+  double deviate = 0;           // the scatter's χ² as a normal deviate
 };
-/// Student's factor for the ± of a mean, which keeps its 95 % interval.
+/// The 97.5 % quantile of Student's t for these degrees of freedom, over 1.96. A standard deviation estimated from few
+/// values is multiplied by it, so that ±1.96 standard deviations still cover 95 %.
 double student_factor(std::size_t degrees);
 /// shapes  value and std equal, at least two.
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std);
@@ -27,11 +28,11 @@ struct WindowedHitPoles {
 WindowedHitPoles windowed_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes);
 
 /// The frequencies of the modes, without modes that only imitate the scatter of another mode (modes_from_hit_scatter,
-/// modes_of_some_hits). Empty if there is no such mode.
+/// spurious_modes_of_nonlinearity). Empty where no mode imitates another: all modes are then kept.
 /// linear  windowed_hit_poles of these modes
 /// peak_N  [hits] in the order of the test
-std::vector<double> without_imitated_modes(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
-                                           const std::vector<double>& peak_N, const std::vector<Mode>& modes);
+std::vector<double> without_imitating_modes(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
+                                            const std::vector<double>& peak_N, const std::vector<Mode>& modes);
 
 /// Adds the scatter between the hits to the modes' standard deviations, and explains it by the hits' forces or their
 /// order, where it is significant. There the pole becomes the mean of the hits' own poles, because the average of

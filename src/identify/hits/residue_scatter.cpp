@@ -30,8 +30,9 @@ double std_of_average(const PointRatios& ratios, double spread) {
   return sum > 0 ? student_factor(ratios.value.size() - 1) * spread * std::sqrt(squares) / sum : 0;
 }
 
-// [points] the relative standard deviations of one mode's residues from the scatter. Where most points scatter, each
-// counts. One point that scatters does not make the others doubtful.
+// [points] the relative standard deviations of one mode's residues from the scatter. Where the points
+// together scatter significantly, the scatter of each counts. One point that scatters does not make the others
+// doubtful.
 std::vector<double> scatter_of_points(const std::vector<PointRatios>& points) {
   std::vector<ScatterOfHits> scatter;
   double sum = 0, count = 0;

@@ -53,8 +53,8 @@ bool disagree(const std::vector<ResidueRatio>& ratios) {
 
 }  // namespace
 
-std::vector<std::size_t> modes_of_some_hits(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                            const ModeWindow& window) {
+std::vector<std::size_t> spurious_modes_of_nonlinearity(const FrfDataset& set, const HitFrfs& hits,
+                                                        const std::vector<Mode>& modes, const ModeWindow& window) {
   std::vector<std::size_t> some;
   if (std::none_of(window.modes.begin(), window.modes.end(),
                    [&](std::size_t m) { return is_under_another(modes, window, m); }))

@@ -54,8 +54,8 @@ class TermColumns {
   PointColumns below_, above_;
 };
 
-// The products of the slopes of a part, followed by the columns of both terms of each mode. Columns and polynomial are
-// projected out.
+// Inner products of a part's regressors: the slopes of its poles, then the two extra terms of each mode. The polynomial
+// and the columns of the modes are projected out of the regressors first.
 struct PartProducts {
   MatrixXcd gram;   // [slopes + terms, slopes + terms]
   MatrixXcd score;  // with the residual, [slopes + terms, channels]

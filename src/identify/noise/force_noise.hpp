@@ -19,8 +19,8 @@ enum class ForceErrors { noise, all };
 Eigen::MatrixXcd gain_errors(const FrfDataset& set, std::size_t point, const std::vector<std::size_t>& lines,
                              ForceErrors of = ForceErrors::all);
 
-/// Standard deviation of the gain error near a frequency: of its real part and of its imaginary part, in the mean of
-/// the two variances.
+/// Standard deviation of one part (real or imaginary) of the gain error near a frequency: the square root of the mean
+/// of the two variances.
 double gain_std(const FrfDataset& set, std::size_t point, double freq_Hz);
 
 /// Standard deviation of the gain error's real part near a frequency, the relative error of a response over the force.

@@ -29,8 +29,8 @@ double WindowNoise::share(const Pole& pole) const {
 
 double WindowNoise::factor(double of_share) const { return fall_ > 0 ? std::max(1.0, max_factor() * of_share) : 1; }
 
-// The mean of w², weighted with the power of (t − t̄) e^(−δt) under the window: of a pole's change, the effect that a
-// change of the residue cannot follow.
+// The mean of w², weighted with the power of (t − t̄) e^(−δt) w, where t̄ is the mean time of the windowed mode's power.
+// A small change of the pole adds this function of time to the response, and no change of the residue can fit it.
 double WindowNoise::of_pole(const Pole& pole) const {
   const double r = share(pole);
   return factor(r * (1 - 2 * r + 2 * r * r));

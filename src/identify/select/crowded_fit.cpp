@@ -25,7 +25,7 @@ constexpr double kFirstCount = 1.5;   // pole pairs of the first trial, over the
 constexpr double kCountGrowth = 1.3;  // factor of this number from one trial to the next
 constexpr std::size_t kMaxCount = 150;
 constexpr double kMaxProducts = 5e10;  // of all fits together: about half a minute
-constexpr double kCoreShare = 0.1;     // bins around the poles, of a bandwidth
+constexpr double kCoreShare = 0.1;     // groups around the poles, of a bandwidth
 constexpr double kResolution = 0.2;    // of a bandwidth
 constexpr double kGainPerUnknown = 5;  // half the logarithm of the number of lines
 constexpr double kNeeded = 6;          // standard deviations of a residue
@@ -67,7 +67,7 @@ std::vector<Pole> needed_poles(const FrfDataset& set, const JointFit& linear) {
 
 double likelihood_per_unknown(const FrfDataset& set, const JointFit& fewer, const JointFit& more) {
   const std::size_t modes = more.poles.size() > fewer.poles.size() ? more.poles.size() - fewer.poles.size() : 1;
-  return likelihood_ratio(set, fewer.residual, more.residual) / static_cast<double>(modes * unknowns_per_mode(set));
+  return log_likelihood_gain(set, fewer.residual, more.residual) / static_cast<double>(modes * unknowns_per_mode(set));
 }
 
 // The residues at poles from vector fitting. The number of poles grows as long as the likelihood gains enough.

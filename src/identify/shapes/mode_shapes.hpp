@@ -10,11 +10,13 @@ namespace percuss::identify {
 /// A roving-hammer test (fixed sensors) or a roving-sensor test (fixed hammer).
 enum class Roving { hammer, sensor };
 
-/// An impact point and a sensor at the same place and in the same direction: H(point, channel) is a driving-point FRF.
-struct DrivingPoint {
+/// The FRF H(point, channel) of the test.
+struct FrfIndex {
   std::size_t point = 0;
   std::size_t channel = 0;
 };
+/// An impact point and a sensor at the same place and in the same direction.
+using DrivingPoint = FrfIndex;
 
 enum class Normalisation { unit_modal_mass, largest_one };
 const char* name_of(Normalisation normalisation);

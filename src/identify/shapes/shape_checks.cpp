@@ -21,7 +21,7 @@ std::vector<DrivingPointCheck> check_driving_points(const std::vector<Mode>& mod
 }
 
 std::vector<ReciprocityCheck> check_reciprocity(const std::vector<Mode>& modes,
-                                                const std::vector<std::pair<DrivingPoint, DrivingPoint>>& pairs) {
+                                                const std::vector<std::pair<FrfIndex, FrfIndex>>& pairs) {
   std::vector<ReciprocityCheck> out;
   for (std::size_t m = 0; m < modes.size(); ++m) {
     for (const auto& [one, other] : pairs) {

@@ -21,12 +21,12 @@ std::vector<DrivingPointCheck> check_driving_points(const std::vector<Mode>& mod
 /// Reciprocity check: the residues of H(p, q) and H(q, p) in one mode must be equal.
 struct ReciprocityCheck {
   std::size_t mode = 0;
-  DrivingPoint one, other;
+  FrfIndex one, other;
   double difference = 0;  // |A_pq − A_qp| over the larger magnitude
   double deviations = 0;  // |A_pq − A_qp| over its standard deviation
 };
-/// `pairs`: each holds two (point, channel), which measure the same two places in both directions.
+/// `pairs`: each holds the FRFs H(p, q) and H(q, p) of the same two places.
 std::vector<ReciprocityCheck> check_reciprocity(const std::vector<Mode>& modes,
-                                                const std::vector<std::pair<DrivingPoint, DrivingPoint>>& pairs);
+                                                const std::vector<std::pair<FrfIndex, FrfIndex>>& pairs);
 
 }  // namespace percuss::identify

@@ -26,9 +26,9 @@ std::optional<DecayDeflection> decay_deflection(std::span<const double> accel_mp
   const identify::FreeDecays whole{
       .fs_Hz = fs_Hz, .hits = 1, .channels = 1, .response = {{moving.begin(), moving.end()}}};
   const std::size_t safe = identify::safe_start(samples, fs_Hz);
-  const double line_Hz = fs_Hz / static_cast<double>(samples - safe);
+  const double df_Hz = fs_Hz / static_cast<double>(samples - safe);
   const identify::StartedFit started = identify::fit_from_earliest_start(
-      whole, safe, {.band_Hz = {kLowestLines * line_Hz, kAntiAlias * fs_Hz}, .max_decays = kMaxDecays});
+      whole, safe, {.band_Hz = {kLowestLines * df_Hz, kAntiAlias * fs_Hz}, .max_decays = kMaxDecays});
   if (started.fit.decays.empty() || !started.fit.complete) return std::nullopt;
   DecayDeflection out{.first = onset + started.start, .deflection_m = {}, .std_m = {}};
   const std::size_t count = accel_mps2.size() - out.first;

@@ -66,9 +66,10 @@ struct Deflection {
 /// theory (7.4)
 Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& options = {});
 
-/// The time from the first sample at which the structure starts to move, for records without force. It is the first
-/// sample beyond eight standard deviations of the noise (from the first fiftieth of the record) and beyond a thousandth
-/// of the largest sample. A glitch below a hundredth of the largest sample does not count if 64 samples at rest follow.
+/// The time at which the structure starts to move, counted from the first sample, for records without force. It is the
+/// time of the first sample beyond eight standard deviations of the noise (from the first fiftieth of the record) and
+/// beyond a thousandth of the largest sample. A glitch below a hundredth of the largest sample does not count if 64
+/// samples at rest follow.
 double motion_onset_s(std::span<const double> accel_mps2, double fs_Hz);
 
 }  // namespace percuss::metrics

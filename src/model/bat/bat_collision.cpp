@@ -30,7 +30,7 @@ double struck_speed_mps(const BatModes& bat, const BatCollision& collision, doub
 double rigid_exit_speed_mps(const BatModes& bat, const BatCollision& collision, double z_m) {
   const double v = collision.ball_speed_mps, u = struck_speed_mps(bat, collision, z_m);
   if (!(v + u > 0)) return -v;
-  const double ratio = collision.ball.mass_kg * bat.rigid_mobility_per_kg(z_m), e = collision.ball.restitution;
+  const double ratio = collision.ball.mass_kg * bat.rigid_accelerance_per_kg(z_m), e = collision.ball.restitution;
   return (v * (e - ratio) + u * (1 + e)) / (1 + ratio);  // (3)
 }
 

@@ -32,7 +32,7 @@ struct BatCollision {
 /// The speed of the bat at z_m before the impact, towards the ball. A bat on a spring or in a clamp is at rest.
 double struck_speed_mps(const BatModes& bat, const BatCollision& collision, double z_m);
 
-/// The exit speed from the rigid bat, with u from struck_speed_mps and 1/M_e from rigid_mobility_per_kg:
+/// The exit speed from the rigid bat, with u from struck_speed_mps and 1/M_e from rigid_accelerance_per_kg:
 ///   v' = [v (e − m/M_e) + u (1 + e)]/(1 + m/M_e)                                                        (3)
 /// It equals exit_speed_mps of rigid_collision.hpp for a free bat. Where the bat moves away from the ball, the ball
 /// keeps its speed. On a spring the rigid bat turns about the spring's pin, and the spring does not act during the

@@ -115,7 +115,7 @@ Eigen::Vector2d BatModes::rigid_deflection(double z_m) const {
   return {0, 0};
 }
 
-double BatModes::rigid_mobility_per_kg(double z_m) const {
+double BatModes::rigid_accelerance_per_kg(double z_m) const {
   if (support.kind != BeamSupport::torsion) return rigid_deflection(z_m).squaredNorm();
   const double arm_m = z_m - support.at_m;
   return arm_m * arm_m / about_support_kgm2(*this);

@@ -31,7 +31,7 @@ struct BatModes {
   /// Otherwise both are 0: there is none.
   Eigen::Vector2d rigid_deflection(double z_m) const;
   /// 1/M_e at z_m of the rigid bat: free, or about its pin or its spring's pin. 0 where a clamp holds it.
-  double rigid_mobility_per_kg(double z_m) const;
+  double rigid_accelerance_per_kg(double z_m) const;
 };
 
 /// Computes the elastic modes with the lowest frequencies.

@@ -40,13 +40,14 @@ std::optional<ProfileWarning> shear_warning(const SectionTable& table, const Mat
     }
   }
   if (!(largest > kLargestRatio)) return {};
-  const std::string remedy = "give the shear modulus of this material";
+  const std::string remedy = "give the shear modulus times shape factor of this material";
   return ProfileWarning{
       .code = "low_shear",
-      .message =
-          fmt::format("Young's modulus is {:.3g} times the shear modulus times shape factor, {:.3g} Pa (wood: "
-                      "about 17, metals: 3): if it belongs to another material, higher modes come out too low; {}",
-                      largest, shear_Pa, remedy),
+      .message = fmt::format(
+          "the ratio of Young's modulus to the shear modulus times shape factor ({:.3g} Pa) is {:.3g}; wood "
+          "has about 17, metals 3. If the shear modulus belongs to another material, higher modes come out "
+          "too low; {}",
+          shear_Pa, largest, remedy),
       .remedy = remedy,
       .options = {"shear"},
       .value = largest};

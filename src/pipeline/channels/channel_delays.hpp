@@ -40,9 +40,9 @@ std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases);
 /// has none. Modes with complex shapes scatter about the line and enter the standard deviation.
 std::vector<ChannelDelay> delays_of_residues(const std::vector<identify::Mode>& modes, std::size_t channels);
 
-/// As delays_of_residues. A delay of several periods falsifies the modes themselves. Where the phases follow no delay
-/// and the structure first moves more than a period after the force's onset, the FRFs are corrected by the time of this
-/// first motion, and the modes are identified again.
+/// As delays_of_residues. A delay of several periods falsifies the modes themselves. Where the phases establish
+/// no delay and the structure first moves more than one period of the highest mode after the force's onset, the FRFs
+/// are corrected by the time of this first motion, and the modes are identified again.
 std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                          const std::vector<AnalysedHit>& hits, std::size_t channels);
 

@@ -198,10 +198,9 @@ std::vector<ResponseImpact> response_impacts(const acquire::Record& record, cons
         std::any_of(x.begin(), x.end(), [](const auto& one) { return extremes_of(one).high > extremes_of(one).low; });
     if (found.empty() && moves) found.push_back({.row = row, .first = 0, .whole_pulse = false});
     for (std::size_t i = 0; i < found.size(); ++i) {
-      found[i].last =
-          i + 1 < found.size() ? found[i + 1].first - std::min(found[i + 1].first, blocks.samples) : samples;
+      found[i].end = i + 1 < found.size() ? found[i + 1].first - std::min(found[i + 1].first, blocks.samples) : samples;
       found[i].first += range.first;
-      found[i].last += range.first;
+      found[i].end += range.first;
       out.push_back(found[i]);
     }
   }

@@ -11,12 +11,13 @@ namespace percuss::pipeline {
 struct ResponseImpact {
   std::size_t row = 0;
   std::size_t first = 0;    // sample of the row at which the structure begins to move
-  std::size_t last = 0;     // one past the last sample: just before the next impact, or the end of the selected time
+  std::size_t end = 0;      // one past the last sample: just before the next impact, or the end of the selected time
   bool whole_pulse = true;  // false: the row begins after the impact
 };
 
-/// The impacts of a record without a force, row by row. At an impact, the power of the responses' differences rises
-/// within 1.5 ms above ten times its largest value in the 20 ms before. If a row has no such rise, the power of the
+/// The impacts of a record without a force, row by row. At an impact, the power of the difference between
+/// successive samples (or means of samples), summed over the channels, rises within 1.5 ms above ten times its largest
+/// value in the 20 ms before. If a row has no such rise, the power of the
 /// responses is searched instead. A row without any rise begins within a decay.
 /// errors  InputError: no samples in the selected time.
 std::vector<ResponseImpact> response_impacts(const acquire::Record& record, const acquire::HitOptions& options);

@@ -42,8 +42,8 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
                     .gated = usable.gated};
     if (usable.clipped) hit.clipped_s = static_cast<double>(usable.first - impact.first) / record.fs_Hz;
     hit.impact.first = usable.first;
-    hit.impact.last = usable.last;
-    lengths.push_back(static_cast<double>(usable.last - usable.first));
+    hit.impact.end = usable.end;
+    lengths.push_back(static_cast<double>(usable.end - usable.first));
     hits.push_back(std::move(hit));
   }
   require_hits(options.accept_hits, hits.size(), record, "accept_hit");
@@ -56,7 +56,7 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
       hits[h].accepted = false;
       hits[h].reason = "no impact rises above the noise here, unlike in other rows";
     }
-    if (static_cast<double>(hits[h].impact.last - hits[h].impact.first) < least) {
+    if (static_cast<double>(hits[h].impact.end - hits[h].impact.first) < least) {
       hits[h].accepted = false;
       hits[h].reason = "too few usable samples until the next impact or the end";
     }
@@ -75,7 +75,7 @@ std::size_t common_samples(const ResponseTest& test) {
   for (const ResponseHit& hit : test.hits) {
     if (!hit.accepted) continue;
     any = true;
-    samples = std::min(samples, hit.impact.last - hit.impact.first);
+    samples = std::min(samples, hit.impact.end - hit.impact.first);
   }
   if (const auto length = acquire::selected_length(test.record, test.options.hits))
     samples = std::min(samples, *length);
@@ -108,7 +108,7 @@ bool leave_out_disturbances(ResponseTest& test, const std::vector<std::optional<
     if (!sample || hit.by_user || *sample < kMinSamples) continue;
     changed = true;
     if (all) {
-      hit.impact.last = hit.impact.first + *sample;
+      hit.impact.end = hit.impact.first + *sample;
       hit.shortened = true;
     } else {
       hit.accepted = false;

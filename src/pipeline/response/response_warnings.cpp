@@ -26,25 +26,26 @@ Warning no_force() {
       "name the force's channel, if there is one");
 }
 
-double hammer_measure_of(const acquire::Record& record, std::size_t channel) {
+double hammer_dissimilarity_of(const acquire::Record& record, std::size_t channel) {
   std::vector<double> samples;
   for (std::size_t row = 0; row < record.rows.size() && samples.size() < acquire::kGuessedSamples; ++row) {
     const std::size_t count = std::min(record.rows[row].samples, acquire::kGuessedSamples - samples.size());
     samples.resize(samples.size() + count);
     record.read_accel_mps2(row, channel, 0, std::span(samples).last(count));
   }
-  return acquire::hammer_measure(samples);
+  return acquire::hammer_dissimilarity(samples);
 }
 
 // A hammer among the responses: its samples look like pulses, and those of the other responses do not.
 std::vector<Warning> hammer_as_response(const acquire::Record& record) {
   std::vector<double> measures;
-  for (std::size_t c = 0; c < record.accel.size(); ++c) measures.push_back(hammer_measure_of(record, c));
+  for (std::size_t c = 0; c < record.accel.size(); ++c) measures.push_back(hammer_dissimilarity_of(record, c));
   if (measures.size() < 2) return {};
   const auto smallest = std::min_element(measures.begin(), measures.end());
-  const auto alike = std::count_if(measures.begin(), measures.end(),
-                                   [&](double measure) { return measure <= acquire::kMaxMeasureRatio * *smallest; });
-  if (!(*smallest < acquire::kMaxHammerMeasure) || alike > 1) return {};
+  const auto alike = std::count_if(measures.begin(), measures.end(), [&](double measure) {
+    return measure <= acquire::kMaxDissimilarityRatio * *smallest;
+  });
+  if (!(*smallest < acquire::kMaxHammerDissimilarity) || alike > 1) return {};
   const std::string name = one_line(record.accel[static_cast<std::size_t>(smallest - measures.begin())].name, 40);
   return {with_remedy({"hammer_as_response",
                        name + " looks like the hammer's pulses, but is analysed as a response",

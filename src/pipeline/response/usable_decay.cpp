@@ -46,17 +46,17 @@ std::size_t begin_of_gate(std::span<const double> x, double fs_Hz) {
 }  // namespace
 
 UsableDecay usable_decay(const acquire::Record& record, const ResponseImpact& impact) {
-  UsableDecay out{.first = impact.first, .last = impact.last};
-  std::vector<double> x(impact.last - impact.first);
+  UsableDecay out{.first = impact.first, .end = impact.end};
+  std::vector<double> x(impact.end - impact.first);
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     record.read_accel_mps2(impact.row, c, impact.first, x);
     const std::size_t clipped = end_of_clipping(x), gate = begin_of_gate(x, record.fs_Hz);
     out.clipped = out.clipped || clipped > 0;
     out.gated = out.gated || gate < x.size();
     out.first = std::max(out.first, impact.first + clipped);
-    out.last = std::min(out.last, impact.first + gate);
+    out.end = std::min(out.end, impact.first + gate);
   }
-  out.last = std::max(out.last, out.first);
+  out.end = std::max(out.end, out.first);
   return out;
 }
 

@@ -125,7 +125,7 @@ class RingingSearch {
     }
     const identify::DecaySpectra measured = spectra_of(before, hit.row);
     const auto line = [&](double freq_Hz) {
-      return std::min(static_cast<std::size_t>(std::max(1.0, freq_Hz / measured.line_Hz())), before.count / 2);
+      return std::min(static_cast<std::size_t>(std::max(1.0, freq_Hz / measured.df_Hz())), before.count / 2);
     };
     const std::size_t low = line(set_.lines.freq_Hz(0)), high = line(set_.lines.freq_Hz(set_.lines.count - 1));
     const identify::KnownDecays fit = identify::fit_known_decays(rates, measured, low, high - low + 1);

@@ -18,7 +18,7 @@ void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra
   for (const std::size_t h : used) peak_N.push_back(spectra.hits[h].hit.peak_N);
   identify::WindowedHitPoles linear = identify::windowed_hit_poles(set, each, modes);
   if (options.start_Hz.empty() && !options.modes) {
-    const auto left_Hz = identify::without_imitated_modes(set, each, linear, peak_N, modes);
+    const auto left_Hz = identify::without_imitating_modes(set, each, linear, peak_N, modes);
     if (!left_Hz.empty()) {
       modes = identify::identify_modes(set, {.effort = options.effort, .start_Hz = left_Hz});
       search();

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kMaxOff = 4e-4;  // error of the fundamental, as part of its frequency
 
-bool is_harmonic(double freq_Hz, const std::vector<Tone>& tones, double line_Hz) {
+bool is_harmonic(double freq_Hz, const std::vector<Tone>& tones, double df_Hz) {
   return std::any_of(tones.begin(), tones.end(), [&](const Tone& tone) {
     if (!may_be_mains(tone.freq_Hz)) return false;
     const double order = std::round(freq_Hz / tone.freq_Hz);
-    return order >= 1 && std::abs(freq_Hz - order * tone.freq_Hz) < line_Hz + kMaxOff * freq_Hz;
+    return order >= 1 && std::abs(freq_Hz - order * tone.freq_Hz) < df_Hz + kMaxOff * freq_Hz;
   });
 }
 
@@ -22,9 +22,9 @@ bool is_harmonic(double freq_Hz, const std::vector<Tone>& tones, double line_Hz)
 
 void remove_mains_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
                         const identify::FrfDataset& set, const identify::HitFrfs& hits) {
-  const double line_Hz = set.lines.df_Hz();
+  const double df_Hz = set.lines.df_Hz();
   const auto may_be_hum = [&](const identify::Mode& mode) {
-    return mode.pole.half_power_Hz() <= line_Hz && is_harmonic(mode.pole.freq_Hz, tones, line_Hz);
+    return mode.pole.half_power_Hz() <= df_Hz && is_harmonic(mode.pole.freq_Hz, tones, df_Hz);
   };
   if (std::none_of(modes.begin(), modes.end(), may_be_hum)) return;
   std::vector<bool> hum(modes.size());

@@ -7,7 +7,9 @@
 namespace percuss::pipeline {
 namespace {
 
-// "hits 1, 3", or "every accepted hit"; empty when the channel is dead in no hit.
+constexpr const char* kAllHits = "every accepted hit";
+
+// "hits 1, 3", or kAllHits; empty when the channel is dead in no hit.
 std::string dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
   std::string numbers;
   bool alive = false;
@@ -19,7 +21,7 @@ std::string dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel)
       alive = true;
     }
   }
-  return numbers.empty() || alive ? numbers : "every accepted hit";
+  return numbers.empty() || alive ? numbers : kAllHits;
 }
 
 // The coarsest step over the accepted hits, as a fraction of the channel's largest response.
@@ -47,9 +49,11 @@ std::vector<Warning> channel_warnings(const acquire::Record& record, const std::
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     const std::string dead = dead_hits(hits, c);
     if (dead.empty()) continue;
+    const char* const consequence =
+        dead == kAllHits ? "it shows no modes" : "these hits make its FRFs and residues too small";
     out.push_back(with_remedy(
         {"dead_channel",
-         fmt::format("{} is constant in {}: it has no modes", one_line(record.accel[c].name, kMaxNameBytes), dead),
+         fmt::format("{} is constant in {}: {}", one_line(record.accel[c].name, kMaxNameBytes), dead, consequence),
          {"accel_channel"}},
         "check its cable, or choose the other channels"));
   }

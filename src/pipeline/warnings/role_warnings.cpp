@@ -25,18 +25,18 @@ std::vector<Warning> role_warnings(const acquire::Record& record, const std::vec
   const std::size_t row = hits.front().hit.row;
   std::vector<double> samples(std::min(record.rows[row].samples, acquire::kGuessedSamples));
   record.read_force_N(row, 0, samples);
-  const double force_measure = acquire::hammer_measure(samples);
+  const double force_measure = acquire::hammer_dissimilarity(samples);
   std::size_t hammer = 0;
   double smallest = 1;
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     record.read_accel_mps2(row, c, 0, samples);
-    const double measure = acquire::hammer_measure(samples);
+    const double measure = acquire::hammer_dissimilarity(samples);
     if (measure < smallest) {
       smallest = measure;
       hammer = c;
     }
   }
-  if (!(acquire::kMaxMeasureRatio * smallest < force_measure)) return {};
+  if (!(acquire::kMaxDissimilarityRatio * smallest < force_measure)) return {};
   const std::string force = one_line(record.force.name, 40), response = one_line(record.accel[hammer].name, 40);
   return {with_remedy(
       {"swapped_channels",

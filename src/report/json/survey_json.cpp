@@ -107,7 +107,7 @@ Json driving_json(const pipeline::Survey& survey) {
   return out;
 }
 
-Json pair_json(const identify::DrivingPoint& at) { return {{"point", at.point}, {"channel", at.channel}}; }
+Json pair_json(const identify::FrfIndex& at) { return {{"point", at.point}, {"channel", at.channel}}; }
 
 Json reciprocity_json(const pipeline::Survey& survey) {
   Json out = Json::array();

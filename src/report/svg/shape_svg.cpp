@@ -30,7 +30,7 @@ struct Box {
       }
     }
   }
-  // A point on the drawing whose cell begins here.
+  // The SVG coordinates of a point in the cell whose upper left corner is (left, top).
   std::array<double, 2> place(const std::array<double, 2>& point, double left, double top) const {
     return {left + kCell / 2 + scale() * (point[0] - (low[0] + high[0]) / 2),
             top + kCell / 2 - scale() * (point[1] - (low[1] + high[1]) / 2)};

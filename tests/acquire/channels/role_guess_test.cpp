@@ -38,10 +38,10 @@ TEST(ActiveShare, HasItsClosedForms) {
   EXPECT_EQ(active_share({}), 1);
 }
 
-TEST(HammerMeasure, IsSmallForPulsesOfOneSign) {
-  EXPECT_NEAR(hammer_measure(pulse(1000, 20, 300)), 0.05 * 0.02, kRounding);
-  EXPECT_NEAR(hammer_measure(pulse(1000, 20, -300)), 0.05 * 0.02, kRounding) << "either sign";
-  EXPECT_NEAR(hammer_measure(sine(1000)), 2.0 / 3, kRounding);
+TEST(HammerDissimilarity, IsSmallForPulsesOfOneSign) {
+  EXPECT_NEAR(hammer_dissimilarity(pulse(1000, 20, 300)), 0.05 * 0.02, kRounding);
+  EXPECT_NEAR(hammer_dissimilarity(pulse(1000, 20, -300)), 0.05 * 0.02, kRounding) << "either sign";
+  EXPECT_NEAR(hammer_dissimilarity(sine(1000)), 2.0 / 3, kRounding);
 }
 
 TEST(RisesEvenly, IsTrueForTimesOnly) {

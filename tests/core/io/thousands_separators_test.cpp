@@ -6,7 +6,7 @@ namespace percuss::thousands_separators_test {
 
 std::string found_in(const std::string& text, char delimiter) {
   const auto probes = probe_lines(text, '\n');
-  return with_thousands_separators(text, probes, {.delimiter = delimiter, .quoted = true});
+  return cell_with_thousands_separators(text, probes, {.delimiter = delimiter, .quoted = true});
 }
 
 std::string table_of(const std::vector<std::string>& cells, const std::string& before) {

@@ -69,9 +69,9 @@ TEST(UsableDecay, KeepsADecayIntoSilence) {
   for (std::size_t n = kLead; n < x.size(); ++n)
     x[n] = std::round(32767 * 0.8 * std::exp(s * (static_cast<double>(n - kLead) / kFs_Hz)).imag()) / 32767;
   const acquire::Record record = test::response_record(kFs_Hz, {{x}}, 0, true);
-  const UsableDecay usable = usable_decay(record, {.row = 0, .first = kLead, .last = x.size()});
+  const UsableDecay usable = usable_decay(record, {.row = 0, .first = kLead, .end = x.size()});
   EXPECT_FALSE(usable.gated);
-  EXPECT_EQ(usable.last, x.size());
+  EXPECT_EQ(usable.end, x.size());
 }
 
 // A knock within one of three decays: that hit is left out.

@@ -43,18 +43,19 @@ ChannelSamples summary_of(const std::vector<double>& samples) {
     largest = std::max(largest, std::abs(samples[i]));
   }
   out.rms = samples.empty() ? 0 : std::sqrt(squares / static_cast<double>(samples.size()));
-  out.hammer_measure = acquire::hammer_measure(samples);
+  out.hammer_dissimilarity = acquire::hammer_dissimilarity(samples);
   return out;
 }
 
 // A light structure moves like the force during the pulse. So a response counts as a hammer only if the force does not
-// look like one and the response's measure is within kMaxMeasureRatio times the smallest.
+// look like one and the response's measure is within kMaxDissimilarityRatio times the smallest.
 void find_hammers(const acquire::Record& record, std::vector<Channel>& channels) {
   double smallest = 1;
-  for (const Channel& channel : channels) smallest = std::min(smallest, channel.samples->hammer_measure);
+  for (const Channel& channel : channels) smallest = std::min(smallest, channel.samples->hammer_dissimilarity);
   for (Channel& channel : channels) {
-    const double measure = channel.samples->hammer_measure;
-    channel.samples->hammer = measure < acquire::kMaxHammerMeasure && measure <= acquire::kMaxMeasureRatio * smallest;
+    const double measure = channel.samples->hammer_dissimilarity;
+    channel.samples->hammer =
+        measure < acquire::kMaxHammerDissimilarity && measure <= acquire::kMaxDissimilarityRatio * smallest;
   }
   if (!record.has_force || !channels.front().samples->hammer) return;
   for (std::size_t c = 1; c < channels.size(); ++c) channels[c].samples->hammer = false;

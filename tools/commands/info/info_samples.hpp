@@ -12,10 +12,10 @@ namespace percuss::tools {
 
 /// What the samples of one channel show.
 struct ChannelSamples {
-  double rms = 0, peak = 0;        // in SI; the peak is the largest magnitude, with its sign
-  double hammer_measure = 1;       // acquire::hammer_measure
-  bool hammer = false;             // looks like a hammer; false for all responses if the force does
-  std::vector<double> envelope{};  // largest magnitudes over time
+  double rms = 0, peak = 0;         // in SI; the peak is the largest magnitude, with its sign
+  double hammer_dissimilarity = 1;  // acquire::hammer_dissimilarity
+  bool hammer = false;              // looks like a hammer; false for all responses if the force does
+  std::vector<double> envelope{};   // largest magnitudes over time
 };
 
 /// A channel of a record, as info describes it.

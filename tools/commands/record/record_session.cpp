@@ -140,8 +140,8 @@ int list_devices() {
   return line.run(static_cast<int>(kWords.size()), kWords.data());
 }
 
-// An earlier session that was overwritten, as --force demands.
-void state_overwritten(const UnfinishedSession& earlier, const RecordFlags& flags) {
+// Says that --force overwrote an unfinished session with blows.
+void note_overwritten_session(const UnfinishedSession& earlier, const RecordFlags& flags) {
   if (earlier.journal.empty() || earlier.blows == 0U) return;
   print_note({}, {fmt::format("the unfinished session of {} is overwritten; lost: {}", one_line(flags.output),
                               earlier.content()),
@@ -185,7 +185,7 @@ Outcome record_file(const RecordFlags& flags, const Interrupted& interrupted, co
   auto& stream = recording.stream;
   const bool resumed = interrupted.journal != nullptr;
   if (!resumed) stream->append_event(settings_json(flags));  // at once: a kill may follow
-  state_overwritten(earlier, flags);
+  note_overwritten_session(earlier, flags);
   const acquire::StreamFormat format = stream->format();
   const SessionSignals signals;
   RecordTerminal terminal(STDIN_FILENO, flags.json ? STDERR_FILENO : STDOUT_FILENO, flags.quiet);

@@ -28,7 +28,7 @@ CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content) {
     throw InputError("commas separate the cells and mark decimals", file,
                      "save it with semicolons or tabs between the cells, or with decimal points");
   }
-  const std::string grouped = with_thousands_separators(text, probes, layout.dialect);
+  const std::string grouped = cell_with_thousands_separators(text, probes, layout.dialect);
   if (!grouped.empty()) {
     throw InputError(fmt::format("numbers hold thousands separators (\"{}\")", one_line(to_utf8(grouped), 40)), file,
                      "save it without them");

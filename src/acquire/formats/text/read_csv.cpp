@@ -127,7 +127,7 @@ bool shows_hammer(const std::vector<CsvColumn>& columns,
     }
   }
   std::sort(shares.begin(), shares.end());
-  return shares.size() > 1 && kMaxMeasureRatio * shares[0] < shares[1];
+  return shares.size() > 1 && kMaxDissimilarityRatio * shares[0] < shares[1];
 }
 
 // The sampling rate of times in ms, if they are no plausible times in s; otherwise 0. Numbers that rise by one count

@@ -1,4 +1,4 @@
-#include "identify/fit/frequency_bins.hpp"
+#include "identify/fit/line_groups.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,14 +6,14 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kCore = 2;      // half-power bandwidths on either side of a pole; bins there are narrow
-constexpr double kGrowth = 0.1;  // lines of a bin per line of distance from the narrow bins
+constexpr double kCore = 2;      // half-power bandwidths on either side of a pole; groups there are narrow
+constexpr double kGrowth = 0.1;  // lines of a group per line of distance from the narrow groups
 constexpr double kMaxLinesPerBin = 64;
 constexpr double kMinCore = 4;  // lines
 
 }  // namespace
 
-FrequencyBins::FrequencyBins(const acquire::LineRange& lines, const std::vector<Pole>& poles, double core_share) {
+LineGroups::LineGroups(const acquire::LineRange& lines, const std::vector<Pole>& poles, double core_share) {
   std::vector<double> widest(lines.count, kMaxLinesPerBin);
   for (const Pole& pole : poles) {
     const double at = lines.position(pole.freq_Hz);
@@ -26,7 +26,7 @@ FrequencyBins::FrequencyBins(const acquire::LineRange& lines, const std::vector<
   while (begin_.back() < lines.count) {
     const std::size_t from = begin_.back();
     std::size_t to = from + 1;
-    // The narrowest width that a line of the bin demands.
+    // The narrowest width that a line of the group demands.
     double allowed = widest[from];
     while (to < lines.count && static_cast<double>(to + 1 - from) <= std::min(allowed, widest[to])) {
       allowed = std::min(allowed, widest[to]);
@@ -37,15 +37,15 @@ FrequencyBins::FrequencyBins(const acquire::LineRange& lines, const std::vector<
   }
 }
 
-std::vector<std::size_t> FrequencyBins::middles() const {
+std::vector<std::size_t> LineGroups::middles() const {
   std::vector<std::size_t> lines;
   for (std::size_t b = 0; b + 1 < begin_.size(); ++b) lines.push_back((begin_[b] + begin_[b + 1] - 1) / 2);
   return lines;
 }
 
-void FrequencyBins::sum(const Eigen::VectorXcd& z, const Eigen::VectorXd& w, Eigen::Ref<Eigen::VectorXd> column) const {
-  const Eigen::Index bins = count();
-  for (Eigen::Index b = 0; b < bins; ++b) {
+void LineGroups::sum(const Eigen::VectorXcd& z, const Eigen::VectorXd& w, Eigen::Ref<Eigen::VectorXd> column) const {
+  const Eigen::Index groups = count();
+  for (Eigen::Index b = 0; b < groups; ++b) {
     const auto at = static_cast<std::size_t>(b);
     double re = 0;
     double im = 0;
@@ -54,7 +54,7 @@ void FrequencyBins::sum(const Eigen::VectorXcd& z, const Eigen::VectorXd& w, Eig
       im += w(k) * z(k).imag();
     }
     column(b) = re * scale_[at];
-    column(bins + b) = im * scale_[at];
+    column(groups + b) = im * scale_[at];
   }
 }
 
