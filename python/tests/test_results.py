@@ -304,7 +304,7 @@ def test_each_of_several_decays_is_a_result_of_its_own():
 
 
 def held_beam(seed):
-    """Five hits on a held beam whose accelerometer has a hundredth of noise."""
+    """Five hits on a held beam. The accelerometer's noise is 1 % of the RMS of its signal."""
     modes = [(30, 0.5), (180, 0.6), (500, 0.5)]
     return percuss.synth({
         "schema": "percuss/synth/1", "name": "held", "fs_hz": 8192, "duration_s": 2, "seed": seed, "hits": 5,

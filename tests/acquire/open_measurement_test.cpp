@@ -85,7 +85,7 @@ TEST_F(OpenRecord, NamesStandardInputInErrors) {
   EXPECT_THAT(input_error_of([] { open_record("-"); }), HasSubstr("(standard input"));
 }
 
-TEST_F(OpenRecord, ReadsForeignFormatsFromStandardInput) {
+TEST_F(OpenRecord, ReadsBinaryFormatsFromStandardInput) {
   write_hdf5(folder_.file("r.h5"), record_in_memory(100, {{1, 2, 3}}, {{{4, 5, 6}}}), false);
   const StandardInput input(folder_.file("r.h5"));
   const Record record = open_record("-");
@@ -127,7 +127,7 @@ TEST_F(OpenRecord, ReportsMissingPermission) {
   }
 }
 
-TEST_F(OpenRecord, ReadsNothingOfAHugeFileOfZeros) {
+TEST_F(OpenRecord, RefusesAHugeFileOfZerosByItsFirstBytes) {
   const std::string path = file_with("x");
   ASSERT_EQ(truncate(path.c_str(), off_t{1} << 36), 0);
   EXPECT_THAT(input_error_of([&] { open_record(path); }), HasSubstr("neither text"));

@@ -110,7 +110,7 @@ TEST_F(CalibrateCommand, RefusesARecordInNewtons) {
 }
 
 // The scale belongs to the stored numbers: the same hits in V and in mV, and the peak that analyze finds with it.
-TEST_F(CalibrateCommand, CountsTheStoredUnit) {
+TEST_F(CalibrateCommand, StatesTheScalePerUnitOfTheStoredNumbers) {
   constexpr double kNewtonPerVolt = 432.9, kPeak_N = 40;
   for (const auto& [unit, volts] : {std::pair{"V", 1.0}, std::pair{"mV", 1e-3}}) {
     std::string text = fmt::format("t (s),hammer ({}),acc (m/s^2)\n", unit);

@@ -24,8 +24,6 @@ TEST(ExponentialWindow, WithoutDecayLeavesTheSamplesAlone) {
   const auto before = x;
   apply_exponential(x, 0, 1000, 7);
   EXPECT_EQ(x, before);
-  x[0] = 9;
-  EXPECT_NE(x, before);
 }
 
 TEST(ExponentialWindow, AppliedTwiceAddsItsDecays) {

@@ -50,7 +50,7 @@ TEST_F(HostileInput, RejectsFolders) { expect_every_command_rejects(folder_.path
 TEST_F(HostileInput, RejectsDevicesAndPipesWithoutWaiting) {
   ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0666), 0);
   for (const std::string& path : {file("pipe"), std::string("/dev/zero"), std::string("/dev/null")})
-    expect_every_command_rejects(path, path, {.limit = std::chrono::seconds(20)});
+    expect_every_command_rejects(path, path, {.time_limit = std::chrono::seconds(20)});
 }
 
 TEST_F(HostileInput, RejectsUnreadableFiles) {
@@ -125,7 +125,7 @@ TEST_F(HostileInput, RejectsBadStandardInput) {
   for (const char* name : {"empty", "garbage", "cut.h5"})
     expect_every_command_rejects("-", "standard input", {.input = file(name)});
   expect_every_command_rejects("-", "standard input", {.input = "/dev/null"});
-  expect_every_command_rejects("-", "standard input", {.input = "/dev/zero", .limit = std::chrono::seconds(20)});
+  expect_every_command_rejects("-", "standard input", {.input = "/dev/zero", .time_limit = std::chrono::seconds(20)});
   expect_every_command_rejects("-", "standard input", {.input = folder_.path()});
 }
 
@@ -137,7 +137,8 @@ TEST_F(HostileInput, RejectsABadChannelSetUp) {
   test::write_bytes(file("other"), R"({"name": "CH1"})");
   for (const std::string& setup : {file("none"), file("pipe"), file("garbage"), file("deep"), file("other"),
                                    folder_.path(), std::string("/dev/zero")})
-    rejection_of({"analyze", file("bat.h5"), "--setup", setup}, {".json"}, setup, {.limit = std::chrono::seconds(20)});
+    rejection_of({"analyze", file("bat.h5"), "--setup", setup}, {".json"}, setup,
+                 {.time_limit = std::chrono::seconds(20)});
 }
 
 TEST_F(HostileInput, RejectsOutputsThatCannotBeWritten) {

@@ -16,7 +16,7 @@ using test::rejection_of;
 class HostileSpec : public testing::Test {
  protected:
   static void expect_refusal(const std::string& spec, const std::string& named,
-                             const test::ProcessOptions& options = {.limit = std::chrono::seconds(20)}) {
+                             const test::ProcessOptions& options = {.time_limit = std::chrono::seconds(20)}) {
     rejection_of({"synth", spec}, {".h5", ".csv"}, named, options);
   }
   void expect_refusal_of_text(const std::string& text) {
@@ -36,7 +36,7 @@ TEST_F(HostileSpec, IsRejectedWhenItIsNotAFile) {
   ASSERT_EQ(::mkfifo(folder_.file("pipe").c_str(), 0666), 0);
   expect_refusal(folder_.file("pipe"), folder_.file("pipe"));
   expect_refusal("-", "standard input");
-  expect_refusal("-", "standard input", {.input = "/dev/zero", .limit = std::chrono::seconds(20)});
+  expect_refusal("-", "standard input", {.input = "/dev/zero", .time_limit = std::chrono::seconds(20)});
 }
 
 TEST_F(HostileSpec, IsRejectedWhenItIsUnreadable) {

@@ -67,7 +67,7 @@ TEST_F(HostileTruncation, SurvivesATextCutAnywhere) {
     const std::size_t cut = i < 20 ? static_cast<std::size_t>(i) * 3 : random() % bytes.size();
     SCOPED_TRACE(cut);
     test::write_bytes(csv_, bytes.substr(0, cut));
-    const auto outcome = run_percuss({"analyze", csv_, "--json"}, {.limit = std::chrono::seconds(20)});
+    const auto outcome = run_percuss({"analyze", csv_, "--json"}, {.time_limit = std::chrono::seconds(20)});
     EXPECT_EQ(outcome.signal, 0);
     EXPECT_THAT(outcome.code, AnyOf(0, 3, 4)) << outcome.err;
     if (outcome.code == 3) {
@@ -89,7 +89,7 @@ TEST_F(HostileTruncation, SurvivesSingleBytesDamagedInHdf5) {
     damaged[at] = static_cast<char>(random() & 0xFFU);
     SCOPED_TRACE(at);
     test::write_bytes(hdf5_, damaged);
-    const auto outcome = run_percuss({"analyze", hdf5_, "--json"}, {.limit = std::chrono::seconds(20)});
+    const auto outcome = run_percuss({"analyze", hdf5_, "--json"}, {.time_limit = std::chrono::seconds(20)});
     EXPECT_EQ(outcome.signal, 0);
     EXPECT_THAT(outcome.code, AnyOf(0, 3, 4)) << outcome.err;
     if (outcome.code == 3) {
@@ -127,7 +127,7 @@ TEST_F(HostileTruncation, TakesNoMemoryForTheSizeThatATextClaims) {
       "ID No.,PCD-400A,\nSampling Rate(Hz),1000,\nData Nos/CH,1300000000000,\nCH No.,hammer_N,acc\nUnit,N,m/s2\n";
   for (int i = 0; i < 400; ++i) text += std::to_string(i / 1000.0) + (i >= 100 && i < 104 ? ",50,8\n" : ",0.01,0.1\n");
   test::write_bytes(csv_, text);
-  const auto outcome = run_percuss({"info", csv_}, {.limit = std::chrono::seconds(20)});
+  const auto outcome = run_percuss({"info", csv_}, {.time_limit = std::chrono::seconds(20)});
   EXPECT_THAT(outcome.code, AnyOf(0, 3)) << outcome.err;
   EXPECT_LT(outcome.peak_bytes, std::size_t{1} << 30U);
 }

@@ -207,7 +207,7 @@ TEST_F(MatLinks, ToPipesAreNotFollowed) {
   for (const std::vector<std::string>& trust : {std::vector<std::string>{}, {"--trust-input"}}) {
     std::vector<std::string> arguments{"info", path_};
     arguments.insert(arguments.end(), trust.begin(), trust.end());
-    const auto run = test::run_percuss(arguments, {.limit = std::chrono::seconds(30)});
+    const auto run = test::run_percuss(arguments, {.time_limit = std::chrono::seconds(30)});
     EXPECT_FALSE(run.timed_out);
     EXPECT_EQ(run.code, 3);
     EXPECT_THAT(run.err, HasSubstr("link to another file"));

@@ -29,6 +29,7 @@ constexpr double kMaxTime_s = 100;
 constexpr bool kLimitsMemory = true;
 constexpr double kMaxTime_s = 5;  // the limit is 2 s
 #endif
+// The limit of a small file is 256 MiB, in addition to the memory of the process before it reads.
 constexpr std::size_t kMaxMemory_bytes = 450'000'000;
 
 class ReaderLimits : public testing::TestWithParam<const char*> {};

@@ -26,7 +26,7 @@ ImpactTest deflect_with(std::optional<double> pretrigger_s) {
 TEST(ImpactTest, TakesTheBiasFromALongRest) {
   const ImpactTest test = deflect_with({});
   ASSERT_FALSE(test.hits.empty());
-  EXPECT_NEAR(test.hits[0].first_s, 0.4, 5e-3);  // the gate begins some ms before the onset
+  EXPECT_NEAR(test.hits[0].first_s, 0.4, 5e-3);  // 0.1 s of rest before the gate, which begins some ms before 0.5 s
   EXPECT_LT(test.hits[0].deflection.drift_m, deflect_with(0.01).hits.at(0).deflection.drift_m / 20);
 }
 

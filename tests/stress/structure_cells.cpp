@@ -49,7 +49,7 @@ std::vector<Cell> nodes() {
   one.spec.noise.accel = 1e-3;
   Cell both = one;
   both.name = "both sensors on nodes of a mode";
-  both.expected.text = "the other mode within 5σ, nothing else (no signal contains it)";
+  both.expected.text = "the other mode within 5σ, nothing else (no signal contains the mode on the nodes)";
   both.spec.modes[1].residue_per_kg = {0, 0};
   Cell near = one;
   near.name = "both sensors near nodes, 1e-4 of the antinode";
@@ -58,8 +58,9 @@ std::vector<Cell> nodes() {
   return {std::move(one), std::move(both), std::move(near)};
 }
 
-// No mode in the band: the rigid-body accelerance, and the flanks of modes below and above the band.
-std::vector<Cell> empty_bands() {
+// The rigid-body accelerance alone; with the flanks of modes below and above the band; the same with a weak mode in the
+// band.
+std::vector<Cell> bands_with_few_modes() {
   std::vector<Cell> cells;
   for (const double snr_dB : {20.0, 60.0, 0.0}) {
     const std::string noise = snr_dB > 0 ? fmt::format("{:g} dB", snr_dB) : "no noise";
@@ -92,7 +93,7 @@ std::vector<Cell> empty_bands() {
 std::vector<Cell> structure_cells() {
   std::vector<Cell> cells = many_modes();
   for (Cell& cell : nodes()) cells.push_back(std::move(cell));
-  for (Cell& cell : empty_bands()) cells.push_back(std::move(cell));
+  for (Cell& cell : bands_with_few_modes()) cells.push_back(std::move(cell));
   return cells;
 }
 

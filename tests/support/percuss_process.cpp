@@ -109,7 +109,7 @@ ProcessOutcome run_percuss(const std::vector<std::string>& arguments, const Proc
   out.close_end(1);
   err.close_end(1);
   ProcessOutcome outcome;
-  outcome.timed_out = !read_both(out, err, outcome, Clock::now() + options.limit);
+  outcome.timed_out = !read_both(out, err, outcome, Clock::now() + options.time_limit);
   if (outcome.timed_out) ::kill(child, SIGKILL);
   int status = 0;
   rusage usage{};

@@ -24,7 +24,7 @@ struct ProcessOptions {
   std::size_t max_address_bytes = 0;       // limit of the address space; 0: the current limit
   std::vector<ProcessLimit> limits{};      // further limits
   std::vector<int> closed{};               // standard streams that are closed: {0, 1}
-  std::chrono::seconds limit{110};         // sanitizers make programs twenty times slower
+  std::chrono::seconds time_limit{110};    // then it is killed; sanitizers make programs twenty times slower
 };
 
 /// The outcome of a run.

@@ -45,7 +45,7 @@ class FileLimit {
   void (*old_signal_)(int);
 };
 
-std::uint64_t read_frames(CaptureStream& stream, std::uint64_t until, std::uint64_t& next) {
+std::uint64_t gaps_until(CaptureStream& stream, std::uint64_t until, std::uint64_t& next) {
   std::uint64_t jumps = 0;
   while (next < until && stream.end() == StreamEnd::none) {
     const auto block = stream.next(100ms);
@@ -75,14 +75,14 @@ TEST(FullDisk, IsSurvivedByTheRing) {
                        {.journal = path, .store = kStore});
   stream.keep_from(0);
   std::uint64_t next = 0;
-  EXPECT_EQ(read_frames(stream, 3 * kSecond, next), 0U);
+  EXPECT_EQ(gaps_until(stream, 3 * kSecond, next), 0U);
   limit.set(stream.state().journal_bytes + 5000);
-  EXPECT_EQ(read_frames(stream, 8 * kSecond, next), 0U);
+  EXPECT_EQ(gaps_until(stream, 8 * kSecond, next), 0U);
   EXPECT_FALSE(stream.state().journal_fault.empty());
   EXPECT_EQ(faults(stream.take_findings()), std::vector{CaptureFault::journal_failed});
   stream.append_event("{\"blow\":3}");
   limit.lift();
-  EXPECT_EQ(read_frames(stream, 99 * kSecond, next), 0U);
+  EXPECT_EQ(gaps_until(stream, 99 * kSecond, next), 0U);
   stream.stop();
   EXPECT_TRUE(stream.state().journal_fault.empty());
   EXPECT_EQ(next, 16 * kSecond);
@@ -105,11 +105,11 @@ TEST(FullDisk, LeavesAStatedHoleInTheJournal) {
                        {.journal = path, .store = kStore});
   stream.keep_from(0);
   std::uint64_t next = 0;
-  EXPECT_EQ(read_frames(stream, 3 * kSecond, next), 0U);
+  EXPECT_EQ(gaps_until(stream, 3 * kSecond, next), 0U);
   limit.set(stream.state().journal_bytes + 5000);
-  EXPECT_EQ(read_frames(stream, 16 * kSecond, next), 0U);
+  EXPECT_EQ(gaps_until(stream, 16 * kSecond, next), 0U);
   limit.lift();
-  EXPECT_EQ(read_frames(stream, 99 * kSecond, next), 0U);
+  EXPECT_EQ(gaps_until(stream, 99 * kSecond, next), 0U);
   stream.stop();
   EXPECT_EQ(next, 22 * kSecond);
   EXPECT_EQ(stream.state().dropped_frames, 0U);

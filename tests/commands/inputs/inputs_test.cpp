@@ -70,7 +70,7 @@ TEST_F(Inputs, AcceptHitsAsRangesAndAll) {
   }
 }
 
-// --band has its meaning in the chosen command only: "batch run" and "convert" have none.
+// Commands with a band read "--band 60 1500" as 60:1500. "convert" has none, so that its error must not suggest it.
 TEST_F(Inputs, TakeTwoNumbersForABandOfTheChosenCommand) {
   test::write_small_test(file("bat.h5"));
   EXPECT_EQ(run_percuss({"analyze", "--band", "60", "1500", file("bat.h5"), "--only", "hits"}).code, 0);

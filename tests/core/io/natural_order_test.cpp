@@ -40,7 +40,7 @@ std::vector<std::string> ordered(const std::vector<std::string>& names) {
 
 using Names = std::vector<std::string>;
 
-TEST(MeantOrder, OrdersWhatAShellsPatternGaveByNumbers) {
+TEST(MeantOrder, SortsTheExpansionOfAShellPatternByNumbers) {
   EXPECT_EQ(ordered({"d/p1.csv", "d/p10.csv", "d/p11.csv", "d/p2.csv"}),
             (Names{"d/p1.csv", "d/p2.csv", "d/p10.csv", "d/p11.csv"}));
   EXPECT_EQ(ordered({"p10.csv", "p1.csv", "p20.csv", "p2.csv"}), (Names{"p1.csv", "p2.csv", "p10.csv", "p20.csv"}))

@@ -61,7 +61,7 @@ TEST(CompanionDecays, AreOneModeWhoseFrequencyFollowsItsAmplitude) {
   EXPECT_NEAR(found.modes[1].mode.pole.freq_Hz, 230, 4 * found.modes[1].mode.freq_std_Hz);
 }
 
-// Two decays of one shape stay two modes, and so do three decays of two shapes.
+// Two decays of one shape stay two modes. Three decays of three shapes stay three modes.
 TEST(CompanionDecays, LeavePairsAndOtherShapes) {
   EXPECT_EQ(found_in({{decay(100, 0.003), kShape}, {decay(101.5, 0.003), kShape}}).modes.size(), 2U);
   const DecayResults three =

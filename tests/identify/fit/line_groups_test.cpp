@@ -10,7 +10,7 @@ namespace percuss::identify::line_groups_test {
 
 const acquire::LineRange kLines{.fs_Hz = 8192, .samples = 16384, .first = 100, .count = 4000};
 
-TEST(LineGroups, KeepTheEnergyOfWhiteNoiseInEveryGroup) {
+TEST(LineGroups, KeepTheMeanPowerOfWhiteNoise) {
   constexpr double kTolerance = 0.1;  // of a variance from a thousand groups: three standard deviations
   const LineGroups groups(kLines, {{400, 0.005}, {1500, 0.002}});
   FrfDataset set = test::empty_set(kLines.fs_Hz, kLines.samples, 50, 2049.5, 1);

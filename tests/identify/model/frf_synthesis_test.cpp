@@ -44,14 +44,14 @@ TEST(SynthesisedFrf, EqualsTheMeasuredFrfForExactModes) {
 }
 
 TEST(SynthesisedFrf, FollowsAModeAboveTheBand) {
-  constexpr double kClose = 1e-12;  // the upper residual terms are the first three of the mode's series
+  constexpr double kClose = 1e-12;  // r_2, r_4 and r_6 are the first three terms of the mode's series
   Case c;
   test::add_mode(c.set, 0, {6000, 0.01}, 2.0);
   EXPECT_LE(1 - synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, kClose);
 }
 
-// The flank of the mode is a quarter of the FRF at the end of the band. Three terms leave 0.6 % of the energy, four
-// 0.12 %.
+// The flank of the mode is a quarter of the FRF at the end of the band. The residual terms r_0, r_2 and r_4 alone
+// leave 0.6 % of the energy, all four 0.12 %.
 TEST(SynthesisedFrf, FollowsTheFlankOfAModeJustAboveTheBand) {
   Case c;
   test::add_mode(c.set, 0, {2150, 0.03}, 2.0);

@@ -72,7 +72,7 @@ TEST(GainErrors, AgreeWithTheStandardDeviationOfOneLine) {
   EXPECT_LE(std::abs(whole / (2 * one * one) - 1), 1e-9);
 }
 
-// gated_hit() with a gate that ends four samples beside the pulse.
+// gated_hit() with a short gate: from four samples before the pulse to four samples after it.
 FrfDataset briefly_gated_hit() {
   FrfDataset set = gated_hit();
   frf::ForceBlock block = set.points[0].blocks[0];
@@ -121,6 +121,7 @@ TEST(GainAmplitude, HasTheStandardDeviationOfTheRealPart) {
 TEST(GainAmplitude, HoldsNearlyAllOfTheErrorAtLowFrequencies) {
   const FrfDataset set = briefly_gated_hit();
   const double low_Hz = set.lines.freq_Hz(10);
+  // gain_std() is √½ of the whole error: the factor would be √2 if all of it were real.
   EXPECT_GT(gain_amplitude_std(set, 0, low_Hz), 1.38 * gain_std(set, 0, low_Hz));
 }
 

@@ -76,6 +76,7 @@ TEST(Deflection, IsExactForACleanRecord) {
   const Deflection found = deflection_of(signal_of(test));
   EXPECT_EQ(found.method, DeflectionMethod::drift_free);
   EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), kAliasing * largest(test.deflection_m));
+  // The error of the velocity after the pulse grows with the time: by ωt = 25 in 0.28 s.
   for (std::size_t i = 0; i < test.deflection_m.size(); i += 500)
     EXPECT_NEAR(found.deflection_m[i], test.deflection_m[i], 30 * kAliasing * largest(test.deflection_m)) << i;
 }
@@ -161,7 +162,7 @@ TEST(Deflection, HasNoPeakInNoise) {
     with_peak += std::isnan(found.peak_m) ? 0 : 1;
     EXPECT_EQ(std::isnan(found.peak_m), std::isnan(found.peak_std_m));
   }
-  // A random walk exceeds three standard deviations in one of five records, four in one of two hundred.
+  // A peak must exceed four standard deviations, which a random walk does in one of 200 records.
   EXPECT_LE(with_peak, 3);
 }
 
@@ -213,7 +214,7 @@ TEST(Deflection, FromModesSaysThatItLeavesOutRigidBodyMotion) {
   EXPECT_FALSE(deflection_of(signal, {.method = DeflectionMethod::modal}).rigid_motion_left_out);
 }
 
-// The ± decides which value counts as the largest of a body that moves away: its motion goes on.
+// A body that moves away has no largest deflection. The peak is then the value that exceeds its ± by most.
 TEST(Deflection, SaysThatTheMotionGoesOnAfterTheLargestValue) {
   Impact test = impact(20000, 0.005);
   EXPECT_FALSE(deflection_of(signal_of(impact()), {}).larger_later);
@@ -257,7 +258,8 @@ TEST(Deflection, FromModesCountsMotionThatTheModesDoNotExplain) {
   constexpr double kMissing = 0.1;
   for (double& a : test.accel_mps2) a *= 1 + kMissing;
   const Deflection found = by_exact_modes(test);
-  // The corners of the pulse, whose neighbouring samples differ, are counted in part.
+  // The unexplained share comes from products of neighbouring samples, which differ at the corners of the pulse: it is
+  // a little too small.
   EXPECT_NEAR(found.peak_std_m / std::abs(found.peak_m), kMissing, 0.05 * kMissing);
 }
 
@@ -307,7 +309,7 @@ TEST(Deflection, IsRightInTheFrequencyDomainForARecordThatComesToRest) {
   EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 0.03 * largest(test.deflection_m));
 }
 
-TEST(MotionOnset, IsWhereTheNoiseEnds) {
+TEST(MotionOnset, IsWhereTheMotionBegins) {
   const Impact test = impact();
   EXPECT_NEAR(motion_onset_s(test.accel_mps2, test.fs_Hz), test.onset_s, 5 / test.fs_Hz);
 }
@@ -354,8 +356,8 @@ TEST(BaselineEstimate, StatesTheScatterOfColouredNoise) {
     squares += rest.bias(0) * rest.bias(0) / rest.covariance(0, 0);
     white_noise += baseline_estimate(white, kFs_Hz, 1).noise_mps2 / kSeeds;
   }
-  EXPECT_GT(std::sqrt(squares / kSeeds), 0.4);  // a factor of 16 if the noise is taken for white
-  EXPECT_LT(std::sqrt(squares / kSeeds), 1.6);
+  EXPECT_GT(std::sqrt(squares / kSeeds), 0.4);
+  EXPECT_LT(std::sqrt(squares / kSeeds), 1.6);  // it would be 16 if the noise were taken for white
   EXPECT_NEAR(white_noise, 1, 0.01);
 }
 

@@ -23,7 +23,7 @@ const StudyStatement& statement_of(const Study& study, StudyFamily family, Study
 
 TEST(Study, FindsKnownRelations) {
   using enum StudyQuantity;
-  int false_relations = 0, all = 0;
+  int false_relations = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Study study = study_of(synth::synthetic_population({.seed = seed}));
     for (const StudyQuantity y : {besr, bbs, bbcor}) {
@@ -34,10 +34,8 @@ TEST(Study, FindsKnownRelations) {
     EXPECT_EQ(statement_of(study, StudyFamily::wood, besr, moi).verdict, StatementVerdict::supported);
     const auto& unrelated = statement_of(study, StudyFamily::wood, bbcor, moi);
     false_relations += unrelated.association->spearman.low > 0 || unrelated.association->spearman.high < 0 ? 1 : 0;
-    ++all;
   }
   EXPECT_LE(false_relations, 4);  // 5 % of 20 by chance: more than 4 once in 400 times
-  EXPECT_EQ(all, 20);
 }
 
 // The correlation of a hollow bat's BBCOR with its hoop frequency follows from gain g, range and noise σ:
@@ -163,7 +161,8 @@ TEST(StudyGroups, DescribeMaterialsAndKinds) {
   EXPECT_EQ(groups[3].quantities[0].mean, 1550);
 }
 
-TEST(Study, MakesEveryFigureOfTheSource) {
+// Figures 13 to 66 and B1 to B5 of [8] in docs/theory/sources.md, except 52 to 54: those show a model of the collision.
+TEST(Study, MakesTheFiguresOfTheSource) {
   const Study study = study_of(synth::synthetic_population());
   std::vector<std::string> sources;
   for (const StudyFigure& figure : study.figures) {

@@ -16,9 +16,9 @@ namespace percuss::model::beam_structure_test {
 
 using std::numbers::pi;
 
-// Above the error of the elements at the fourth mode. kFine has at least 160 elements; with 84, the error is 2e-6 at
-// the sixth mode (bat_modes_test.cpp).
-constexpr double kElements = 1e-6;
+// The relative tolerance of a frequency, above the error of the elements at the fourth mode. kFine has at least 160
+// elements; with 84, the error is 2e-6 at the sixth mode (bat_modes_test.cpp).
+constexpr double kElementError = 1e-6;
 constexpr BatModesOptions kFine{.modes = 6, .max_element_fraction = 1.0 / 160};
 
 BeamStructure rectangle(double length_m, double width_m, double thickness_m) {
@@ -28,9 +28,9 @@ BeamStructure rectangle(double length_m, double width_m, double thickness_m) {
           .slender = true};
 }
 
-// Whether `equation` in the frequency changes its sign within ± kElements of f: f is a root of it.
+// Whether `equation` in the frequency changes its sign within ± kElementError of f: f is a root of it.
 void expect_root(double f_Hz, const std::function<double(double)>& equation, const char* what) {
-  EXPECT_NE(std::signbit(equation(f_Hz * (1 - kElements))), std::signbit(equation(f_Hz * (1 + kElements))))
+  EXPECT_NE(std::signbit(equation(f_Hz * (1 - kElementError))), std::signbit(equation(f_Hz * (1 + kElementError))))
       << what << " " << f_Hz;
 }
 
@@ -73,14 +73,15 @@ class Tapered {
 };
 
 // Points along a beam from its thick end, 0.5 m from the virtual tip, to a distance of 0.1 m from the tip.
-constexpr double kThick_m = 0.5, kThin_m = 0.1, kHeight = 0.08;  // thickness or diameter per distance from the tip
+constexpr double kThickEnd_m = 0.5, kThinEnd_m = 0.1;  // from the tip to which the taper points
+constexpr double kTaper = 0.08;                        // thickness or diameter per distance from the tip
 
 BeamStructure tapered(bool round) {
   BeamStructure beam{.table = {.kind = ProfileKind::points, .round = round}, .material = {}, .slender = true};
-  for (const double x : {kThick_m, 0.37, kThin_m}) {
-    beam.table.stations.push_back({.at_m = kThick_m - x,
-                                   .width_m = round ? kHeight * x : 0.05,
-                                   .layers = {round ? SectionLayer{} : SectionLayer{.thickness_m = kHeight * x}}});
+  for (const double x : {kThickEnd_m, 0.37, kThinEnd_m}) {
+    beam.table.stations.push_back({.at_m = kThickEnd_m - x,
+                                   .width_m = round ? kTaper * x : 0.05,
+                                   .layers = {round ? SectionLayer{} : SectionLayer{.thickness_m = kTaper * x}}});
   }
   return beam;
 }
@@ -90,8 +91,9 @@ TEST(BeamStructure, MatchesBesselFunctionsForAWedgeAndACone) {
     BeamStructure beam = tapered(round);
     const Material material;
     // I/A = h²/12 of a rectangle, d²/16 of a circle.
-    const double gyration2 = kHeight * kHeight / (round ? 16 : 12);
-    const Tapered exact(round ? 2 : 1, kThin_m, kThick_m, material.density_kgpm3 / (material.young_Pa * gyration2));
+    const double gyration2 = kTaper * kTaper / (round ? 16 : 12);
+    const Tapered exact(round ? 2 : 1, kThinEnd_m, kThickEnd_m,
+                        material.density_kgpm3 / (material.young_Pa * gyration2));
     const BatModes free = bat_modes(beam, kFine);
     beam.support = {.kind = BeamSupport::clamped, .at_m = 0};
     const BatModes held = bat_modes(beam, kFine);
@@ -145,7 +147,7 @@ TEST(BeamStructure, MatchesTheExactTubeAndLaminate) {
     const BatModes modes = bat_modes(beam, kFine);
     for (Eigen::Index i = 0; i < 4; ++i) {
       const double exact_Hz = exact[static_cast<std::size_t>(i) + 2].freq_Hz();
-      EXPECT_NEAR(modes.freq_Hz[i], exact_Hz, kElements * exact_Hz) << i;
+      EXPECT_NEAR(modes.freq_Hz[i], exact_Hz, kElementError * exact_Hz) << i;
     }
   }
 }
@@ -194,7 +196,7 @@ TEST(BeamStructure, MatchesTheUniformBeamOnEachSupport) {
     for (std::size_t i = 0; i < 4; ++i) {
       const auto at = static_cast<Eigen::Index>(i);
       const BeamMode& mode = exact[rigid + i];
-      EXPECT_NEAR(modes.freq_Hz[at], mode.freq_Hz(), kElements * mode.freq_Hz()) << i;
+      EXPECT_NEAR(modes.freq_Hz[at], mode.freq_Hz(), kElementError * mode.freq_Hz()) << i;
       const double tip = modes.deflection(0.57)[at];
       EXPECT_NEAR(tip * tip, 1 / (section.mass_kgpm * mode.norm_m), 1e-5 * tip * tip) << i;
       const auto nodes = nodes_of(modes, i), exact_nodes = beam_nodes_m(mode);
@@ -223,7 +225,7 @@ TEST(BeamStructure, IsTwoCantileversAroundAClamp) {
   std::sort(exact_Hz.begin(), exact_Hz.end());
   const BatModes modes = bat_modes(beam, kFine);
   for (Eigen::Index i = 0; i < 4; ++i)
-    EXPECT_NEAR(modes.freq_Hz[i], exact_Hz[static_cast<std::size_t>(i)], kElements * modes.freq_Hz[i]) << i;
+    EXPECT_NEAR(modes.freq_Hz[i], exact_Hz[static_cast<std::size_t>(i)], kElementError * modes.freq_Hz[i]) << i;
   EXPECT_EQ(nodes_of(modes, 0).size(), 0U);
 }
 
@@ -252,7 +254,7 @@ TEST(BeamStructure, AgreesWithIntegratedEquationsOnEachSupport) {
   for (const auto& [kind, exact_Hz] : reference) {
     const BatModes modes = bat_modes(hollow_bat(kind), kFine);
     for (std::size_t i = 0; i < exact_Hz.size(); ++i) {
-      EXPECT_NEAR(modes.freq_Hz[static_cast<Eigen::Index>(i)], exact_Hz[i], 2 * kElements * exact_Hz[i])
+      EXPECT_NEAR(modes.freq_Hz[static_cast<Eigen::Index>(i)], exact_Hz[i], 2 * kElementError * exact_Hz[i])
           << static_cast<int>(kind) << " " << i;
     }
   }

@@ -36,9 +36,10 @@ Impact with_mass(double mass_per_length_kgpm) {
 
 // Reference: ten modes of 114 cubic finite elements (scipy.linalg.eigh). scipy's DOP853 (relative 3e-13, steps of 2 µs)
 // integrates the contact and locates its end as an event. Deflection and gap afterwards are evaluated at 400 001
-// points. The relative error of the elements' frequencies is about 1e-5, which sets the tolerances.
+// points. The relative error of the elements' frequencies is about 1e-5 at the tenth mode and far less at
+// the lower ones: the values of the contact agree to 1e-6, those of the free motion after it to 1e-4.
 struct Reference {
-  double mass_per_length_kgpm, cor, contact_s, peak_force_N, peak_m, peak_s, recontact_s;
+  double mass_per_length_kgpm, cor, contact_s, peak_force_N, forward_m, forward_s, recontact_s;
 };
 const std::vector<Reference> kFiniteElements{
     {2.24, 0.46994950, 0.00260235413, 846.72198, 0.02469684, 0.0176460, 0},
@@ -52,8 +53,8 @@ TEST(BeamImpact, AgreesWithFiniteElementsAndRungeKutta) {
     EXPECT_NEAR(r.cor, reference.cor, 5e-7) << reference.mass_per_length_kgpm;
     EXPECT_NEAR(r.contact_s, reference.contact_s, 2e-9);
     EXPECT_NEAR(r.peak_force_N, reference.peak_force_N, 1e-3);
-    EXPECT_NEAR(r.forward_deflection_m, reference.peak_m, 2e-6);
-    EXPECT_NEAR(r.forward_deflection_time_s, reference.peak_s, 1e-6);
+    EXPECT_NEAR(r.forward_deflection_m, reference.forward_m, 2e-6);
+    EXPECT_NEAR(r.forward_deflection_time_s, reference.forward_s, 1e-6);
     ASSERT_EQ(r.recontact_s.has_value(), reference.recontact_s > 0);
     if (r.recontact_s) {
       EXPECT_NEAR(*r.recontact_s, reference.recontact_s, 2e-6);

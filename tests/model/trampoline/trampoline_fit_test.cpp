@@ -119,9 +119,9 @@ TEST(TrampolineFit, SaysThatThePairIsNotDetermined) {
 // Where the model is linear within the standard deviations, the pairs with chi2 + 1 span ± one standard deviation.
 TEST(TrampolineFit, HasAContourThatSpansTheStandardDeviations) {
   const ExponentFit fit = fit_exponents(baseball_on_barrel(), with_std(exact(), 2e-5));
-  constexpr double kSteps = 0.03;  // eight steps over half the contour miss its extremes by up to 2 %
-  EXPECT_NEAR((fit.a_interval.high - fit.a_interval.low) / (2 * fit.stiffness_exponent_std), 1, kSteps);
-  EXPECT_NEAR((fit.b_interval.high - fit.b_interval.low) / (2 * fit.damping_exponent_std), 1, kSteps);
+  constexpr double kStepError = 0.03;  // eight steps over half the contour miss its extremes by up to 2 %
+  EXPECT_NEAR((fit.a_interval.high - fit.a_interval.low) / (2 * fit.stiffness_exponent_std), 1, kStepError);
+  EXPECT_NEAR((fit.b_interval.high - fit.b_interval.low) / (2 * fit.damping_exponent_std), 1, kStepError);
   const auto measured = with_std(exact(), 2e-5);
   const CcorMisfit misfit(baseball_on_barrel(), measured);
   for (const Exponents& e : fit.contour) EXPECT_NEAR(misfit.chi2(e) - fit.chi2, 1, 0.05) << e.transpose();

@@ -56,6 +56,7 @@ TEST(SoftTip, ThatBeginsBeforeTheSamplesIsNoSilentChannel) {
   options.pretrigger_s = 0.004;
   Bench bench(floor_at(12800, 0.02), std::move(options));
   bench.play_all();
+  ASSERT_FALSE(bench.witness.blows.empty());
   for (const auto& blow : bench.witness.blows)
     EXPECT_EQ(blow.grade.reason, "the samples begin within the pulse") << blow.grade.remedy;
 }

@@ -171,7 +171,8 @@ TEST(ResponseTest, TakesAMovingFrequencyForOneMode) {
   const ResponseTest test = analyse_responses(test::response_record(kFs_Hz, {{x}}, 0, true), {});
   ASSERT_EQ(test.found.modes.size(), 1U);
   const identify::Mode& mode = test.found.modes[0].mode;
-  // The part of the noise comes from the residual, which is nearly all misfit here.
+  // The part of the noise is estimated from the residual, which is nearly all misfit here: it is too large, and the
+  // part of the misfit is of the same size.
   EXPECT_GT(mode.freq_std_parts_Hz.misfit, 0.5 * mode.freq_std_parts_Hz.noise);
   // In the range of the frequency, or as near to it as its own ± says: rounding decides which of two fits is kept.
   constexpr double kMiddle_Hz = kFreq_Hz * (1 + kRise / 2), kHalf_Hz = kFreq_Hz * kRise / 2;

@@ -36,7 +36,7 @@ Handle compound(const Complexes& of, hid_t number) {
   return type;
 }
 
-// Adds FRFs with the value k + (k + 1) j at element k in C order.
+// Adds FRFs. Element k in C order has the value k + (k + 1) j, both numbers modulo 100.
 void add_frf(hid_t file, const std::vector<hsize_t>& shape, const Complexes& of = {}) {
   std::size_t count = 1;
   for (const hsize_t size : shape) count *= size;

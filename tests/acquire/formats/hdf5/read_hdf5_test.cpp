@@ -107,7 +107,7 @@ TEST_F(Hdf5Read, AcceptsEveryNumberTypeAndStorage) {
   }
 }
 
-TEST_F(Hdf5Read, KeepsAChunkThatHoldsTheWholeRecord) {
+TEST_F(Hdf5Read, ReadsAChunkThatHoldsTheWholeRecord) {
   constexpr hsize_t kSamples = 40'000;  // the chunk exceeds the library's own cache
   Hdf5Builder(path_)
       .numbers("", "fs", {1000})

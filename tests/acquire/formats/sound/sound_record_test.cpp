@@ -35,8 +35,9 @@ std::string number(std::uint64_t value, std::size_t bytes, bool big = false) {
 struct Wav {
   std::uint64_t kind = 1, channels = 2, rate_Hz = 1000, bits = 16;  // kind 1: integers, 3: floating point
   bool big = false;
-  std::string before = {};                    // chunks before the samples
-  std::optional<std::uint64_t> claimed = {};  // length of the samples
+  std::string before = {};  // chunks before the samples
+  std::optional<std::uint64_t> claimed_bytes =
+      {};  // length of the samples that the header states; empty: the true length
 };
 
 /// The bytes of a WAV file with the header `w` and these samples.
@@ -46,7 +47,7 @@ std::string wav(const Wav& w, const std::string& samples) {
   const std::string format =
       n(w.kind, 2) + n(w.channels, 2) + n(w.rate_Hz, 4) + n(w.rate_Hz * frame, 4) + n(frame, 2) + n(w.bits, 2);
   const std::string body = "WAVEfmt " + n(format.size(), 4) + format + w.before + "data" +
-                           n(w.claimed.value_or(samples.size()), 4) + samples;
+                           n(w.claimed_bytes.value_or(samples.size()), 4) + samples;
   return (w.big ? "RIFX" : "RIFF") + n(body.size(), 4) + body;
 }
 
@@ -161,7 +162,7 @@ TEST_F(SoundRecord, IsAmbiguousWithoutAForceChannel) {
 
 TEST_F(SoundRecord, ReadsATruncatedRecordingUpToItsEnd) {
   const std::string samples = integers({0, 0, 1 << 14, 1 << 14}, 2);
-  EXPECT_THAT(force_N(opened(wav({.claimed = 4000}, samples), kHammerOnOne)), ElementsAre(0, 0.5));
+  EXPECT_THAT(force_N(opened(wav({.claimed_bytes = 4000}, samples), kHammerOnOne)), ElementsAre(0, 0.5));
   const std::string chunk = calibration_chunk(
       R"({"signals": [{"name": "f", "measures": "force", "si_at_full_scale": 1}, {"si_at_full_scale": 1}],)"
       R"( "rows": [{"samples": 2}, {"samples": 2}]})");

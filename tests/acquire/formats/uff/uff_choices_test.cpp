@@ -101,7 +101,8 @@ TEST(UffChoices, RefuseTimeStepsThatAreNotPositive) {
   }
 }
 
-TEST(UffChoices, KeepAStepOfTooFewDigits) {
+// A step of six digits is replaced by the roundest rate that it may stand for. One digit allows too many rates.
+TEST(UffChoices, DoNotRoundTheRateOfAStepOfOneDigit) {
   UffText force = kForce, accel = kAccel;
   force.dx = accel.dx = "       3.E-04";
   EXPECT_EQ(opened(function_text(force, 1) + function_text(accel, 3)).fs_Hz, 1 / 3e-4);
