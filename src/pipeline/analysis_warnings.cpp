@@ -48,6 +48,7 @@ std::vector<Warning> Analysis::warnings() const {
       add(refused_start_warnings(identify::refused_starts(fitted_frfs(), options_.modes)));
     if (!user_chose_modes) add(unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));
     add(unmodelled_pole_warnings(unmodelled_poles(), band_Hz()));
+    if (!options_.band_Hz && !user_chose_modes) add(below_band_warnings(margin_modes_, band_Hz()));
     add(crowd_warnings(modes(), band_Hz()));
   }
   if (classifications_.ready()) {

@@ -17,6 +17,8 @@ constexpr double kMinJointResidual = 0.01;    // relative: below, the model's ow
 constexpr double kWorthNaming = 10;           // residual energy of the joint fit over the local fit's
 constexpr std::size_t kMaxListedEntries = 8;  // modes, peaks or poles in one warning
 constexpr double kMaxSplitBandwidths = 5;     // separation of two peaks that asymmetry or damage splits
+constexpr double kClearDamping = 0.1;         // of damping and bandwidth: the ± of a clear mode below the band
+constexpr double kMaxDampingBelow = 0.1;      // drift and the baseline make broader ones
 
 const char* separator(const std::string& list) { return list.empty() ? "" : ", "; }
 
@@ -118,6 +120,25 @@ std::vector<Warning> unmodelled_pole_warnings(std::vector<identify::Pole> poles,
                            list + ". Modes may be missing there, and their neighbours may be off by more than their ±",
                        {"band", "start"}},
                       "analyse a narrower band around them, or state a starting frequency for each mode")};
+}
+
+std::vector<Warning> below_band_warnings(std::vector<identify::Mode> below, std::pair<double, double> band_Hz) {
+  std::erase_if(below, [](const identify::Mode& mode) {
+    const bool clear = mode.damping_std < kClearDamping * mode.pole.damping_ratio &&
+                       mode.freq_std_Hz < kClearDamping * mode.pole.half_power_Hz();
+    return !clear || mode.pole.damping_ratio > kMaxDampingBelow;
+  });
+  if (below.empty()) return {};
+  std::string list;
+  for (std::size_t m = 0; m < std::min(below.size(), kMaxListedEntries); ++m)
+    list += fmt::format("{}{:.6g} Hz", separator(list), below[m].pole.freq_Hz);
+  list += and_more(below.size());
+  return {with_remedy({"below_band",
+                       fmt::format("{} below the default band, {:.4g} to {:.4g} Hz, and {} not listed: {}",
+                                   below.size() == 1 ? "a mode lies" : "modes lie", band_Hz.first, band_Hz.second,
+                                   below.size() == 1 ? "is" : "are", list),
+                       {"band"}},
+                      "state a band that begins lower, unless it is a motion on the suspension")};
 }
 
 std::vector<Warning> crowd_warnings(const std::vector<identify::Mode>& modes, std::pair<double, double> band_Hz) {

@@ -33,6 +33,10 @@ std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes
 /// unmodelled_poles: stable poles within the band whose resonance no mode describes (identify::unmodelled_poles).
 std::vector<Warning> unmodelled_pole_warnings(std::vector<identify::Pole> poles, std::pair<double, double> band_Hz);
 
+/// below_band: clear modes just below the default band.
+/// below  modes below the band, ascending
+std::vector<Warning> below_band_warnings(std::vector<identify::Mode> below, std::pair<double, double> band_Hz);
+
 /// crowded: so many modes overlap in one or two FRFs that their number is a choice.
 std::vector<Warning> crowd_warnings(const std::vector<identify::Mode>& modes, std::pair<double, double> band_Hz);
 

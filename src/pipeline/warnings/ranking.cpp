@@ -97,6 +97,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"rejected_live", Severity::info},
     {"earlier_ringing", Severity::info},
     {"rejected_hits", Severity::info},
+    {"below_band", Severity::info},
     {"truncated_decay", Severity::info},
     {"no_geometry", Severity::info},
     {"points_from_one", Severity::info},

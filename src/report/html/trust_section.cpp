@@ -102,6 +102,7 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"unclaimed_peaks", PagePart::fit},
     {"local_fits", PagePart::fit},
     {"crowded", PagePart::fit},
+    {"below_band", PagePart::fit},
     {"pair_or_scatter", PagePart::fit},
     {"uneven_decay", PagePart::fit},
     {"cut_decay", PagePart::response},
