@@ -124,7 +124,7 @@ Structure structure_of(std::string_view bytes) {
   return out;
 }
 
-// Changes one field of a message. Which fields depends on the message's type; most are sizes or addresses.
+// Changes one field of a message. The message's type decides which field it may be: most are sizes or addresses.
 void change_message(std::string& bytes, const Message& message, Random& random) {
   const auto odd = unusual_number(random);
   const std::size_t at = message.at;

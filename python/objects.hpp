@@ -18,7 +18,7 @@
 
 namespace percuss::python {
 
-/// A Python exception is set, which the caller of the module sees.
+/// Says that a Python exception is set. The caller of the module sees that exception.
 class PythonError : public std::exception {};
 
 /// An owned reference to a Python object. Needs Python's lock, as all functions of this header.

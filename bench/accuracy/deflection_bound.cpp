@@ -73,7 +73,7 @@ MatrixXd inverse_of(const MatrixXd& m) {
   return scale.asDiagonal() * unit.inverse() * scale.asDiagonal();
 }
 
-// The Schur complement of `m` without its rows and columns from `kept` on.
+// `m` after the elimination of its rows and columns from `kept` on: the Schur complement.
 MatrixXd eliminated(const MatrixXd& m, Index kept) {
   const Index gone = m.rows() - kept;
   return m.topLeftCorner(kept, kept) -

@@ -15,7 +15,8 @@ constexpr double kFs_Hz = 25600;
 constexpr std::pair<double, double> kBand_Hz{60, 3200}, kNarrow_Hz{60, 700};
 constexpr std::size_t kHits = 10, kChannels = 8;
 
-// Ten hits of one second with 0.1 % of noise. The slowest mode decays to 0.1 % in 0.7 s (eight channels).
+// Ten hits of one second with 0.1 % of noise. The modes depend on the number of channels: with eight, the slowest one
+// decays to 0.1 % in 0.7 s.
 synth::SynthSpec plain_test(std::size_t channels) {
   synth::SynthSpec spec = spread_structure(3, channels);
   spec.fs_Hz = kFs_Hz;

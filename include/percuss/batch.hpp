@@ -46,7 +46,7 @@ struct BatchResult {
 struct BatchOptions {
   ReadOptions read{};          // of every path
   AnalysisOptions analysis{};  // of every record; its `threads` is not used
-  std::size_t threads = 0;     // 0: all. One thread analyses a record; the results are the same
+  std::size_t threads = 0;     // 0: all. One thread analyses each record; the results do not depend on the number
   std::function<void(const BatchResult&)> on_result{};  // one call at a time, in the order of completion
 };
 

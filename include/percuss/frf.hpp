@@ -45,7 +45,7 @@ struct Frf {
   int point = 0;
   std::size_t channel = 0;
   std::vector<std::complex<double>> value;  // (m/s²)/N, (m/s)/N or m/N
-  std::vector<double> std{};                // one standard deviation of |value − truth|; empty for one hit
+  std::vector<double> std{};                // RMS of |value − truth|, in the unit of value; empty for one hit
   std::vector<double> coherence{};          // 0 … 1; empty for one hit
   std::size_t averages = 0;                 // hits averaged; 0: not known
 };

@@ -69,7 +69,7 @@ def test_several_files_are_tests_hits_or_points(tool, bat):
 
 
 def test_records_in_memory_are_joined_as_files_are(tool, bat):
-    """The results differ only in the names of the files."""
+    """Three copies of a test in memory have the frequencies of two copies in files, since all copies are equal."""
     bat.save("a.h5")
     bat.save("b.h5")
     joined = percuss.analyze(percuss.read("a.h5"), bat.record, percuss.Record(bat.record.force_n, bat.record.accel_mps2, 25600.0), band=BAND)

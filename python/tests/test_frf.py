@@ -66,7 +66,7 @@ def test_residual_terms_stand_for_modes_outside_the_band():
     s = 2j * np.pi * FREQ_HZ
     outside = 0.3 * s**2 / (s**2 + 2 * 0.01 * 2 * np.pi * 2000 * s + (2 * np.pi * 2000) ** 2) + 1 / 4
     seen = percuss.analyze(percuss.Frf(FREQ_HZ, exact(FREQ_HZ)[0, 0] + outside), band=(60, 700), object="other")
-    assert abs(seen.lower[0, 0] - 0.25) < 1e-3 and abs(seen.upper[0, 0] * (2 * np.pi * 2000) ** 2 / 0.3 - 1) < 0.02  # series of two terms
+    assert abs(seen.lower[0, 0] - 0.25) < 1e-3 and abs(seen.upper[0, 0] * (2 * np.pi * 2000) ** 2 / 0.3 - 1) < 0.02  # series of three terms
     frf = seen.frf()
     assert abs(seen.synthesise(frf.frequency_hz) - frf.H).max() < 1e-3 * abs(frf.H).max()
 
@@ -220,6 +220,6 @@ def test_the_deviations_of_modes_grow_with_those_of_the_frfs():
     for name in ("frequency_std_hz", "damping_ratio_std", "residues_std"):
         assert np.array_equal(getattr(less, name), getattr(own, name))  # the residual shows more noise than stated
         assert np.allclose(getattr(most, name), 10 * getattr(more, name), rtol=1e-9)
-        # The residual of 65 lines is known to 12 % in power.
+        # The residual of 65 lines is known to 12 % in power, 6 % in amplitude. The tolerance is four times that.
         assert np.allclose(getattr(more, name), getattr(own, name) * 1e-3 / 1.414e-4, rtol=0.25)
     assert np.array_equal(most.frequency_hz, own.frequency_hz)

@@ -25,8 +25,8 @@ namespace {
 
 // Fewest samples before the onset that allow an estimate of the bias despite the ringing of the filter.
 constexpr std::size_t kMinRestSamples = 16;
-// The rest before an impact gives the bias of the acceleration, whose integral grows with the square of the time. A
-// longer one than this may hold a drift that is no straight line.
+// The rest before an impact gives the bias of the acceleration, whose double integral grows with the square of the
+// time. A longer rest may hold a drift that is no straight line.
 constexpr double kRest_s = 0.1;
 
 bool has_pulse(const AnalysedHit& hit) {

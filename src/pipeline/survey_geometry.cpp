@@ -11,7 +11,7 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMaxNamed = 8;
-// Points at one angle are a line along the tube. Points around it differ by more than the latter.
+// Points at one angle are a line along the tube. Points around the tube differ by more than kMaxArc_rad.
 constexpr double kMinArc_rad = 0.1 * kDegree_rad, kMaxArc_rad = 10 * kDegree_rad;
 
 }  // namespace

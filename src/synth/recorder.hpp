@@ -13,7 +13,8 @@ struct SynthSamples {
   std::vector<std::vector<std::vector<double>>> accel_mps2;
 };
 
-/// The range of the recorder's channels: a limit is infinite without clipping, a step is 0 without quantisation.
+/// The range of the recorder's channels. With quantisation, the full scale limits a channel too. A limit is infinite
+/// with neither clipping nor quantisation; a step is 0 without quantisation.
 struct RecorderRange {
   double force_limit_N, accel_limit_mps2;
   double force_step_N, accel_step_mps2;

@@ -96,7 +96,7 @@ struct SynthSpec {
   std::size_t samples = 25600;  // per row
   SynthLayout layout = SynthLayout::rows;
   std::uint64_t seed = 0;
-  double band_low_Hz = 60, band_high_Hz = 3200;  // band of the analysis
+  double band_low_Hz = 60, band_high_Hz = 3200;  // modes in it are marked in_band in the truth document
   SynthStructure structure{};
   std::vector<SynthMode> modes{};
   std::vector<SynthSensor> sensors{{}, {.angle_rad = std::numbers::pi / 2}};

@@ -58,7 +58,7 @@ TEST_F(AnalyzeResponses, SaysWhatNeedsAForceAndWritesFiles) {
   EXPECT_THAT(test::bytes_of(folder_.file("m.html")), HasSubstr("1732"));
 }
 
-// Spectrum and fit; the heading of a channel without a name; one heading per section of the page.
+// Picture and page show the spectrum of the decays and its fit. The page has one section "Provenance".
 TEST_F(AnalyzeResponses, DrawsTheDecaysWithTheirFit) {
   const auto outcome = run_percuss({"analyze", "ping.wav", "-o", "m.svg", "-o", "m.html"}, {.folder = folder_.path()});
   ASSERT_EQ(outcome.code, 0) << outcome.err;

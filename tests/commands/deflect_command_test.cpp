@@ -130,7 +130,7 @@ TEST_F(DeflectCommand, ComparesItsModesAndDeflectionsWithABeam) {
   ASSERT_EQ(compared["documents"].size(), 3U);
   const json& model = compared["others"][0];
   EXPECT_GE(model["pairs"].size(), 2U);
-  // The frequencies themselves are not checked: the unfiltered force hardly excites the modes above the first two.
+  // The frequencies themselves are not checked: the ball's force hardly excites the modes above the first two.
   const json beam = test::parse_json(test::bytes_of(out.file("beam.json")))["frequency_hz"];
   for (const json& pair : model["pairs"]) {
     const double test_Hz = pair["frequency_a_hz"], model_Hz = pair["frequency_b_hz"];

@@ -171,7 +171,7 @@ TEST_F(NodesCommand, RejectsInvalidPositions) {
   }
 }
 
-// Numbers in m or mm, as Python's lists may be, would give nodes 40 times off without a word.
+// Numbers in m or mm, as Python's lists may be, would give nodes wrong by a factor of 39 or 25, without a message.
 TEST_F(NodesCommand, AsksForTheUnitOfPositionsThatAreHardlyInches) {
   for (const char* positions : {"0.1524:0.0127:0.2286", "0.15,0.17,0.19", "152.4:12.7:228.6", "152,165,178"}) {
     const auto outcome = nodes({file("scan.h5"), "--positions", positions});

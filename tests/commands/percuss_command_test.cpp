@@ -88,7 +88,7 @@ std::string without_warnings(const std::string& text) {
   return out;
 }
 
-// The result is not part of the progress. Warnings are left out.
+// --quiet leaves out the progress and the warnings, not the result.
 TEST(PercussCommand, PrintsTheResultInQuiet) {
   const test::ScratchFolder folder;
   const auto run = [&](const std::vector<std::string>& words) { return run_percuss(words, {.folder = folder.path()}); };

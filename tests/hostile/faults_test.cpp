@@ -61,7 +61,8 @@ class Faults : public testing::Test {
       ++failures;
       without = 0;
       ASSERT_THAT(outcome.code, AnyOf(1, 3)) << outcome.err;
-      // libseccomp does not report each failed allocation: it may drop a comparison of a rule, or never end.
+      // libseccomp does not report each failed allocation. It may drop a comparison of a rule (then a call is not
+      // permitted), or never end (then the time limit of the reader ends it).
       ASSERT_THAT(outcome.err, AnyOf(HasSubstr("memory"), HasSubstr("Operation not permitted"),
                                      HasSubstr("limit for a file of this size")));
       ASSERT_THAT(files(), IsEmpty());

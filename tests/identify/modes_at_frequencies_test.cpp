@@ -20,7 +20,7 @@ constexpr double kDeviations = 5;  // of a few values: one false alarm in a mill
 constexpr std::array<Pole, 2> kPair = {
     {{.freq_Hz = 518.1, .damping_ratio = 0.0009}, {.freq_Hz = 520.3, .damping_ratio = 0.001}}};
 
-// A strong mode, and a close pair about a hundredth as strong.
+// A strong mode, and a close pair whose residues are about a hundredth of its residue.
 FrfDataset strong_mode_and_pair() {
   FrfDataset set = test::empty_set(2000, 2000, 10, 990, 1);
   test::add_mode(set, 0, {.freq_Hz = 431, .damping_ratio = 0.005}, 100);
@@ -65,7 +65,7 @@ TEST(ModesAtFrequencies, FindsNothingUnmodelledWhereAllModesAreKnown) {
   EXPECT_TRUE(unmodelled_resonances(set, modes, unmodelled_poles(set, modes)).empty());
 }
 
-// A strong mode and its weak neighbour, both wide. One mode fitted to both is not the strong mode.
+// A strong mode and its weak neighbour, both wide. The known mode is slightly wrong, as one mode fitted to both is.
 TEST(ModesAtFrequencies, TakesABandAsWideAsTheResonanceNeeds) {
   constexpr Pole kStrong{.freq_Hz = 730, .damping_ratio = 0.0135}, kWeak{.freq_Hz = 683, .damping_ratio = 0.0095};
   FrfDataset set = test::empty_set(3000, 6000, 200, 2300, 1);  // lines 0.5 Hz apart

@@ -55,8 +55,8 @@ std::vector<std::vector<CheckedMode>> checked_bats() {
 /// plane and sensors: the bats, not the classifications, are independent.
 struct Pool {
   double classifications = 0, right = 0, confidence = 0;
-  double expected_variance = 0;  // of the number of right classifications, if the confidences are true and independent
-  double variance_by_bats = 0;   // Σ over the bats of (number right − Σ confidence)²
+  double expected_variance = 0;      // of the number right, if the confidences are true and the errors independent
+  double variance_by_bats = 0;       // Σ over the bats of (number right − Σ confidence)²
   double wrong_squared_by_bats = 0;  // Σ over the bats of (number of wrong classifications)²
 };
 

@@ -43,7 +43,8 @@ TEST(CompareReport, DrawsTheWholeBandsOfTheStandardDeviations) {
   EXPECT_GT(chart.y.range->second, 5);
 }
 
-// Two modes at four places: equal, opposite in sign, and orthogonal shapes.
+// Document a has two modes at four places. The first has the shape of the mode at 101 Hz in b, but for sign and scale;
+// the second is orthogonal to it.
 TEST(CompareReport, ListsTheMacOfAllModesWithCommonPlaces) {
   const auto mode = [](double freq_Hz, const std::vector<double>& shape) {
     metrics::ComparedMode out{.freq_Hz = freq_Hz};

@@ -27,7 +27,8 @@ struct Expectation {
   std::string text;  // for the table; empty: composed from the other members
   Demand demand = Demand::as_the_bound_allows;
   std::vector<std::string> says;  // codes that must be among the findings and warnings
-  std::string warns;              // a code that excuses errors beyond the stated standard deviations
+  /// A code that excuses errors beyond kMaxSigmas, spurious modes and, without freq_relative, missing modes.
+  std::string warns;
   int exit_code = 0;
   std::string reason;                   // for an exit code above 0: a finding's code or a part of the message
   std::vector<std::string> or_refused;  // one of these reasons (exit code 3 or 4) is as acceptable as modes

@@ -24,9 +24,10 @@ void add_mode(identify::FrfDataset& set, std::size_t channel, const identify::Po
 /// Adds white noise to all FRFs. `deviation` is the standard deviation of its real and of its imaginary part.
 void add_frf_noise(identify::FrfDataset& set, double deviation, std::uint64_t seed);
 
-/// Gives point 0 the force of a hit: a pulse of 1 N and 9 samples in a gate of 90, with noise on every sample.
+/// Gives point 0 the force of a hit: a pulse of 1 N and 9 samples in a gate of 90. The pulse is clean; `noise_N` is the
+/// standard deviation that is stated for the noise of the force channel.
 void set_gated_pulse(identify::FrfDataset& set, double noise_N);
-/// Multiplies all FRFs of point 0 with a random gain from the errors of its force.
+/// Multiplies all FRFs by a random gain from the errors of the force of point 0.
 void add_random_gain(identify::FrfDataset& set, std::uint64_t seed);
 
 /// A bat test without noise: these modes, rows of this many seconds, accelerometers at 0° and 90°.

@@ -52,7 +52,7 @@ TEST(Synthesise, HasTheExactAcceleranceAsItsRatioOfSpectra) {
   const auto lines = static_cast<std::size_t>(3500.0 / test.record.fs_Hz * 65536);
   std::vector<double> freq_Hz(lines);
   for (std::size_t k = 0; k < lines; ++k) freq_Hz[k] = static_cast<double>(k) * test.record.fs_Hz / 65536;
-  // The sum of three errors: the truncation of the decay at the row's end (e^−27 = 1e-12), aliases through the filter
+  // The sum of three errors: the truncation of the decay at the row's end (e^−27 = 2e-12), aliases through the filter
   // (1e-12), and rounding over a spectrum whose lines differ by a factor of 1e3.
   constexpr double kTolerance = 1e-9;
   for (std::size_t row = 0; row < 2; ++row) {

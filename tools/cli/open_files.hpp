@@ -19,9 +19,9 @@ FoundFiles found_files(const std::vector<std::string>& paths);
 /// pattern without a match.
 std::vector<std::string> matched_files(const std::vector<std::string>& paths);
 
-/// The flags with found_files() as paths: a reading option with a value per file counts them. Files that a shell put in
-/// the order of characters ("p1 p10 p2") follow in natural order, as do their force scales; open_records() and
-/// open_measurements() note it. Inputs of a host stay.
+/// The flags with found_files() as paths, so that a reading option with a value per file counts the files that were
+/// found. Files that a shell put in the order of characters ("p1 p10 p2") follow in natural order, as do their force
+/// scales; open_records() and open_measurements() note it. The inputs of a host are not changed.
 ReadFlags with_found_files(const ReadFlags& given);
 
 /// Opens the path (or the host's input) of this index as a record. `options` come from resolved_read_options().

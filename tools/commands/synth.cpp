@@ -31,7 +31,7 @@ struct SynthFlags {
   std::optional<std::uint64_t> seed;
   std::size_t threads = 0;
   bool force = false, list = false, example = false, json = false, quiet = false;
-  Host* host = nullptr;  // receives the test in place of files
+  Host* host = nullptr;  // receives the test in place of standard output
 };
 
 synth::SynthSpec spec_named(const std::string& name) {

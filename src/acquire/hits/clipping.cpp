@@ -12,7 +12,7 @@ constexpr std::size_t kMinRun = 3;
 // In steps: a quantised parabola with three equal samples falls by at most 4 beside them.
 constexpr double kSmoothPeak = 5;
 constexpr std::size_t kMinPeaks = 4;
-constexpr double kPairFall = 1000;   // steps, of a flat pair
+constexpr double kPairFall = 1000;   // steps: the signal falls by more on either side of a clipped pair
 constexpr double kSymmetric = 1e-3;  // difference of the falls on either side, over the larger one
 // A quantised oscillation has twice as many samples within kNearSteps steps of its largest value as at that value. A
 // clipped oscillation has fewer than half as many.

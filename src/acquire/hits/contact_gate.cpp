@@ -12,13 +12,14 @@ namespace {
 
 // A hammer rings for some milliseconds, a structure for longer.
 constexpr double kRingsFrom_s = 0.025, kRingsTo_s = 0.05;
-constexpr double kRingsOn = 0.03;            // median of |force − its median| over the peak
+constexpr double kRingsOn = 0.03;            // of the peak: median of |force − its median|
 constexpr std::size_t kMinRinging = 16;      // samples
 constexpr std::size_t kMedianSamples = 200;  // give a median of noise to 9 % of its standard deviation
 // Of the peak: change of the force from before the pulse to after it. A hammer that leans on the structure exceeds this
 // limit, a drift of the channel does not.
 constexpr double kStays = 0.1;
-// Against the pulse: an AC coupling of 1.6 Hz swings back by 5 % after 10 ms, and by 20 % after 40 ms.
+// Of the peak, against the pulse: an AC coupling of 1.6 Hz swings back by 5 % after a haversine of 10 ms, and by 20 %
+// after one of 40 ms.
 constexpr double kMaxUndershoot = 0.25;
 
 // The change of the force from before the pulse to after it, as part of the peak.

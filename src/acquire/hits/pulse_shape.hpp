@@ -20,7 +20,7 @@ PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak);
 /// Samples from the first crossing to the peak, rounded up.
 std::size_t rise_samples(const PulseShape& pulse);
 
-/// No hammer tip makes a longer pulse: longer is drift. At low rates a pulse may take some samples.
+/// No hammer tip makes a longer pulse: longer is drift. At low rates a pulse may last kLongestPulse samples.
 inline constexpr double kLongestPulse_s = 0.05;
 inline constexpr std::size_t kLongestPulse = 8;
 /// Whether the force about its largest sample is a blow: ten times its noise, and no longer than a hammer's contact.

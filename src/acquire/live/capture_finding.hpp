@@ -33,7 +33,7 @@ struct CaptureFinding {
   bool operator==(const CaptureFinding&) const = default;
 };
 
-/// "gap", "overrun", … as documents name it.
+/// "gap", "overrun", … as the journal's JSON names it.
 const char* fault_name(CaptureFault fault);
 /// A sentence for people, without the place: "the device lost 200 frames".
 std::string finding_text(const CaptureFinding& finding);

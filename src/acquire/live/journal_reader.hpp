@@ -16,10 +16,10 @@ struct FrameRange {
   bool operator==(const FrameRange&) const = default;
 };
 
-/// An event of the guidance, and the number of frames that the journal held when it was written.
+/// An event of the guidance, and its place among the frames of the journal.
 struct JournalEvent {
   std::string json;
-  std::uint64_t frame = 0;  // after the last frame before the event in the file
+  std::uint64_t frame = 0;  // the frame number after the last frame before the event in the file
 };
 
 /// The content of a journal up to its last whole block. What follows a damaged block is not used: an interrupted write

@@ -59,7 +59,7 @@ class DecayProblem : public LeastSquaresProblem {
   Eigen::VectorXd set_weights_from_residual() {
     const auto channels = static_cast<Index>(of_.channels), hits = static_cast<Index>(of_.hits);
     const auto modes = static_cast<double>(now_.rates.size());
-    const double shared = 2 * modes / static_cast<double>(data_.cols());  // unknowns of the rates, per FRF
+    const double shared = 2 * modes / static_cast<double>(data_.cols());  // unknowns of the rates, per spectrum
     const double freedom = std::max(1.0, static_cast<double>(data_.rows()) - 2 * modes - shared);
     Eigen::VectorXd of_channel = Eigen::VectorXd::Zero(channels), noise(data_.cols());
     for (Index i = 0; i < data_.cols(); ++i) {

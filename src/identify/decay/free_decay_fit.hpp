@@ -26,8 +26,8 @@ struct FreeDecayFit {
 };
 
 /// Finds the decays in the order of their energy, and fits them all together by maximum likelihood. Stops when the
-/// residual holds no decay above the noise. A decay that no fit confirms (it runs away, or imitates the misfit of a
-/// stronger one) is left out.
+/// residual holds no decay above the noise. A decay that no fit confirms (it runs away, or may only describe the misfit
+/// of a stronger one) is left out.
 FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOptions& options);
 
 }  // namespace percuss::identify

@@ -14,7 +14,7 @@ struct NoisePrediction {
   std::vector<double> weight;  // [order]
   double error_variance = 0;
 
-  /// The error (1) at sample n. n + order < x.size(): samples beyond the end count as zero.
+  /// The error (1) at sample n. Samples beyond the end of x count as zero: it is exact only for n + order < x.size().
   double error(const std::vector<double>& x, std::size_t n) const;
   /// |e/x|² of an oscillation x(n) = exp(s n Δ).
   double gain(const DecayRate& rate, double fs_Hz) const;

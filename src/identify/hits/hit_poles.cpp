@@ -110,7 +110,7 @@ FrfDataset one_point(const FrfDataset& all, std::size_t point, std::size_t chann
   return one;
 }
 
-// [channels] weights from the residual of a fit.
+// [channels] noise scales from the residual of a fit.
 VectorXd residual_weights(const LocalFit& fit) { return fit.noise.cwiseMax(kMinNoise * fit.noise.maxCoeff() + 1e-300); }
 
 LocalFit fit_by_residual(const FrfDataset& set, const std::vector<VectorXcd>& data, const std::vector<Pole>& start,

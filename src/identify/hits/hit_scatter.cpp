@@ -12,9 +12,9 @@
 namespace percuss::identify {
 namespace {
 
-// Without scatter, one value in 1000 exceeds this normal deviate of χ², and one pair of slopes in 2000 this number of
-// standard deviations.
+// Normal deviate of χ²; without scatter, one value in 1000 exceeds it.
 constexpr double kSignificantScatter = 3.1;
+// Standard deviations of trend_deviate(); without scatter, one pair of slopes in 2000 exceeds them.
 constexpr double kSignificantTrend = 3.7;
 constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval, which Student's factor keeps
 constexpr std::size_t kMinHits = 2;

@@ -12,7 +12,7 @@ inline constexpr std::size_t kMinScatterPoints = 3;
 /// Standard deviations of the poles of a window, [2 modes] in Hz and damping ratio, from the contributions of the
 /// points to the poles (cluster-robust). A misfit that differs from point to point makes them scatter beyond the noise,
 /// whatever its shape along frequency. 0 where they scatter as noise makes them, and with fewer than kMinScatterPoints
-/// points. The weights of `projection` are the residuals' standard deviations per line. theory (4.20)
+/// points. The noise_scale of `projection` is the residuals' standard deviation per line. theory (4.20)
 Eigen::VectorXd point_scatter_std(const VariableProjection& projection, const ProjectedState& state, std::size_t modes);
 
 }  // namespace percuss::identify

@@ -15,8 +15,8 @@ using Eigen::Index;
 
 constexpr std::size_t kMinCrowd = 15;  // modes
 constexpr double kMinOverlap = 0.2;
-// Limits against false crowds: the stable poles of a misfit, of rounding errors or of coarse steps cover more than the
-// band, or hardly any mode was found one by one.
+// Limits against false crowds: the stable poles of a misfit, of rounding errors or of a recorder's coarse steps cover
+// more than the band, or hardly any mode was found one by one.
 constexpr double kMaxOverlap = 1;
 constexpr std::size_t kMinFound = 5;
 constexpr double kHighOverlap = 1;    // from here on, some modes are known to hardly better than their bandwidth
@@ -30,7 +30,7 @@ constexpr double kResolution = 0.2;    // of a bandwidth
 constexpr double kGainPerUnknown = 5;  // half the logarithm of the number of lines
 constexpr double kNeeded = 6;          // standard deviations of a residue
 constexpr double kLossPerUnknown =
-    3;  // likelihood ratio below which a hardly known mode is dropped: noise alone gives about 1
+    3;  // loss of log_likelihood_gain() below which a hardly known mode is dropped: noise alone gives about 1
 constexpr double kKnownMode = 3;  // standard deviations of the largest residue of a mode that is known
 constexpr int kCrowdFits = 12;
 constexpr int kTrialSteps = 8, kCrowdSteps = 150;  // while poles are dropped; of the last fit

@@ -15,11 +15,11 @@ struct PointFits {
   std::size_t degrees = 0;     // Σ of the fits' degrees of freedom
 };
 
-/// The data of a window without the other groups' contributions (WindowedFit::data_without_other_modes), and the
-/// weights.
+/// The data of a window without the other groups' contributions (WindowedFit::data_without_other_modes), and the noise
+/// scale of each FRF.
 struct WindowData {
   std::vector<Eigen::VectorXcd> data;  // [channels][group.count]
-  Eigen::VectorXd weight;              // [channels]
+  Eigen::VectorXd weight;              // [channels] noise_scale of fit_locally()
 };
 
 /// Fits the group's modes to each point separately, the strongest point first. Returns no fits once the cost exceeds

@@ -40,7 +40,7 @@ struct TubeShape {
 /// Decomposes a shape into circumferential orders. Rings (points of one axial position) with four angles or more are
 /// fitted by least squares, for n = 0 … (angles − 1)/2 and the observable part of n = angles/2:
 ///   φ(x, θ) = Σ_n g_n(x) cos n(θ − θ_n) + …                                                               (1)
-/// Where the rings leave a gap of more than 150°, each order is fitted alone: the orders are not orthogonal there.
+/// Where the rings leave a gap of more than 149°, each order is fitted alone: the orders are not orthogonal there.
 /// Six angles 60° apart show n = 0, 1, 2 and only the cosine of n = 3; n = 4 has the pattern of n = 2 (`alias`). The
 /// first of several channels at a place is used. Nothing where no ring has four angles with known values.
 /// theory (5.7)

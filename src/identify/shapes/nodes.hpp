@@ -23,12 +23,13 @@ struct NodeOptions {
 };
 
 /// The nodes: zero crossings of the shape. A crossing lies between two points of opposite sign, both more than three
-/// standard deviations from zero; points between them are not. The node is the root of a polynomial in the position,
-/// fitted to the points around by weighted least squares. Its degree k minimises χ²/s² + k ln n for n points. s² is χ²
-/// per degree of freedom of the fit of the highest degree, and at least 1. The variance is a sum of two terms. The
-/// first is the variance of the next higher degree's root, times χ² per degree of freedom where this exceeds 1. The
-/// second is the model error: the squared distance to that root. Where there is no such root, the first term is the
-/// fit's own variance, and the second the squared distance to the root of the next lower degree. theory (5.8)
+/// standard deviations from zero; points between them are closer to zero than that. The node is the root of a
+/// polynomial in the position, fitted to the points around by weighted least squares. Its degree k minimises
+/// χ²/s² + k ln n for n points. s² is χ² per degree of freedom of the fit of the highest degree, and at least 1. The
+/// variance is a sum of two terms. The first is the variance of the next higher degree's root, times χ² per degree of
+/// freedom where this exceeds 1. The second is the model error: the squared distance to that root. Where there is no
+/// such root, the first term is the fit's own variance, and the second the squared distance to the root of the next
+/// lower degree. theory (5.8)
 std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options = {});
 
 /// The node by the rule of thumb of [8], section 3.6: the position of the minimum of the mode's peak, rounded to

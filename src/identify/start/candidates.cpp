@@ -26,7 +26,7 @@ constexpr double kModelFloor = 1e-6;        // of the largest line: the residual
 constexpr double kFlank = 20;               // half-widths of a resonance's flanks on either side …
 constexpr double kFlankGain = 0.1;          // … and the part of its gain that the flanks may show
 constexpr double kMinResonanceLines = 1.5;  // half-width of the narrowest resonance searched for
-constexpr double kMaxResidualModeWidth = 0.03;  // half-width over frequency of the broadest mode searched for
+constexpr double kMaxResidualModeWidth = 0.03;  // half-width of the broadest mode searched for, over the top frequency
 constexpr std::size_t kFlopsPerLevelLine = 20;  // operations of the noise or weight of one line
 
 double largest_of(std::span<const Complex> h) {

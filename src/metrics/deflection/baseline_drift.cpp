@@ -114,7 +114,7 @@ double low_frequency_std(std::span<const double> residual) {
     }
     if (!(largest > 0)) return 0;
   }
-  // The longest means are an eighth of the rest; the bias is a mean over the whole of it.
+  // The longest means cover an eighth of the samples at rest; the bias is a mean over all of them.
   return std::sqrt(largest * std::pow(growth, 3));
 }
 

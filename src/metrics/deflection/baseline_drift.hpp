@@ -11,8 +11,8 @@ namespace percuss::metrics {
 struct BaselineEstimate {
   Eigen::Vector2d bias;        // m/s², m/s³
   Eigen::Matrix2d covariance;  // of both
-  /// Of white noise that is as strong as the measured noise at low frequencies, which double integration amplifies:
-  /// standard deviation of a sample.
+  /// The standard deviation of a sample of white noise that is as strong as the measured noise is at low frequencies,
+  /// which double integration amplifies.
   double noise_mps2 = 0;
 };
 

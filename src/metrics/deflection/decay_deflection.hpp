@@ -15,8 +15,8 @@ struct DecayDeflection {
 /// Fits free decays to an acceleration (identify/decay) and integrates them in closed form:
 ///   w(t) = Re Σ a (s + ω_c)/s · exp(st)/s²                                             (1)
 /// with the high-pass ω_c of the charge amplifier undone. Unlike a double integral, its standard deviation does not
-/// grow with time. Nothing without a decay above the noise, and with more than 40 of them. `onset` is the sample of the
-/// first touch. theory (7.9)
+/// grow with time. Nothing where fewer than 64 samples follow the onset, where no decay is above the noise, or where 40
+/// or more are. `onset` is the sample of the first touch. theory (7.9)
 std::optional<DecayDeflection> decay_deflection(std::span<const double> accel_mps2, double fs_Hz, std::size_t onset,
                                                 double highpass_corner_Hz);
 

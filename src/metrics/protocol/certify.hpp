@@ -32,7 +32,7 @@ struct ProtocolFinding {
 
 struct JudgedShot {
   double in_mph = 0, out_mph = 0, target_mph = 0, value = 0;  // value: the metric (BESR for BBCOR), uncorrected
-  bool counted = false;                                       // one of the first six of its location
+  bool counted = false;                                       // one of the first six of its location; of the lot: valid
   std::vector<ProtocolFinding> reasons;                       // none: valid
   bool valid() const { return reasons.empty(); }
 };

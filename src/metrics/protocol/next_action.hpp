@@ -6,7 +6,7 @@ namespace percuss::metrics {
 /// The speed of the ball at which a location is tested. (P5)
 double contact_mph(const Session& s, double z_in);
 
-/// Whether a reading stated that the bat is damaged.
+/// Whether damage was seen after a shot.
 bool damaged(const Certification& c);
 
 /// What the laboratory does next: the verdict, the search and all other fields of the certification are known.

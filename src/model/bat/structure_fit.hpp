@@ -18,7 +18,7 @@ enum class StructureParameter {
 struct MeasuredMode {
   std::size_t elastic = 0;  // index of an elastic mode, from 0
   double freq_Hz = 0;
-  double std_Hz = 0;  // 0: unknown; then unknown for all frequencies
+  double std_Hz = 0;  // 0: unknown. Either all frequencies have one, or none
 };
 
 struct FittedStructureParameter {
@@ -40,8 +40,9 @@ struct StructureFit {
 };
 
 /// Fits `parameters` to measured frequencies by least squares (Levenberg–Marquardt) on the logarithms of frequencies
-/// and parameters, as fit_beam does. The values of `structure` are the start; a spring starts at the best of a range
-/// around its value. Standard deviations follow from std_Hz where it is known, otherwise from the residuals.
+/// and parameters, as fit_beam does. The values of `structure` are the start. A spring has several starts, up to four
+/// decades softer and stiffer; the best fit is kept. Standard deviations follow from std_Hz where it is known,
+/// otherwise from the residuals.
 /// Preconditions: different parameters; at least as many frequencies as parameters; the values that are fitted are
 /// above zero, the torsion only with a spring, the mass only with an added mass.
 /// errors  InputError where the frequencies do not determine the parameters.

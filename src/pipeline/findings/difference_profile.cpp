@@ -12,7 +12,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kOutstanding = 8;        // times the rms around: 1 of a million noise samples reaches 5 times
+constexpr double kOutstanding = 8;        // times the rms around: fewer than 1 of a million noise samples reach 5 times
 constexpr std::size_t kBlocksAround = 2;  // blocks on either side
 
 // Standard deviation of the differences of white noise of unit variance: √C(2n, n).

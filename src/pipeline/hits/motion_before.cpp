@@ -14,7 +14,7 @@ namespace {
 
 // Samples: a long rest before a hit, as in a record of several blows, shows a weak motion that a pre-trigger hides.
 constexpr std::size_t kMinLongRest = 1024, kLongRest = 8192;
-constexpr double kMoreThanNoise = 1.3;  // power over white noise's; 1024 samples give it to 5 %
+constexpr double kMoreThanNoise = 1.3;  // power over white noise's; its standard deviation is 8 % for 1024 samples
 constexpr double kMotion = 3e-4;        // of the largest response
 
 std::size_t end_of_force(const acquire::Hit& hit) {

@@ -19,9 +19,9 @@ namespace {
 
 using acquire::Finding, acquire::FindingCode, acquire::RowMark, acquire::Severity;
 
-constexpr double kFullScale = 0.999;   // of the range: the converter's last step may not be used
+constexpr double kFullScale = 0.999;   // of the range: the converter may not reach its last step
 constexpr double kLowBandwidth = 0.5;  // of the typical bandwidth
-constexpr double kSilent = 8;          // standard deviations of the noise; Gaussian noise has 5
+constexpr double kSilent = 8;          // standard deviations of the noise; Gaussian noise reaches 5
 constexpr std::size_t kMinQuiet = 12;  // samples that give a noise level
 constexpr double kMoving = 4;          // times the noise before a blow: the structure still moves
 constexpr double kRinging = 0.0025;    // of the response: −52 dB, as acquire's response grade

@@ -18,7 +18,8 @@ inline constexpr double kWeakBlow = 0.2;
 
 /// What is known of a blow before its analysis.
 struct BlowCircumstances {
-  /// The strongest sinusoid of a response before the blow (rms), and the smallest one before any blow: its noise.
+  /// The rms of the strongest sinusoid in a response before the blow, and the least such rms before any blow so far:
+  /// its noise.
   struct Rest {
     double before_mps2 = 0, noise_mps2 = std::numeric_limits<double>::infinity();
   };
@@ -44,7 +45,7 @@ struct BlowCircumstances {
 /// The verdict on a blow. Accepted: no mark.
 struct BlowGrade {
   acquire::RowMark mark = acquire::RowMark::none;
-  std::string reason{};  // what is wrong: "two contacts, the second 31 % of the first"
+  std::string reason{};  // what is wrong: "two contacts, the second 31 % of the first and 12 ms later"
   std::string remedy{};  // what to do: "strike shorter: let the hammer bounce off"
   double peak_N = 0, pulse_s = 0, bandwidth_Hz = 0;
   std::optional<double> force_range{}, accel_range{};  // part of full scale
@@ -53,9 +54,9 @@ struct BlowGrade {
   bool moved_before = false;                           // a little: the structure had not come to rest
   std::string implausible{};                           // what no hammer test has: a sensitivity is wrong
   bool unlike_others = false;                          // the other blows explain little of it: low_coherence
-  std::optional<bool> blows_differ{};                  // so of any accepted blow of the point; nothing: not compared
-  /// Accepted rows of the same point that do not count any longer, now that there is this blow to compare with: an
-  /// outlier, or a force that was clipped at the same level.
+  std::optional<bool> blows_differ{};                  // whether any accepted blow is so; nothing: not compared
+  /// Accepted rows that do not count any longer, now that there is this blow to compare with: at the same point, an
+  /// outlier or a force that was clipped at the same level; at any point, a weak blow (Guide::regrade_weak).
   struct Regraded {
     std::size_t row = 0;
     acquire::RowMark mark = acquire::RowMark::outlier;
@@ -74,8 +75,8 @@ struct BlowContext {
 };
 
 /// Grades a blow with the findings of the analysis (acquire/hits, pipeline/hits) on the blows of its point, and with
-/// what only the bench knows: range, lost samples, silence, the next blow. The first reason counts, in order of what
-/// the operator must mend first.
+/// what is known only during the recording: range, lost samples, silence, the next blow. The first reason counts, in
+/// order of what the operator must mend first.
 BlowGrade grade_blow(const BlowSamples& samples, const BlowCircumstances& circumstances, const BlowContext& context);
 
 }  // namespace percuss::pipeline

@@ -15,12 +15,12 @@ struct BlowReport {
   std::size_t row = 0;
   std::uint64_t end_frame = 0;  // after its samples
   int point = 0;
-  std::size_t blow = 1;  // of `hits`: its number among the accepted blows of its point, if it counts
+  std::size_t blow = 1;  // of SessionPlan::hits: its number among the accepted blows of its point, if it counts
   BlowGrade grade;
   bool may_advise_gain =
       false;              // its message may advise another gain: a first blow, not much weaker than an earlier one
   bool repeated = false;  // its verdict was given in the interrupted session
-  bool one_more = false;  // the point has its blows, but this one is doubtful
+  bool one_more = false;  // the point has its blows, but they differ: a further one helps to decide
 };
 
 /// Receives the events of a session from its Guide (guide.hpp), on the thread that feeds it samples. No function may

@@ -129,7 +129,8 @@ void OnlineTrigger::measure_noise(std::size_t samples) {
     robust.push_back(one.robust_std);
     variances.push_back(one.variance);
   }
-  // The force may drift: its rest is measured over the last second, from the steps around the event that has not ended.
+  // The force may drift: its rest is measured over the last second. An event is taken some time after its peak, so that
+  // these steps lie on both sides of it.
   const auto count = std::clamp<std::size_t>(frames_in(kBaseline_s, options_.fs_Hz) / step_, 1, steps_.size());
   for (auto step = steps_.end() - static_cast<std::ptrdiff_t>(count); step != steps_.end(); ++step)
     recent.push_back(step->median);

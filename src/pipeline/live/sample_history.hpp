@@ -15,11 +15,11 @@ struct SampleLoss {
   std::uint64_t frame = 0;               // the first one
   std::uint64_t frames = 0;              // 0: the device stated an overrun, but its count of frames goes on
   bool overrun = false;                  // stated by the device
-  std::optional<std::size_t> channel{};  // whose samples are NaN, infinite or beyond all sense; nothing: lost frames
+  std::optional<std::size_t> channel{};  // whose samples are NaN, infinite or above kMaxSample; nothing: lost frames
 };
 
-/// The recent samples of a stream, addressed by frame. A lost frame, and a sample that is not finite, read as the last
-/// value before it; losses() tells where.
+/// The recent samples of a stream, addressed by frame. A lost frame, and a sample that is no number (NaN, infinite or
+/// above acquire::kMaxSample), read as the last value before it; losses() tells where.
 class SampleHistory {
  public:
   explicit SampleHistory(std::size_t channels) : channels_(channels), no_numbers_(channels), last_(channels) {}

@@ -26,7 +26,7 @@ constexpr double kToneOff = 0.01;               // of the frequency: a tone that
 constexpr std::size_t kToneLines = 3;           // on either side of its peak
 constexpr double kDominates = 30;               // power of the tone over all else in these lines
 constexpr double kBetter = 0.7;                 // standard deviation of a better value, relative
-constexpr double kTonePart = 0.3;               // of the power at a line: the force explains less than the rest
+constexpr double kTonePart = 0.3;               // of the power at a line: if more is unexplained, it is a tone
 constexpr double kMatch = 3;                    // standard deviations between two values of one mode
 
 // The combinations of the channels in which a tone cancels, a column for each.

@@ -16,10 +16,10 @@ bool can_cancel_tones(const identify::FrfDataset& set, const identify::HitFrfs& 
 std::vector<Tone> tones_at(const std::vector<double>& freq_Hz, const identify::FrfDataset& set,
                            const identify::HitFrfs& hits);
 
-/// Refits the modes near each wandering tone, in the combinations of the channels in which the tone cancels, and
-/// adds modes that the tone hides. Subtracting a fitted sinusoid cannot remove such a tone. But the tone reaches the
-/// channels in one ratio, whatever its phase. A mode takes the values of a combination where they have the smaller
-/// standard deviation. A mode that is added must follow the force from hit to hit. Changes nothing where the channels
+/// Refits the modes near each wandering tone, in the combinations of the channels in which the tone cancels, and adds
+/// modes that the tone hides. Subtracting a fitted sinusoid cannot remove such a tone. But the tone reaches the
+/// channels in one ratio, whatever its phase. A mode takes the values of a combination where their standard deviation
+/// is clearly smaller. A mode that is added must follow the force from hit to hit. Changes nothing where the channels
 /// cannot cancel tones. `modes` belong to `set`, the average of the hits, and ascend in frequency. theory (4.25)
 void refit_modes_near_tones(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
                             const identify::FrfDataset& set, const identify::HitFrfs& hits, identify::Effort effort);

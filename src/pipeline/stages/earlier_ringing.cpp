@@ -63,7 +63,7 @@ class RingingSearch {
  private:
   const acquire::Hit& hit_of(std::size_t h) const { return spectra_.hits[h].hit; }
 
-  // [modes] whether the last blow's ringing changes a residue by more than its noise.
+  // [modes] whether the last blow's ringing changes a residue by more than kMaterial of its standard deviation.
   std::vector<bool> expected_after(const LastBlow& last, std::size_t hit) const {
     std::vector<bool> expected(modes_.size());
     if (!last.hit) return expected;

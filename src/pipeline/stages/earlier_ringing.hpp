@@ -23,10 +23,11 @@ struct EarlierRinging {
 /// hit.
 bool may_ring_at_hits(const std::vector<AnalysedHit>& hits);
 
-/// The accepted hits at which earlier ringing changes the FRFs by more than their noise. The ringing is measured in the
-/// samples before the hit, with the poles of `modes`. It is expected where the modes, the force of an earlier blow in
-/// the same row and the time since then predict it, or where a response moves before the hit. `modes` belong to `set`,
-/// the average of the accepted hits. theory (3.7)
+/// The accepted hits into which earlier ringing lasts: it changes a residue by more than 0.3 of its standard deviation,
+/// or it stands out of the noise before the hit. The ringing is measured in the samples before the hit, with the poles
+/// of `modes`. It is measured where the modes, the force of the last blow in the same row and the time since then
+/// predict such a change, or where a response moves before the hit. `modes` belong to `set`, the average of the
+/// accepted hits. theory (3.7)
 std::vector<EarlierRinging> find_earlier_ringing(const acquire::Record& record, const identify::FrfDataset& set,
                                                  const TestSpectra& spectra, const std::vector<identify::Mode>& modes);
 

@@ -8,7 +8,7 @@
 
 namespace percuss::pipeline {
 
-/// rejected_hits, hits_disagree, polarity, low_bandwidth.
+/// rejected_hits, hits_disagree, polarity, implausible_force, low_bandwidth.
 std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
 
 /// not_at_rest, and earlier_ringing for the ringing that was subtracted.

@@ -102,7 +102,7 @@ struct Decay {
   double noise_dB = kGap;
 };
 
-// The response's level per block after the peak, and before the pulse.
+// The response's level per block after the force's peak, and before the pulse.
 Decay decay_of(const pipeline::Analysis& analysis, const acquire::Hit& hit, std::size_t channel) {
   constexpr std::size_t kMinRest = 16;  // samples for a level
   const acquire::Record& record = analysis.aligned_record();

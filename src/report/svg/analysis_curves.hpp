@@ -35,7 +35,7 @@ struct HitCurves {
   HitSamples response_mps2;  // of the first accelerometer over seconds from the onset; may be empty
   HitSamples spectrum_dB;    // of the force over Hz, relative to its largest line, to 1.5 times the bandwidth
   double noise_dB = 0;       // of the first accelerometer before the hit, as decay_dB; NaN: too few samples there
-  HitSamples decay_dB;       // of the first accelerometer over seconds from the peak, 0 at its largest; may be empty
+  HitSamples decay_dB;       // of the first accelerometer over seconds from peak force, 0 at its largest; may be empty
 };
 
 /// Curves of the first hits with a pulse.

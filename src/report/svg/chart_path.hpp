@@ -13,7 +13,8 @@ struct ChartPlane {
   const ChartScale& y;
 };
 
-/// SVG path through x and y, interrupted at gaps. Beyond the vertical axis it follows the plot's border.
+/// SVG path through x and y, interrupted at gaps. Where y is beyond the range of its axis, the path follows the plot's
+/// border.
 std::string path_through(const ChartPlane& plane, const std::vector<double>& x, const std::vector<double>& y);
 
 /// SVG path around the area between the band's curves. Gaps of either curve divide it into parts, each closed.

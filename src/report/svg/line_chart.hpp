@@ -20,7 +20,7 @@ struct ChartCurve {
   ChartMark mark = ChartMark::circle;
   std::optional<std::size_t> style{};  // colour and dashes; default: the index of the curve
   std::vector<std::string> labels{};   // label i is beside point i, not over others; may be shorter than x
-  bool thin = false;                   // a thin line in ink, over the other curves
+  bool thin = false;                   // a thin line in ink, over the curves before it
 };
 
 /// The area between two curves, lightly in the colour of a curve.
@@ -54,8 +54,8 @@ struct LineChart {
 enum class ChartTheme : std::uint8_t { paper, page };
 
 /// The chart as an SVG 1.1 document: ticks at round numbers, colours for the colour-blind, dashes that differ in print,
-/// text of 12 px and more. A line of more than a thousand points is reduced to the extremes of neighbouring points. If
-/// a curve consists of points alone, the names form a legend.
+/// text of 12 px and more. A line of 1500 points or more is reduced to the extremes of neighbouring points. If a curve
+/// consists of points alone, the names form a legend.
 std::string line_chart_svg(const LineChart& chart, ChartTheme theme = ChartTheme::paper);
 
 /// The same as a part of a larger drawing.

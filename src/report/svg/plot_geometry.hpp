@@ -28,8 +28,9 @@ struct PlotMesh {
   acquire::PointLayout layout = acquire::PointLayout::scattered;
 };
 
-/// Contains the points whose coordinates are known. Lines and faces are the geometry file's, or the record's own lines,
-/// where there are any; else rings around a tube and lines along it, or structure_mesh. The survey must have modes.
+/// Contains the points whose coordinates are known. Lines and faces come from the geometry, or from the record if the
+/// geometry has none. If neither has any, they are rings around a tube and lines along it, or those of
+/// structure_mesh(). The survey must have modes.
 PlotMesh plot_mesh(const pipeline::Survey& survey);
 
 /// Direction of a positive response: the point's normal; with `sensors`, along the sensor's angle where it is known on

@@ -11,7 +11,7 @@ namespace percuss::report {
 std::string channel_label(const pipeline::ResponseTest& test, std::size_t channel);
 
 /// For each channel, up to six: the spectrum (magnitude) of the free decays over the band, and the spectrum of the
-/// fitted modes and tones; RMS over the accepted hits, in dB below the largest line. Empty where no mode was found.
+/// fitted modes and tones; RMS over the accepted hits, in dB re the largest measured line. Empty without a mode.
 std::vector<LineChart> response_spectra(const pipeline::ResponseTest& test);
 
 }  // namespace percuss::report

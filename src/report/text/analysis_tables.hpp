@@ -13,7 +13,7 @@ struct HitsTable {
   std::size_t left_out = 0;  // accepted hits without a row, because the table is full
 };
 
-/// Each hit with its force and its findings. Hits and modes count from 1 in every table.
+/// Each hit with its force and its findings. Hits and modes count from 1 in every table of a text or page.
 HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipeline::AnalysedHit>& hits);
 
 /// Each mode with its standard deviations and, with `classes`, its type.

@@ -144,7 +144,7 @@ TEST(GradeResponse, MeasuresDelayAndDirectionOfTheFirstMotion) {
       const ResponseGrade found = grade(ringing(1000, sign * 50, kOnset + late));
       EXPECT_EQ(found.polarity, sign > 0 ? 1 : -1);
       ASSERT_TRUE(found.delay_s);
-      constexpr double kSample = 1.001;  // samples
+      constexpr double kSample = 1.001;  // samples: the delay is known to one sample; the rest is rounding
       // The delay ends at the first sample above 2 % of the largest: sin(0.2), one sample after the start.
       const double exact = static_cast<double>(kOnset + late + 1) - onset;
       EXPECT_LE(std::abs(*found.delay_s * kFs_Hz - exact), kSample) << late;

@@ -141,7 +141,7 @@ TEST_F(SuggestedCommand, AsksForTheRateWhereTheFirstColumnCountsSamples) {
   EXPECT_THAT(suggestion({"analyze", "x.csv"}), EndsWith(" --fs HZ\n"));
 }
 
-// The message is about the roles, not about the text that the guess meets.
+// The message is about the roles, not about the text "lost" in a column that the guess of the roles reads.
 TEST_F(SuggestedCommand, IsGivenThoughAColumnHoldsAText) {
   std::string text;
   for (std::size_t i = 0; i < record_.time_s.size(); ++i) {

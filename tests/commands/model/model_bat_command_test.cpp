@@ -77,8 +77,8 @@ TEST_F(ModelBatCommand, PutsExitSpeedsBesideTheWave) {
     EXPECT_NEAR(wave["mode_share_" + std::to_string(m + 1)][row], curve[0]["mode_share"][m].get<double>(), 1e-9) << m;
 }
 
-// 1/(1/M + z²/I) of a free bat, z from its centre of mass; I/d² of a bat on a pin; null at every position of a
-// clamped bat.
+// A free bat: 1/(1/M + z²/I), with z from its centre of mass and I about it. A bat on a pin: I/d², with d from the pin
+// and I about it. A clamped bat: null at every position.
 TEST_F(ModelBatCommand, StatesTheEffectiveMassOfTheRigidBat) {
   constexpr double kPin_m = 0.1524;
   const auto with = [&](std::vector<std::string> options) {

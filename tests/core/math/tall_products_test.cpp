@@ -28,7 +28,7 @@ TEST(TallProducts, AgreeWithEigen) {
   }
 }
 
-// Every remainder of the tiles: 3 columns on the left, 4 on the right, 8 rows of a product, 4 of a sum.
+// Whole and incomplete tiles. A tile has 3 columns on the left, 4 on the right, 8 rows of a product, and 4 of a sum.
 TEST(TallProducts, OfRealMatricesAgreeWithEigen) {
   for (const Eigen::Index n : {1, 3, 4, 11, 100}) {
     for (const Eigen::Index a : {0, 1, 2, 3, 7}) {

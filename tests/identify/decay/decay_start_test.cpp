@@ -33,7 +33,7 @@ FreeDecays tap(std::size_t end, double noise, unsigned seed) {
 }
 
 // A soft tip's force ends slowly. Decays that begin while it acts are biased. The noise alone must not keep the start
-// late: its blocks of a few samples rise and fall together.
+// late, although the noise of neighbouring blocks of a few samples is correlated.
 TEST(DecayStart, IsTheEndOfASoftForceInColouredNoise) {
   constexpr std::size_t kEnd = 96;  // 2 ms
   std::size_t late = 0;
@@ -42,7 +42,7 @@ TEST(DecayStart, IsTheEndOfASoftForceInColouredNoise) {
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     const StartedFit found = fit_from_earliest_start(tap(kEnd, 2e-4, seed), kSafe, {.band_Hz = {50, 5000}});
     ASSERT_EQ(found.fit.decays.size(), 1U) << seed;
-    EXPECT_GT(found.start, kEnd - 24) << seed;  // in the last half millisecond the force is below the noise
+    EXPECT_GT(found.start, kEnd - 24) << seed;  // half a millisecond before its end, the force is far above the noise
     if (found.start > 2 * kEnd) ++late;
     const FittedDecay& decay = found.fit.decays[0];
     squares += std::pow((decay.rate.rate_radps - decay_rate_of(kPole).rate_radps).real(), 2) / decay.covariance(0, 0);

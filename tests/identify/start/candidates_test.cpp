@@ -48,7 +48,8 @@ TEST(CandidatePoles, AreNotQuantisedToALine) {
   }
 }
 
-// The fit of one resonance around either peak finds the same pole.
+// A fit of one resonance finds the same pole around either peak. The peak that is farther from this pole gets a pole at
+// its own line.
 TEST(CandidatePoles, BelongToTheirOwnPeaks) {
   FrfDataset set = test::empty_set(4096, 2048, 300, 1500, 1);
   test::add_mode(set, 0, {800.3, 0.0003}, 1);
@@ -96,7 +97,7 @@ TEST(ResidualModePoles, AreFoundInAResidual) {
   test::add_mode(residual, 0, {800, 0.004}, 30 * 0.008 * kDeviation);  // a peak of 30 standard deviations
   test::add_frf_noise(residual, kDeviation, 4);
   const auto poles = residual_mode_poles(set, lines_of(residual));
-  // Several widths may show the same mode; the later fit decides. One pole lies within half the bandwidth.
+  // Several widths show the same mode; the best one is kept. One pole lies within half the bandwidth of 6.4 Hz.
   const auto near = [](const Pole& pole) { return std::abs(pole.freq_Hz - 800) <= 0.5 * 6.4; };
   EXPECT_EQ(std::count_if(poles.begin(), poles.end(), near), 1);
 }

@@ -54,8 +54,8 @@ TEST(UnmodelledPeaks, AreLimitedToTheForcesBandwidthAndTheRange) {
   EXPECT_EQ(unmodelled_peaks(set, {}, 1).size(), 1U);
 }
 
-// A peak must exceed six standard deviations of the noise, because on a flank noise can raise one line and lower its
-// neighbour.
+// A peak must rise above its saddles by more than six standard deviations of the noise in its level, because on a flank
+// noise can raise one line and lower its neighbour.
 TEST(UnmodelledPeaks, AreNotNoiseOnAFlank) {
   constexpr double kNoise = 0.5;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

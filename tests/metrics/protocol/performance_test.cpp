@@ -51,7 +51,7 @@ TEST(Performance, InvertsBbcor) {
   }
 }
 
-// A bat that is rigid and a ball with restitution e: momentum about the pivot and the definition of e give v_out/v_in.
+// A rigid bat and a ball with restitution e: angular momentum about the pivot and the definition of e give v_out/v_in.
 TEST(Performance, BbcorIsTheRestitutionOfARigidPivotedBat) {
   const double ball_kg = 0.145, x_m = 0.55, moi = 0.19, in_mps = 60, e = 0.48;
   const double k = ball_kg * x_m * x_m / moi;
@@ -70,7 +70,7 @@ TEST(Performance, NcaaBesrIsBesrAtTheNominalSpeed) {
 }
 
 TEST(Performance, ReproducesTheBarrelSpeedOfTheSwingModel) {
-  // A standard bat with v0 = 60 mph at its lever arm of 28 in, 66 mph at about 31 in.
+  // A standard bat with v0 = 60 mph at 28 in from the knob, 66 mph at about 31 in.
   EXPECT_NEAR(swing_speed_mps(34 * kInch_m, 6 * kInch_m, 15000 * kOzIn2) / kMph, 60, 60 * kRounding);
   EXPECT_NEAR(swing_speed_mps(34 * kInch_m, 6 * kInch_m, 15000 * kOzIn2, {.v0_mps = 40 * kMph}) / kMph, 40,
               40 * kRounding);

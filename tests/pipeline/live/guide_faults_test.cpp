@@ -156,7 +156,8 @@ TEST(GuideFaults, GoesOnAfterALongGap) {
   EXPECT_EQ(bench.guide->session().accepted(), 5U);
 }
 
-// Two kills before the first blow: the file equals that of a session that was never interrupted.
+// A session that was killed before its first blow, resumed and killed again. Nothing is missing at the first resume, so
+// the file does not state it.
 TEST(SessionFaults, LeavesOutAResumeBeforeTheFirstSample) {
   using acquire::CaptureFault;
   pipeline::SessionFaults faults(1000);

@@ -47,7 +47,8 @@ TEST(MissedBlows, AreReportedBelowATriggerLevel) {
   EXPECT_EQ(bench.witness.silent_hammers, 1U);
 }
 
-// Motion that is much smaller than after a blow, a pause, or a sensor that is on its way to the next point.
+// No missed blow is reported for a motion that is much smaller than after a blow, during a pause, and while the sensor
+// is on its way to the next point.
 TEST(MissedBlows, AreNotReportedForHandling) {
   Bench weak(struck_tube(kFiveTimes, 8), {.plan = {.hits = 9}});
   cut_force(weak, 3);
@@ -71,7 +72,7 @@ TEST(MissedBlows, AreNotReportedForHandling) {
   EXPECT_EQ(moving.witness.silent_hammers, 0U);
 }
 
-// Not while a blow is being recorded, unless it is asked for twice.
+// While a blow is being recorded, the key to finish takes effect after the blow; a second press takes effect at once.
 TEST(EndByKey, WaitsForTheBlowThatIsBeingRecorded) {
   for (const bool twice : {false, true}) {
     Bench bench(struck_tube(kFiveTimes, 8));

@@ -80,7 +80,7 @@ TEST(Until, IsMetWhenEveryModeIsKnownWellEnough) {
   EXPECT_FALSE(met("mode 2 < 0.07 Hz"));
 }
 
-// σ² = a + b·n₀/n with the falling part b: closed form.
+// Of the variance after n₀ blows, the part b falls with the number n of blows: σ² = a + b·n₀/n.
 TEST(FurtherBlows, FollowFromTheFallingPart) {
   const LiveMode noisy{.freq_std_Hz = 0.1, .falling_std_Hz = 0.1};
   EXPECT_EQ(further_blows(noisy, 4, 0.05), 12U);  // a quarter of the variance: 16 blows

@@ -10,7 +10,7 @@
 #include "pipeline/response/response_test.hpp"
 #include "support/response_records.hpp"
 
-// The tests of weak blows judge the onset by the modes that are fitted to the decay after it.
+// The tests with a slow mode also judge the onset by the modes that are fitted to the decay after it.
 namespace percuss::pipeline::response_impacts_test {
 
 constexpr double kFs_Hz = 8192;

@@ -12,7 +12,7 @@ namespace percuss::report::logo_test {
 
 using testing::StartsWith;
 
-// One transparent pixel.
+// One pixel, half transparent.
 std::string small_png() {
   return from_base64(
       "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==");

@@ -8,7 +8,8 @@ namespace percuss::tools {
 /// errors  InputError, UsageError: unusable files or values.
 pipeline::GuideOptions guide_options(const RecordFlags& flags);
 
-/// Refuses a length without room for a pulse, and a band that the sampling rate cannot hold.
+/// Refuses a sampling rate below 100 Hz, a band that the rate cannot hold, a pre-trigger without a sample, and a length
+/// shorter than two pre-triggers.
 /// errors  InputError
 void check_window(const acquire::Record& description, const RecordFlags& flags);
 

@@ -52,7 +52,7 @@ class RecordScreen : public pipeline::GuideObserver {
   const pipeline::Guide* guide_ = nullptr;
   double fs_Hz_ = 0;
   bool silent_ = false;         // while the journal is replayed
-  bool ask_ = false;            // other blows count than before
+  bool ask_ = false;            // the blows that count have changed
   bool discard_ = false;        // blows that counted before do not count any longer
   std::set<std::string> told_;  // problems of the test, and goals
   std::optional<pipeline::QualityWorker> worker_;

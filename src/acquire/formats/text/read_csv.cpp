@@ -104,7 +104,7 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 }
 
 constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
-constexpr double kMinFrequencyStep = 0.05;   // of a column without a name; as a time step in s it would mean 20 Hz
+constexpr double kMinFrequencyStep = 0.05;   // Hz, in a column without a name; as a time step in s it would mean 20 Hz
 
 std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
   std::vector<double> samples(std::min(table.lines(), max_samples));

@@ -9,7 +9,7 @@ namespace percuss::acquire {
 /// errors  InputError: empty, UTF-16, binary. The message names known kinds of files that percuss does not read.
 void require_text(std::string_view head, const std::string& name);
 
-/// Requires that no line is longer than 1 MiB. Takes little time: it reads only the ends of lines 1 MiB apart.
+/// Requires that no line is longer than 1 MiB. Takes little time: it looks only for the last line end in each MiB.
 /// errors  InputError: a longer line, with its number
 void require_short_lines(std::string_view text, char line_end, const std::string& name);
 

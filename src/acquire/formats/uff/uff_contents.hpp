@@ -54,9 +54,9 @@ struct UffAnnotation {
 };
 UffAnnotation uff_annotation(const UffFunction& function);
 
-/// The step of an even abscissa, before it was rounded to 13 columns. If percuss stated the step in the fifth line and
-/// it agrees with the text, the result is this step. Otherwise the result is one of the steps that round to the same
-/// text:
+/// The step of an even abscissa, in its unit, before it was rounded to 13 columns. If percuss stated the step in the
+/// fifth line and it agrees with the text, the result is this step. Otherwise the result is one of the steps that round
+/// to the same text:
 ///   for time, the step with the roundest inverse (the sampling rate);
 ///   for frequency, the roundest step, or the step with the roundest inverse (the duration) if that has fewer digits.
 /// Sets `note` when a step found by roundness differs from the text.

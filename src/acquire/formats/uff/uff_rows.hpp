@@ -13,7 +13,8 @@ using UffRow = std::vector<const UffFunction*>;
 /// fits:
 ///   each force begins a row;
 ///   each force ends a row;
-///   each force has a row; among the responses with the same degree of freedom and quantity, the k-th belongs to it.
+///   each force has a row; of the responses with the same degree of freedom and quantity, the k-th belongs to the k-th
+///   force.
 /// Without forces all functions are one row.
 /// errors  InputError: the responses do not divide evenly among the forces, lengths differ within a row, or steps
 /// differ between any two functions.
