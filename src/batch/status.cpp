@@ -74,7 +74,7 @@ std::string status_text(const BatchStatus& status) {
   std::string text = fmt::format("{} of {} records finished, in {} of {} {}", status.finished, status.records, done,
                                  shards, shards == 1 ? "shard" : "shards");
   text += status.failed > 0 ? fmt::format("; {} failed\n", status.failed) : "\n";
-  if (!status.missing.empty()) text += "missing: " + array_list(status.missing) + "\n";
+  if (!status.missing.empty()) text += "missing shards: " + array_list(status.missing) + "\n";
   if (!status.open.empty()) text += fmt::format("left open by a fault of the machine: {}\n", status.open.size());
   std::size_t named = 0;
   for (const auto& [id, reason] : status.open) {

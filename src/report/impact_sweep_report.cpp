@@ -160,7 +160,7 @@ TextTable sweep_table(const ImpactSweep& sweep) {
       {sweep.parameter, TextTable::Align::right}, {"restitution", TextTable::Align::right},
       {"contact", TextTable::Align::right},       {"force", TextTable::Align::right},
       {"deflection", TextTable::Align::right},    {"second contact"}};
-  if (several) heads.push_back({"restitution at last", TextTable::Align::right});
+  if (several) heads.push_back({"restitution after the last contact", TextTable::Align::right});
   TextTable table(std::move(heads));
   for (std::size_t i = 0; i < sweep.values.size(); ++i) {
     const model::ImpactResult& r = sweep.results[i];

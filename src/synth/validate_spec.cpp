@@ -4,11 +4,13 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "synth/spec.hpp"
 
 namespace percuss::synth {
 namespace {
 
+constexpr double kMaxAngle_deg = 5700;   // 100 rad
 constexpr double kMaxValues = 1U << 28;  // samples of all signals together: 2 GiB
 constexpr double kLarge = 1e12;          // beyond any force, acceleration or ratio of a hammer test
 
@@ -80,7 +82,7 @@ void Checker::structure() const {
     in_range(m.freq_Hz, 1e-6 * spec.fs_Hz, spec.fs_Hz, key + "frequency_hz");
     in_range(m.damping_ratio, 1e-6, 0.5, key + "damping_ratio");
     in_range(m.order, 1, 50, key + "order");
-    in_range(m.angle_rad, -100, 100, key + "angle_deg (in rad)");
+    in_range(m.angle_rad / kDegree_rad, -kMaxAngle_deg, kMaxAngle_deg, key + "angle_deg");
     in_range(m.amplitude_per_sqrt_kg, -1e6, 1e6, key + "amplitude_per_sqrt_kg");
     residues(m.residue_per_kg, key + "residue_per_kg");
   }
@@ -91,14 +93,14 @@ void Checker::places() const {
     const SynthSensor& s = spec.sensors[i];
     const std::string key = fmt::format("sensors[{}].", i);
     in_range(s.position_m, 0, spec.structure.length_m, key + "position_m");
-    in_range(s.angle_rad, -100, 100, key + "angle_deg (in rad)");
+    in_range(s.angle_rad / kDegree_rad, -kMaxAngle_deg, kMaxAngle_deg, key + "angle_deg");
     require(std::abs(s.sign) == 1, fmt::format("{:g} is not a sign", s.sign), key + "sign", "give 1 or -1");
     in_range(s.gain, 1e-9, 1e9, key + "gain");
   }
   for (std::size_t i = 0; i < spec.points.size(); ++i) {
     const std::string key = fmt::format("impact[{}].", i);
     in_range(spec.points[i].position_m, 0, spec.structure.length_m, key + "position_m");
-    in_range(spec.points[i].angle_rad, -100, 100, key + "angle_deg (in rad)");
+    in_range(spec.points[i].angle_rad / kDegree_rad, -kMaxAngle_deg, kMaxAngle_deg, key + "angle_deg");
     const std::vector<double>& xyz_m = spec.points[i].xyz_m;
     require(xyz_m.empty() || xyz_m.size() == 3, "not three coordinates", key + "xyz_m", "give [x, y, z] in m");
     for (const double x : xyz_m) in_range(x, -100, 100, key + "xyz_m");

@@ -85,7 +85,7 @@ TEST(PublicModels, HollowHeldAndLoadedBatsAgreeWithTheCommandLine) {
   EXPECT_EQ(bat_exit_speeds_mps(profile, {at["z_m"]}, {.modes = 6})[0], at["exit_speed_mps"]);
 }
 
-TEST(PublicModels, BatRefusesMassesAndSupportsOffTheBat) {
+TEST(PublicModels, BatRefusesMassesAndSupportsOffTheBatAndListsOfAnotherLength) {
   const BatProfile plain{.end_m = {0.84}, .diameter_m = {0.05}};
   BatProfile wrong = plain;
   wrong.added = {{.mass_kg = 0.03, .from_m = 0.5, .to_m = 0.9}};

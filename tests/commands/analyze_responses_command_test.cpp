@@ -74,7 +74,7 @@ TEST_F(AnalyzeResponses, DrawsTheDecaysWithTheirFit) {
 
 // A microphone measures a pressure, which has modes, but no deflection and no FRF in percuss's units.
 TEST_F(AnalyzeResponses, TakesSoundPressures) {
-  const auto unit_of = [&](std::vector<std::string> arguments) {
+  const auto document_of = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "analyze");
     arguments.emplace_back("--json");
     const auto outcome = run_percuss(arguments, {.folder = folder_.path()});
@@ -83,9 +83,9 @@ TEST_F(AnalyzeResponses, TakesSoundPressures) {
     EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty());
     return document;
   };
-  const json pressure = unit_of({"ping.wav", "--unit", "Pa"}), milli = unit_of({"ping.wav", "--unit", "mPa"});
+  const json pressure = document_of({"ping.wav", "--unit", "Pa"}), milli = document_of({"ping.wav", "--unit", "mPa"});
   EXPECT_EQ(pressure["decay"]["unit"], "Pa");
-  EXPECT_EQ(unit_of({"ping.wav", "--unit", "g"})["decay"]["unit"], "m/s^2");
+  EXPECT_EQ(document_of({"ping.wav", "--unit", "g"})["decay"]["unit"], "m/s^2");
   const double amplitude_Pa = pressure["modes"][0]["hit_amplitudes"][0]["re"];
   EXPECT_NEAR(milli["modes"][0]["hit_amplitudes"][0]["re"].get<double>(), 1e-3 * amplitude_Pa, 1e-9);
   std::string text = "mic1_Pa,mic2_Pa\n", with_force = "force_N,mic1_Pa\n";
@@ -95,7 +95,7 @@ TEST_F(AnalyzeResponses, TakesSoundPressures) {
   }
   test::write_bytes(folder_.file("mics.csv"), text);
   test::write_bytes(folder_.file("force.csv"), with_force);
-  const json both = unit_of({"mics.csv", "--fs", "44100"});
+  const json both = document_of({"mics.csv", "--fs", "44100"});
   EXPECT_EQ(both["decay"]["unit"], "Pa");
   EXPECT_EQ(both["modes"][0]["residues"].size(), 2U);
   EXPECT_THAT(test::rejection_of({"deflect", folder_.file("mics.csv"), "--fs", "44100"}, {".json"}, "mics.csv"),

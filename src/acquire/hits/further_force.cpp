@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "acquire/hits/clipping.hpp"
 #include "acquire/hits/smoothed_pulse.hpp"
 #include "core/math/statistics.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kNoise = 6;            // standard deviations of the smoothed force
 constexpr double kMinFraction = 0.001;  // of the peak: smaller contacts change an FRF by less than 0.01 dB
+constexpr double kSteps = 1.5;          // of the recorder: a coarse one rounds slow noise up by a whole step
 constexpr std::size_t kMinGuard = 8;    // samples beside the pulse that belong to it
 constexpr double kMaxPause = 1.5;       // pulse lengths; after a longer pause the force is a contact of its own
 constexpr std::size_t kMaxPull = 3;     // times the longest pause; a longer pull between pushes is no ringing
@@ -99,7 +101,7 @@ class ForceSearch {
     // Hum and slow noise remain in the mean over a few samples, so the noise is measured there.
     const double white = white_noise_N();
     const double measured = spread_of(subsampled(x_, kSpreadSamples)).robust_std;
-    threshold_ = std::max(kNoise * std::max(white, measured), kMinFraction * main_);
+    threshold_ = std::max({kNoise * std::max(white, measured), kMinFraction * main_, kSteps * resolution_of(force_)});
   }
 
   // The end of the force that continues from `end` without a pause. Ringing pauses while it pulls. A long pull is the

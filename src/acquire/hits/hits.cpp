@@ -96,7 +96,7 @@ struct Contact {
 // Only a contact is a hit: a hump or drift of the force does not end the samples of the hit before it.
 std::vector<Contact> contacts_of(const TriggerScan& scan, const Record& record, std::size_t row,
                                  const SampleRange& part, const HitOptions& options) {
-  const auto reach = static_cast<std::size_t>(kLongestPulse_s * record.fs_Hz) + kLongestPulse;
+  const auto reach = static_cast<std::size_t>(kLongestPulse_s * record.fs_Hz) + kLongestPulse_samples;
   std::vector<Contact> contacts;
   for (const std::size_t event : scan.events) {
     const std::size_t begin = std::max(part.first, event > reach ? event - reach : 0);

@@ -49,7 +49,7 @@ std::size_t rise_samples(const PulseShape& pulse) {
 bool is_hammer_pulse(std::span<const double> force_N, std::size_t peak, double noise_N, double fs_Hz) {
   if (!(std::abs(force_N[peak]) > kPulseToNoise * noise_N)) return false;
   const PulseShape pulse = shape_of_pulse(force_N, peak);
-  return pulse.fall - pulse.rise <= std::max(kLongestPulse_s * fs_Hz, static_cast<double>(kLongestPulse));
+  return pulse.fall - pulse.rise <= std::max(kLongestPulse_s * fs_Hz, static_cast<double>(kLongestPulse_samples));
 }
 
 Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, double noise_N) {

@@ -20,9 +20,9 @@ PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak);
 /// Samples from the first crossing to the peak, rounded up.
 std::size_t rise_samples(const PulseShape& pulse);
 
-/// No hammer tip makes a longer pulse: longer is drift. At low rates a pulse may last kLongestPulse samples.
+/// No hammer tip makes a longer pulse: longer is drift. At low rates a pulse may last kLongestPulse_samples samples.
 inline constexpr double kLongestPulse_s = 0.05;
-inline constexpr std::size_t kLongestPulse = 8;
+inline constexpr std::size_t kLongestPulse_samples = 8;
 /// Whether the force about its largest sample is a blow: ten times its noise, and no longer than a hammer's contact.
 bool is_hammer_pulse(std::span<const double> force_N, std::size_t peak, double noise_N, double fs_Hz);
 

@@ -56,11 +56,11 @@ void add_scatter(const FittedDecay& decay, Mode& mode) {
   if (freq_Hz.size() < 2) return;
   const ScatterOfHits freq = scatter_of_hits(freq_Hz, freq_std_Hz), zeta = scatter_of_hits(damping, damping_std);
   if (freq.deviate > kSignificantScatter) {
-    mode.freq_std_parts_Hz.hits = freq.hits;
+    mode.freq_std_parts_Hz.hits = freq.std_from_scatter;
     mode.hit_scatter_Hz = freq.spread;
   }
   if (zeta.deviate > kSignificantScatter) {
-    mode.damping_std_parts.hits = zeta.hits;
+    mode.damping_std_parts.hits = zeta.std_from_scatter;
     mode.hit_scatter_damping = zeta.spread;
   }
 }

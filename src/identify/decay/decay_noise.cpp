@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kBlock = 256;              // lines of a block: wider than the resonances of close modes
-constexpr Index kFirstBlock = 32;          // lines of the block at frequency zero
-constexpr Index kMinBlocks = 8;            // shorter spectra have smaller blocks
-constexpr double kColumnAccuracy = 1e-10;  // of a column of the model, relative
+constexpr Index kBlock = 256;      // lines of a block: wider than the resonances of close modes
+constexpr Index kFirstBlock = 32;  // lines of the block at frequency zero
+constexpr Index kMinBlocks = 8;    // shorter spectra have smaller blocks
+constexpr double kResolution = 1e-5;  // of the RMS: less than recorders' noise, more than six digits' rounding
 
 // The median of a mean of `hits` exponential variables, over its expectation (Wilson and Hilferty).
 double median_of_mean(double hits) { return hits == 1 ? std::log(2.0) : std::pow(1 - 1 / (9 * hits), 3); }
@@ -111,7 +111,7 @@ Eigen::MatrixXd decay_line_noise(const DecaySpectra& residual, const Eigen::Vect
 }
 
 Eigen::VectorXd decay_rounding(const DecaySpectra& measured) {
-  return kColumnAccuracy * kColumnAccuracy / static_cast<double>(measured.lines.rows()) *
+  return kResolution * kResolution / static_cast<double>(measured.lines.rows()) *
          measured.lines.colwise().squaredNorm().transpose();
 }
 

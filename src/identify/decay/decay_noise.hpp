@@ -17,8 +17,9 @@ Eigen::MatrixXd decay_line_noise(const DecaySpectra& residual, const Eigen::Vect
 /// around each line. `noise` as of decay_line_noise(). shape [lines].
 Eigen::VectorXd smooth_noise_std(const Eigen::MatrixXd& noise);
 
-/// The power of rounding: the mean power of a hit's lines in a channel times the square of the accuracy of the model's
-/// columns. shape [hits × channels].
+/// The power of the rounding of samples: the mean power of a hit's lines in a channel times the square of the
+/// resolution of records. Rounded numbers without other noise have larger errors where the response is large; the
+/// search would take them for decays. shape [hits × channels].
 Eigen::VectorXd decay_rounding(const DecaySpectra& measured);
 
 }  // namespace percuss::identify

@@ -63,7 +63,7 @@ std::string study_table_csv(const std::vector<StudyBat>& bats, CsvFormulas formu
   out += '\n';
   for (const StudyBat& bat : bats) {
     out += fmt::format("{},{},{},{},{},{},{},{}", cell(bat.id), cell(bat.bat), cell(bat.maker), cell(bat.model),
-                       bat.length_in, name_of(bat.material), bat.broken_in ? "abi" : "new", cell(bat.program));
+                       bat.length_in, name_of(bat.material), bat.condition(), cell(bat.program));
     for (const auto& value : bat.values) out += value ? fmt::format(",{}", *value) : ",";
     out += '\n';
   }

@@ -70,6 +70,15 @@ bool broken_in(const BatProperties& p, const std::string& id) {
   throw InputError("no such condition: " + one_line(word, 40), "bat " + one_line(id, 60), "give new, abi or used");
 }
 
+}  // namespace
+
+const char* StudyBat::condition() const {
+  if (!broken_in) return "new";
+  return material == BarrelMaterial::composite ? "abi" : "used";
+}
+
+namespace {
+
 // Computes quantities from the given columns.
 void derive_quantities(StudyBat& bat, const std::optional<double>& weight_oz, const std::optional<double>& z_in) {
   const auto at = [&](StudyQuantity q) -> std::optional<double>& { return bat.values.at(static_cast<std::size_t>(q)); };

@@ -29,6 +29,7 @@ struct StudyBat {
   double length_in = 0;
   BarrelMaterial material = BarrelMaterial::wood;
   bool broken_in = false;
+  const char* condition() const;  // as in tables: "new", "abi" for a composite barrel, "used" for another
   std::array<std::optional<double>, kStudyQuantities> values;
 
   std::optional<double> value(StudyQuantity quantity) const { return values.at(static_cast<std::size_t>(quantity)); }

@@ -50,7 +50,7 @@ std::vector<Complex> amplitudes_of(std::span<const ToneSignal> signals, const st
   return amplitude;
 }
 
-double refined(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
+double refined_turns_per_sample(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
   const std::size_t samples = signals.front().x.size();
   const Segment early = early_segment(samples), late = late_segment(samples);
   const auto shift = static_cast<double>(late.first - early.first);

@@ -114,7 +114,7 @@ void add_mains(ToneFit& fit, std::span<const ToneSignal> signals, const std::vec
   }
   for (std::size_t k = 2; k <= kMaxHarmonic && static_cast<double>(k) * *base < 0.5 - line; ++k) {
     const double turns = static_cast<double>(k) * *base;
-    if (!known[k] && refined(signals, window, turns) > 0 && power_to_noise(signals, window, turns) > kAboveFlank)
+    if (!known[k] && refined_turns_per_sample(signals, window, turns) > 0 && power_to_noise(signals, window, turns) > kAboveFlank)
       add_tone(out, signals, amplitudes_of(signals, window, turns), turns, fs_Hz);
   }
   fit = std::move(out);
@@ -145,7 +145,7 @@ ToneFit find_tones(std::span<const ToneSignal> signals, std::vector<double> cand
   const std::size_t length = segment_length(signals.front().x.size());
   const std::vector<double> window = window_of(length);
   for (const double candidate : distinct(std::move(candidates), length)) {
-    const double turns = refined(signals, window, candidate);
+    const double turns = refined_turns_per_sample(signals, window, candidate);
     if (!(turns > 0)) continue;
     const std::vector<Complex> amplitude = amplitudes_of(signals, window, turns);
     if (has_free_phase(signals, amplitude, turns) || is_there_before(signals, amplitude, turns))

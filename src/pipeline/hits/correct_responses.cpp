@@ -16,7 +16,7 @@ constexpr double kMaterialFault = 1e-9;     // of the largest response: smaller 
 constexpr std::size_t kFilterRinging = 72;  // samples
 constexpr std::size_t kAfterPulse = 16;     // samples: the force still acts
 constexpr std::size_t kSearchStep = 80;     // samples: a diagnosis reaches 44 to either side
-constexpr std::size_t kEarlyShare = 4;      // the first quarter of the decay is searched everywhere
+constexpr double kEarlyPart = 0.25;         // of the decay: it is searched everywhere
 constexpr std::size_t kSameFault = 48;      // samples: nearer suspects are one fault
 
 using Samples = std::vector<std::vector<double>>;  // [channels]
@@ -94,7 +94,7 @@ enum class Search { suspects, everywhere };
 // Samples at equal steps over the first part of the decay. A diagnosis at each of them covers all samples between.
 std::vector<std::size_t> everywhere(const DecayRange& range) {
   std::vector<std::size_t> at;
-  const std::size_t end = range.first + (range.end - range.first) / kEarlyShare;
+  const std::size_t end = range.first + static_cast<std::size_t>(kEarlyPart * static_cast<double>(range.end - range.first));
   for (std::size_t n = range.first + kDiagnosisRoom; n + kDiagnosisRoom < end; n += kSearchStep) at.push_back(n);
   return at;
 }

@@ -35,10 +35,18 @@ void mark_clipped(acquire::ResponseGrade& response) {
   response.clipped_samples = std::max<std::size_t>(response.clipped_samples, 1);
 }
 
+// Whether two rows hold one hit recorded twice. Equal extremes say nothing then.
+bool is_copy(const AnalysedHit& a, const AnalysedHit& b, std::size_t channel) {
+  return a.hit.peak_N == b.hit.peak_N && a.hit.gated_N == b.hit.gated_N &&
+         a.responses[channel].extremes.high == b.responses[channel].extremes.high &&
+         a.responses[channel].extremes.low == b.responses[channel].extremes.low;
+}
+
 void grade_side(std::vector<AnalysedHit>& hits, const Side& side) {
-  std::vector<AnalysedHit*> measured;
+  std::vector<AnalysedHit*> measured;  // each hit once
   for (AnalysedHit& hit : hits) {
-    if (side.measured_by(hit)) measured.push_back(&hit);
+    const auto is_copy_of = [&](const AnalysedHit* other) { return is_copy(hit, *other, side.channel); };
+    if (side.measured_by(hit) && std::none_of(measured.begin(), measured.end(), is_copy_of)) measured.push_back(&hit);
   }
   if (measured.size() < 2) return;
   const auto less = [&](const AnalysedHit* a, const AnalysedHit* b) { return side.extreme(*a) < side.extreme(*b); };

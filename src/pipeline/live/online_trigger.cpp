@@ -53,7 +53,7 @@ OnlineTrigger::OnlineTrigger(const OnlineTriggerOptions& options, std::uint64_t 
       step_(step_samples(options.fs_Hz)),
       apart_(frames_in(acquire::kTriggerSeparation_s, options.fs_Hz)),
       own_(std::min(apart_, frames_in(acquire::kOwnHit_s, options.fs_Hz))),
-      reach_(static_cast<std::uint64_t>(acquire::kLongestPulse_s * options.fs_Hz) + acquire::kLongestPulse),
+      reach_(static_cast<std::uint64_t>(acquire::kLongestPulse_s * options.fs_Hz) + acquire::kLongestPulse_samples),
       armed_after_(std::max<std::uint64_t>(frames_in(kArming_s, options.fs_Hz), kArmingSteps * step_)),
       base_(first_frame),
       stepped_(first_frame),

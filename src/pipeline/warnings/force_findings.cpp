@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "core/math/complex.hpp"
@@ -21,6 +22,7 @@ constexpr double kMinFolded = 0.02;  // of the largest response: level of the hi
 constexpr std::size_t kMinSameLevel = 4;  // hits that show a level
 constexpr double kMaxLevelSpread = 0.04;  // of the logarithm of the extremes
 constexpr double kMinForceSpread = 0.05;  // of the logarithm of the forces
+constexpr std::size_t kForceBands = 8;    // of the pulse's spectrum, up to its bandwidth
 constexpr double kEqualLevels = 0.05;     // chance that two levels agree
 constexpr double kMaxLevelChance = 1e-3;
 constexpr double kMinCouplingPhase_rad = 0.02;  // moves a mode there by a hundredth of its bandwidth
@@ -68,25 +70,54 @@ LevelSide side_of(std::size_t channel, const std::vector<double>& extremes, cons
   return side;
 }
 
+// [measures] The size of a blow: its peak, and the levels of its spectrum in bands up to its bandwidth. A harder blow
+// may be shorter: then a response may be the same, and one of these measures with it.
+std::vector<double> sizes_of(const acquire::Hit& hit, double fs_Hz) {
+  std::vector<double> sizes{std::abs(hit.peak_N)};
+  const double width = std::min(0.5, hit.bandwidth_Hz / fs_Hz) / static_cast<double>(kForceBands);
+  for (std::size_t band = 0; band < kForceBands && width > 0; ++band) {
+    const auto at = static_cast<double>(band);
+    sizes.push_back(pulse_level(hit.gated_N, at * width, (at + 1) * width));
+  }
+  return sizes;
+}
+
+// The side as the measure of the blows shows it that leaves the greatest chance.
+LevelSide likeliest_side_of(std::size_t channel, const std::vector<double>& extremes,
+                            const std::vector<std::vector<double>>& sizes) {
+  std::optional<LevelSide> likeliest;
+  for (std::size_t measure = 0; measure < sizes.front().size(); ++measure) {
+    std::vector<double> forces;
+    for (const std::vector<double>& of_hit : sizes) forces.push_back(of_hit[measure]);
+    if (std::any_of(forces.begin(), forces.end(), [](double value) { return !(value > 0); })) continue;
+    const LevelSide side = side_of(channel, extremes, forces);
+    if (!likeliest || side.chance > likeliest->chance) likeliest = side;
+  }
+  return likeliest.value_or(LevelSide{.channel = channel});
+}
+
 std::vector<LevelSide> sides_of(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
-                                std::size_t channels) {
+                                std::size_t channels, double fs_Hz) {
   std::map<int, std::vector<std::size_t>> points;
   for (std::size_t h = 0; h < hits.size(); ++h) {
     if (hits[h].responses.size() == channels && responses.of[h].size() == channels) points[hits[h].point].push_back(h);
   }
   std::vector<LevelSide> sides;
   for (const auto& [point, members] : points) {
-    for (std::size_t s = 0; members.size() >= kMinSameLevel && s < 2 * channels; ++s) {
-      std::vector<double> extremes, forces;
+    if (members.size() < kMinSameLevel) continue;
+    std::vector<std::vector<double>> sizes;
+    for (const std::size_t h : members) sizes.push_back(sizes_of(hits[h].hit, fs_Hz));
+    const bool alike = std::all_of(sizes.begin(), sizes.end(),
+                                   [&](const std::vector<double>& one) { return one.size() == sizes.front().size(); });
+    for (std::size_t s = 0; alike && s < 2 * channels; ++s) {
+      std::vector<double> extremes;
       for (const std::size_t h : members) {
         const HitResponse& response = responses.of[h][s / 2];
         const double rest = response.rest.before.value_or(0);
         extremes.push_back(s % 2 == 0 ? response.grade.extremes.high - rest : rest - response.grade.extremes.low);
-        forces.push_back(std::abs(hits[h].hit.peak_N));
       }
-      const bool usable = std::all_of(extremes.begin(), extremes.end(), [](double value) { return value > 0; }) &&
-                          std::all_of(forces.begin(), forces.end(), [](double value) { return value > 0; });
-      if (usable) sides.push_back(side_of(s / 2, extremes, forces));
+      if (std::all_of(extremes.begin(), extremes.end(), [](double value) { return value > 0; }))
+        sides.push_back(likeliest_side_of(s / 2, extremes, sizes));
     }
   }
   return sides;
@@ -139,7 +170,7 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
 
 std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                                 const HitResponses& responses) {
-  std::vector<LevelSide> sides = sides_of(hits, responses, record.accel.size());
+  std::vector<LevelSide> sides = sides_of(hits, responses, record.accel.size(), record.fs_Hz);
   std::sort(sides.begin(), sides.end(), [](const LevelSide& a, const LevelSide& b) { return a.chance < b.chance; });
   double chance = 1, least = 1;
   std::size_t clipped = 0;

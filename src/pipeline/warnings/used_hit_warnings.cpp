@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/math/statistics.hpp"
+#include "pipeline/warnings/hit_list.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -85,18 +86,18 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
   if (const UsedInSpite clipped = used_in_spite_of(hits, FindingCode::force_clipped); !clipped.hits.empty()) {
     out.push_back(with_remedy(
         {"force_clipped",
-         fmt::format("the force of hits {} was clipped before the recorder's filter (flat tops: the pulse at 80 % "
-                     "of its peak is {:.0f} % as long as at 30 %; without clipping, about 50 %): frequencies and "
+         fmt::format("the force of {} was clipped before the recorder's filter (flat tops: the pulse at 80 % "
+                     "of its peak is {:.0f} % as long as at 30 %; without clipping, at most about 50 %): frequencies and "
                      "damping hold, but FRFs, residues and masses are off by several percent or more",
-                     listed(clipped.hits, 1), clipped.largest * 100)},
+                     hit_list(clipped.hits), clipped.largest * 100)},
         "lower the gain of the hammer's amplifier or hit softer"));
   }
   if (const UsedInSpite twice = used_in_spite_of(hits, FindingCode::double_hit); !twice.hits.empty()) {
     out.push_back(with_remedy(
         {"double_hits_used",
-         fmt::format("hits {} have a second hit (up to {:.1f} % of the main one) and are used, because their points "
-                     "have too few others. The force holds both contacts, but its spectrum is uneven",
-                     listed(twice.hits, 1), twice.largest * 100)},
+         fmt::format("{}: a second contact, up to {:.1f} % of the main one; used all the same, because too few other "
+                     "hits are at the same point. The force holds both contacts, but its spectrum is uneven",
+                     hit_list(twice.hits), twice.largest * 100)},
         "repeat the hits of these points"));
   }
   if (const std::vector<std::size_t> points = dropped_points(hits); !points.empty()) {

@@ -31,20 +31,20 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at, std::size_t cou
 
 void require_size(std::uint32_t width, std::uint32_t height, const std::string& where) {
   if (width == 0 || height == 0 || width > kMaxPixels || height > kMaxPixels)
-    refuse(fmt::format("a picture of {} × {} pixels, more than {} or none", width, height, kMaxPixels), where);
+    refuse(fmt::format("a picture of {} × {} pixels; each side must have 1 to {}", width, height, kMaxPixels), where);
 }
 
 void check_png(std::string_view bytes, const std::string& where) {
   constexpr std::size_t kWidthAt = 16, kHeightAt = 20, kShortest = 45;
   if (bytes.size() < kShortest || bytes.substr(12, 4) != "IHDR" || !bytes.ends_with(kPngEnd))
-    refuse("a PNG picture that is cut short, or has more behind it", where);
+    refuse("a PNG picture that is cut short or has data after its end", where);
   require_size(big_endian(bytes, kWidthAt, 4), big_endian(bytes, kHeightAt, 4), where);
 }
 
 // Walks the segments of a JPEG up to the frame header, which holds the size.
 void check_jpeg(std::string_view bytes, const std::string& where) {
   constexpr std::uint8_t kScan = 0xDA;
-  if (!bytes.ends_with("\xFF\xD9")) refuse("a JPEG picture that is cut short, or has more behind it", where);
+  if (!bytes.ends_with("\xFF\xD9")) refuse("a JPEG picture that is cut short or has data after its end", where);
   for (std::size_t at = 2; at + 9 < bytes.size() && bytes[at] == '\xFF';) {
     const auto marker = static_cast<std::uint8_t>(bytes[at + 1]);
     const bool frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;

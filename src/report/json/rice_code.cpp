@@ -16,7 +16,7 @@ std::vector<std::uint32_t> zigzag_differences(std::span<const std::int32_t> valu
   out.reserve(values.size());
   std::int32_t before = 0;
   for (const std::int32_t value : values) {
-    assert(std::abs(value) <= 1 << 22);
+    assert(std::abs(value) < 1 << 22);
     const std::int32_t d = value - before;
     out.push_back(static_cast<std::uint32_t>(d >= 0 ? 2 * d : -2 * d - 1));
     before = value;

@@ -107,7 +107,7 @@ LineChart hits_chart(const std::vector<HitCurves>& hits, HitSamples HitCurves::*
 
 // At the highest order of the diagram: the sections that show these poles have orders of their own.
 ChartCurve unmodelled_poles(const pipeline::Analysis& analysis) {
-  ChartCurve curve{.name = "stable in a section, no mode", .line = false, .mark = ChartMark::triangle, .style = 4};
+  ChartCurve curve{.name = "stable in a part of the band, no mode", .line = false, .mark = ChartMark::triangle, .style = 4};
   std::size_t top = 0;
   for (const identify::StabilisationPole& pole : analysis.stabilisation().poles) top = std::max(top, pole.order);
   for (const identify::Pole& pole : analysis.unmodelled_poles()) {
@@ -182,17 +182,17 @@ std::vector<SvgFragment> analysis_charts(const pipeline::Analysis& analysis,
   if (wants({"spectrum"})) {
     charts.push_back(
         hits_chart(hits, &HitCurves::spectrum_dB, 1,
-                   {.title = "Spectrum of the force", .x = kFrequency, .y = {.label = "dB below the largest line"}}));
+                   {.title = "Spectrum of the force", .x = kFrequency, .y = {.label = "dB re the largest line"}}));
     if (possible) {
       const auto [low_Hz, high_Hz] = analysis.band_Hz();
-      charts.back().flags = {{.x = low_Hz, .name = "band"}, {.x = high_Hz, .name = "band's end"}};
+      charts.back().flags = {{.x = low_Hz, .name = "band's start"}, {.x = high_Hz, .name = "band's end"}};
     }
   }
   if (wants({"decay"})) {
     charts.push_back(hits_chart(hits, &HitCurves::decay_dB, 1,
                                 {.title = "Decay of the response",
-                                 .x = {.label = "time after the peak, s"},
-                                 .y = {.label = "dB below the largest"}}));
+                                 .x = {.label = "time after the force's peak, s"},
+                                 .y = {.label = "dB re the largest level"}}));
   }
   if (wants({"stabilisation"}) && possible) charts.push_back(stabilisation_chart(analysis, classifications));
   std::vector<SvgFragment> pieces;

@@ -101,7 +101,7 @@ std::vector<LineChart> response_spectra(const pipeline::ResponseTest& test) {
     if (!(largest > 0)) continue;
     LineChart chart{.title = "Free decays of " + channel_label(test, c),
                     .x = {.label = "frequency, Hz"},
-                    .y = {.label = "spectrum, dB below its largest line"},
+                    .y = {.label = "spectrum, dB re the largest measured line"},
                     .curves = {}};
     chart.curves.push_back({"measured", freq_Hz, decibels(measured, largest)});
     chart.curves.push_back({"fit", freq_Hz, decibels(fitted_power(modes, test.record.fs_Hz, lines, c), largest)});

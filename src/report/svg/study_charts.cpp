@@ -150,7 +150,7 @@ std::string points_csv(const metrics::Study& study, metrics::StudyQuantity x, me
                                  : bat.material == metrics::BarrelMaterial::aluminum ? "aluminum"
                                                                                      : "composite";
     out += fmt::format("{},{},{},{},{},{}\n", csv_cell(bat.id, formulas), bat.length_in, material,
-                       bat.broken_in ? "abi" : "new", *bat.value(x), *bat.value(y));
+                       bat.condition(), *bat.value(x), *bat.value(y));
   }
   return out;
 }

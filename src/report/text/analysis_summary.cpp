@@ -37,6 +37,8 @@ std::string summary_sentence(const pipeline::Analysis& analysis,
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   const std::string band = fmt::format("between {} and {} Hz", hertz_text(low_Hz), hertz_text(high_Hz));
   const std::size_t count = analysis.modes().size();
+  if (count == 0 && !analysis.options().modes.start_Hz.empty())
+    return "No mode could be fitted at the starting frequencies.";
   if (count == 0) return fmt::format("No mode rises above the noise {}.", band);
   std::vector<std::string> parts;
   for (const identify::ModeType family :

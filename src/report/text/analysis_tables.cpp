@@ -161,6 +161,11 @@ TextTable modes_table(const pipeline::Analysis& analysis, bool classes) {
   return table;
 }
 
+const char* no_modes_text(const pipeline::Analysis& analysis) {
+  return analysis.options().modes.start_Hz.empty() ? "no mode rises above the noise in the band\n"
+                                                   : "no mode could be fitted at the starting frequencies\n";
+}
+
 bool is_quoted(const identify::ModeClassification& classification) {
   return !classification.split_mode || classification.split_mode->quoted;
 }

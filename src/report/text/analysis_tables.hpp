@@ -19,10 +19,13 @@ HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipel
 /// Each mode with its standard deviations and, with `classes`, its type.
 TextTable modes_table(const pipeline::Analysis& analysis, bool classes);
 
+/// The line that stands in place of an empty table of modes.
+const char* no_modes_text(const pipeline::Analysis& analysis);
+
 /// The conditions of the test: "25.6 kHz · 5 hits × 2 accelerometers (0°, 90°) · band 60–3200 Hz"
 std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits);
 
-/// False for the peak of a split mode that does not stand for the mode (SplitMode::quoted), true for every other peak.
+/// False for the peak of a split mode that is not quoted (SplitMode::quoted), true for every other peak.
 bool is_quoted(const identify::ModeClassification& classification);
 
 /// "hoop 1"; "bending" or "unknown" without an order.

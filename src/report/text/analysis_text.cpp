@@ -31,9 +31,7 @@ std::string hits_text(const pipeline::Analysis& analysis, const std::vector<pipe
 }
 
 std::string modes_text(const pipeline::Analysis& analysis, bool classes, std::size_t width) {
-  if (!analysis.modes().empty()) return modes_table(analysis, classes).text(width);
-  return analysis.options().modes.start_Hz.empty() ? "no mode rises above the noise in the band\n"
-                                                   : "no mode could be fitted at the starting frequencies\n";
+  return analysis.modes().empty() ? no_modes_text(analysis) : modes_table(analysis, classes).text(width);
 }
 
 std::string frf_text(const pipeline::Analysis& analysis) {

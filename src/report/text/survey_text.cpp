@@ -83,7 +83,7 @@ TextTable survey_modes_table(const pipeline::Survey& survey) {
 namespace {
 
 std::string modes_text(const pipeline::Survey& survey, std::size_t width) {
-  if (survey.analysis().modes().empty()) return "no mode rises above the noise in the band\n";
+  if (survey.analysis().modes().empty()) return no_modes_text(survey.analysis());
   return survey_modes_table(survey).text(width);
 }
 

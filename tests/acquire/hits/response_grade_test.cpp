@@ -239,7 +239,7 @@ TEST(GradeResponse, AcceptsPulsesAtTheVeryEndAndShortSignals) {
   EXPECT_EQ(none.polarity, 0);
 }
 
-TEST(GradeResponse, TakesNoLateNoiseForTheFirstMotion) {
+TEST(GradeResponse, TakesNoMotionLongAfterTheForceForItsEffect) {
   auto x = ringing(600, 50, kOnset + 9000);  // 0.35 s after the force: it cannot be its effect
   test::add_noise(x, 1e-3, 1);
   EXPECT_FALSE(grade(x).delay_s);

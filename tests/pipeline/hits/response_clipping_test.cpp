@@ -44,6 +44,11 @@ TEST(RepeatedClipping, IgnoresChanceAndEqualHits) {
   EXPECT_EQ(clipped_samples_of({AnalysedHit{}, hit_of({-91, 100}, 1e-6)}), (Counts{0, 0}));
 }
 
+TEST(RepeatedClipping, IgnoresAHitThatWasRecordedTwice) {
+  EXPECT_EQ(clipped_samples_of({hit_of({-91, 100}, 1e-6), hit_of({-87, 96}, 1e-6), hit_of({-91, 100}, 1e-6)}),
+            (Counts{0, 0, 0}));
+}
+
 TEST(RepeatedClipping, IsFoundAtEqualExtremesOnBothSides) {
   EXPECT_EQ(clipped_samples_of({hit_of({-100, 100}, 1e-6), hit_of({-87, 95}, 1e-6), hit_of({-100, 93}, 1e-6)}),
             (Counts{1, 0, 1}));

@@ -114,7 +114,7 @@ TEST_F(AnalysisPage, DrawsThePolesThatNoModeDescribes) {
   const auto chart = run_percuss({"analyze", folder_.file("broad.h5"), "--band", "60:1500", "--effort", "quick",
                                   "--picture", "stabilisation", "-o", folder_.file("broad.svg")});
   EXPECT_EQ(chart.code, 0) << chart.err;
-  EXPECT_THAT(test::bytes_of(folder_.file("broad.svg")), HasSubstr("stable in a section, no mode"));
+  EXPECT_THAT(test::bytes_of(folder_.file("broad.svg")), HasSubstr("stable in a part of the band, no mode"));
 }
 
 TEST_F(AnalysisPage, IsMadeForPaperToo) {

@@ -90,15 +90,15 @@ LineRange lines_of_function(const UffFunction& f, const std::string& where, std:
     for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = f.x(k) * to_Hz;
     return lines_from_frequencies(freq_Hz, where);
   }
-  const double df_Hz = uff_step(f, true, note);
-  const double first = std::round(f.x0 / df_Hz);
+  const double step = uff_step(f, true, to_Hz, note);
+  const double first = std::round(f.x0 / step);
   constexpr double kMaxLineOffset = 0.05;  // of the spacing, as in lines_from_frequencies
-  const bool fits = df_Hz > 0 && first >= 0 && std::abs(f.x0 / df_Hz - first) <= kMaxLineOffset;
+  const bool fits = step > 0 && first >= 0 && std::abs(f.x0 / step - first) <= kMaxLineOffset;
   if (!fits || f.count < 2) {
-    throw InputError(fmt::format("{} lines from {} Hz in steps of {} Hz", f.count, f.x0, f.dx), where,
+    throw InputError(fmt::format("{} lines from {} Hz in steps of {} Hz", f.count, f.x0 * to_Hz, f.dx * to_Hz), where,
                      "export lines that are multiples of their spacing");
   }
-  for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = (first + static_cast<double>(k)) * df_Hz * to_Hz;
+  for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = (first + static_cast<double>(k)) * step * to_Hz;
   return lines_from_frequencies(freq_Hz, where);
 }
 

@@ -97,9 +97,9 @@ bool roving_sensor(const std::vector<UffRow>& rows) {
 double rate_of_function_Hz(const UffFunction& function, const std::string& where, std::string& note) {
   const double to_s = s_per_unit(function.abscissa.unit).value_or(1);
   if (function.even) {
-    const double dt_s = uff_step(function, false, note) * to_s;
+    const double dt_s = uff_step(function, false, to_s, note) * to_s;
     if (dt_s > 0 && std::isfinite(dt_s)) return 1 / dt_s;
-    throw InputError(fmt::format("a time step of {} s", function.dx), where, "state the sampling rate", {"fs"});
+    throw InputError(fmt::format("a time step of {} s", dt_s), where, "state the sampling rate", {"fs"});
   }
   std::vector<double> times(function.count);
   double largest = 0;

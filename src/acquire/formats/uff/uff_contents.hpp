@@ -60,6 +60,7 @@ UffAnnotation uff_annotation(const UffFunction& function);
 ///   for time, the step with the roundest inverse (the sampling rate);
 ///   for frequency, the roundest step, or the step with the roundest inverse (the duration) if that has fewer digits.
 /// Sets `note` when a step found by roundness differs from the text.
-double uff_step(const UffFunction& function, bool frequency, std::string& note);
+/// to_SI  s or Hz per unit of the abscissa, for the note
+double uff_step(const UffFunction& function, bool frequency, double to_SI, std::string& note);
 
 }  // namespace percuss::acquire

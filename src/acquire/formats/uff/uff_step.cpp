@@ -49,7 +49,7 @@ UffAnnotation uff_annotation(const UffFunction& function) {
   return out;
 }
 
-double uff_step(const UffFunction& function, bool frequency, std::string& note) {
+double uff_step(const UffFunction& function, bool frequency, double to_SI, std::string& note) {
   const double dx = function.dx;
   if (!(dx > 0) || !std::isfinite(dx)) return dx;
   const double half_unit = 0.5 * std::pow(10.0, -decimals_of(function.dx_text, false));
@@ -64,10 +64,10 @@ double uff_step(const UffFunction& function, bool frequency, std::string& note) 
     note = frequency
                ? fmt::format(
                      "spacing {:.10g} Hz: of all spacings that round to {}, it (or its inverse) has the fewest digits",
-                     step, trimmed(function.dx_text))
+                     step * to_SI, trimmed(function.dx_text))
                : fmt::format(
-                     "sampling rate {:.10g} Hz: of all rates whose time step rounds to {} s, it has the fewest digits",
-                     round_inverse, trimmed(function.dx_text));
+                     "sampling rate {:.10g} Hz: of all rates whose time step rounds to {} {}, it has the fewest digits",
+                     round_inverse / to_SI, trimmed(function.dx_text), function.abscissa.unit.empty() ? "s" : function.abscissa.unit);
   }
   return step;
 }

@@ -70,7 +70,7 @@ const hitPlots = () => {
         context.stroke();
       }
     });
-    hitPlot(figure, curves, 800, 0, Math.max(...curves.map(endOf)), null, "time after the peak, s", "response, dB", { hooks: { draw: [noise] } });
+    hitPlot(figure, curves, 800, 0, Math.max(...curves.map(endOf)), null, "time after the force's peak, s", "response, dB", { hooks: { draw: [noise] } });
     addElement("figcaption", figure, `Decay of the first accelerometer.${withNoise.length ? " Dotted: its noise before the hit." : ""} Colours as above.`);
   });
 };
