@@ -71,9 +71,11 @@ void step_window(const FrfDataset& set, const HitFrfs& hits, const std::vector<M
   const auto normal = projection.normal_equations_by_point(state, poles.size());
   const std::vector<double> energies = residual_energies(state, hits, noise);
   const HitResidues residues(set, hits, modes, window, state, freedom);
-  std::vector<std::vector<ResidueRatio>> ratios;  // [window.modes][hits]
+  std::vector<std::vector<ResidueRatio>> ratios;                  // [window.modes][hits]
+  std::vector<std::vector<std::vector<HitResidue>>> of_channels;  // [window.modes][hits][channels]
   for (std::size_t i = 0; i < poles.size(); ++i) {
     ratios.push_back(residues.ratios(i));
+    of_channels.push_back(residues.residues(i, ratios.back()));
     out[window.modes[i]].differs_from_previous =
         i > 0 && are_close(poles[i - 1], poles[i]) && scatter_clearly(residues.contrasts(i - 1, i));
   }
@@ -92,6 +94,7 @@ void step_window(const FrfDataset& set, const HitFrfs& hits, const std::vector<M
       out[window.modes[i]].hits[h] = hit_pole(moved, std::hypot(std::sqrt(scale * inverse(f, f)), floor_Hz),
                                               std::hypot(std::sqrt(scale * inverse(f + 1, f + 1)), floor), poles[i]);
       out[window.modes[i]].hits[h].residue_ratio = ratios[i][h];
+      out[window.modes[i]].hits[h].residues = std::move(of_channels[i][h]);
     }
   }
 }

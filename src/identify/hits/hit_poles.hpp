@@ -15,7 +15,9 @@ struct HitPole {
   Pole pole;
   double freq_std_Hz = 0, damping_std = 0;
   bool known = false;
-  ResidueRatio residue_ratio{};  // at the pole of the test; only from linearised_hit_poles()
+  // At the pole of the test; only from linearised_hit_poles().
+  ResidueRatio residue_ratio{};
+  std::vector<HitResidue> residues{};  // [channels]
 };
 
 /// The poles of one mode in every hit. fitted_hit_poles() also gives the pole of all hits together, over the same

@@ -46,6 +46,25 @@ std::vector<ResidueRatio> HitResidues::ratios(std::size_t mode) const {
   return ratios;
 }
 
+std::vector<std::vector<HitResidue>> HitResidues::residues(std::size_t mode,
+                                                           const std::vector<ResidueRatio>& ratios) const {
+  std::vector<std::vector<HitResidue>> out(hits_.points.size());
+  const auto at = static_cast<Index>(mode);
+  for (const ProjectedPart& part : state_.parts) {
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
+      const std::size_t o = part.channels[i], hit = hits_.set.channels[o].point;
+      const auto column = static_cast<Index>(i);
+      const double variance = noise2_of(part, column, freedom_) * part.inverse_gram(at, at).real() / 2;
+      const double weight = ratios[hit].weight;
+      out[hit].push_back({.residue = residue_of_[o],
+                          .value = part.amplitude(at, column),
+                          .std = std::sqrt(variance),
+                          .share = weight > 0 ? std::norm(expected(mode, o).value) / variance / weight : 1});
+    }
+  }
+  return out;
+}
+
 std::vector<ResidueRatio> HitResidues::contrasts(std::size_t mode, std::size_t other) const {
   const auto modes = static_cast<Index>(window_.modes.size());
   std::vector<MatrixXd> matrix(hits_.points.size(), MatrixXd::Zero(modes, modes));

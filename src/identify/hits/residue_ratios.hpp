@@ -15,6 +15,14 @@ struct ResidueRatio {
   double value() const { return sum / weight; }
 };
 
+/// A residue of a mode in one hit.
+struct HitResidue {
+  std::size_t residue = 0;  // index in Mode::residues
+  Complex value;
+  double std = 0;    // of the real part and of the imaginary part
+  double share = 0;  // of the weight of the hit's ratio that this residue has
+};
+
 /// The residues of the single hits, from a fit of their FRFs over a window at the modes' poles. The arguments must
 /// outlive this object.
 class HitResidues {
@@ -33,6 +41,9 @@ class HitResidues {
   /// The ratios of a mode of the window, [hits]: real, and common to all channels. A hit beside its place, in another
   /// direction or with another gain of the force changes the residues of all channels by one factor.
   std::vector<ResidueRatio> ratios(std::size_t mode) const;
+
+  /// The residues of a mode of the window, [hits][channels]. `ratios`: of this mode.
+  std::vector<std::vector<HitResidue>> residues(std::size_t mode, const std::vector<ResidueRatio>& ratios) const;
 
   /// The difference between two modes' ratios, [hits]: an error of the force's gain is common to both.
   std::vector<ResidueRatio> contrasts(std::size_t mode, std::size_t other) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/math/significance.hpp"
 #include "identify/noise/force_noise.hpp"
@@ -13,6 +14,8 @@ namespace {
 // point alone (one in 300,000, as a survey has hundreds of points and modes).
 constexpr double kSignificantTogether = 3.1, kSignificantAlone = 4.5;
 constexpr double kRoundingRatio = 1e-9;  // of a ratio without noise
+constexpr double kMaxShare = 0.99;       // of the weight of a hit's ratio: such a residue alone decides the ratio
+constexpr double kClearDirection = 5;    // standard deviations of a residue whose phase is known
 
 // The ratios of the hits at one point, with their weights in an average of FRFs.
 struct PointRatios {
@@ -51,6 +54,56 @@ std::vector<double> scatter_of_points(const std::vector<PointRatios>& points) {
   return std;
 }
 
+// The phase of a mode's residues in the complex plane, up to its sign, where most of their energy lies.
+Complex common_direction(const Mode& mode) {
+  Complex doubled;
+  for (const Residue& residue : mode.residues) doubled += residue.value * residue.value;
+  return std::abs(doubled) > 0 ? std::sqrt(doubled / std::abs(doubled)) : Complex(1);
+}
+
+// Adds to the residues' standard deviations the scatter that differs between the channels: of a hit's residue minus the
+// ratio that the hit's residues share times the mean.
+void add_scatter_of_channels(const HitFrfs& hits, const HitPoles& poles, std::size_t line, Mode& mode) {
+  const Complex common = common_direction(mode);
+  std::vector<PointRatios> beside(mode.residues.size());  // [residues], 1/kg
+  std::map<std::size_t, std::vector<std::size_t>> of_points;
+  for (std::size_t h = 0; h < poles.hits.size(); ++h) {
+    const HitPole& hit = poles.hits[h];
+    if (!(hit.residue_ratio.weight > 0)) continue;
+    for (const HitResidue& one : hit.residues) {
+      const Residue& mean = mode.residues[one.residue];
+      const bool clear = std::abs(mean.value) > kClearDirection * mean.std;
+      const Complex along = clear ? mean.value / std::abs(mean.value) : common;
+      PointRatios& at = beside[one.residue];
+      if (one.share > kMaxShare) continue;
+      at.value.push_back((std::conj(along) * (one.value - hit.residue_ratio.value() * mean.value)).real());
+      at.std.push_back(one.std * std::sqrt(1 - one.share));
+      at.power.push_back(hits.set.points[h].ff[line]);
+      auto& members = of_points[hits.points[h]];
+      if (std::find(members.begin(), members.end(), one.residue) == members.end()) members.push_back(one.residue);
+    }
+  }
+  double sum = 0, count = 0;
+  for (const auto& [point, members] : of_points) {
+    double deviates = 0, measured = 0;
+    for (const std::size_t r : members) {
+      if (beside[r].value.size() < 2) continue;
+      deviates += std::min(beside[r].scatter().deviate, kSignificantAlone);
+      ++measured;
+    }
+    if (!(measured > 0)) continue;
+    sum += deviates / measured;  // the channels of a point depend on each other
+    ++count;
+  }
+  const bool all = count > 0 && sum > kSignificantTogether * std::sqrt(count);
+  for (std::size_t r = 0; r < beside.size(); ++r) {
+    if (beside[r].value.size() < 2) continue;
+    const ScatterOfHits scatter = beside[r].scatter();
+    if (all || scatter.deviate > kSignificantAlone)
+      mode.residues[r].std = std::hypot(mode.residues[r].std, std_of_average(beside[r], scatter.spread));
+  }
+}
+
 }  // namespace
 
 void add_residue_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
@@ -68,6 +121,7 @@ void add_residue_scatter(const FrfDataset& set, const HitFrfs& hits, const Windo
           std::hypot(std::sqrt(1 / ratio.weight), gain_amplitude_std(hits.set, h, mode.pole.freq_Hz), kRoundingRatio));
       at.power.push_back(hits.set.points[h].ff[line]);
     }
+    add_scatter_of_channels(hits, linear.poles[m], line, mode);
     const std::vector<double> scatter = scatter_of_points(points);
     for (std::size_t o = 0; o < mode.residues.size(); ++o) {
       Residue& residue = mode.residues[o];
