@@ -13,6 +13,7 @@
 #include "pipeline/warnings/record_findings.hpp"
 #include "pipeline/warnings/role_warnings.hpp"
 #include "pipeline/warnings/truncation_warnings.hpp"
+#include "pipeline/warnings/tube_warnings.hpp"
 #include "pipeline/warnings/used_hit_warnings.hpp"
 
 namespace percuss::pipeline {
@@ -53,6 +54,7 @@ std::vector<Warning> Analysis::warnings() const {
   }
   if (classifications_.ready()) {
     add(object_warnings(classifications(), options_.classes));
+    add(tube_warnings(record(), modes(), classifications(), options_.classes, modes_are_complete()));
     add(split_mode_warnings(modes(), classifications()));
   }
   return ranked(std::move(out));

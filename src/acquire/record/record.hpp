@@ -33,6 +33,9 @@ struct SignalInfo {
   Quantity measures = Quantity::acceleration;  // force, acceleration, or the pressure at a microphone
 };
 
+/// Whether the signal is that of a microphone, in Pa.
+inline bool is_pressure(const SignalInfo& signal) { return signal.measures == Quantity::pressure; }
+
 /// A range of time that all signals were sampled in without a gap.
 struct RowInfo {
   std::size_t samples = 0;

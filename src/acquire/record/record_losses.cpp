@@ -17,6 +17,12 @@ void add_lost_places(const Record& record, std::vector<std::string>& losses) {
   if (any(&SignalInfo::position_m)) losses.emplace_back("the sensors' positions");
 }
 
+void add_lost_quantities(const Record& record, std::vector<std::string>& losses) {
+  const auto differs = [&](const SignalInfo& signal) { return signal.measures != record.accel.front().measures; };
+  if (std::any_of(record.accel.begin(), record.accel.end(), differs))
+    losses.emplace_back("which responses are accelerations and which are pressures");
+}
+
 void add_lost_names(const Record& record, std::vector<std::string>& losses) {
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     if (record.accel[c].name == "accel " + std::to_string(c + 1)) continue;

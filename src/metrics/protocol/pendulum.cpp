@@ -33,9 +33,10 @@ std::string uneven_crossing(const std::vector<double>& times_s, std::size_t p) {
 
 PeriodEstimate mean_period(const std::vector<double>& periods_s, double resolution_s) {
   if (periods_s.empty()) return {.problem = "no period is given"};
-  const auto n = static_cast<double>(periods_s.size());
+  const double scatter_s = standard_error_of(periods_s);
+  const double independent = scatter_s > 0 ? static_cast<double>(periods_s.size()) : 1;
   return {.period_s = mean_of(periods_s),
-          .std_s = std::hypot(standard_error_of(periods_s), reading_std(resolution_s) / std::sqrt(n))};
+          .std_s = std::hypot(scatter_s, reading_std(resolution_s) / std::sqrt(independent))};
 }
 
 PeriodEstimate period_of_crossings(const std::vector<double>& times_s, std::size_t p, double resolution_s) {
@@ -66,7 +67,8 @@ PeriodEstimate period_of_crossings(const std::vector<double>& times_s, std::size
   const double period = xy / xx;
   for (std::size_t n = 0; n < count; ++n)
     residual_square += (time(n) - period * turn(n)) * (time(n) - period * turn(n));
-  const double variance = count > p + 1 ? residual_square / static_cast<double>(count - p - 1) : 0;
+  double variance = count > p + 1 ? residual_square / static_cast<double>(count - p - 1) : 0;
+  if (variance < std::pow(kReadingTolerance * period, 2)) variance = 0;  // rounded times that fit exactly tell no error
   const double read = reading_std(resolution_s);
   return {.period_s = period, .std_s = std::sqrt(std::max(variance, read * read) / xx)};
 }

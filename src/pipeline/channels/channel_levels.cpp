@@ -46,7 +46,13 @@ std::vector<ChannelPair> compare_channels(const std::vector<identify::Mode>& mod
     if (shown < kMinCompared) continue;
     // Equal ratios in all modes give ±1; ratios that differ in size give less.
     const double alike = all.cross / std::sqrt(all.first * all.second);
-    out.push_back({.first = 0, .second = c, .modes = shown, .ratio = median(all.ratio), .correlation = alike});
+    const auto [least, most] = std::minmax_element(all.ratio.begin(), all.ratio.end());
+    out.push_back({.first = 0,
+                   .second = c,
+                   .modes = shown,
+                   .ratio = median(all.ratio),
+                   .spread = *most / *least,
+                   .correlation = alike});
   }
   return out;
 }

@@ -14,6 +14,7 @@ struct ChannelPair {
   std::size_t first = 0, second = 0;
   std::size_t modes = 0;
   double ratio = 0;        // median magnitude of the second's residues over the first's
+  double spread = 1;       // largest over smallest of these magnitudes
   double correlation = 0;  // of the residues, each pair normalised: 1 the same motion, −1 the opposite motion
 };
 

@@ -22,6 +22,7 @@ constexpr double kUnitFactor = 1000;       // between m/s² and mm/s², V and mV
 constexpr double kUnitSpread = 5;          // largest factor between residues at two places of a structure
 constexpr double kFastest_mps = 50;        // ten times the speed of a hammer swung by hand
 constexpr double kSameMotion = 0.98;       // of ChannelPair::correlation
+constexpr double kSameRatio = 1.1;         // of ChannelPair::spread: sensors at one place; bending and hoop differ more
 constexpr double kOppositeMotion = -0.95;  // likewise
 constexpr double kOneSide_rad = std::numbers::pi / 2 + 0.1;  // sensors farther apart may point against each other
 constexpr double kOwnPlace_rad = std::numbers::pi / 6;       // sensors farther apart show different motions
@@ -163,7 +164,7 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
            {"setup", "accel_scale"}},
           R"(check which way the sensors point, and state "sign": -1 for the reversed one in the set-up, or a )"
           "negative scale"));
-    } else if (pair.correlation > kSameMotion && angle_rad && *angle_rad > kOwnPlace_rad) {
+    } else if (pair.correlation > kSameMotion && pair.spread < kSameRatio && angle_rad && *angle_rad > kOwnPlace_rad) {
       out.push_back(with_remedy(
           {"same_motion",
            fmt::format("{} and {} show the same motion in all {} modes, but their stated angles are {:.0f}° apart: an "

@@ -66,6 +66,12 @@ TEST(Pendulum, AveragesReadings) {
   EXPECT_NEAR(mean_period({1.4}, 0.01).std_s, 0.01 / std::sqrt(12.0), kRounding);
 }
 
+TEST(Pendulum, TakesEqualReadingsForNoProofOfPrecision) {
+  EXPECT_NEAR(mean_period({1.39, 1.39}, 0.01).std_s, 0.01 / std::sqrt(12.0), kRounding) << "one rounding error";
+  EXPECT_EQ(mean_period({1.39, 1.39}).std_s, 0);
+  EXPECT_EQ(period_of_crossings({0.10, 0.79, 1.49, 2.18, 2.88}).std_s, 0) << "unknown, not the error of a computation";
+}
+
 TEST(Pendulum, StatesTheReasonForNoPeriod) {
   using testing::HasSubstr;
   EXPECT_THAT(mean_period({}).problem, HasSubstr("no period"));

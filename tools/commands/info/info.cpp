@@ -154,14 +154,15 @@ std::variant<acquire::Record, acquire::FrfRecord> opened_at(const ReadFlags& rea
                                                             std::size_t index) {
   try {
     return open_measurement_at(read, options, index);
-  } catch (const acquire::AmbiguousColumns& seen) {
-    if (read.paths[index] == "-") throw;
+  } catch (const InputError& seen) {
+    if (read.paths[index] == "-" || options.force_optional) throw;
     acquire::ReadOptions without_force = options;
     without_force.force_optional = true;
+    const auto* const ambiguous = dynamic_cast<const acquire::AmbiguousColumns*>(&seen);
     try {
       auto opened = open_measurement_at(read, without_force, index);
       const auto* const record = std::get_if<acquire::Record>(&opened);
-      if (record == nullptr || uses_all_signals(*record, seen.guess)) return opened;
+      if (record == nullptr || ambiguous == nullptr || uses_all_signals(*record, ambiguous->guess)) return opened;
     } catch (const InputError&) {  // the first error says more
     }
     throw;

@@ -31,6 +31,7 @@ Measurement open_hdf5_file(const FormatInput& input, const FrfReadOptions& optio
 
 std::vector<std::string> hdf5_losses(const std::string& /*path*/, const Record& record) {
   std::vector<std::string> losses;
+  add_lost_quantities(record, losses);
   add_lost_names(record, losses);
   return losses;
 }

@@ -137,7 +137,8 @@ void write_hdf5(const std::string& path, const Record& record, bool force) {
   if (record.continuous && !one_row) out.set_numbers("", "continuous", std::array{1.0}, false);
   if (const std::string date = common_date_of(record.files); !date.empty()) out.set_text("", "date", date);
   if (record.has_force) out.set_text("force", "unit_str", "N");
-  out.set_text("accel", "unit_str", "m/s^2");
+  out.set_text("accel", "unit_str",
+               si_name(record.accel.empty() ? Quantity::acceleration : record.accel.front().measures));
   write_sensor_numbers(out, record, "position_m", &SignalInfo::position_m, 1);
   write_sensor_numbers(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);
   write_row_numbers(out, record, "point", &RowInfo::point);

@@ -39,6 +39,7 @@ Measurement open_mat_file(const FormatInput& input, const FrfReadOptions& option
 
 std::vector<std::string> mat_losses(const std::string& /*path*/, const Record& record) {
   std::vector<std::string> losses;
+  add_lost_quantities(record, losses);
   add_lost_names(record, losses);
   return losses;
 }

@@ -101,7 +101,7 @@ void write_mat(const std::string& path, const Record& record, bool force) {
   write_interleaved(out, rows * channels, samples, [&](std::size_t series, std::size_t first, std::span<double> part) {
     record.read_accel_mps2(series % rows, series / rows, first, part);
   });
-  out.text("accel_unit", "m/s^2");
+  out.text("accel_unit", si_name(record.accel.empty() ? Quantity::acceleration : record.accel.front().measures));
   write_mat_sensor_numbers(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);
   write_mat_sensor_numbers(out, record, "position_m", &SignalInfo::position_m, 1);
   write_row_number(out, record, "point", &RowInfo::point);

@@ -59,7 +59,7 @@ SoundCalibration calibration_of(const Record& record, const std::vector<double>&
     const bool force = record.has_force && s == 0;
     const SignalInfo& info = force ? record.force : record.accel[s - (record.has_force ? 1 : 0)];
     out.signals.push_back({.name = info.name,
-                           .measures = force ? Quantity::force : Quantity::acceleration,
+                           .measures = force ? Quantity::force : info.measures,
                            .to_SI = scales[s],
                            .angle_rad = info.angle_rad,
                            .position_m = info.position_m});

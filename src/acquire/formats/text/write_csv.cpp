@@ -1,5 +1,7 @@
 #include "acquire/formats/text/write_csv.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -31,7 +33,8 @@ bool states_points(const Record& record) {
 
 std::string header(const Record& record) {
   std::string text = record.has_force ? "hit,t_s,force_N" : "hit,t_s";
-  for (std::size_t c = 0; c < record.accel.size(); ++c) text += ",acc" + std::to_string(c) + "_m_s2";
+  for (std::size_t c = 0; c < record.accel.size(); ++c)
+    text += is_pressure(record.accel[c]) ? fmt::format(",mic{}_Pa", c) : fmt::format(",acc{}_m_s2", c);
   if (states_points(record)) text += ",point";
   if (varies(record, &RowInfo::run)) text += ",run";
   return text + "\n";

@@ -23,6 +23,7 @@ struct Uff58 {
     velocity = 11,
     acceleration = 12,
     excitation_force = 13,
+    pressure = 15,
     time = 17,
     frequency = 18
   };

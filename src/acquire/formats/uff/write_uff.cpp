@@ -43,7 +43,8 @@ void write_row_functions(UffOutput& out, const Record& record, std::size_t row, 
   }
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     function.response = {fmt::format("accel {}", c + 1), 0, uff_direction(record.accel[c])};
-    function.ordinate = {Uff58::acceleration, "Acceleration", "m/s^2"};
+    function.ordinate = is_pressure(record.accel[c]) ? UffAxis{Uff58::pressure, "Pressure", "Pa"}
+                                                     : UffAxis{Uff58::acceleration, "Acceleration", "m/s^2"};
     function.id[3] = uff_sensor_text(record.accel[c]);
     out.function_of(function, info.samples,
                     [&](std::size_t first, std::span<double> part) { record.read_accel_mps2(row, c, first, part); });

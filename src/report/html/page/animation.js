@@ -10,11 +10,12 @@ const animation = (figure, kind) => {
     return input;
   };
   const play = (draw) => {
-    let running = !reducedMotion.matches, phase = 0.25;
+    const largest = 0.25;
+    let running = !reducedMotion.matches, phase = largest, onPaper = false;
     const step = (time) => {
       if (!running) return;
       phase = (time / 2000) % 1;
-      draw(phase);
+      if (!onPaper) draw(phase);
       requestAnimationFrame(step);
     };
     const start = () => {
@@ -23,6 +24,11 @@ const animation = (figure, kind) => {
     };
     button.addEventListener("click", () => { running = !running; start(); });
     for (const input of sliders) input.addEventListener("input", () => draw(phase));
+    // Paper shows the largest deflection.
+    resizable.push((width, paper) => {
+      onPaper = paper === true;
+      draw(onPaper ? largest : phase);
+    });
     draw(phase);
     start();
   };
