@@ -73,6 +73,21 @@ TEST_F(ConvertCommand, KeepsARecordWithoutAForce) {
   }
 }
 
+TEST_F(ConvertCommand, KeepsThatAResponseIsAPressure) {
+  std::vector<double> time_s(4096), pressure_Pa(4096);
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    time_s[i] = static_cast<double>(i) / 4096;
+    pressure_Pa[i] = std::exp(-5 * time_s[i]) * std::sin(600 * time_s[i]);
+  }
+  test::write_columns(file("mic.csv"), "time_s,mic_Pa", {time_s, pressure_Pa});
+  for (const std::string kind : {"h5", "mat", "uff", "csv", "wav"}) {
+    ASSERT_EQ(convert("mic.csv", "mic_back." + kind).code, 0) << kind;
+    const auto shown = run_percuss({"info", file("mic_back." + kind), "--json"});
+    ASSERT_EQ(shown.code, 0) << kind << shown.err;
+    EXPECT_THAT(shown.out, testing::HasSubstr("pressure")) << kind;
+  }
+}
+
 TEST_F(ConvertCommand, GivesEqualBytesAfterARoundTrip) {
   for (const std::string from : kKinds) {
     ASSERT_EQ(convert("bat.h5", "a." + from).code, 0);

@@ -27,7 +27,7 @@ Json hit_of(const pipeline::ResponseTest& test, std::size_t h) {
   if (!hit.reason.empty())
     json["findings"].push_back({{"code", "short_hit"},
                                 {"severity", "reject"},
-                                {"value", static_cast<double>(hit.impact.last - hit.impact.first) / test.record.fs_Hz},
+                                {"value", static_cast<double>(hit.impact.end - hit.impact.first) / test.record.fs_Hz},
                                 {"message", hit.reason}});
   return json;
 }

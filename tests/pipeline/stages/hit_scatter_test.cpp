@@ -120,6 +120,38 @@ TEST(HitScatter, IsPartOfTheStandardDeviationsOfResidues) {
   EXPECT_LT(squares / kSeeds, 2.5);
 }
 
+// Each channel of each hit has a factor of its own, as of hits of a tube in other directions.
+TEST(HitScatter, IsPartOfTheStandardDeviationsOfEachChannel) {
+  constexpr std::size_t kSeeds = 24, kHits = 5;
+  const auto equal = [](std::size_t) { return Modes{}; };
+  std::array<double, 2> squares{};
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> gauss(1, 0.03);
+    std::array<std::array<double, 2>, kHits> gain{};
+    for (auto& of_hit : gain) of_hit = {gauss(random), gauss(random)};
+    acquire::Record record = record_of(equal, kHits, seed);
+    record.read_accel_mps2 = [read = record.read_accel_mps2, gain](std::size_t row, std::size_t channel,
+                                                                   std::size_t first, std::span<double> out) {
+      read(row, channel, first, out);
+      for (double& x : out) x *= gain.at(row).at(channel);
+    };
+    const Analysis analysis(std::move(record), band()), clean(record_of(equal, kHits, seed), band());
+    ASSERT_THAT(analysis.modes(), SizeIs(2));
+    ASSERT_THAT(clean.modes(), SizeIs(2));
+    for (std::size_t c = 0; c < 2; ++c) {
+      const identify::Residue &found = analysis.modes()[0].residues[c], &truth = clean.modes()[0].residues[c];
+      EXPECT_GT(found.std, 5 * truth.std) << seed;
+      const double std = std::hypot(found.std, found.relative_std * std::abs(found.value));
+      squares.at(c) += std::norm(found.value - truth.value) / (std * std) / kSeeds;
+    }
+  }
+  for (const double square : squares) {
+    EXPECT_GT(square, 0.3);
+    EXPECT_LT(square, 2.5);
+  }
+}
+
 TEST(HitScatter, NamesADriftAndIncludesIt) {
   const auto drifting = [](std::size_t hit) {
     const double factor = 1 - 5e-4 * (static_cast<double>(hit) - 2);

@@ -1,0 +1,87 @@
+#include "pipeline/warnings/tube_warnings.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace percuss::pipeline::tube_warnings_test {
+
+using identify::ModeClassification;
+using identify::ModeType;
+using testing::ElementsAre;
+using testing::Field;
+using testing::IsEmpty;
+
+struct Found {
+  double freq_Hz = 0, ratio = 0;
+  ModeType type = ModeType::bending;
+  int order = 0;
+};
+
+acquire::Record two_sensors(double apart_rad) {
+  acquire::Record record;
+  record.accel = {{.name = "A", .angle_rad = 0}, {.name = "B", .angle_rad = apart_rad}};
+  return record;
+}
+
+std::vector<Warning> warnings_of(const std::vector<Found>& found, double apart_rad = std::numbers::pi / 2,
+                                 bool complete = true) {
+  std::vector<identify::Mode> modes;
+  std::vector<ModeClassification> types;
+  for (const Found& one : found) {
+    modes.push_back({.pole = {.freq_Hz = one.freq_Hz, .damping_ratio = 0.005}});
+    types.push_back({.family = one.type,
+                     .order = one.order,
+                     .confidence = 0.98,
+                     .alternative = {},
+                     .overlay_dB = {},
+                     .ratio = one.ratio,
+                     .ratio_std = 1e-3,
+                     .split_mode = {}});
+  }
+  return tube_warnings(two_sensors(apart_rad), modes, types, {}, complete);
+}
+
+// Struck at 20° from the first sensor: bending has tan 20° = 0.364, hoop −1.
+const std::vector<Found> kBat{{182, 0.364, ModeType::bending, 1},
+                              {622, 0.366, ModeType::bending, 2},
+                              {1265, 0.361, ModeType::bending, 3},
+                              {1900, -1.01, ModeType::hoop, 1},
+                              {2650, -0.99, ModeType::hoop, 2}};
+
+TEST(TubeWarnings, SayNothingOfABat) { EXPECT_THAT(warnings_of(kBat), IsEmpty()); }
+
+TEST(TubeWarnings, NameHitsHalfwayBetweenTheSensors) {
+  std::vector<Found> at_135 = kBat, at_45 = kBat;
+  for (Found& one : at_135) one.ratio = -1.02;
+  for (Found& one : at_45) one.ratio = 1.03;
+  EXPECT_THAT(warnings_of(at_135), ElementsAre(Field(&Warning::code, "midway_hit")));
+  EXPECT_THAT(warnings_of(at_45), ElementsAre(Field(&Warning::code, "midway_hit")));
+  // A split hoop mode and one more: too few modes to tell.
+  EXPECT_THAT(
+      warnings_of({{1900, -1, ModeType::hoop, 1}, {1912, -1, ModeType::hoop, 1}, {2650, -1, ModeType::hoop, 2}}),
+      IsEmpty());
+}
+
+TEST(TubeWarnings, NameAUnitThatHoopModesContradict) {
+  std::vector<Found> second = kBat, first = kBat;
+  for (Found& one : second) one.ratio *= 9.81;
+  for (Found& one : first) one.ratio /= 9.81;
+  EXPECT_THAT(warnings_of(second), ElementsAre(Field(&Warning::code, "units_differ")));
+  EXPECT_THAT(warnings_of(first), ElementsAre(Field(&Warning::code, "units_differ")));
+}
+
+TEST(TubeWarnings, NameAnglesThatTheModesContradict) {
+  EXPECT_THAT(warnings_of(kBat, std::numbers::pi), ElementsAre(Field(&Warning::code, "angles_contradicted")));
+}
+
+// Hits on the node of the first bending mode: 622 Hz is taken for it.
+TEST(TubeWarnings, NameABendingModeThatIsProbablyMissing) {
+  const std::vector<Found> without_first{
+      {622, 0.366, ModeType::bending, 1}, {1265, 0.361, ModeType::bending, 2}, {1900, -1.01, ModeType::hoop, 1}};
+  EXPECT_THAT(warnings_of(without_first), ElementsAre(Field(&Warning::code, "order_missing")));
+  EXPECT_THAT(warnings_of(without_first, std::numbers::pi / 2, false), IsEmpty()) << "the user chose the modes";
+}
+
+}  // namespace percuss::pipeline::tube_warnings_test
