@@ -27,7 +27,7 @@ Object mac_between(PyObject* /*module*/, const Arguments& arguments) {
   for (const auto& left : a) {
     for (const auto& right : b) {
       if (left.value.size() != right.value.size())
-        throw InputError("the shapes have different places", "mac",
+        throw InputError("the shapes have different numbers of places", "mac",
                          "give two arrays (modes, places) of the same places");
       out.push_back(identify::mac(left, right).value);
     }

@@ -117,7 +117,8 @@ Object result_of_test(PyObject* self, const Arguments& arguments) {
   const SharedResult& held = held_by(self);
   const std::size_t test = test_in(arguments);
   if (test >= held->outcome.tests || !held->outcome.of_test)
-    raise_builtin(PyExc_IndexError, "test " + std::to_string(test) + " of " + std::to_string(held->outcome.tests));
+    raise_builtin(PyExc_IndexError, "there is no test " + std::to_string(test) + ": the result has " +
+                                        std::to_string(held->outcome.tests) + ", from 0");
   auto made = std::make_shared<ResultHandle>();
   made->outcome = compute(held, [&] { return held->outcome.of_test(test); });
   made->code = made->outcome.possible ? tools::kOk : tools::kImpossible;
@@ -167,7 +168,8 @@ const std::shared_ptr<const pipeline::Analysis>& analysis_of(const SharedResult&
                      {"force_channel"});
   }
   if (test >= all.size())
-    raise_builtin(PyExc_IndexError, "test " + std::to_string(test) + " of " + std::to_string(all.size()));
+    raise_builtin(PyExc_IndexError, "there is no test " + std::to_string(test) + ": the result has " +
+                                        std::to_string(all.size()) + ", from 0");
   return all[test];
 }
 

@@ -101,7 +101,8 @@ Object samples_of(const std::shared_ptr<RecordHandle>& held, std::size_t samples
 std::size_t checked_row(const acquire::Record& record, const Object& row) {
   const auto at = static_cast<std::size_t>(row.whole());
   if (at >= record.rows.size())
-    raise_builtin(PyExc_IndexError, "row " + std::to_string(at) + " of " + std::to_string(record.rows.size()));
+    raise_builtin(PyExc_IndexError, "there is no row " + std::to_string(at) + ": the record has " +
+                                        std::to_string(record.rows.size()) + ", from 0");
   return at;
 }
 
@@ -120,8 +121,8 @@ Object accel_of(PyObject* self, const Arguments& arguments) {
   const std::size_t row = checked_row(record, arguments[0]);
   const auto channel = static_cast<std::size_t>(arguments[1].whole());
   if (channel >= record.accel.size()) {
-    raise_builtin(PyExc_IndexError,
-                  "channel " + std::to_string(channel) + " of " + std::to_string(record.accel.size()));
+    raise_builtin(PyExc_IndexError, "there is no channel " + std::to_string(channel) + ": the record has " +
+                                        std::to_string(record.accel.size()) + ", from 0");
   }
   return samples_of(held, record.rows[row].samples, [&](std::size_t count, std::vector<double>& buffer) {
     return record.read_accel_mps2.view_or_read(row, channel, 0, count, buffer);

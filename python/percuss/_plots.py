@@ -32,7 +32,8 @@ def _places(points: list[int], channels: int, point: int | None, channel: int | 
     chosen = [(row, number, c) for row, number in enumerate(points) for c in range(channels)
               if point in (None, number) and channel in (None, c)]  # fmt: skip
     if not chosen:
-        raise KeyError(f"no FRF of point {point}, channel {channel}")
+        asked = [f"{name} {value}" for name, value in (("point", point), ("channel", channel)) if value is not None]
+        raise KeyError(f"no FRF of {', '.join(asked)}" if asked else "no FRF")
     return chosen
 
 

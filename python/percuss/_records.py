@@ -181,5 +181,5 @@ class Record:
 def _index(value: int, count: int, name: str) -> int:
     at = value + count if value < 0 else value
     if not 0 <= at < count:
-        raise IndexError(f"{name} {value} of {count}")
+        raise IndexError(f"there is no {name} {value}: the record has {count}, from 0")
     return at

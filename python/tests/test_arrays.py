@@ -95,7 +95,7 @@ def test_results_are_views_that_outlive_the_result(signals):
 def test_a_result_is_computed_on_demand(signals):
     found = percuss.analyze(*signals, fs=FS, band=BAND, only="hits", trace=True)
     assert "modes" not in found.to_dict()
-    assert {one["stage"] for one in found.to_dict()["trace"]}.isdisjoint({"identify", "modes", "frfs"})
+    assert {one["stage"] for one in found.to_dict()["trace"]}.isdisjoint({"modes", "frf"})
     assert len(found.frequency_hz) == 3  # computed by this read
 
 

@@ -68,7 +68,7 @@ def test_several_files_are_tests_hits_or_points(tool, bat):
     assert len(together["runs"]) == 2 and "test 1" in together._repr_html_() and "test 1" in str(together)
 
 
-def test_records_in_memory_are_joined_as_files_are(tool, bat):
+def test_records_in_memory_are_joined(tool, bat):
     """Three copies of a test in memory have the frequencies of two copies in files, since all copies are equal."""
     bat.save("a.h5")
     bat.save("b.h5")
@@ -170,12 +170,13 @@ def test_deflection_prints_the_same_document(tool, bat):
         assert np.nanmax(np.abs(curve["deflection_m"])) >= abs(hit["peak_m"]) > 0
 
 
-def test_title_stands_on_pages_alone(tool, bat):
+def test_a_title_stands_on_pages_only(tool, bat):
     bat.save("bat.h5")
     found = percuss.analyze("bat.h5", band=BAND, effort="quick", title="Bat 7")
     found.save("found.json")
     found.save("found.html")
     assert "Bat 7" in open("found.html", encoding="utf-8").read()
+    assert "Bat 7" not in open("found.json", encoding="utf-8").read()
 
 
 def test_nodes_print_the_same_document(tool):

@@ -55,7 +55,7 @@ def test_surveys_of_plain_arrays_ask_for_points(signals):
     assert "percuss.Record(force, accel, fs, points=" in message
 
 
-def test_samples_before_channels_are_swapped(signals):
+def test_samples_before_channels_are_refused(signals):
     message = message_of(percuss.InputError, lambda: percuss.analyze(np.ones((3, 4000)), np.ones((3, 4000, 2)), fs=FS))
     assert "np.swapaxes(accel, -2, -1)" in message
 

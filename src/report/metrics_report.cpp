@@ -49,8 +49,9 @@ Json profile_json(const BatProfileReadings& p, const metrics::BatMetrics& m) {
             {"ball_g", recorded_or_null(p.ball_g, p.steps.ball_g)},
             {"rings", Json::array()},
             {"drop_class", m.drop_class ? Json(*m.drop_class) : Json()}};
-  for (std::size_t i = 0; i < p.rings_in.size(); ++i)
-    json["rings"].push_back({{"z_in", 3 + i}, {"diameter_in", metrics::recorded(p.rings_in[i], p.steps.diameter_in)}});
+  for (std::size_t i = 0; i < p.diameters_in.size(); ++i)
+    json["rings"].push_back(
+        {{"z_in", 3 + i}, {"diameter_in", metrics::recorded(p.diameters_in[i], p.steps.diameter_in)}});
   return json;
 }
 

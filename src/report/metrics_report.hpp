@@ -14,7 +14,7 @@ namespace percuss::report {
 /// The bat's profile in the laboratory's units; empty where it was not measured.
 struct BatProfileReadings {
   std::optional<double> length_in, weight_oz, cg_in, handle_diameter_in, ball_g;
-  std::vector<double> rings_in;  // barrel diameters, an inch apart, from 3 in off the tip
+  std::vector<double> diameters_in;  // barrel diameters, an inch apart, from 3 in off the tip
   metrics::ProtocolSteps steps;
 };
 

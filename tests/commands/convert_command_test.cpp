@@ -139,7 +139,7 @@ TEST_F(ConvertCommand, RemovesTheLeftoversOfAKilledWriterOfAnyFormat) {
   }
 }
 
-TEST_F(ConvertCommand, ReportsErrorsInOneLine) {
+TEST_F(ConvertCommand, ExitsWithTheCodeOfTheError) {
   EXPECT_EQ(run_percuss({"convert", file("bat.h5")}).code, 2);
   EXPECT_EQ(run_percuss({"convert", file("bat.h5"), file("a.xls")}).code, 2);
   EXPECT_EQ(run_percuss({"convert", file("none.h5"), file("new.mat")}).code, 3);

@@ -25,7 +25,7 @@ using testing::HasSubstr;
 
 constexpr double kFs_Hz = 100000;
 constexpr double kRest_s = 0.1, kLength_s = 0.18;  // the model follows the motion for 80 ms
-constexpr double kSensor = 0.8;  // factor of a wrong calibration of the accelerometer; model/test is 1/0.8 = 1.25
+constexpr double kSensorGain = 0.8;  // factor of a wrong calibration of the accelerometer; model/test is 1/0.8 = 1.25
 const std::vector<double> kPlaces_m{0.155, 0.285, 0.415, 0.545};
 
 /// The composite bat struck by a cricket ball: force and acceleration at the struck point, from the sum of its modes.
@@ -52,7 +52,7 @@ void add_impact(double at_m, std::mt19937& random, std::vector<double>& force_N,
       if (separated) state.ball_m = -1;
     }
     force_N.push_back(force);
-    accel_mps2.push_back(kSensor * accel + 0.7 + 0.05 * gauss(random));
+    accel_mps2.push_back(kSensorGain * accel + 0.7 + 0.05 * gauss(random));
   }
 }
 
@@ -103,8 +103,8 @@ TEST_F(DeflectCommand, ComparesWithAModel) {
   ASSERT_EQ(document["deflections"].size(), kPlaces_m.size());
   for (const json& pair : document["deflections"]) {
     const double ratio = pair["ratio"], std = pair["ratio_std"];
-    EXPECT_LE(std::abs(ratio - 1 / kSensor), 3.5 * std) << pair;  // 3.5, since four ratios are tested
-    EXPECT_LE(std, 0.01 * ratio) << pair;                         // the ratio is precise
+    EXPECT_LE(std::abs(ratio - 1 / kSensorGain), 3.5 * std) << pair;  // 3.5, since four ratios are tested
+    EXPECT_LE(std, 0.01 * ratio) << pair;                             // the ratio is precise
   }
   const auto text = run_percuss({"compare", "test.json", "model.json"}, {.folder = out.path()});
   EXPECT_THAT(text.out, HasSubstr("largest deflection"));
@@ -140,7 +140,7 @@ TEST_F(DeflectCommand, ComparesItsModesAndDeflectionsWithABeam) {
   }
   ASSERT_EQ(model["deflections"].size(), kPlaces_m.size());
   for (const json& pair : model["deflections"])
-    EXPECT_NEAR(pair["ratio"].get<double>(), 1 / kSensor, 0.02) << pair;  // both without second contacts
+    EXPECT_NEAR(pair["ratio"].get<double>(), 1 / kSensorGain, 0.02) << pair;  // both without second contacts
   EXPECT_THAT(run_percuss({"deflect", file("bat.h5"), "--beam", "colour=3"}).err, HasSubstr("not a known name"));
   const auto in_lab_units =
       run_percuss({"deflect", file("bat.h5"), "--positions", "0.155:0.13:0.545", "--beam",

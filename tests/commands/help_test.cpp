@@ -66,7 +66,7 @@ TEST(Help, ListsTheKindsOfFileThatACommandWrites) {
   EXPECT_GT(checked, 15U);
 }
 
-TEST(Help, ExplainsEveryOptionInASentence) {
+TEST(Help, ExplainsEveryOptionWithoutTypeNames) {
   for (const auto& command : test::commands()) {
     for (const std::string& option : test::option_names(command)) {
       const std::string text = explanation(test::help_of(command), option);

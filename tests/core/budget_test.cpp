@@ -171,6 +171,7 @@ TEST(Interrupt, LeavesAMeterUsableInALaterScope) {
 }
 
 TEST(Interrupt, PollsOnlyTheThreadOfTheScope) {
+  const InterruptScope polled(&interrupt_after_polls);
   polls_until_interrupt = 1;  // of this thread; a new thread begins with 0 and would interrupt at once
   BudgetMeter meter({.time_s = 60}, "a.h5");
   std::thread([&meter] {

@@ -15,7 +15,7 @@
 namespace percuss::hostile_input_test {
 
 namespace fs = std::filesystem;
-using test::expect_every_command_rejects;
+using test::expect_reading_commands_reject;
 using test::rejection_of;
 using test::run_percuss;
 using testing::HasSubstr;
@@ -34,23 +34,23 @@ std::string garbage(std::size_t count) {
 }
 
 TEST_F(HostileInput, RejectsMissingFiles) {
-  expect_every_command_rejects(file("none.h5"), "no such file (" + file("none.h5"));
-  expect_every_command_rejects(file("none/none.csv"), file("none/none.csv"));
+  expect_reading_commands_reject(file("none.h5"), "no such file (" + file("none.h5"));
+  expect_reading_commands_reject(file("none/none.csv"), file("none/none.csv"));
 }
 
 TEST_F(HostileInput, RejectsEmptyFilesOfAnyName) {
   for (const char* name : {"empty.h5", "empty.csv", "empty"}) {
     test::write_bytes(file(name), "");
-    expect_every_command_rejects(file(name), file(name));
+    expect_reading_commands_reject(file(name), file(name));
   }
 }
 
-TEST_F(HostileInput, RejectsFolders) { expect_every_command_rejects(folder_.path(), folder_.path()); }
+TEST_F(HostileInput, RejectsFolders) { expect_reading_commands_reject(folder_.path(), folder_.path()); }
 
 TEST_F(HostileInput, RejectsDevicesAndPipesWithoutWaiting) {
   ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0666), 0);
   for (const std::string& path : {file("pipe"), std::string("/dev/zero"), std::string("/dev/null")})
-    expect_every_command_rejects(path, path, {.time_limit = std::chrono::seconds(20)});
+    expect_reading_commands_reject(path, path, {.time_limit = std::chrono::seconds(20)});
 }
 
 TEST_F(HostileInput, RejectsUnreadableFiles) {
@@ -58,31 +58,31 @@ TEST_F(HostileInput, RejectsUnreadableFiles) {
   for (const char* name : {"secret.h5", "secret.csv"}) {
     test::write_small_test(file(name), R"("hits": 1)");
     fs::permissions(file(name), fs::perms::none);
-    expect_every_command_rejects(file(name), file(name), {.ordinary_user = true});
+    expect_reading_commands_reject(file(name), file(name), {.ordinary_user = true});
   }
   fs::create_directory(file("closed"));
   test::write_bytes(file("closed/a.csv"), "t_s,force_N,acc_g\n0,1,2\n1,2,3\n");
   fs::permissions(file("closed"), fs::perms::none);
-  expect_every_command_rejects(file("closed/a.csv"), file("closed/a.csv"), {.ordinary_user = true});
+  expect_reading_commands_reject(file("closed/a.csv"), file("closed/a.csv"), {.ordinary_user = true});
   fs::permissions(file("closed"), fs::perms::all);
 }
 
 TEST_F(HostileInput, RejectsGarbageOfAnyName) {
   for (const char* name : {"garbage.h5", "garbage.csv"}) {
     test::write_bytes(file(name), garbage(100000));
-    expect_every_command_rejects(file(name), file(name));
+    expect_reading_commands_reject(file(name), file(name));
     test::write_bytes(file(name), std::string(100000, '\0'));
-    expect_every_command_rejects(file(name), file(name));
+    expect_reading_commands_reject(file(name), file(name));
     test::write_bytes(file(name), "\x89HDF\r\n\x1a\n" + garbage(5000));
-    expect_every_command_rejects(file(name), file(name));
+    expect_reading_commands_reject(file(name), file(name));
   }
 }
 
 TEST_F(HostileInput, RejectsForeignFilesByTheirKind) {
   test::write_bytes(file("lab.mat"), "MATLAB 5.0 MAT-file, Platform: GLNXA64" + std::string(200, ' '));
-  expect_every_command_rejects(file("lab.mat"), "MAT file");
+  expect_reading_commands_reject(file("lab.mat"), "MAT file");
   test::write_bytes(file("lab.wav"), "RIFF    WAVEfmt " + std::string(200, '\0'));
-  expect_every_command_rejects(file("lab.wav"), "damaged");
+  expect_reading_commands_reject(file("lab.wav"), "damaged");
 }
 
 TEST_F(HostileInput, RejectsTextThatIsNotATable) {
@@ -90,16 +90,16 @@ TEST_F(HostileInput, RejectsTextThatIsNotATable) {
        {std::string("hello"), std::string("a,b,c\n"), std::string(300000, 'x'), std::string(300000, ','),
         std::string(300000, '\n'), std::string(300000, '"'), std::string("\xFF\xFEt\0,\0", 6)}) {
     test::write_bytes(file("text.csv"), text);
-    expect_every_command_rejects(file("text.csv"), file("text.csv"));
+    expect_reading_commands_reject(file("text.csv"), file("text.csv"));
   }
 }
 
 TEST_F(HostileInput, NamesFilesWithHostileNamesInOneCleanLine) {
   for (const char* name : {"a\nb.h5", "a\rb.csv", "\x1b[31mred.h5", "a\tb.csv", "\x7f.h5"})
-    expect_every_command_rejects(file(name), "no such file");
-  expect_every_command_rejects(file("\xff\xfe\x80.h5"), "no such file");
-  expect_every_command_rejects(file(std::string(4000, 'n')), "too long");
-  expect_every_command_rejects(file(std::string(200, '/') + "%s%n{}.csv"), "no such file");
+    expect_reading_commands_reject(file(name), "no such file");
+  expect_reading_commands_reject(file("\xff\xfe\x80.h5"), "no such file");
+  expect_reading_commands_reject(file(std::string(4000, 'n')), "too long");
+  expect_reading_commands_reject(file(std::string(200, '/') + "%s%n{}.csv"), "no such file");
 }
 
 TEST_F(HostileInput, ReportsGoodFilesWithHostileNames) {
@@ -123,10 +123,10 @@ TEST_F(HostileInput, RejectsBadStandardInput) {
   test::write_small_test(file("bat.h5"), R"("hits": 1)");
   test::write_bytes(file("cut.h5"), test::bytes_of(file("bat.h5")).substr(0, 1000));
   for (const char* name : {"empty", "garbage", "cut.h5"})
-    expect_every_command_rejects("-", "standard input", {.input = file(name)});
-  expect_every_command_rejects("-", "standard input", {.input = "/dev/null"});
-  expect_every_command_rejects("-", "standard input", {.input = "/dev/zero", .time_limit = std::chrono::seconds(20)});
-  expect_every_command_rejects("-", "standard input", {.input = folder_.path()});
+    expect_reading_commands_reject("-", "standard input", {.input = file(name)});
+  expect_reading_commands_reject("-", "standard input", {.input = "/dev/null"});
+  expect_reading_commands_reject("-", "standard input", {.input = "/dev/zero", .time_limit = std::chrono::seconds(20)});
+  expect_reading_commands_reject("-", "standard input", {.input = folder_.path()});
 }
 
 TEST_F(HostileInput, RejectsABadChannelSetUp) {

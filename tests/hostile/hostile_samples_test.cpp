@@ -14,7 +14,7 @@
 namespace percuss::hostile_samples_test {
 
 using test::expect_analyses_reject;
-using test::expect_every_command_rejects;
+using test::expect_reading_commands_reject;
 using test::Hdf5Builder;
 using test::rejection_of;
 using testing::HasSubstr;
@@ -96,10 +96,10 @@ TEST_F(HostileSamples, AreRejectedWithThePlaceOfANonFiniteValue) {
 TEST_F(HostileSamples, AreRejectedForImpossibleSamplingRates) {
   for (const double fs_Hz : {0.0, -5.0, kNan, kInfinity, 1e300, 1e-300}) {
     write_hdf5({fs_Hz});
-    expect_every_command_rejects(hdf5_, "bad.h5");
+    expect_reading_commands_reject(hdf5_, "bad.h5");
   }
   write_hdf5({1000, 2000});
-  expect_every_command_rejects(hdf5_, "bad.h5: attribute fs");
+  expect_reading_commands_reject(hdf5_, "bad.h5: attribute fs");
   write_hdf5({});
   EXPECT_THAT(rejection_of({"analyze", hdf5_}, {".json"}, "bad.h5"), HasSubstr("--fs"));
   write_hdf5({2048});
@@ -112,7 +112,7 @@ TEST_F(HostileSamples, AreRejectedForImpossibleSamplingRates) {
 TEST_F(HostileSamples, AreRejectedForTimesWithoutARate) {
   const auto with_time = [&](const std::function<std::string(std::size_t)>& time) {
     write_csv(header_, [&](std::size_t i) { return fmt::format("{},{},{}\n", time(i), force_[i], accel_[i]); });
-    expect_every_command_rejects(csv_, "bad.csv");
+    expect_reading_commands_reject(csv_, "bad.csv");
   };
   with_time([](std::size_t) { return "0"; });
   with_time([](std::size_t i) { return fmt::format("{}", -static_cast<double>(i)); });
@@ -121,19 +121,19 @@ TEST_F(HostileSamples, AreRejectedForTimesWithoutARate) {
   with_time([](std::size_t i) { return i == 700 ? std::string("nan") : fmt::format("{}", i); });
   with_time([](std::size_t i) { return i == 700 ? std::string("1e300") : fmt::format("{}", i); });
   write_csv("force_N,acc_m_s2\n", [&](std::size_t i) { return fmt::format("{},{}\n", force_[i], accel_[i]); });
-  expect_every_command_rejects(csv_, "bad.csv");
+  expect_reading_commands_reject(csv_, "bad.csv");
   write_csv("Sampling Rate(Hz),0\nforce_N,acc_m_s2\n",
             [&](std::size_t i) { return fmt::format("{},{}\n", force_[i], accel_[i]); });
-  expect_every_command_rejects(csv_, "bad.csv");
+  expect_reading_commands_reject(csv_, "bad.csv");
 }
 
 TEST_F(HostileSamples, AreRejectedForASingleSample) {
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).values("force", {1, 1}, {5}).values("accel", {1, 1, 1}, {2});
-  expect_every_command_rejects(hdf5_, "bad.h5");
+  expect_reading_commands_reject(hdf5_, "bad.h5");
   write_csv(header_, {}, 1);
-  expect_every_command_rejects(csv_, "bad.csv");
+  expect_reading_commands_reject(csv_, "bad.csv");
   write_csv(header_, {}, 0);
-  expect_every_command_rejects(csv_, "bad.csv");
+  expect_reading_commands_reject(csv_, "bad.csv");
 }
 
 TEST_F(HostileSamples, AreRejectedWithTooFewSamplesForAnFrf) {
@@ -146,11 +146,11 @@ TEST_F(HostileSamples, AreRejectedWithTooFewSamplesForAnFrf) {
 
 TEST_F(HostileSamples, AreRejectedWithoutTheChannels) {
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).values("accel", {1, 1, kSamples}, accel_);
-  expect_every_command_rejects(hdf5_, "bad.h5");
+  expect_reading_commands_reject(hdf5_, "bad.h5");
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).values("force", {1, kSamples}, force_);
-  expect_every_command_rejects(hdf5_, "bad.h5");
+  expect_reading_commands_reject(hdf5_, "bad.h5");
   Hdf5Builder(hdf5_).numbers("", "fs", {2048});
-  expect_every_command_rejects(hdf5_, "bad.h5");
+  expect_reading_commands_reject(hdf5_, "bad.h5");
   write_csv("force_N\n", [&](std::size_t i) { return fmt::format("{}\n", force_[i]); });
   expect_analyses_reject(csv_, "bad.csv");
   rejection_of({"calibrate", csv_, "--mass", "1"}, {".json"}, "bad.csv");
@@ -167,12 +167,12 @@ TEST_F(HostileSamples, AreRejectedWithoutTheChannels) {
 
 TEST_F(HostileSamples, AreRejectedForMixedLengths) {
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).ramp("force", {2, 64}).ramp("accel", {2, 1, 63});
-  expect_every_command_rejects(hdf5_, "bad.h5");
+  expect_reading_commands_reject(hdf5_, "bad.h5");
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).ramp("force", {2, 64}).ramp("accel", {3, 1, 64});
-  expect_every_command_rejects(hdf5_, "bad.h5");
+  expect_reading_commands_reject(hdf5_, "bad.h5");
   for (const char* odd : {"0.7,1\n", "0.7\n", "0.7,1,2,3\n"}) {
     write_csv(header_, [&](std::size_t i) { return i == 1434 ? odd : good_line(i); });
-    expect_every_command_rejects(csv_, "bad.csv: line 1436");
+    expect_reading_commands_reject(csv_, "bad.csv: line 1436");
   }
 }
 

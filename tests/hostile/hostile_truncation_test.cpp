@@ -14,7 +14,7 @@
 // Files that are cut off, damaged, or smaller than they claim.
 namespace percuss::hostile_truncation_test {
 
-using test::expect_every_command_rejects;
+using test::expect_reading_commands_reject;
 using test::Hdf5Builder;
 using test::rejection_of;
 using test::run_percuss;
@@ -41,7 +41,7 @@ TEST_F(HostileTruncation, RejectsAnHdf5FileCutAnywhere) {
     rejection_of({"info", hdf5_}, {".json"}, hdf5_);
   }
   test::write_bytes(hdf5_, bytes.substr(0, bytes.size() / 2));
-  expect_every_command_rejects(hdf5_, hdf5_);
+  expect_reading_commands_reject(hdf5_, hdf5_);
 }
 
 // A text cut after a whole line is a shorter record. A cut within a line must be found.
@@ -109,17 +109,17 @@ TEST_F(HostileTruncation, RejectsSizesBeyondTheFile) {
       .numbers("", "fs", {1000})
       .ramp("force", {5, many}, contiguous)
       .ramp("accel", {5, 1, many}, contiguous);
-  expect_every_command_rejects(hdf5_, hdf5_);
+  expect_reading_commands_reject(hdf5_, hdf5_);
   Hdf5Builder(hdf5_)
       .numbers("", "fs", {1000})
       .ramp("force", {5, many}, chunked)
       .ramp("accel", {5, 1, many}, chunked_accel);
-  expect_every_command_rejects(hdf5_, hdf5_);
+  expect_reading_commands_reject(hdf5_, hdf5_);
   Hdf5Builder(hdf5_)
       .numbers("", "fs", {1000})
       .ramp("force", {2, 64})
       .ramp("accel", {2, hsize_t{1} << 30, 64}, contiguous);
-  expect_every_command_rejects(hdf5_, hdf5_);
+  expect_reading_commands_reject(hdf5_, hdf5_);
 }
 
 TEST_F(HostileTruncation, TakesNoMemoryForTheSizeThatATextClaims) {

@@ -46,7 +46,7 @@ void expect_analyses_reject(const std::string& path, const std::string& named, c
   rejection_of({"frf", path}, {".csv", ".h5", ".json"}, named, options);
 }
 
-void expect_every_command_rejects(const std::string& path, const std::string& named, const ProcessOptions& options) {
+void expect_reading_commands_reject(const std::string& path, const std::string& named, const ProcessOptions& options) {
   expect_analyses_reject(path, named, options);
   rejection_of({"calibrate", path, "--mass", "1"}, {".json"}, named, options);
   rejection_of({"info", path}, {".json"}, named, options);

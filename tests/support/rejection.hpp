@@ -13,8 +13,8 @@ std::string rejection_of(const std::vector<std::string>& arguments, const std::v
                          const std::string& named, const ProcessOptions& options = {});
 
 /// Checks the rejection by the commands analyze, frf, calibrate and info.
-void expect_every_command_rejects(const std::string& path, const std::string& named,
-                                  const ProcessOptions& options = {});
+void expect_reading_commands_reject(const std::string& path, const std::string& named,
+                                    const ProcessOptions& options = {});
 /// Checks the rejection by the commands analyze and frf.
 void expect_analyses_reject(const std::string& path, const std::string& named, const ProcessOptions& options = {});
 

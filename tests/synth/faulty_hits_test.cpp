@@ -61,11 +61,14 @@ TEST(DoubleHit, AddsASecondPulseAfterTheDelay) {
 
 TEST(WeakHit, ScalesForceAndResponse) {
   SynthSpec spec = bat();
-  const std::vector<double> good = accel(synthesise(spec), 2);
+  const SyntheticTest strong = synthesise(spec);
+  const std::vector<double> good = accel(strong, 2), good_N = force(strong, 2);
   spec.faults = {{.hit = 2, .kind = SynthFaultKind::weak, .ratio = 0.03}};
   const SyntheticTest test = synthesise(spec);
-  const std::vector<double> weak = accel(test, 2);
+  const std::vector<double> weak = accel(test, 2), weak_N = force(test, 2);
   constexpr double kTolerance = 1e-14;  // of the largest value
+  for (std::size_t i = 0; i < weak_N.size(); ++i)
+    ASSERT_LE(std::abs(weak_N[i] - 0.03 * good_N[i]), kTolerance * largest(good_N));
   for (std::size_t i = 0; i < weak.size(); ++i)
     ASSERT_LE(std::abs(weak[i] - 0.03 * good[i]), kTolerance * largest(good));
   EXPECT_EQ(test.truth.hits[2].flag, "weak");

@@ -49,8 +49,8 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
   const std::string previous = command.heading(kAnalysisHeading);
   command
       .value("--band", flags.band,
-             "Analyse this frequency band in Hz, such as 60:3200 (default: up to the highest frequency that the hammer "
-             "excites, from 1 % of it on)")
+             "Analyse this frequency band in Hz, such as 60:3200 (default: from 1 % of the highest frequency that the "
+             "hammer excites up to this frequency)")
       .type("LO:HI");
   command
       .value("--effort", flags.effort,
@@ -93,7 +93,8 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
       .type("FRACTION");
   command
       .value("--delay", flags.delay,
-             "Take out the delay of each accelerometer after the force. auto: as the phases of the modes show it; off: "
+             "Remove the delay by which each accelerometer comes after the force. auto: as the phases of the modes "
+             "show it; off: "
              "only warn; or seconds, one for all or one per channel, negative where the channel comes early")
       .type("auto|off|S,...")
       .show_default();

@@ -29,7 +29,7 @@ struct ModelBeam {
 double positive(const std::string& entry, const std::string& text) {
   const ParsedNumber number = parse_number(text, false);
   if (number.problem == NumberProblem::none && number.value > 0 && number.value < kMaxValue) return number.value;
-  throw OptionError::wrong_value("beam", entry, kKeys, "its value is no number above zero");
+  throw OptionError::wrong_value("beam", entry, kKeys, "its value is no number above 0 and below 1e12");
 }
 
 ModelBeam beam_of(const std::vector<std::string>& entries) {

@@ -76,7 +76,7 @@ void require_one_source(const MetricsFlags& f) {
     throw OptionError({f.besr ? "besr" : "bbcor"}, "follows from the speeds, which are given", "omit it or the speeds",
                       {"v_in_mph", "v_out_mph"});
   }
-  if (f.rings_in.size() > kRings)
+  if (f.diameters_in.size() > kRings)
     throw OptionError({"diameter_in"}, "has more than 7 values", "give the diameters 3 to 9 in from the tip");
 }
 
@@ -100,7 +100,7 @@ report::NamedMetrics named_metrics(const MetricsFlags& f, report::BatLabel label
                       .cg_in = f.cg_in,
                       .handle_diameter_in = f.handle_diameter_in,
                       .ball_g = f.ball_g,
-                      .rings_in = f.rings_in,
+                      .diameters_in = f.diameters_in,
                       .steps = f.steps}};
 }
 

@@ -33,7 +33,7 @@ void add_metrics_readings(Command& command, MetricsFlags& f) {
       .value("--v-swing-mph", f.swing_mph, "Set the swing speed at the impact position, in place of the swing model's")
       .above_zero()
       .type("MPH");
-  command.list("--diameter-in", f.rings_in, "Set the barrel diameters 3, 4, ... 9 in from the tip")
+  command.list("--diameter-in", f.diameters_in, "Set the barrel diameters 3, 4, ... 9 in from the tip")
       .above_zero()
       .type("IN,...");
   command.value("--handle-diameter-in", f.handle_diameter_in, "Set the diameter of the handle 6 in from the knob")

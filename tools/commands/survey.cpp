@@ -52,7 +52,8 @@ identify::DrivingPoint parse_driving(const std::string& text) {
     good = good && channel.ec == std::errc{} && channel.ptr == end;
   }
   if (good) return at;
-  throw OptionError::wrong_value("driving_point", text, "give POINT:CHANNEL, both counted from 0, such as 17:0");
+  throw OptionError::wrong_value("driving_point", text,
+                                 "give POINT:CHANNEL, the point's number and the channel counted from 0, such as 17:0");
 }
 
 pipeline::SurveyOptions survey_options(const SurveyFlags& flags) {

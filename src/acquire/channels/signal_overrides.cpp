@@ -123,7 +123,11 @@ void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity
     signal.to_SI = usable_factor(*choice.scale, "scale", where);
   } else if (choice.sensitivity_V_per_SI) {
     if ((choice.sensitivity_to == Quantity::pressure) != (measures == Quantity::pressure)) {
-      throw InputError("a sensitivity to pressure, but beside a force, responses are accelerations", where,
+      if (measures == Quantity::pressure) {
+        throw InputError("a sensitivity to accelerations, but the signal is a pressure", where,
+                         "give the sensitivity in mV/Pa");
+      }
+      throw InputError("a sensitivity to pressure, but the record has a force: its responses are accelerations", where,
                        "give the sensitivity in mV/g, or read the file without its force");
     }
     signal.to_SI = volts_to_SI(signal.unit, *choice.sensitivity_V_per_SI, where);

@@ -23,7 +23,7 @@ void refuse_inapplicable_options(const ReadOptions& options, const std::string& 
   }
   if (options.force_sensitivity_V_per_N || !options.accel_sensitivity_V_per_mps2.empty() ||
       !options.pressure_sensitivity_V_per_Pa.empty()) {
-    throw InputError("a sensitivity does not apply to FRFs, which are not volts", where, "give scales instead",
+    throw InputError("a sensitivity does not apply to FRFs, which are not in volts", where, "give scales instead",
                      {"accel_scale", "force_scale"});
   }
 }

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kMaxDecay = 0.5;  // damping ratio beyond which a rate describes no oscillation
+constexpr double kMaxTrialDamping = 0.5;  // damping ratio beyond which a rate describes no oscillation
 constexpr double kSmallest = 1e-300;
 
 // Real and imaginary parts one under the other.
@@ -95,7 +95,7 @@ class DecayProblem : public LeastSquaresProblem {
       const auto at = static_cast<Index>(2 * m);
       s += Complex(step(at), step(at + 1));
       const double highest = std::numbers::pi * of_.fs_Hz;
-      if (!(s.imag() > 0) || s.imag() > highest || -s.real() > kMaxDecay * std::abs(s) ||
+      if (!(s.imag() > 0) || s.imag() > highest || -s.real() > kMaxTrialDamping * std::abs(s) ||
           s.real() * static_cast<double>(of_.samples) / of_.fs_Hz > 1)
         return std::nullopt;
     }

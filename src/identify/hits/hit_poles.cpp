@@ -114,28 +114,29 @@ FrfDataset one_point(const FrfDataset& all, std::size_t point, std::size_t chann
 }
 
 // [channels] noise scales from the residual of a fit.
-VectorXd residual_weights(const LocalFit& fit) { return fit.noise.cwiseMax(kMinNoise * fit.noise.maxCoeff() + 1e-300); }
+VectorXd noise_scales_of(const LocalFit& fit) { return fit.noise.cwiseMax(kMinNoise * fit.noise.maxCoeff() + 1e-300); }
 
 LocalFit fit_by_residual(const FrfDataset& set, const std::vector<VectorXcd>& data, const std::vector<Pole>& start,
                          const ModeWindow& window) {
   const LocalFitOptions options{.first = window.first, .count = window.count};
   const VectorXd ones = VectorXd::Ones(static_cast<Index>(data.size()));
-  return fit_locally(set, data, residual_weights(fit_locally(set, data, ones, start, options)), start, options);
+  return fit_locally(set, data, noise_scales_of(fit_locally(set, data, ones, start, options)), start, options);
 }
 
 // A separate fit of each hit, started at these poles: the sums of the costs and of the degrees of freedom.
 struct HitCosts {
   double cost = 0, degrees = 0;
 };
-HitCosts costs_of_hits(const HitFrfs& hits, const std::vector<VectorXcd>& data, const std::vector<VectorXd>& weights,
-                       const std::vector<Pole>& poles, const ModeWindow& window) {
+HitCosts costs_of_hits(const HitFrfs& hits, const std::vector<VectorXcd>& data,
+                       const std::vector<VectorXd>& noise_scales, const std::vector<Pole>& poles,
+                       const ModeWindow& window) {
   const std::size_t channels = data.size() / hits.points.size();
   HitCosts sum;
   for (std::size_t h = 0; h < hits.points.size(); ++h) {
     const auto first = data.begin() + static_cast<std::ptrdiff_t>(h * channels);
     const LocalFit fit =
         fit_locally(one_point(hits.set, h, channels), {first, first + static_cast<std::ptrdiff_t>(channels)},
-                    weights[h], poles, {.first = window.first, .count = window.count});
+                    noise_scales[h], poles, {.first = window.first, .count = window.count});
     sum.cost += fit.cost;
     sum.degrees += static_cast<double>(fit.degrees);
   }
@@ -143,11 +144,11 @@ HitCosts costs_of_hits(const HitFrfs& hits, const std::vector<VectorXcd>& data, 
 }
 
 // The sum of squares where all hits have these poles.
-double common_cost(const HitFrfs& hits, const std::vector<VectorXcd>& data, const std::vector<VectorXd>& weights,
+double common_cost(const HitFrfs& hits, const std::vector<VectorXcd>& data, const std::vector<VectorXd>& noise_scales,
                    const std::vector<Pole>& poles, const ModeWindow& window) {
   VectorXd all(static_cast<Index>(data.size()));
   Index next = 0;
-  for (const VectorXd& of_hit : weights) {
+  for (const VectorXd& of_hit : noise_scales) {
     all.segment(next, of_hit.size()) = of_hit;
     next += of_hit.size();
   }
@@ -155,16 +156,16 @@ double common_cost(const HitFrfs& hits, const std::vector<VectorXcd>& data, cons
   return VariableProjection(hits.set, data, all, window.first, window.count, terms).evaluate(poles).cost;
 }
 
-std::vector<VectorXd> weights_of_hits(const HitFrfs& hits, const std::vector<VectorXcd>& data,
-                                      const std::vector<Pole>& poles, const ModeWindow& window) {
+std::vector<VectorXd> noise_scales_of_hits(const HitFrfs& hits, const std::vector<VectorXcd>& data,
+                                           const std::vector<Pole>& poles, const ModeWindow& window) {
   const std::size_t channels = data.size() / hits.points.size();
-  std::vector<VectorXd> weights;
+  std::vector<VectorXd> noise_scales;
   for (std::size_t h = 0; h < hits.points.size(); ++h) {
     const auto first = data.begin() + static_cast<std::ptrdiff_t>(h * channels);
     const std::vector<VectorXcd> own{first, first + static_cast<std::ptrdiff_t>(channels)};
-    weights.push_back(residual_weights(fit_by_residual(one_point(hits.set, h, channels), own, poles, window)));
+    noise_scales.push_back(noise_scales_of(fit_by_residual(one_point(hits.set, h, channels), own, poles, window)));
   }
-  return weights;
+  return noise_scales;
 }
 
 }  // namespace
@@ -203,9 +204,9 @@ std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const Hit
   std::vector<Pole> poles = window.poles(modes);
   if (poles.size() < 2) return imitating;
   const auto data = hit_data(set, hits, modes, window);
-  const std::vector<VectorXd> weights = weights_of_hits(hits, data, poles, window);
-  HitCosts with = costs_of_hits(hits, data, weights, poles, window);
-  const double common = common_cost(hits, data, weights, poles, window);
+  const std::vector<VectorXd> noise_scales = noise_scales_of_hits(hits, data, poles, window);
+  HitCosts with = costs_of_hits(hits, data, noise_scales, poles, window);
+  const double common = common_cost(hits, data, noise_scales, poles, window);
   while (poles.size() > 1 && with.degrees > 0) {
     std::size_t least = poles.size();
     double least_f = kMinModeGain;
@@ -213,7 +214,7 @@ std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const Hit
     for (std::size_t i = 0; i < poles.size(); ++i) {
       std::vector<Pole> fewer = poles;
       fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-      const HitCosts without = costs_of_hits(hits, data, weights, fewer, window);
+      const HitCosts without = costs_of_hits(hits, data, noise_scales, fewer, window);
       const double f = (without.cost - with.cost) / (without.degrees - with.degrees) / (with.cost / with.degrees);
       if (!(f < least_f && without.cost < common)) continue;
       least = i;

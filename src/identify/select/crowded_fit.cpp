@@ -65,7 +65,7 @@ std::vector<Pole> needed_poles(const FrfDataset& set, const JointFit& linear) {
   return needed;
 }
 
-double likelihood_per_unknown(const FrfDataset& set, const JointFit& fewer, const JointFit& more) {
+double gain_per_unknown(const FrfDataset& set, const JointFit& fewer, const JointFit& more) {
   const std::size_t modes = more.poles.size() > fewer.poles.size() ? more.poles.size() - fewer.poles.size() : 1;
   return log_likelihood_gain(set, fewer.residual, more.residual) / static_cast<double>(modes * unknowns_per_mode(set));
 }
@@ -78,7 +78,7 @@ std::optional<JointFit> start_of(const FrfDataset& set, const std::vector<Pole>&
     const std::vector<Pole> poles = vector_fitting_poles(set, static_cast<std::size_t>(count), resolution_Hz(known));
     if (poles.empty()) break;
     JointFit fit = fit_residues(set, poles);
-    if (best && likelihood_per_unknown(set, *best, fit) < kGainPerUnknown) break;
+    if (best && gain_per_unknown(set, *best, fit) < kGainPerUnknown) break;
     best = std::move(fit);
   }
   return best;
@@ -142,7 +142,7 @@ JointFit without_unknown(const FrfDataset& set, JointFit fit, double& products_l
       kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(weakest));
     }
     std::optional<JointFit> fewer = converged_fit(set, std::move(kept), products_left);
-    const bool as_likely = fewer && likelihood_per_unknown(set, *fewer, fit) < kLossPerUnknown;
+    const bool as_likely = fewer && gain_per_unknown(set, *fewer, fit) < kLossPerUnknown;
     if (!as_likely && !all) return fit;
     if (as_likely) fit = *std::move(fewer);
     all = false;

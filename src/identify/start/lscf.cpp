@@ -33,7 +33,7 @@ constexpr double kGoldenAngle = 2.39996;
 struct Circle {
   std::size_t points = 0;
   std::size_t lines = 0;
-  double first_rad_s = 0;
+  double first_radps = 0;
   double step_s = 0;
 };
 
@@ -41,7 +41,7 @@ Circle circle_of(const acquire::LineRange& lines, const LscfOptions& options) {
   const double gap = std::min(kMaxGap, kGap / static_cast<double>(options.max_order));
   const auto points = static_cast<std::size_t>(std::ceil(static_cast<double>(options.count) / (1 - gap)));
   Circle circle{.points = std::max(fast_length_at_most(points), options.count + 1), .lines = options.count};
-  circle.first_rad_s = kTwoPi * lines.freq_Hz(options.first);
+  circle.first_radps = kTwoPi * lines.freq_Hz(options.first);
   circle.step_s = 1 / (static_cast<double>(circle.points) * lines.df_Hz());
   return circle;
 }
@@ -130,7 +130,7 @@ std::vector<Pole> poles_of(const VectorXcd& w, const Circle& circle, double wind
     const bool within = angle * static_cast<double>(circle.points) <= kTwoPi * static_cast<double>(circle.lines - 1);
     if (!within || !(std::abs(root) > 0)) continue;
     const Complex s(-std::log(std::abs(root)) / circle.step_s + window_decay_per_s,
-                    circle.first_rad_s + angle / circle.step_s);
+                    circle.first_radps + angle / circle.step_s);
     const Pole pole{.freq_Hz = std::abs(s) / kTwoPi, .damping_ratio = -s.real() / std::abs(s)};
     if (pole.damping_ratio > 0 && pole.damping_ratio < kMaxDampingRatio) poles.push_back(pole);
   }

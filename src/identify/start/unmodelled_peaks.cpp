@@ -21,8 +21,8 @@ constexpr double kUnexplained = 0.25;  // residual energy over a peak's energy: 
 constexpr double kPeakSpan = 6;        // half-widths on either side, for a peak's energy
 
 // Of the energy that noise does not explain, a polynomial of kTailTerms leaves at least 0.2 for a resonance within
-// kPeakSpan whose place and width are known to a factor of 1.4, and less than 0.15 for the tail of a mode that is
-// farther away than 1.1 of that span. A polynomial of kNoiseTerms leaves noise alone.
+// kPeakSpan whose width is known to a factor of 1.4 and whose place to its half-width, and less than 0.15 for the tail
+// of a mode that is farther away than 1.1 of that span. A polynomial of kNoiseTerms leaves noise alone.
 constexpr Index kTailTerms = 5, kNoiseTerms = 10;
 constexpr double kTailRest = 0.15;
 

@@ -30,7 +30,7 @@ constexpr double kSmallest = 1e-150;  // of a noise
 // Averages over blocks of lines. Frequencies are divided by the highest one, so that powers of s stay near 1.
 struct AveragedLines {
   AveragedLines(const FrfDataset& set, std::size_t lines_per_block)
-      : unit_rad_s(kTwoPi * set.lines.freq_Hz(set.lines.count - 1)) {
+      : unit_radps(kTwoPi * set.lines.freq_Hz(set.lines.count - 1)) {
     const auto blocks = static_cast<Index>(set.lines.count / lines_per_block);
     const auto size = static_cast<Index>(lines_per_block);
     const MatrixXd terms = out_of_band_terms(set.lines);
@@ -39,7 +39,7 @@ struct AveragedLines {
     for (Index b = 0; b < blocks; ++b) {
       const double middle = static_cast<double>(b * size) + 0.5 * static_cast<double>(size - 1);
       const double freq_Hz = set.lines.freq_Hz(0) + middle * set.lines.df_Hz();
-      s(b) = Complex(set.window_decay_per_s(), kTwoPi * freq_Hz) / unit_rad_s;
+      s(b) = Complex(set.window_decay_per_s(), kTwoPi * freq_Hz) / unit_radps;
       residual_terms.row(b) = terms.middleRows(b * size, size).colwise().mean();
     }
     const LineNoise noise(set);
@@ -57,8 +57,8 @@ struct AveragedLines {
     }
   }
 
-  double unit_rad_s;
-  VectorXcd s;                   // jω (σ + jω under an exponential window) over unit_rad_s
+  double unit_radps;
+  VectorXcd s;                   // jω (σ + jω under an exponential window) over unit_radps
   MatrixXd residual_terms;       // [blocks, terms]
   std::vector<VectorXcd> frf;    // [channels][blocks]
   std::vector<VectorXd> weight;  // … one over the noise
@@ -100,7 +100,7 @@ class PoleRelocation {
   std::vector<Pole> poles() const {
     std::vector<Pole> out;
     for (const Complex& s : poles_) {
-      const Pole pole{.freq_Hz = std::abs(s) * lines_.unit_rad_s / kTwoPi, .damping_ratio = -s.real() / std::abs(s)};
+      const Pole pole{.freq_Hz = std::abs(s) * lines_.unit_radps / kTwoPi, .damping_ratio = -s.real() / std::abs(s)};
       const bool inside = std::abs(s) > first() && std::abs(s) < last();
       if (inside && pole.damping_ratio > 0 && pole.damping_ratio < kMaxStartDamping) out.push_back(pole);
     }

@@ -150,7 +150,9 @@ class AbiEvaluation {
     const bool first = run_.cycle == 1;
     run_.next = first ? AbiStep::compression_after_first : AbiStep::compression_after_performance;
     run_.roll = 0;
-    if (first && (test.damage || test.broken)) return end(AbiVerdict::fail, "damaged in the first performance test");
+    if (first && (test.damage || test.broken))
+      return end(AbiVerdict::fail,
+                 test.broken ? "broken in the first performance test" : "damaged in the first performance test");
     if (log_.limit && test.value > *log_.limit) {
       const std::string why =
           fmt::format("cycle {}: {:g} exceeds the limit of {:g}", run_.cycle, test.value, *log_.limit);

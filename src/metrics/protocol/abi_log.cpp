@@ -27,7 +27,7 @@ AbiEntry read_abi_entry(StrictObject& o) {
       o.fail("not four forces", "force_lbf", "give the forces at 0, 90, 45 and -45 degrees");
     for (const double force : compression.force_lbf) {
       if (!(force > 0 && force <= kLoadFrame_lbf))
-        o.fail("a force outside the range of the load frame", "force_lbf", "give 0 to 1000 lbf");
+        o.fail("a force outside the range of the load frame", "force_lbf", "give more than 0 lbf, at most 1000 lbf");
     }
     o.read_within("displacement_in", kMinDisplacement_in, kMaxDisplacement_in, compression.displacement_in);
     entry.what = compression;

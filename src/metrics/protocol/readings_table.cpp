@@ -35,8 +35,8 @@ void read_lists(StrictObject& row, LabReadings& r) {
   };
   read("period_s", kMaxTimes, r.periods_s);
   read("gate_times_s", kMaxTimes, r.crossings_s);
-  read("diameter_in", kRings, r.rings_in);
-  for (const double diameter_in : r.rings_in) {
+  read("diameter_in", kRings, r.diameters_in);
+  for (const double diameter_in : r.diameters_in) {
     if (!(diameter_in > 0)) row.fail("a diameter of 0 or less", "diameter_in", "give inches");
   }
 }

@@ -11,7 +11,7 @@ namespace percuss::metrics {
 struct LabReadings {
   std::optional<double> length_in, weight_oz, cg_in, moi_ozin2, ball_g, z_in, in_mph, out_mph, besr, bbcor, swing_mph;
   std::optional<double> handle_diameter_in;
-  std::vector<double> rings_in, periods_s, crossings_s;
+  std::vector<double> diameters_in, periods_s, crossings_s;
 };
 
 /// A row of a table of readings.

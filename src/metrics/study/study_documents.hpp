@@ -19,7 +19,7 @@ namespace percuss::metrics {
 std::optional<std::vector<BatProperties>> states_in_document(std::string_view text, const std::string& where);
 
 /// Columns of a table of percuss metrics that a study does not use.
-inline constexpr std::array<const char*, 21> kMetricsColumns{
+inline constexpr std::array<const char*, 21> kUnusedMetricsColumns{
     "cg_in",         "period_s",    "gate_times_s", "diameter_in",       "handle_diameter_in",
     "ball_g",        "v_in_mph",    "v_out_mph",    "v_swing_mph",       "v_contact_mph",
     "ncaa_besr",     "k",           "drop_std",     "moi_oz_in2_std",    "besr_std",

@@ -217,7 +217,7 @@ void StudyRows::add(std::string_view text, const std::string& where) {
   }
   const auto read_row = [&](StrictObject& row) {
     BatProperties p;
-    for (const char* column : kMetricsColumns) row.has(column);  // marks the column as known
+    for (const char* column : kUnusedMetricsColumns) row.has(column);  // marks the column as known
     for (const std::string& column : study_columns()) {
       if (!row.has(column)) continue;
       double number = 0;

@@ -140,7 +140,8 @@ BallAndBarrel ContactSolver::follow(const BallAndBarrel& start) {
   for (bool holds = true; holds;) {
     check_budget();
     if (++steps > kMaxContactSteps)
-      throw InputError("the contact does not end", "trampoline model", "use a higher hoop frequency", {"hoop"});
+      throw InputError("the contact does not end", "trampoline model",
+                       "use a higher hoop frequency, or check the constants of the ball", {"hoop"});
     const double error = stepper_->take(now, h, next);
     if (!(error <= 1) && h > kShortest) {
       h *= std::isfinite(error) ? std::clamp(0.9 * std::pow(error, -0.125), 0.1, 0.9) : 0.1;

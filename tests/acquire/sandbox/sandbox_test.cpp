@@ -260,7 +260,7 @@ TEST_F(Sandbox, IsUsedByCommandsUnlessTheInputIsTrusted) {
   EXPECT_EQ(sandboxed.code, 0) << sandboxed.err;
   EXPECT_EQ(sandboxed.out, trusting.out);
   test::write_bytes(path_, "MATLAB 5.0 MAT-file" + std::string(200, ' '));
-  test::expect_every_command_rejects(path_, path_);
+  test::expect_reading_commands_reject(path_, path_);
 }
 
 }  // namespace percuss::acquire::sandbox_test

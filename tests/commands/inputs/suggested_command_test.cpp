@@ -175,7 +175,7 @@ TEST_F(SuggestedCommand, IsOnlyItsOptionsWhereItWouldBeLong) {
 }
 
 // info describes what analyze accepts, and lists the columns where one of them may be the force.
-TEST_F(SuggestedCommand, IsAlsoShownByInfoWhereAForceMayBeMissed) {
+TEST_F(SuggestedCommand, IsReplacedByTheColumnsInInfoWhereAForceMayBeMissed) {
   const std::vector<double> zeros(record_.time_s.size(), 0.0);
   std::vector<double> count(record_.time_s.size());
   for (std::size_t i = 0; i < count.size(); ++i) count[i] = static_cast<double>(i);

@@ -27,7 +27,7 @@ DecaySpectra noise_of(double pole, unsigned seed) {
 }
 
 // The noise of a room or of a phone's microphone falls with the frequency: here from line 26 on.
-TEST(DecayNoise, FollowsNoiseThatFallsAtLowFrequencies) {
+TEST(DecayNoise, FollowsNoiseThatFallsWithTheFrequency) {
   const double pole = 0.995;
   double worst = 0, mean = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {

@@ -72,7 +72,7 @@ TEST(ChannelDelays, JoinTheResiduesOfAllPoints) {
         const double sign = (point + modes.size()) % 2 == 0 ? 1 : -1, delay_s = channel == 0 ? 0 : 25e-6;
         mode.residues.push_back({.point = point,
                                  .channel = channel,
-                                 .value = std::polar(sign * 2 > 0 ? 2.0 : 1.0, -kTwoPi * freq_Hz * delay_s) * sign,
+                                 .value = std::polar(sign > 0 ? 2.0 : 1.0, -kTwoPi * freq_Hz * delay_s) * sign,
                                  .std = 1e-3});
       }
     }

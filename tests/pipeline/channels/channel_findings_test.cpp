@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr double kQuarter_rad = std::numbers::pi / 4;
+constexpr double kEighthTurn_rad = std::numbers::pi / 4;
 
 // A bat with bending in oblique planes, so that both sensors see every mode.
 synth::SynthSpec oblique_bat() {
@@ -28,7 +28,7 @@ synth::SynthSpec oblique_bat() {
     modes.push_back({.freq_Hz = freq_Hz[m],
                      .damping_ratio = 0.006,
                      .order = static_cast<int>(m) + 1,
-                     .angle_rad = kQuarter_rad + 0.3 * static_cast<double>(m % 3) - 0.3,
+                     .angle_rad = kEighthTurn_rad + 0.3 * static_cast<double>(m % 3) - 0.3,
                      .amplitude_per_sqrt_kg = 2});
   }
   synth::SynthSpec spec = test::bat_spec(modes, 1);

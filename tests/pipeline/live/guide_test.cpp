@@ -298,7 +298,7 @@ TEST(Guide, ReportsASilentHammer) {
   EXPECT_EQ(sound.witness.silent_hammers, 0U);
 }
 
-TEST(Guide, MeasuresThePulseAfterALongPretrigger) {
+TEST(Guide, GivesRowsTheirDecayAfterALongPretrigger) {
   Bench bench(struck_tube("1.4, 2.9, 4.4", 6), {.pretrigger_s = 1});
   bench.play_all();
   ASSERT_EQ(bench.guide->session().accepted(), 3U);

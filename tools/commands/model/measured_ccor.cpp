@@ -17,7 +17,8 @@
 namespace percuss::tools {
 namespace {
 
-constexpr const char* kCcorForm = "give SPEED:COR:STD, such as 26.8:0.519:0.004,80mph:0.507:0.004, or a file";
+constexpr const char* kCcorForm =
+    "give SPEED:COR:STD with the speed in m/s or with its unit, such as 26.8:0.519:0.004,80mph:0.507:0.004, or a file";
 constexpr std::uint64_t kMaxFile_bytes = std::uint64_t{1} << 20U;
 constexpr std::size_t kMaxPoints = 10'000;
 

@@ -178,7 +178,7 @@ model::SectionStation station_of(const NumberTableRow& row, const std::vector<Pr
     model::SectionLayer& layer = station.layers[columns[i].layer];
     const auto checked_size = [&](const char* name) {
       if (!(size_m >= kMinDiameter_m && size_m <= kMaxDiameter_m))
-        throw refuse(fmt::format("{} of {:g} m", name, size_m));
+        throw refuse(fmt::format("{} of {:g} m is not between 0.0001 and 1 m", name, size_m));
       return size_m;
     };
     const auto checked_constant = [&](const char* name) {
@@ -199,7 +199,8 @@ model::SectionStation station_of(const NumberTableRow& row, const std::vector<Pr
         layer.thickness_m = checked_size("a thickness");
         break;
       case ColumnKind::wall:
-        if (!(size_m > 0 && size_m <= kMaxDiameter_m)) throw refuse(fmt::format("a wall of {:g} m", size_m));
+        if (!(size_m > 0 && size_m <= kMaxDiameter_m))
+          throw refuse(fmt::format("a wall of {:g} m is not above 0 and at most 1 m", size_m));
         layer.thickness_m = size_m;
         break;
       case ColumnKind::young:
@@ -242,7 +243,7 @@ model::SectionTable read_section_table(const std::string& path, const SectionTab
     }
     if (first ? !(at_m > 0 || (from_zero && at_m == 0)) : !(at_m > out.stations[out.stations.size() - 2].at_m))
       throw refuse("the positions do not ascend");
-    if (!(at_m <= kMaxEnd_m)) throw refuse(fmt::format("a position of {:g} m", at_m));
+    if (!(at_m <= kMaxEnd_m)) throw refuse(fmt::format("a position of {:g} m is beyond 10 m", at_m));
   }
   if (!(out.length_m() > 0)) throw InputError("a bat or beam of no length", table.rows.front().place, kProfileForm);
   return out;

@@ -49,7 +49,7 @@ void add_record(CommandLine& line) {
       "Stop early, once the first hoop mode is known to 0.2 Hz");
   command.example(
       "percuss record -o test.h5 --device sim:aluminium-bat --fast --force --band 60:3200 --report test.html",
-      "Write the report at the end; a softer tip than the band needs is rejected");
+      "Write the report at the end, and reject blows that do not reach the end of the band");
   command.value("-o,--output", flags->output, "Write the record to this file; its kind: .h5, .hdf5").type("FILE");
   command
       .value(

@@ -17,7 +17,7 @@ namespace {
 using hdf5::InputDataSet;
 using hdf5::InputHdf5;
 
-constexpr std::size_t kMaxPoints = 1'000'000;
+constexpr std::size_t kMaxFrfs = 1'000'000;
 const char* const kRemedy = "store frf [points, channels, lines] and frequency_hz [lines]";
 
 struct Shape {
@@ -30,7 +30,7 @@ Shape shape_of(const InputDataSet& set, const std::string& where) {
   Shape out{.lines = shape.back(), .dimensions = shape.size()};
   if (shape.size() > 1) out.channels = shape[shape.size() - 2];
   if (shape.size() > 2) out.points = shape[0];
-  if (out.points * out.channels > kMaxPoints) throw InputError("more than a million FRFs", where, "split the file");
+  if (out.points * out.channels > kMaxFrfs) throw InputError("more than a million FRFs", where, "split the file");
   return out;
 }
 

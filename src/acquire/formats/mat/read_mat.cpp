@@ -111,7 +111,7 @@ MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const st
     AmbiguousColumns error(fmt::format("one of the channels of {} ({}) could be the force", one_line(first.name, 40),
                                        shape_name(first.shape)),
                            open.file.path,
-                           "name all of it as accelerations, or save the force as a variable of its own", header,
+                           "name the variable as accelerations, or save the force as a variable of its own", header,
                            {"force_channel", "accel_channel"});
     error.format = table.format;
     error.guess = guess_mat_roles(open.file, index, {}, {});

@@ -104,7 +104,8 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 }
 
 constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
-constexpr double kMinFrequencyStep = 0.05;   // Hz, in a column without a name; as a time step in s it would mean 20 Hz
+constexpr double kMinFrequencyStep_Hz =
+    0.05;  // Hz, in a column without a name; as a time step in s it would mean 20 Hz
 
 std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
   std::vector<double> samples(std::min(table.lines(), max_samples));
@@ -132,7 +133,7 @@ bool shows_hammer(const std::vector<CsvColumn>& columns,
 
 // The sampling rate of times in ms, if they are no plausible times in s; otherwise 0. Numbers that rise by one count
 // the samples.
-double rate_in_ms(const std::vector<double>& times) {
+double rate_of_ms_Hz(const std::vector<double>& times) {
   if (times.back() - times.front() == static_cast<double>(times.size() - 1)) return 0;
   const double rate_Hz = static_cast<double>(times.size() - 1) / (times.back() - times.front());
   return rate_Hz < kMinTestRate_Hz ? 1000 * rate_Hz : 0;
@@ -146,10 +147,10 @@ RoleGuess guess_of(const CsvTable& table, const CsvColumns& known, const ReadOpt
   if (columns.front().index == 0 && columns.front().has_numbers) {
     const std::vector<double> first = read(0, kRisingSamples);
     const bool pairs = !table.header().named && columns.size() >= 3 && columns.size() % 2 == 1 && first.size() > 1 &&
-                       first[1] - first[0] >= kMinFrequencyStep && !shows_hammer(columns, read);
+                       first[1] - first[0] >= kMinFrequencyStep_Hz && !shows_hammer(columns, read);
     guess.frf_table = (names_frfs(table.header()) || pairs) && rises_evenly(first);
     if (!guess.frf_table && !options.fs_Hz && columns.front().unit.empty() && rises_evenly(first))
-      guess.assumed_rate_Hz = rate_in_ms(first);
+      guess.assumed_rate_Hz = rate_of_ms_Hz(first);
   }
   const bool stated = table.header().fs_Hz || options.fs_Hz || clock_column(table);
   if (stated) guess.assumed_rate_Hz = 0;
