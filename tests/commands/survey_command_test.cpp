@@ -256,7 +256,7 @@ TEST_F(SurveyCommand, RejectsUnusableInput) {
   refusal({file("runs.h5")}, "several runs");
   const auto unknown = survey({file("bare.h5"), "--driving-point", "3:x"});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err, testing::HasSubstr("both counted from 0, such as 17:0"));
+  EXPECT_THAT(unknown.err, testing::HasSubstr("the channel counted from 0, such as 17:0"));
   EXPECT_THAT(survey({"--help"}).out, testing::HasSubstr("1:0"));
   EXPECT_EQ(survey({file("bare.h5"), "--files", "tests"}).code, 2);
 }

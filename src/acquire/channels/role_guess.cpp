@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -110,6 +111,26 @@ bool may_be_force(const CsvColumn& signal) {
   return !unit || unit->quantity == Quantity::force || unit->quantity == Quantity::voltage;
 }
 
+bool states_force(const CsvColumn& signal) {
+  const auto unit = parse_unit(signal.unit);
+  return unit && unit->quantity == Quantity::force;
+}
+
+// Several forces by their units are hits side by side, each with its responses: of such signals, only the first force
+// and the responses up to the next one remain.
+void keep_first_hit(std::vector<const CsvColumn*>& signals, const CsvColumn*& force) {
+  const auto is_force = [](const CsvColumn* signal) { return states_force(*signal); };
+  const auto first = std::find_if(signals.begin(), signals.end(), is_force);
+  if (first == signals.end() || std::count_if(first, signals.end(), is_force) < 2) return;
+  force = *first;
+  const auto next = std::find_if(first + 1, signals.end(), is_force);
+  const bool side_by_side = next != first + 1;
+  std::vector<const CsvColumn*> kept;
+  std::copy_if(first, side_by_side ? next : signals.end(), std::back_inserter(kept),
+               [&](const CsvColumn* signal) { return signal == force || !states_force(*signal); });
+  signals = std::move(kept);
+}
+
 }  // namespace
 
 double active_share(std::span<const double> samples) {
@@ -204,8 +225,9 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
     }
   }
   if (known.has_force) force = &known.force;
+  if (!known.has_force) keep_first_hit(found, force);
   // One signal, or signals that are all alike, as two channels of a microphone: none of them is the force.
-  const bool alike = candidates > 1 && largest < kMaxDissimilarityRatio * smallest;
+  const bool alike = candidates > 1 && largest < kMaxDissimilarityRatio * smallest && !(force && states_force(*force));
   if (!known.has_force && (found.size() < 2 || alike)) force = nullptr;
   if (force != nullptr) guess.force = value(*force);
   for (const CsvColumn* signal : found) {

@@ -106,6 +106,19 @@ TEST(GuessRoles, TakesEvenlyRisingNumbersAsTimesInAnyColumn) {
   EXPECT_NEAR(guess.assumed_rate_Hz, 25000, 1e-6);
 }
 
+// The hits of a test side by side, each with its force and its accelerometers.
+TEST(GuessRoles, TakesTheFirstOfSeveralForcesWithItsResponses) {
+  const auto read = [&](std::size_t index, std::size_t) { return index % 3 == 0 ? pulse(1000, 10, 1) : sine(1000); };
+  std::vector<CsvColumn> signals;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::string name = "c" + std::to_string(i);
+    signals.push_back({.index = i, .name = name, .base = name, .unit = i % 3 == 0 ? "N" : "g"});
+  }
+  const RoleGuess guess = guess_roles(signals, {}, {}, read);
+  EXPECT_EQ(guess.force, "c0");
+  EXPECT_THAT(guess.accel, ElementsAre("c1", "c2"));
+}
+
 TEST(GuessRoles, TakesNeitherOfTwoAlikeSignalsAsTheForce) {
   const auto read = [&](std::size_t, std::size_t) { return sine(1000); };
   const std::vector<CsvColumn> signals{{.index = 0, .name = "left", .base = "left"},
