@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iterator>
 
 #include "pipeline/analysis.hpp"
@@ -17,6 +18,20 @@
 #include "pipeline/warnings/used_hit_warnings.hpp"
 
 namespace percuss::pipeline {
+
+namespace {
+
+// A window that the recorder applied makes the noise before a hit larger than at the end, and the modes differ by the
+// time of the hit. The warnings about these would name wrong causes.
+void remove_consequences(std::vector<Warning>& warnings) {
+  const bool windowed = std::any_of(warnings.begin(), warnings.end(),
+                                    [](const Warning& warning) { return warning.code == "already_windowed"; });
+  if (!windowed) return;
+  std::erase_if(warnings,
+                [](const Warning& warning) { return warning.code == "not_at_rest" || warning.code == "hits_differ"; });
+}
+
+}  // namespace
 
 std::vector<Warning> Analysis::warnings() const {
   const std::vector<AnalysedHit>& graded = hits_.ready() ? hits() : force_hits();
@@ -57,6 +72,7 @@ std::vector<Warning> Analysis::warnings() const {
     add(tube_warnings(record(), modes(), classifications(), options_.classes, modes_are_complete()));
     add(split_mode_warnings(modes(), classifications()));
   }
+  remove_consequences(out);
   return ranked(std::move(out));
 }
 

@@ -22,6 +22,7 @@
 #include "core/io/parse_number.hpp"
 #include "core/units.hpp"
 #include "pipeline/node_scan.hpp"
+#include "pipeline/run_analyses.hpp"
 #include "report/json/analysis_json.hpp"
 #include "report/nodes_report.hpp"
 
@@ -109,7 +110,7 @@ OpenScan open_scan(const NodesFlags& flags, const std::optional<pipeline::ScanPo
       flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
   if (grouping == acquire::FileGrouping::tests)
     throw OptionError::wrong_value("files", "tests", "give points, or the files of one scan", "a scan is one test");
-  const pipeline::AnalysisOptions options = analysis_options(flags.analysis);
+  pipeline::AnalysisOptions options = analysis_options(flags.analysis);
   Measurements opened = open_measurements(flags.read);
   // Several files are numbered as points in their order, whatever the geometry of the first says.
   const bool renumbered = grouping == acquire::FileGrouping::points && opened.records.size() + opened.frfs.size() > 1;
@@ -121,6 +122,7 @@ OpenScan open_scan(const NodesFlags& flags, const std::optional<pipeline::ScanPo
     const auto positions =
         stated ? *stated
                : pipeline::positions_of_geometry(renumbered ? Places{} : frfs.geometry, points, frfs.source());
+    pipeline::assume_angles(frfs, options.classes);
     return {.analysis = std::make_shared<pipeline::Analysis>(std::move(frfs), options), .positions = positions};
   }
   acquire::Record record = acquire::join_records(std::move(opened.records), grouping);
@@ -128,6 +130,7 @@ OpenScan open_scan(const NodesFlags& flags, const std::optional<pipeline::ScanPo
                                 : pipeline::positions_of_geometry(renumbered ? Places{} : record.geometry,
                                                                   record.points(), record.source());
   const bool assumed = record.points().size() != positions.count;
+  pipeline::assume_angles(record, options.classes);
   return {.analysis = std::make_shared<pipeline::Analysis>(pipeline::as_scan(std::move(record), positions), options),
           .positions = positions,
           .assumed_points = assumed};

@@ -9,7 +9,7 @@ namespace percuss::identify {
 /// channels, as for hits beside the point, goes to Residue::relative_std. What differs between them goes to
 /// Residue::std: a hit in another direction excites the orientations of a tube's mode in other parts. A point with one
 /// hit shows no scatter.
-/// theory (4.27)
+/// theory (4.27), (4.30)
 /// linear  windowed_hit_poles of these modes
 void add_residue_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
                          std::vector<Mode>& modes);

@@ -143,7 +143,10 @@ std::vector<metrics::ComparedDocument> read_documents(const std::string& path) {
 std::vector<metrics::ComparedDocument> parse_documents(std::string_view text, const std::string& where) {
   if (text.empty()) throw InputError("the file is empty", where, "write it again");
   const auto value = parse_json<nlohmann::json>(
-      {.text = text, .where = where, .remedy = "read a JSON document that percuss wrote", .max_depth = kMaxDepth},
+      {.text = text,
+       .where = where,
+       .remedy = "give a JSON document that percuss wrote; for a record, that of percuss analyze",
+       .max_depth = kMaxDepth},
       kWantedKeys);
   const Part top(value, where);
   const std::string schema = top.at("schema").text();
