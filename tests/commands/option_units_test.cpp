@@ -50,6 +50,18 @@ TEST(OptionUnits, HoldForEachValueOfAListAndForARange) {
   EXPECT_NEAR(document_of(standard)["moi_oz_in2"].get<double>(), document_of(inches)["moi_oz_in2"].get<double>(), 1e-8);
 }
 
+TEST(OptionUnits, HoldForTheBand) {
+  const test::ScratchFolder folder;
+  test::write_small_test(folder.file("bat.h5"));
+  const auto band = [&](const std::string& text) {
+    return document_of({"analyze", folder.file("bat.h5"), "--band", text, "--effort", "quick"})["modes"];
+  };
+  const auto modes = band("60:1000");
+  EXPECT_FALSE(modes.empty());
+  EXPECT_EQ(band("60Hz:1kHz"), modes);
+  EXPECT_EQ(band("60:1 kHz"), modes);
+}
+
 TEST(OptionUnits, HoldForSensitivities) {
   const test::ScratchFolder folder;
   const test::SmallRecord small = test::small_record();

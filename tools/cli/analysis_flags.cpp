@@ -11,6 +11,7 @@
 #include "cli/hit_list.hpp"
 #include "cli/option_error.hpp"
 #include "core/error.hpp"
+#include "core/io/csv_header.hpp"
 #include "core/io/parse_number.hpp"
 #include "pipeline/hits/hit_grading.hpp"
 
@@ -20,6 +21,15 @@ namespace {
 std::optional<double> number(std::string_view text) {
   const ParsedNumber parsed = parse_number(text, false);
   return parsed.problem == NumberProblem::none ? std::optional(parsed.value) : std::nullopt;
+}
+
+// "3200", "3200Hz" or "3.2kHz" in Hz.
+std::optional<double> frequency_Hz(std::string_view text) {
+  const auto ends_with = [&](std::string_view unit) { return lower_case(text).ends_with(unit); };
+  const double to_Hz = ends_with("khz") ? 1000 : 1;
+  const std::size_t unit = ends_with("khz") ? 3 : ends_with("hz") ? 2 : 0;
+  const auto value = number(text.substr(0, text.size() - unit));
+  return value ? std::optional(*value * to_Hz) : std::nullopt;
 }
 
 std::vector<double> without_duplicates(std::vector<double> values) {
@@ -32,10 +42,10 @@ std::vector<double> without_duplicates(std::vector<double> values) {
 
 std::pair<double, double> parse_band(const std::string& text, const OptionId& option) {
   const auto colon = text.find(':');
-  const auto low = number(std::string_view(text).substr(0, colon));
-  const auto high = colon == std::string::npos ? std::nullopt : number(std::string_view(text).substr(colon + 1));
+  const auto low = frequency_Hz(std::string_view(text).substr(0, colon));
+  const auto high = colon == std::string::npos ? std::nullopt : frequency_Hz(std::string_view(text).substr(colon + 1));
   if (low && high && *low >= 0 && *low < *high) return {*low, *high};
-  throw OptionError::wrong_value(option, text, "give two frequencies in Hz, the lower first: LO:HI, such as 60:3200");
+  throw OptionError::wrong_value(option, text, "give two frequencies in Hz, the lower first: LO:HI, such as 60:3200 or 60:3.2kHz");
 }
 
 identify::Effort effort_of(const std::string& name) {
