@@ -27,7 +27,7 @@ DeviceFile file_of(const std::string& device) {
   return {.kind = device, .path = {}, .rest = {}};
 }
 
-bool exists(const fs::path& path) {
+bool path_exists(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(path, ignored);
 }
@@ -49,7 +49,7 @@ std::string SessionPaths::find(const std::string& path, const std::string& sha25
   std::string first;
   for (const fs::path& base : bases_) {
     std::string place = base / path;
-    if (!exists(place)) continue;
+    if (!path_exists(place)) continue;
     if (sha256.empty() || batch::sha256_of_record(place) == sha256) return place;
     if (first.empty()) first = place;
   }
@@ -62,7 +62,7 @@ std::string SessionPaths::find_device(const std::string& device) const {
 }
 
 std::string SessionPaths::target(const std::string& path) const {
-  return path.empty() || folder_.empty() || !exists(folder_) ? path : (folder_ / path).string();
+  return path.empty() || folder_.empty() || !path_exists(folder_) ? path : (folder_ / path).string();
 }
 
 bool names_same_file(const std::string& a, const std::string& b) {
@@ -74,7 +74,7 @@ bool names_same_file(const std::string& a, const std::string& b) {
 bool names_same_device(const std::string& a, const std::string& b) {
   if (a == b) return true;
   const DeviceFile first = file_of(a), second = file_of(b);
-  return first.kind == second.kind && first.rest == second.rest && exists(first.path) &&
+  return first.kind == second.kind && first.rest == second.rest && path_exists(first.path) &&
          names_same_file(first.path, second.path);
 }
 
