@@ -170,7 +170,7 @@ std::vector<Warning> tube_warnings(const acquire::Record& record, const std::vec
   if (right_angle) add(midway_hit(ratios));
   if (right_angle) add(mixed_units(record, ratios, *sensors));
   if (out.empty()) add(contradicted_angles(ratios, *sensors, options));
-  if (complete) add(missing_order(modes, classifications));
+  if (complete && out.empty()) add(missing_order(modes, classifications));
   return out;
 }
 
