@@ -176,7 +176,7 @@ TEST(Analysis, IsNotPossibleWithoutAUsableHit) {
   EXPECT_THROW(analysis.frfs(), InputError);
 }
 
-TEST(Analysis, RefusesBandsWithTooFewLines) {
+TEST(Analysis, RefusesBandsAndHitsThatTheRecordDoesNotHave) {
   const acquire::Record record = synth::synthesise(bat()).record;
   EXPECT_THROW(Analysis(record, {.band_Hz = std::pair{100.0, 101.0}}).lines(), InputError);
   EXPECT_THROW(Analysis(record, {.band_Hz = std::pair{100.0, 9e9}}).lines(), InputError);

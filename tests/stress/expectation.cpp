@@ -167,7 +167,7 @@ class Judge {
     }
   }
 
-  // Whether the warning of unmodelled peaks names a frequency near this mode. The mode may then be missing.
+  // Whether the warning unclaimed_peaks names a frequency near this mode. The mode may then be missing.
   bool named(const identify::Pole& truth) const {
     const double near_Hz = kNear * std::max(width_Hz(truth), outcome_.df_Hz);
     return std::any_of(outcome_.unexplained_Hz.begin(), outcome_.unexplained_Hz.end(),

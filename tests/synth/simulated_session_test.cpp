@@ -7,7 +7,7 @@
 namespace percuss::synth::simulated_session_test {
 
 // The band of the preset ends at 3200 Hz.
-TEST(SimulatedSession, RunsBelowTwiceTheBandOfItsSpec) {
+TEST(SimulatedSession, EndsItsBandAtHalfALowSamplingRate) {
   EXPECT_EQ(parse_simulated_session("wood-bat,fs=2000").spec.band_high_Hz, 1000);
   EXPECT_EQ(parse_simulated_session("wood-bat", {.fs_Hz = 2000}).spec.fs_Hz, 2000);
   EXPECT_EQ(parse_simulated_session("wood-bat,fs=51200").spec.band_high_Hz, 3200);

@@ -15,7 +15,7 @@ inline constexpr std::size_t kMaxListedNumber = 1'000'000;
 /// The first and the last number of a piece of a list, "8" or "1-5"; nothing for other texts and larger numbers.
 std::optional<std::pair<std::size_t, std::size_t>> number_range(std::string_view text);
 
-/// Completes "give …".
+/// What a list of hits may hold. Error messages put it after the word "give".
 inline constexpr const char* kHitsRequirement = "whole numbers from 1 up, ranges such as 1-5, or all";
 
 /// Whether the text is a piece of a list of hits: "8", "1-5" or "all", up to hit 1000000.

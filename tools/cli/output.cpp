@@ -145,7 +145,8 @@ void require_folder(const std::string& path) {
 
 namespace {
 
-// A folder, a pipe, an existing file, or a link to a file that does not exist: writing follows existing files only.
+// Refuses a folder and a pipe or device; without `force` also an existing file, and a link whose target does not exist:
+// writing follows a link only to an existing file.
 void require_place(const std::string& path, bool force) {
   std::error_code ignored;
   const std::filesystem::file_status found = std::filesystem::status(path, ignored);

@@ -59,7 +59,7 @@ std::string text_of(const CalibrateFlags& flags, const acquire::Record& record,
   const std::string unit = force.unit.empty() || force.unit_assumed ? "unit" : one_line(force.unit, 20);
   report::TextTable table({{"hit", report::TextTable::Align::right},
                            {"time", report::TextTable::Align::right},
-                           {"force peak", report::TextTable::Align::right},
+                           {"force peak, " + unit, report::TextTable::Align::right},
                            {"acceleration", report::TextTable::Align::right},
                            {"N per " + unit, report::TextTable::Align::right},
                            {""}});

@@ -54,8 +54,9 @@ void add_program(CommandLine& line) {
   Command program = line.program();
   program.about(
       "percuss turns hammer tests into natural frequencies, damping ratios and mode shapes, each with its standard "
-      "deviation. It also predicts the modes and impacts of beams, bats and barrels. Data goes to standard output, "
-      "progress and warnings to standard error. Options follow the command; percuss help COMMAND explains one.");
+      "deviation. It also predicts the modes and impacts of beams, bats and barrels. Results and their warnings go to "
+      "standard output, progress and notes on the input to standard error. Options follow the command; percuss help "
+      "COMMAND explains one.");
   program.example("percuss synth composite-bat -o first.h5; percuss analyze first.h5 --band 60:3200",
                   "Make a synthetic hammer test with known modes, and analyse it");
   add_exit_codes(line);

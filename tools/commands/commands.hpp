@@ -6,8 +6,9 @@
 
 namespace percuss::tools {
 
-// Each function declares a command: its options and the function that runs it. Commands write data to standard output,
-// progress and warnings to standard error. main() prints an InputError or UsageError as one line.
+// Each function declares a command: its options and the function that runs it. Commands write results and their
+// warnings to standard output, progress and notes on the input to standard error. main() prints an InputError or
+// UsageError as one line.
 void add_info(CommandLine& line);
 void add_analyze(CommandLine& line);
 void add_frf(CommandLine& line);

@@ -68,16 +68,17 @@ std::vector<Warning> midway_hit(const std::vector<ClearRatio>& ratios) {
   constexpr double kEighth_rad = std::numbers::pi / 4;
   constexpr const char* kRemedy = "strike in line with one of the sensors";
   if (all_near(-kEighth_rad)) {
-    return {with_remedy({"midway_hit",
-                         "both sensors move alike and against each other in every mode. Hoop modes do that, and also "
-                         "bending modes if the hits were halfway between the two sensors (135°): the types are not "
-                         "told apart"},
-                        kRemedy)};
+    return {
+        with_remedy({"midway_hit",
+                     "in every mode, the two sensors move by the same amount in opposite phase. Hoop modes do that, "
+                     "and also bending modes if the hits were halfway between the sensors (135°): the types are "
+                     "not told apart"},
+                    kRemedy)};
   }
   if (all_near(kEighth_rad)) {
     return {with_remedy({"midway_hit",
-                         "both sensors move alike in every mode: the hits were halfway between them (45°). Hoop modes "
-                         "then have nodes at both sensors, and are missing"},
+                         "in every mode, the two sensors move alike: the hits were halfway between them (45°). Hoop "
+                         "modes then have nodes at both sensors, and are missing"},
                         kRemedy)};
   }
   return {};

@@ -217,7 +217,7 @@ TEST(RecordEnd, DatesASessionByItsBeginning) {
   EXPECT_EQ(acquire::date_of(acquire::open_hdf5(bench.folder.file("t.h5"), {}).files.at(0)), "");
 }
 
-// At any moment of a session: the finished file has the bytes of an uninterrupted one.
+// Whenever a session is killed: after --resume, the file has the bytes of an uninterrupted session.
 TEST(RecordEnd, ResumesAfterAKillToTheSameBytes) {
   const Bench bench;
   const std::string device = "sim:aluminium-bat,double=2,speed=8";

@@ -37,12 +37,12 @@ DecayResults found_in(const std::vector<Motion>& motions, double noise = 0.01) {
   return modes_of_decays(fit_free_decays(decay_spectra(out), {.band_Hz = kBand_Hz}), channels, kBand_Hz);
 }
 
-// A decay from 1 whose frequency is `freq_Hz` when small and lower by `softening` at the start.
-std::vector<double> decay(double freq_Hz, double damping, double softening = 0) {
+// A decay from 1. Its frequency is `freq_Hz` when small, and lower by the fraction `softening` at the start.
+std::vector<double> decay(double freq_Hz, double damping_ratio, double softening = 0) {
   std::vector<double> value(kSamples);
   double phase = 0;
   for (std::size_t n = 0; n < kSamples; ++n) {
-    const double amplitude = std::exp(-damping * kTwoPi * freq_Hz * static_cast<double>(n) / kFs_Hz);
+    const double amplitude = std::exp(-damping_ratio * kTwoPi * freq_Hz * static_cast<double>(n) / kFs_Hz);
     value[n] = amplitude * std::sin(phase);
     phase += kTwoPi * freq_Hz * (1 - softening * amplitude * amplitude) / kFs_Hz;
   }

@@ -6,7 +6,7 @@
 
 namespace percuss::identify::pole_update_test {
 
-TEST(PoleUpdate, AllowsDecayingPoles) {
+TEST(PoleUpdate, AllowsPositiveFrequenciesAndDampingRatiosBelowOneHalf) {
   EXPECT_TRUE(poles_in_bounds({{100, 0.01}, {100.1, 0.49}}));
   EXPECT_FALSE(poles_in_bounds({{-1, 0.01}}));
   EXPECT_FALSE(poles_in_bounds({{100, 0}}));

@@ -136,10 +136,10 @@ TEST(PolesNear, StayAtTheFrequencyWithoutAPeak) {
 
 TEST(PolesNear, DoNotShareAPeak) {
   const FrfDataset set = three_modes();
-  for (const bool weaker_first : {true, false}) {
-    const auto poles = poles_near(set, weaker_first ? std::vector{573.5, 575.5} : std::vector{575.5, 577.0});
-    EXPECT_LE(std::abs(poles[weaker_first ? 1 : 0].freq_Hz - 575.4), 0.5);
-    EXPECT_EQ(poles[weaker_first ? 0 : 1].freq_Hz, weaker_first ? 573.5 : 577.0);
+  for (const bool farther_first : {true, false}) {
+    const auto poles = poles_near(set, farther_first ? std::vector{573.5, 575.5} : std::vector{575.5, 577.0});
+    EXPECT_LE(std::abs(poles[farther_first ? 1 : 0].freq_Hz - 575.4), 0.5);
+    EXPECT_EQ(poles[farther_first ? 0 : 1].freq_Hz, farther_first ? 573.5 : 577.0);
   }
 }
 

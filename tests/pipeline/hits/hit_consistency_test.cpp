@@ -119,7 +119,8 @@ TEST_F(HitAgreement, OnlyWarnsOfAnOutlierAmongThreeHits) {
   EXPECT_LE(found(2, acquire::FindingCode::low_coherence)->value, 0.9);
 }
 
-// A strong wrong hit of three spoils what the other two explain of each other's responses, yet they agree.
+// Each hit is compared with the FRF of the other two. A strong wrong hit dominates this FRF: the two good hits fit it
+// badly, although they agree with each other.
 TEST_F(HitAgreement, NamesTheOddOneOfThreeHits) {
   for (std::size_t odd = 0; odd < 3; ++odd) {
     hits_.clear(), force_.clear(), accel_.clear();

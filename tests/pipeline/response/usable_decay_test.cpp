@@ -44,8 +44,8 @@ TEST(UsableDecay, BeginsAfterClippedSamples) {
   const ResponseTest test =
       analyse_responses(test::response_record(kFs_Hz, {{decays(3, 2, 1)}}, 0, true), {.threads = 1});
   ASSERT_EQ(test.hits.size(), 2U);
-  // 3 exp(−7.54 t/s) falls to 1 in 0.146 s. The largest of 13.7 samples per period is up to 2.7 % below the peak, which
-  // the decay takes 4 ms for.
+  // 3 exp(−7.54 t/s) falls to 1 in 0.146 s. With 13.7 samples per period, the largest sample is up to 2.6 % below
+  // the crest; the decay falls by that much in 3.5 ms.
   EXPECT_NEAR(test.hits[0].clipped_s, 0.146, 0.005);
   EXPECT_THAT(test.warnings, Contains(Field(&Warning::code, "response_clipped")));
   expect_the_mode(test);

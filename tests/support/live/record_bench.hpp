@@ -38,8 +38,8 @@ struct RecordBench {
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
-  /// Begins a command, whose output goes to the files out and err, and runs `act` as soon as the condition of the shell
-  /// holds, such as kHasBegun. Returns the exit code of the command.
+  /// Begins a command, whose output goes to the files out and err. Runs `act` as soon as the shell command `condition`
+  /// (such as kHasBegun) succeeds, but after ten seconds in any case. Returns the command's exit code.
   int meanwhile(const std::string& command, const std::string& condition, const std::string& act) const {
     return shell(command + " >out 2>err &\nfor i in $(seq 500); do " + condition + " && break; sleep 0.02; done\n" +
                  act + "\nwait $!");

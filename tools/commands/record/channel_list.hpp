@@ -5,7 +5,7 @@
 
 namespace percuss::tools {
 
-/// Completes "give …".
+/// What a list of channels may hold. Error messages put it after the word "give".
 inline constexpr const char* kChannelsRequirement = "whole numbers from 1 up, or ranges such as 1-3";
 
 /// Whether the text is a piece of a list of channels: "8" or "1-5".

@@ -16,14 +16,21 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMaxScale = 1e15;
 
+const char* name_of_quantity(Quantity quantity) {
+  if (quantity == Quantity::force) return "force";
+  return quantity == Quantity::pressure ? "pressure" : "acceleration";
+}
+
 void read_calibrated(StrictObject& o, SoundCalibration::Signal& signal) {
   std::string measures = "acceleration";
   o.read("name", signal.name);
   o.read("measures", measures);
   if (measures == "force") {
     signal.measures = Quantity::force;
+  } else if (measures == "pressure") {
+    signal.measures = Quantity::pressure;
   } else if (measures != "acceleration") {
-    o.fail(R"(neither "force" nor "acceleration")", "measures", "write one of them");
+    o.fail(R"(neither "force", "acceleration" nor "pressure")", "measures", "write one of them");
   }
   o.need("si_at_full_scale");
   o.read_within("si_at_full_scale", -kMaxScale, kMaxScale, signal.to_SI);
@@ -113,9 +120,8 @@ void add_geometry(const SoundCalibration& calibration, Json& out) {
 std::string calibration_text(const SoundCalibration& calibration) {
   Json signals = Json::array(), rows = Json::array();
   for (const SoundCalibration::Signal& signal : calibration.signals) {
-    Json one{{"name", signal.name},
-             {"measures", signal.measures == Quantity::force ? "force" : "acceleration"},
-             {"si_at_full_scale", signal.to_SI}};
+    Json one{
+        {"name", signal.name}, {"measures", name_of_quantity(signal.measures)}, {"si_at_full_scale", signal.to_SI}};
     if (signal.angle_rad) one["angle_rad"] = *signal.angle_rad;
     if (signal.position_m) one["position_m"] = *signal.position_m;
     signals.push_back(std::move(one));
