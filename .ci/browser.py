@@ -131,8 +131,8 @@ def check_page(driver, path, canvases=0, charts=0):
         check(ratio >= 4.5, f"{name}: contrast {ratio:.1f} of text in the {scheme} scheme ({where})")
     emulate(driver, prefers_color_scheme="light")
     check(driver.execute_script(SMALLEST) >= 12, f"{name}: no text below 12 px")
-    hidden = driver.execute_script("return document.documentElement.scrollWidth > document.documentElement.clientWidth")
-    check(not hidden, f"{name}: no wider than the window")
+    too_wide = driver.execute_script("return document.documentElement.scrollWidth > document.documentElement.clientWidth")
+    check(not too_wide, f"{name}: no wider than the window")
 
 
 def scales(driver):

@@ -82,8 +82,9 @@ Measured with {}.
 ## In short
 
 {}
-"Over the bound" is the RMS error divided by the Cramér–Rao bound. No unbiased method can go below 1. "Time" is a
-multiple of the unavoidable work: reading the bytes of the file, and one bare FFTW transform per channel and hit.
+"Over the bound" is the RMS of the errors, each divided by its own Cramér–Rao bound. No unbiased method can go below 1.
+Errors of frequencies and damping ratios are relative to the true value. "Time" is a multiple of the unavoidable work:
+reading the bytes of the file, and one bare FFTW transform per channel and hit.
 
 ## Method
 

@@ -63,7 +63,7 @@ const char* name_of(ModeType type);
 struct SplitMode {
   std::size_t partner = 0;  // index of the other mode
   double separation_Hz = 0, separation_std_Hz = 0;
-  bool first = false;   // this mode is the lower of the two
+  bool first = false;   // this mode has the lower frequency of the two
   bool quoted = false;  // reports quote the frequency of this mode
 };
 

@@ -20,8 +20,8 @@ std::vector<UnmodelledResonance> unmodelled_resonances(const FrfDataset& set, co
 
 /// The modes at resonances where `modes` have none, in ascending frequency. The lines around each are analysed alone,
 /// as in a narrow band: there, few modes with residual terms can fit data that the modes of the whole band do not fit.
-/// Such modes may also describe tones: see whether their residues follow the force. theory (4.26) and the paragraph
-/// after it
+/// Such modes may also describe tones: see whether their residues agree from hit to hit. theory, section 4, "Peaks
+/// and stable poles of the residual"
 std::vector<Mode> modes_at_frequencies(const FrfDataset& set, const std::vector<Mode>& modes,
                                        const std::vector<UnmodelledResonance>& resonances, Effort effort);
 

@@ -67,7 +67,8 @@ class Analysis {
 
   /// The band of the options, or else the source's default.
   std::pair<double, double> band_Hz() const;
-  /// Spectral lines of the FRFs: the band and a margin for modes just outside, within the usable bandwidth.
+  /// Spectral lines of the FRFs: the whole band, and a margin for modes just outside it. The margin ends at 1.2 times
+  /// the bandwidth of the force at the latest, and at 0.44 of the sampling rate.
   const acquire::LineRange& lines() const;
   /// Decay rate σ of the exponential window; 0 without a window.
   double window_decay_per_s() const;
@@ -137,7 +138,8 @@ class Analysis {
   Lazy<acquire::LineRange> lines_;
   Lazy<HitResponses> responses_, settled_responses_;
   Lazy<std::vector<frf::Spectrum>> force_spectra_;
-  // What earlier_ringing() found the ringing with, kept for fitted_frfs_ and modes_ where there is none.
+  // The FRFs and modes with which earlier_ringing() searched. Set where it found no ringing: fitted_frfs_ and modes_
+  // then begin with them.
   struct FirstModes {
     identify::FrfDataset frfs;
     std::vector<identify::Mode> modes;

@@ -72,7 +72,7 @@ std::string peak_text(const std::vector<double>& hoop_Hz, const model::HoopPeak&
           : fmt::format("trampoline: the COR is largest, {:.4f}, at a hoop frequency of {} Hz", peak.cor, peak_Hz);
   if (has_range && !has_std)
     text += fmt::format(" ({:.0f} to {:.0f} Hz with the exponents that fit about as well)", low_Hz, high_Hz);
-  return text + fmt::format(". It is {:.3f} of the rigid wall's {:.5f} and {:.3f} of the {:.4f} at 10 kHz\n",
+  return text + fmt::format(". It is {:.3f} times the rigid wall's {:.5f} and {:.3f} times the {:.4f} at 10 kHz\n",
                             peak.cor / wall, wall, peak.cor / reference, reference);
 }
 

@@ -43,7 +43,7 @@ class ConvertCommand : public testing::Test {
 constexpr std::array kKinds{"h5", "mat", "uff", "unv", "csv"};
 constexpr std::array kSoundKinds{"wav", "rf64"};  // records only
 
-TEST_F(ConvertCommand, KeepsEverySampleThroughEveryFormat) {
+TEST_F(ConvertCommand, GivesEqualModesThroughEveryFormat) {
   const json modes = modes_of("bat.h5");
   ASSERT_EQ(modes.size(), 2U);
   for (const std::string kind : kKinds) {

@@ -140,7 +140,8 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   }
   if (phase_rises(record.frfs)) {
     record.notes.emplace_back(
-        "the phase rises through the resonances: the FRFs may be for exp(−jωt), as percuss takes exp(+jωt); then give "
+        "the phase rises through the resonances: the FRFs may be for exp(−jωt), but percuss needs exp(+jωt); if so, "
+        "give "
         "their complex conjugates");
   }
   std::stable_sort(record.frfs.begin(), record.frfs.end(), [](const PointFrf& a, const PointFrf& b) {

@@ -28,7 +28,7 @@ struct SplitPlanes {
 struct SplitMode {
   std::size_t partner = 0;  // index of the other mode
   double separation_Hz = 0;
-  bool first = false;  // this mode is the lower one
+  bool first = false;  // this mode has the lower frequency of the two
   double separation_std_Hz = 0;
   double first_over_second_dB = 0;    // level difference of the peaks, over all FRFs
   bool quoted = false;                // its frequency stands for the pair, as in source [8]: the first, unless hidden

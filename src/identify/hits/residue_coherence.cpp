@@ -46,7 +46,7 @@ std::vector<ResidueSums> residue_sums(const FrfDataset& set, const HitFrfs& hits
 
 }  // namespace
 
-std::optional<bool> follows_force(const ResidueCoherence& point) {
+std::optional<bool> residues_agree(const ResidueCoherence& point) {
   constexpr double kChance = 1e-3;
   constexpr std::size_t kPhaseHits = 3;
   if (point.hits < kPhaseHits) return std::nullopt;
@@ -71,15 +71,15 @@ std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const Hit
   return out;
 }
 
-std::vector<std::optional<bool>> follow_force(const FrfDataset& set, const HitFrfs& hits,
-                                              const std::vector<Mode>& modes) {
+std::vector<std::optional<bool>> residues_agree_between_hits(const FrfDataset& set, const HitFrfs& hits,
+                                                             const std::vector<Mode>& modes) {
   constexpr double kAgreement = 0.9;  // of two hits; equal sizes of independent phases exceed it once in five times
   std::vector<std::optional<bool>> follows(modes.size());
   for (const ModeWindow& window : mode_windows(set, modes)) {
     for (std::size_t i = 0; i < window.modes.size(); ++i) {
       std::optional<bool>& of_mode = follows[window.modes[i]];
       for (const ResidueCoherence& point : residue_coherence(set, hits, modes, window, i)) {
-        std::optional<bool> at_point = follows_force(point);
+        std::optional<bool> at_point = residues_agree(point);
         if (point.hits == 2 && point.coherence < kAgreement) at_point = false;
         if (at_point) of_mode = of_mode.value_or(false) || *at_point;
       }

@@ -13,9 +13,9 @@ struct ResidueCoherence {
   std::size_t hits = 0;
 };
 
-/// True where the residues follow the force: independent circular normal residues reach their coherence at most once in
-/// a thousand times. Nothing with fewer than three hits, which do not show whether the phases are independent.
-std::optional<bool> follows_force(const ResidueCoherence& point);
+/// True where the residues of the hits agree: independent circular normal residues reach their coherence at most once
+/// in a thousand times. Nothing with fewer than three hits, which do not show whether the phases are independent.
+std::optional<bool> residues_agree(const ResidueCoherence& point);
 
 /// [points of set] for the mode window.modes[mode]. Each hit is fitted over the window at the modes' poles, which gives
 /// a residue r per channel; w is one over the variance of r. Each channel has its own mean: the residues of the test
@@ -25,9 +25,9 @@ std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const Hit
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
                                                 std::size_t mode);
 
-/// [modes] whether the residues of each follow the force at some point; nothing where no point can tell. Two hits of a
-/// point can only show that the residues do not follow the force: such a mode is doubtful.
-std::vector<std::optional<bool>> follow_force(const FrfDataset& set, const HitFrfs& hits,
-                                              const std::vector<Mode>& modes);
+/// [modes] whether the residues of the hits agree at some point; nothing where no point can tell. Two hits of a
+/// point can only show that the residues do not agree: such a mode is doubtful.
+std::vector<std::optional<bool>> residues_agree_between_hits(const FrfDataset& set, const HitFrfs& hits,
+                                                             const std::vector<Mode>& modes);
 
 }  // namespace percuss::identify

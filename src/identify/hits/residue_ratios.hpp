@@ -20,7 +20,7 @@ struct HitResidue {
   std::size_t residue = 0;  // index in Mode::residues
   Complex value;
   double std = 0;    // of the real part and of the imaginary part
-  double share = 0;  // of the weight of the hit's ratio that this residue has
+  double share = 0;  // weight of this residue in the hit's ratio, over that of all residues
 };
 
 /// The residues of the single hits, from a fit of their FRFs over a window at the modes' poles. The arguments must
@@ -63,7 +63,8 @@ class HitResidues {
   double freedom_;
 };
 
-/// Whether the ratios of the hits, or their differences, scatter significantly, and by more than gain errors explain.
+/// Whether the values of the hits, from ratios() or from contrasts(), scatter significantly, and by more than errors of
+/// the gain explain.
 bool scatter_clearly(const std::vector<ResidueRatio>& ratios);
 
 }  // namespace percuss::identify

@@ -10,7 +10,8 @@ struct StdParts {
   double total() const;
 };
 
-/// A mode's frequency and damping ratio against the force of the hits, as straight lines, with standard deviations.
+/// A mode's frequency and damping ratio against the magnitude of the hits' peak force, as straight lines, with standard
+/// deviations.
 struct AmplitudeTrend {
   double freq_slope_Hz_per_N = 0, freq_slope_std = 0, freq_at_zero_Hz = 0;
   double damping_slope_per_N = 0, damping_slope_std = 0, damping_at_zero = 0;

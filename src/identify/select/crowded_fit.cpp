@@ -30,7 +30,7 @@ constexpr double kResolution = 0.2;    // of a bandwidth
 constexpr double kGainPerUnknown = 5;  // half the logarithm of the number of lines
 constexpr double kNeeded = 6;          // standard deviations of a residue
 constexpr double kLossPerUnknown =
-    3;  // loss of log_likelihood_gain() below which a hardly known mode is dropped: noise alone gives about 1
+    3;  // loss of likelihood_ratio_statistic() below which a hardly known mode is dropped: noise alone gives about 1
 constexpr double kKnownMode = 3;  // standard deviations of the largest residue of a mode that is known
 constexpr int kCrowdFits = 12;
 constexpr int kTrialSteps = 8, kCrowdSteps = 150;  // while poles are dropped; of the last fit
@@ -67,7 +67,8 @@ std::vector<Pole> needed_poles(const FrfDataset& set, const JointFit& linear) {
 
 double gain_per_unknown(const FrfDataset& set, const JointFit& fewer, const JointFit& more) {
   const std::size_t modes = more.poles.size() > fewer.poles.size() ? more.poles.size() - fewer.poles.size() : 1;
-  return log_likelihood_gain(set, fewer.residual, more.residual) / static_cast<double>(modes * unknowns_per_mode(set));
+  return likelihood_ratio_statistic(set, fewer.residual, more.residual) /
+         static_cast<double>(modes * unknowns_per_mode(set));
 }
 
 // The residues at poles from vector fitting. The number of poles grows as long as the likelihood gains enough.

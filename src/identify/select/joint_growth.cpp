@@ -61,7 +61,7 @@ std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>&
 // Whether another fit gains enough for its additional modes. `clear`: the number of clear modes among them.
 bool is_better(const FrfDataset& set, const JointFit& fit, const JointFit& other, std::size_t clear) {
   const std::size_t more = other.poles.size() > fit.poles.size() ? other.poles.size() - fit.poles.size() : 1;
-  return log_likelihood_gain(set, fit.residual, other.residual) >
+  return likelihood_ratio_statistic(set, fit.residual, other.residual) >
          min_gain_beside(set, more * unknowns_per_mode(set), clear);
 }
 
@@ -179,7 +179,7 @@ JointFit with_close_modes(const FrfDataset& set, JointFit fit, JointFitBudget& b
       if (!budget.allows(poles)) return fit;
       JointFit trial = budget.fit(std::move(poles), {.max_steps = kPairSteps, .test_real = false});
       if (!trial.converged || without_weakest(set, trial, Misfit::counted).size() != trial.poles.size()) continue;
-      if (!best || log_likelihood_gain(set, best->residual, trial.residual) > 0) best = std::move(trial);
+      if (!best || likelihood_ratio_statistic(set, best->residual, trial.residual) > 0) best = std::move(trial);
     }
     gained = take_if_better(set, fit, std::move(best));
   }
@@ -193,7 +193,7 @@ JointFit without_misfit_modes(const FrfDataset& set, JointFit fit, JointFitBudge
     if (kept.size() == fit.poles.size()) break;
     std::optional<JointFit> fewer = settled_fit(set, std::move(kept), budget);
     if (!fewer || fewer->poles.size() >= fit.poles.size()) break;
-    const double lost = log_likelihood_gain(set, fewer->residual, fit.residual);
+    const double lost = likelihood_ratio_statistic(set, fewer->residual, fit.residual);
     if (lost > min_gain(set, (fit.poles.size() - fewer->poles.size()) * unknowns_per_mode(set))) break;
     fit = *std::move(fewer);
   }

@@ -133,7 +133,7 @@ void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residua
   const std::vector<Pole> known = poles_of(modes);
   const double least = min_gain_beside(set, after > unknowns ? after - unknowns : unknowns_per_mode(set),
                                        clear_modes(shared, {known, before}, *fit).size());
-  if (log_likelihood_gain(set, before, fit->residual) < least) return;
+  if (likelihood_ratio_statistic(set, before, fit->residual) < least) return;
   modes = joint_modes(shared, *fit);
 }
 

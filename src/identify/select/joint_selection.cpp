@@ -23,7 +23,7 @@ constexpr double kJointWindowLines = 8;
 constexpr double kMaterialResidual = 2e-3;  // of the FRF: less moves no mode by more than 2e-3 bandwidths
 constexpr double kGainNoise = 4;            // standard deviations of the gain error from the force's noise
 constexpr double kMinNoiseShare = 0.02;     // least part of the lines that counts as independent
-constexpr double kModeGain = 150;           // log-likelihood gain that a mode needs, divided among its unknowns
+constexpr double kModeGain = 150;  // likelihood_ratio_statistic() that a mode needs, divided among its unknowns
 // Limits of this gain per unknown. The maximum is the F statistic that a close mode needs, the minimum about the
 // logarithm of the number of lines.
 constexpr double kMaxGain = 25, kMinGain = 8;
@@ -61,9 +61,9 @@ bool is_mode(const FrfDataset& set, const JointFit& fit, std::size_t mode, const
          standing.peak_to_residual > kJointPeakToResidual;
 }
 
-// The log-likelihood gain over the lines around a pole, where the level of the residual is about constant.
-double local_log_likelihood_gain(const FrfDataset& set, const std::vector<VectorXcd>& before,
-                                 const std::vector<VectorXcd>& after, const Pole& pole) {
+// As likelihood_ratio_statistic(), over the lines around a pole, where the level of the residual is about constant.
+double local_likelihood_ratio_statistic(const FrfDataset& set, const std::vector<VectorXcd>& before,
+                                        const std::vector<VectorXcd>& after, const Pole& pole) {
   const JointWindow window = window_around(set, pole);
   double ratio = 0;
   for (std::size_t o = 0; o < after.size(); ++o) {
@@ -96,7 +96,7 @@ bool is_clear(const FrfDataset& set, const KnownModes& known, const JointFit& fi
   const Standing standing = standing_of(set, fit, mode, Misfit::counted);
   const double least = kClearGain * static_cast<double>(unknowns_per_mode(set));
   return standing.significance > kClearSignificance && standing.peak_to_residual > kClearPeakToResidual &&
-         local_log_likelihood_gain(set, known.residual, fit.residual, pole) > least;
+         local_likelihood_ratio_statistic(set, known.residual, fit.residual, pole) > least;
 }
 
 // [channels] the residual's lines in a window.
@@ -194,8 +194,8 @@ bool is_material(const FrfDataset& set, const std::vector<VectorXcd>& residual, 
   return false;
 }
 
-double log_likelihood_gain(const FrfDataset& set, const std::vector<VectorXcd>& before,
-                           const std::vector<VectorXcd>& after) {
+double likelihood_ratio_statistic(const FrfDataset& set, const std::vector<VectorXcd>& before,
+                                  const std::vector<VectorXcd>& after) {
   const std::vector<double> more = energies_of(set, before), less = energies_of(set, after);
   double ratio = 0;
   for (std::size_t o = 0; o < more.size(); ++o) {

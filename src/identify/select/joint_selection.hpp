@@ -56,13 +56,13 @@ bool is_material(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& res
 
 /// Twice the logarithm of the likelihood ratio of two residuals. Its degrees of freedom are the independent lines of
 /// the second residual: a smooth misfit has few. theory (4.21)
-double log_likelihood_gain(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& before,
-                           const std::vector<Eigen::VectorXcd>& after);
+double likelihood_ratio_statistic(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& before,
+                                  const std::vector<Eigen::VectorXcd>& after);
 
 /// Real unknowns of one mode: its pole and its complex residues.
 std::size_t unknowns_per_mode(const FrfDataset& set);
 
-/// The limit that the log-likelihood gain of a fit with `unknowns` additional unknowns must exceed. The limit per
+/// The limit that the statistic of a fit with `unknowns` additional unknowns must exceed. The limit per
 /// unknown is 150/unknowns_per_mode(), within 8 … 25: the more FRFs, the less each unknown needs to gain.
 double min_gain(const FrfDataset& set, std::size_t unknowns);
 

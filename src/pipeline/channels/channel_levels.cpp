@@ -64,8 +64,8 @@ double largest_velocity_mps(const identify::FrfDataset& set, const std::vector<i
     for (std::size_t o = 0; o < mode.residues.size() && o < set.channels.size(); ++o) {
       const identify::PointForce& force = set.points[set.channels[o].point];
       if (force.ff.size() <= line || force.blocks.empty() || !clear(mode.residues[o])) continue;
-      const double impulse_Ns = std::sqrt(force.ff[line] / static_cast<double>(force.blocks.size()));
-      largest = std::max(largest, std::abs(mode.residues[o].value) * impulse_Ns / set.lines.fs_Hz);
+      const double impulse_Ns = std::sqrt(force.ff[line] / static_cast<double>(force.blocks.size())) / set.lines.fs_Hz;
+      largest = std::max(largest, std::abs(mode.residues[o].value) * impulse_Ns);
     }
   }
   return largest;

@@ -35,7 +35,8 @@ struct Reason {
   std::string reason, remedy;
 };
 
-// Whether the response moves more than its noise: the least motion before any blow so far.
+// Whether the response moves before the blow by more than kMoving times its noise: the least motion before any blow
+// so far.
 bool rings_before(const BlowCircumstances& at, std::size_t channel) {
   return channel < at.rest.size() && at.rest[channel].before_mps2 > kMoving * at.rest[channel].noise_mps2;
 }
@@ -48,7 +49,7 @@ Reason struck_again(const BlowCircumstances& at) {
   return {RowMark::struck_again, "struck again before the decay ended", "wait between blows"};
 }
 
-std::string is_hammer_there(const BlowContext& context) {
+std::string hammer_question(const BlowContext& context) {
   return fmt::format(". Is the hammer on channel {}?", context.channels.force_number);
 }
 
@@ -87,7 +88,7 @@ Reason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, co
   for (std::size_t c = 0; c + 1 < samples.size(); ++c) {
     if (!rings_before(at, c) && is_silent(samples[c + 1], quiet)) {
       return {RowMark::silent_channel, name_of_channel(context.channels, c) + " is silent",
-              "check its cable and its input" + (at.none_accepted ? is_hammer_there(context) : "")};
+              "check its cable and its input" + (at.none_accepted ? hammer_question(context) : "")};
     }
   }
   return {};
@@ -165,7 +166,7 @@ Reason judge_force(const acquire::Hit& hit, const BlowCircumstances& at, const B
   }
   if (hit.gated_N.empty() || acquire::rejects(hit.findings)) {
     std::string remedy = "strike freely and once";
-    if (at.all_rejected) remedy += is_hammer_there(context);
+    if (at.all_rejected) remedy += hammer_question(context);
     return {RowMark::no_pulse, "no clean pulse", remedy};
   }
   const double peak_N = std::abs(hit.peak_N);

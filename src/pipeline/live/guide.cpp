@@ -16,12 +16,12 @@ constexpr std::size_t kCompared = 8;  // blows of the point: time and memory of 
 constexpr double kLongGap_s = 1;      // after a longer one the trigger begins anew
 constexpr std::size_t kFeed = 4096;   // samples
 constexpr double kStrongPush = 0.2;   // of the usual blow, or of the last push: a weaker one was no attempt to strike
-constexpr std::size_t kSetTheRange = 2;   // blows
-constexpr double kMuchWeaker = 0.5;       // than an earlier blow: no reason to raise a gain
-constexpr std::size_t kMinToCompare = 3;  // blows: two do not tell which is weak
-constexpr double kRest_s = 0.2;           // before a blow, where the structure should be at rest
-constexpr double kMissedResponse = 0.3;   // of the usual response: no such motion comes without a blow
-constexpr std::size_t kResponses = 20;    // last accepted blows: the median of their responses is the usual one
+constexpr std::size_t kGainAdviceBlows = 2;  // first blows, while ranges may still be set: advice on gains
+constexpr double kMuchWeaker = 0.5;          // than an earlier blow: no reason to raise a gain
+constexpr std::size_t kMinToCompare = 3;     // blows: two do not tell which is weak
+constexpr double kRest_s = 0.2;              // before a blow, where the structure should be at rest
+constexpr double kMissedResponse = 0.3;      // of the usual response: no such motion comes without a blow
+constexpr std::size_t kResponses = 20;       // last accepted blows: the median of their responses is the usual one
 
 // The frames of a block before `frame`, and the rest.
 std::pair<acquire::SampleBlock, acquire::SampleBlock> split(acquire::SampleBlock block, std::uint64_t frame) {
@@ -246,7 +246,7 @@ void Guide::note_response(const BlowSamples& samples, const BlowGrade& grade) {
 
 bool Guide::may_advise_gain(const BlowGrade& grade) const {
   const auto& blows = session_.blows();
-  return blows.size() < kSetTheRange && std::all_of(blows.begin(), blows.end(), [&](const Session::Blow& blow) {
+  return blows.size() < kGainAdviceBlows && std::all_of(blows.begin(), blows.end(), [&](const Session::Blow& blow) {
            return kMuchWeaker * std::abs(blow.peak_N) <= std::abs(grade.peak_N);
          });
 }

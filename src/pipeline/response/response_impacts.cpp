@@ -40,8 +40,8 @@ Blocks blocks_at(double fs_Hz) {
           .contact = std::max<std::size_t>(1, whole(kContact_s))};
 }
 
-// Blocks `times` as long, in which noise hardly varies. Five of them precede a rise, which is longer than any beat of
-// two modes takes to rise tenfold.
+// Blocks `times` as long; the power of noise hardly varies between them. The history before a rise has five of them or
+// more: longer than a beat of two modes takes to rise tenfold.
 Blocks longer_blocks(const Blocks& blocks, std::size_t times) {
   return {.samples = blocks.samples * times,
           .history = std::max(kFewestBefore, blocks.history / times),
@@ -189,7 +189,7 @@ std::vector<ResponseImpact> response_impacts(const acquire::Record& record, cons
     const Signals clearest = clearest_differences(x, blocks, record.fs_Hz);
     find_in(clearest, blocks);
     if (found.empty()) find_in(centred(x), blocks);
-    // A weak blow in noise exceeds only the noise's mean over a longer time.
+    // A weak blow in noise shows only in the mean power over a longer time.
     for (std::size_t times = kLonger; times <= kLongest; times *= kLonger)
       find_in(clearest, longer_blocks(blocks, times));
     std::sort(found.begin(), found.end(),

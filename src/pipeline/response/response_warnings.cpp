@@ -55,8 +55,8 @@ std::vector<Warning> hammer_as_response(const acquire::Record& record) {
                                   name))};
 }
 
-// Whether the fit describes a motion that is no sum of decays by a comb of oscillations: their distances are then the
-// inverse of the time that the motion lasts.
+// Whether many neighbouring oscillations of the fit are less than kLines spectral lines apart. A fit describes a motion
+// that is no sum of decays by such a comb, whose spacing is the inverse of the time that the motion lasts.
 bool is_comb(const ResponseTest& test) {
   constexpr std::size_t kTeeth = 8;
   constexpr double kLines = 3;

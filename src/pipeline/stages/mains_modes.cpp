@@ -33,7 +33,7 @@ void remove_mains_modes(std::vector<identify::Mode>& modes, const std::vector<To
       if (!may_be_hum(modes[window.modes[i]])) continue;
       const auto points = identify::residue_coherence(set, hits, modes, window, i);
       hum[window.modes[i]] = std::none_of(points.begin(), points.end(), [](const identify::ResidueCoherence& point) {
-        return identify::follows_force(point).value_or(true);
+        return identify::residues_agree(point).value_or(true);
       });
     }
   }

@@ -29,7 +29,7 @@ void add_modes_at(const std::vector<identify::UnmodelledResonance>& resonances, 
   if (added.empty()) return;
   std::vector<identify::Mode> all;
   std::merge(modes.begin(), modes.end(), added.begin(), added.end(), std::back_inserter(all), ascending);
-  const std::vector<std::optional<bool>> follows = identify::follow_force(set, hits, all);
+  const std::vector<std::optional<bool>> follows = identify::residues_agree_between_hits(set, hits, all);
   const auto is_added = [&](const identify::Mode& mode) {
     return std::any_of(added.begin(), added.end(),
                        [&](const identify::Mode& other) { return other.pole == mode.pole; });

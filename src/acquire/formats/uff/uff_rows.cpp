@@ -84,8 +84,8 @@ void require_one_sampling(const std::vector<UffRow>& rows, const std::string& fi
       const bool same_length = function->count == rows[r].front()->count;
       if (same_length && has_same_step(*function, first)) continue;
       throw InputError(
-          fmt::format("functions of row {} differ in {}", r, same_length ? "their sampling rate" : "length"), file,
-          "export records that were sampled together");
+          fmt::format("the functions of hit {} differ in {}", r + 1, same_length ? "their sampling rate" : "length"),
+          file, "export records that were sampled together");
     }
   }
 }

@@ -116,12 +116,12 @@ TEST(UffChoices, RequireOneRateOfUnevenTimes) {
   ASSERT_EQ(record.rows.size(), 2U);
   EXPECT_THAT(accel_mps2(record, 0, 1), ElementsAre(1, 2, 3));
   EXPECT_THAT(input_error_of([&] { opened(uneven_text(kForce, slow) + uneven_text(kAccel, fast)); }),
-              HasSubstr("functions of row 0 differ in their sampling rate"));
+              HasSubstr("functions of hit 1 differ in their sampling rate"));
   UffText even = kAccel;
   even.values = 3;
   EXPECT_THAT(input_error_of(
                   [&] { opened(uneven_text(kForce, slow) + even.text("  1.00000E+00  2.00000E+00  3.00000E+00\n")); }),
-              HasSubstr("functions of row 0 differ in their sampling rate"));
+              HasSubstr("functions of hit 1 differ in their sampling rate"));
   EXPECT_THAT(input_error_of([&] {
                 opened(uneven_text(kForce, {0, 1, 5}) + uneven_text(kAccel, {0, 1, 5}));
               }),
