@@ -86,8 +86,8 @@ def analyze(
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
     band : (low, high), optional
-        Analyse this frequency band in Hz, such as 60:3200 (default: up to the highest frequency
-        that the hammer excites, from 1 % of it on).
+        Analyse this frequency band in Hz, such as 60:3200 (default: from 1 % of the highest
+        frequency that the hammer excites up to this frequency).
     effort : {'quick', 'standard', 'best'}, optional
         Choose the effort. quick: fit modes with a peak, each over its own spectral lines; standard:
         also modes without a peak; best: all modes together, as precisely as the noise permits.
@@ -106,7 +106,7 @@ def analyze(
     trigger : float in N, optional
         Detect a hit above this force (default: from the noise).
     pretrigger : float in s, optional
-        Keep this time before each hit of a long record.
+        Keep this time before the peak of each hit of a long record.
     length : float in s, optional
         Keep this time of each hit, pre-trigger included.
     from_ : float in s, optional
@@ -120,9 +120,9 @@ def analyze(
         Apply an exponential window that falls to this fraction at the end of each hit, such as
         0.01; damping is corrected exactly.
     delay : str, float or list of float, optional
-        Take out the delay of each accelerometer after the force. auto: as the phases of the modes
-        show it; off: only warn; or seconds, one for all or one per channel, negative where the
-        channel comes early. Default: off.
+        Remove the delay by which each accelerometer comes after the force. auto: as the phases of
+        the modes show it; off: only warn; or seconds, one for all or one per channel, negative
+        where the channel comes early. Default: off.
     overlay_db : float in dB, optional
         Treat two FRFs as overlaid if they differ by at most this much at a peak. Default: 1.
     object : {'auto', 'tube', 'other'}, optional

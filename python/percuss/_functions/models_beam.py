@@ -46,9 +46,9 @@ def beam(
 ) -> Result:
     """Predict natural frequencies, nodes and shapes of a beam.
 
-    Models a beam that is free, or held at its beginning; the default support is a torsion spring,
-    as for a clamped bat. The beam is uniform, or has the sections of a table (`profile`). Reports
-    frequencies in Hz, nodes from the beginning, and shapes. `fit` finds the stiffness, the spring
+    Models a beam that is free, or held at x = 0; the default support is a torsion spring, as for a
+    clamped bat. The beam is uniform, or has the sections of a table (`profile`). Reports
+    frequencies in Hz, the places x of the nodes, and shapes. `fit` finds the stiffness, the spring
     or the mass from measured frequencies, with standard deviations.
 
     Parameters
