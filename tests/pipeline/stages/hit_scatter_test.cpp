@@ -123,20 +123,24 @@ TEST(HitScatter, IsPartOfTheStandardDeviationsOfResidues) {
 // Each channel of each hit has a factor of its own, as of hits of a tube in other directions.
 TEST(HitScatter, IsPartOfTheStandardDeviationsOfEachChannel) {
   constexpr std::size_t kSeeds = 24, kHits = 5;
-  const auto equal = [](std::size_t) { return Modes{}; };
+  const auto bat = [](std::uint64_t seed) {
+    synth::SynthSpec spec = spec_of({}, kHits, seed);
+    for (synth::SynthMode& mode : spec.modes) mode.angle_rad = 0.6;  // both sensors see it
+    return synth::synthesise(spec).record;
+  };
   std::array<double, 2> squares{};
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> gauss(1, 0.03);
     std::array<std::array<double, 2>, kHits> gain{};
     for (auto& of_hit : gain) of_hit = {gauss(random), gauss(random)};
-    acquire::Record record = record_of(equal, kHits, seed);
+    acquire::Record record = bat(seed);
     record.read_accel_mps2 = [read = record.read_accel_mps2, gain](std::size_t row, std::size_t channel,
                                                                    std::size_t first, std::span<double> out) {
       read(row, channel, first, out);
       for (double& x : out) x *= gain.at(row).at(channel);
     };
-    const Analysis analysis(std::move(record), band()), clean(record_of(equal, kHits, seed), band());
+    const Analysis analysis(std::move(record), band()), clean(bat(seed), band());
     ASSERT_THAT(analysis.modes(), SizeIs(2));
     ASSERT_THAT(clean.modes(), SizeIs(2));
     for (std::size_t c = 0; c < 2; ++c) {
