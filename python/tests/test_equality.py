@@ -69,11 +69,11 @@ def test_several_files_are_tests_hits_or_points(tool, bat):
 
 
 def test_records_in_memory_are_joined(tool, bat):
-    """Three copies of a test in memory have the frequencies of two copies in files, since all copies are equal."""
-    bat.save("a.h5")
-    bat.save("b.h5")
+    """Three copies of a test in memory have the frequencies of three copies in files."""
+    for name in ("a.h5", "b.h5", "c.h5"):
+        bat.save(name)
     joined = percuss.analyze(percuss.read("a.h5"), bat.record, percuss.Record(bat.record.force_n, bat.record.accel_mps2, 25600.0), band=BAND)
-    printed = json.loads(tool.document("analyze", "a.h5", "b.h5", "--band", "60:3200"))
+    printed = json.loads(tool.document("analyze", "a.h5", "b.h5", "c.h5", "--band", "60:3200"))
     assert len(joined.hits) == 15 and [one["path"] for one in joined["inputs"]] == ["a.h5", "synthetic", "arrays"]
     assert {hit["file"] for hit in joined.hits} == {"a.h5", "synthetic", "arrays"}
     assert np.allclose(joined.frequency_hz, [mode["frequency_hz"] for mode in printed["modes"]], rtol=1e-9)
