@@ -73,7 +73,8 @@ bool is_text_without_numbers(const std::string& path) {
   try {
     const std::string head = first_bytes(path, kMaxProse_bytes + 1);
     if (head.size() > kMaxProse_bytes || &detected_format({path, head}) != &kTextFormat) return false;
-    layout_of_text({.path = path, .data = {std::shared_ptr<void>(), head.data()}, .size = head.size()}, CsvContent::frf);
+    layout_of_text({.path = path, .data = {std::shared_ptr<void>(), head.data()}, .size = head.size()},
+                   CsvContent::frf);
   } catch (const NoNumbers&) {
     return true;
   } catch (const InputError&) {  // whoever opens the file reports it

@@ -45,7 +45,8 @@ std::pair<double, double> parse_band(const std::string& text, const OptionId& op
   const auto low = frequency_Hz(std::string_view(text).substr(0, colon));
   const auto high = colon == std::string::npos ? std::nullopt : frequency_Hz(std::string_view(text).substr(colon + 1));
   if (low && high && *low >= 0 && *low < *high) return {*low, *high};
-  throw OptionError::wrong_value(option, text, "give two frequencies in Hz, the lower first: LO:HI, such as 60:3200 or 60:3.2kHz");
+  throw OptionError::wrong_value(option, text,
+                                 "give two frequencies in Hz, the lower first: LO:HI, such as 60:3200 or 60:3.2kHz");
 }
 
 identify::Effort effort_of(const std::string& name) {

@@ -49,13 +49,13 @@ double hammer_dissimilarity(std::span<const double> samples);
 bool rises_evenly(std::span<const double> samples);
 
 /// Guesses the unknown roles from the samples. A signal that rises evenly is a time. The force is the signal with the
-/// smallest hammer_dissimilarity() among those that neither a unit nor the user states to be responses. Times, counters,
-/// signals that the set-up ignores, and signals of another quantity (a velocity, an angle) get no role. All others are
-/// accelerations, also a single signal and signals that are all alike. Of hits side by side, each with a force by its
-/// unit, only the first is taken. The force in `known` stays, as do the accelerations that the options name and the
-/// roles of their set-up. `read` gives up to the demanded number of samples. `name_of`: how the options name a signal;
-/// by default its name if it is unique and holds no character that a shell changes, else its number. errors  None: a
-/// signal that cannot be read is no candidate.
+/// smallest hammer_dissimilarity() among those that neither a unit nor the user states to be responses. Times,
+/// counters, signals that the set-up ignores, and signals of another quantity (a velocity, an angle) get no role. All
+/// others are accelerations, also a single signal and signals that are all alike. Of hits side by side, each with a
+/// force by its unit, only the first is taken. The force in `known` stays, as do the accelerations that the options
+/// name and the roles of their set-up. `read` gives up to the demanded number of samples. `name_of`: how the options
+/// name a signal; by default its name if it is unique and holds no character that a shell changes, else its number.
+/// errors  None: a signal that cannot be read is no candidate.
 RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& known, const ReadOptions& options,
                       const std::function<std::vector<double>(std::size_t index, std::size_t max_samples)>& read,
                       const std::function<std::string(const CsvColumn&)>& name_of = {});

@@ -201,11 +201,11 @@ void grade_flat_tops(std::vector<Hit>& hits) {
         {.code = FindingCode::force_clipped,
          .severity = Severity::reject,
          .value = tops[h]->flatness,
-         .message =
-             fmt::format("force clipped before the recorder's filter: the pulse has a flat top (at 80 % of its "
-                         "peak it is {:.0f} % as long as at 30 %; without clipping, at most about 50 %); lower the gain of the "
-                         "hammer's amplifier or hit softer",
-                         tops[h]->flatness * 100)});
+         .message = fmt::format(
+             "force clipped before the recorder's filter: the pulse has a flat top (at 80 % of its "
+             "peak it is {:.0f} % as long as at 30 %; without clipping, at most about 50 %); lower the gain of the "
+             "hammer's amplifier or hit softer",
+             tops[h]->flatness * 100)});
   }
 }
 

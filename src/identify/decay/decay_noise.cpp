@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kBlock = 256;      // lines of a block: wider than the resonances of close modes
-constexpr Index kFirstBlock = 32;  // lines of the block at frequency zero
-constexpr Index kMinBlocks = 8;    // shorter spectra have smaller blocks
+constexpr Index kBlock = 256;         // lines of a block: wider than the resonances of close modes
+constexpr Index kFirstBlock = 32;     // lines of the block at frequency zero
+constexpr Index kMinBlocks = 8;       // shorter spectra have smaller blocks
 constexpr double kResolution = 1e-5;  // of the RMS: less than recorders' noise, more than six digits' rounding
 
 // The median of a mean of `hits` exponential variables, over its expectation (Wilson and Hilferty).

@@ -38,6 +38,7 @@ std::vector<Complex> amplitudes_of(std::span<const ToneSignal> signals, const st
 
 /// Frequency, in turns per sample, from the phase advance between the segments, over all signals; 0 where the power
 /// changes. theory (1.10)
-double refined_turns_per_sample(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns_per_sample);
+double refined_turns_per_sample(std::span<const ToneSignal> signals, const std::vector<double>& window,
+                                double turns_per_sample);
 
 }  // namespace percuss::pipeline

@@ -114,7 +114,8 @@ void add_mains(ToneFit& fit, std::span<const ToneSignal> signals, const std::vec
   }
   for (std::size_t k = 2; k <= kMaxHarmonic && static_cast<double>(k) * *base < 0.5 - line; ++k) {
     const double turns = static_cast<double>(k) * *base;
-    if (!known[k] && refined_turns_per_sample(signals, window, turns) > 0 && power_to_noise(signals, window, turns) > kAboveFlank)
+    if (!known[k] && refined_turns_per_sample(signals, window, turns) > 0 &&
+        power_to_noise(signals, window, turns) > kAboveFlank)
       add_tone(out, signals, amplitudes_of(signals, window, turns), turns, fs_Hz);
   }
   fit = std::move(out);

@@ -94,7 +94,8 @@ enum class Search { suspects, everywhere };
 // Samples at equal steps over the first part of the decay. A diagnosis at each of them covers all samples between.
 std::vector<std::size_t> everywhere(const DecayRange& range) {
   std::vector<std::size_t> at;
-  const std::size_t end = range.first + static_cast<std::size_t>(kEarlyPart * static_cast<double>(range.end - range.first));
+  const std::size_t end =
+      range.first + static_cast<std::size_t>(kEarlyPart * static_cast<double>(range.end - range.first));
   for (std::size_t n = range.first + kDiagnosisRoom; n + kDiagnosisRoom < end; n += kSearchStep) at.push_back(n);
   return at;
 }

@@ -48,7 +48,9 @@ void add_losses(const acquire::Record& record, std::vector<Warning>& out) {
                         text.empty() ? "" : "; ", samples, no_numbers, places_text(no_numbers), first_no_number_s);
   }
   if (text.empty()) return;
-  if (in_blows > 0) text += fmt::format("; {} of them in {}", in_blows, in_blows == 1 ? "a blow, which was rejected" : "blows, which were rejected");
+  if (in_blows > 0)
+    text += fmt::format("; {} of them in {}", in_blows,
+                        in_blows == 1 ? "a blow, which was rejected" : "blows, which were rejected");
   std::string remedy = losses > 0 ? "close other programs, use another USB socket, or record fewer channels" : "";
   if (no_numbers > 0) remedy += (remedy.empty() ? "" : "; ") + std::string("check the cable and input of each channel");
   out.push_back(with_remedy({"capture_lost_samples", text}, remedy));

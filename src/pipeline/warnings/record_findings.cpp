@@ -44,7 +44,8 @@ FaultSummary summary_of(const std::vector<HitFaults>& faults, const acquire::Rec
     out.most = std::max(out.most, fault->count);
     out.size_mps2 = std::max(out.size_mps2, fault->size);
   }
-  if (out.hits > kMaxListed) out.where += fmt::format(" and {} more hit{}", out.hits - kMaxListed, out.hits - kMaxListed == 1 ? "" : "s");
+  if (out.hits > kMaxListed)
+    out.where += fmt::format(" and {} more hit{}", out.hits - kMaxListed, out.hits - kMaxListed == 1 ? "" : "s");
   return out;
 }
 

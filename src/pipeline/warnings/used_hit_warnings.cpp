@@ -86,10 +86,11 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
   if (const UsedInSpite clipped = used_in_spite_of(hits, FindingCode::force_clipped); !clipped.hits.empty()) {
     out.push_back(with_remedy(
         {"force_clipped",
-         fmt::format("the force of {} was clipped before the recorder's filter (flat tops: the pulse at 80 % "
-                     "of its peak is {:.0f} % as long as at 30 %; without clipping, at most about 50 %): frequencies and "
-                     "damping hold, but FRFs, residues and masses are off by several percent or more",
-                     hit_list(clipped.hits), clipped.largest * 100)},
+         fmt::format(
+             "the force of {} was clipped before the recorder's filter (flat tops: the pulse at 80 % "
+             "of its peak is {:.0f} % as long as at 30 %; without clipping, at most about 50 %): frequencies and "
+             "damping hold, but FRFs, residues and masses are off by several percent or more",
+             hit_list(clipped.hits), clipped.largest * 100)},
         "lower the gain of the hammer's amplifier or hit softer"));
   }
   if (const UsedInSpite twice = used_in_spite_of(hits, FindingCode::double_hit); !twice.hits.empty()) {

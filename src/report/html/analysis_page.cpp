@@ -85,7 +85,8 @@ std::set<PagePart> parts_of_hits() {
 
 std::string quoted_modes_key(const std::vector<identify::ModeClassification>& classifications) {
   if (std::all_of(classifications.begin(), classifications.end(), is_quoted)) return "";
-  return page_paragraph("A split mode has two peaks, of which one is quoted. Values struck through belong to the other.");
+  return page_paragraph(
+      "A split mode has two peaks, of which one is quoted. Values struck through belong to the other.");
 }
 
 namespace {

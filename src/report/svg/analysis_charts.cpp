@@ -107,7 +107,8 @@ LineChart hits_chart(const std::vector<HitCurves>& hits, HitSamples HitCurves::*
 
 // At the highest order of the diagram: the sections that show these poles have orders of their own.
 ChartCurve unmodelled_poles(const pipeline::Analysis& analysis) {
-  ChartCurve curve{.name = "stable in a part of the band, no mode", .line = false, .mark = ChartMark::triangle, .style = 4};
+  ChartCurve curve{
+      .name = "stable in a part of the band, no mode", .line = false, .mark = ChartMark::triangle, .style = 4};
   std::size_t top = 0;
   for (const identify::StabilisationPole& pole : analysis.stabilisation().poles) top = std::max(top, pole.order);
   for (const identify::Pole& pole : analysis.unmodelled_poles()) {

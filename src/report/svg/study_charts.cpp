@@ -149,8 +149,8 @@ std::string points_csv(const metrics::Study& study, metrics::StudyQuantity x, me
     const char* const material = bat.material == metrics::BarrelMaterial::wood       ? "wood"
                                  : bat.material == metrics::BarrelMaterial::aluminum ? "aluminum"
                                                                                      : "composite";
-    out += fmt::format("{},{},{},{},{},{}\n", csv_cell(bat.id, formulas), bat.length_in, material,
-                       bat.condition(), *bat.value(x), *bat.value(y));
+    out += fmt::format("{},{},{},{},{},{}\n", csv_cell(bat.id, formulas), bat.length_in, material, bat.condition(),
+                       *bat.value(x), *bat.value(y));
   }
   return out;
 }

@@ -159,7 +159,8 @@ void add_model_beam(CommandLine& line) {
   Command command = line.command("model beam", "Predict natural frequencies, nodes and shapes of a beam",
                                  [flags] { return model_beam(*flags); });
   command.about(
-      "Models a beam that is free, or held at x = 0; the default support is a torsion spring, as for a clamped bat. The "
+      "Models a beam that is free, or held at x = 0; the default support is a torsion spring, as for a clamped bat. "
+      "The "
       "beam is uniform, or has the sections of a table (--profile). Reports frequencies in Hz, the places x of the "
       "nodes, and shapes. --fit finds the stiffness, the spring or the mass from measured frequencies, with standard "
       "deviations.");

@@ -67,7 +67,8 @@ double uff_step(const UffFunction& function, bool frequency, double to_SI, std::
                      step * to_SI, trimmed(function.dx_text))
                : fmt::format(
                      "sampling rate {:.10g} Hz: of all rates whose time step rounds to {} {}, it has the fewest digits",
-                     round_inverse / to_SI, trimmed(function.dx_text), function.abscissa.unit.empty() ? "s" : function.abscissa.unit);
+                     round_inverse / to_SI, trimmed(function.dx_text),
+                     function.abscissa.unit.empty() ? "s" : function.abscissa.unit);
   }
   return step;
 }
