@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -22,7 +23,6 @@ constexpr double kMinFolded = 0.02;  // of the largest response: level of the hi
 constexpr std::size_t kMinSameLevel = 4;  // hits that show a level
 constexpr double kMaxLevelSpread = 0.04;  // of the logarithm of the extremes
 constexpr double kMinForceSpread = 0.05;  // of the logarithm of the forces
-constexpr std::size_t kForceBands = 8;    // of the pulse's spectrum, up to its bandwidth
 constexpr double kEqualLevels = 0.05;     // chance that two levels agree
 constexpr double kMaxLevelChance = 1e-3;
 constexpr double kMinCouplingPhase_rad = 0.02;  // moves a mode there by a hundredth of its bandwidth
@@ -58,28 +58,24 @@ struct LevelSide {
   double chance = 1, level = 0, spread = 0, force_spread = 0;
 };
 
-LevelSide side_of(std::size_t channel, const std::vector<double>& extremes, const std::vector<double>& forces) {
+LevelSide side_of(std::size_t channel, const std::vector<double>& extremes, const std::vector<double>& forces,
+                  double min_force_spread) {
   LevelSide side{.channel = channel, .level = median(extremes)};
   side.spread = spread_of_logs(extremes);
   side.force_spread = spread_of_logs(forces);
   std::vector<double> ratios;
   for (std::size_t i = 0; i < forces.size(); ++i) ratios.push_back(extremes[i] / forces[i]);
   const double of_ratio = spread_of_logs(ratios);
-  if (side.spread < kMaxLevelSpread && side.force_spread > kMinForceSpread && of_ratio > side.spread)
+  if (side.spread < kMaxLevelSpread && side.force_spread > min_force_spread && of_ratio > side.spread)
     side.chance = std::pow(side.spread / of_ratio, static_cast<double>(extremes.size() - 1));
   return side;
 }
 
-// [measures] The size of a blow: its peak, and the levels of its spectrum in bands up to its bandwidth. A harder blow
-// may be shorter: then a response may be the same, and one of these measures with it.
-std::vector<double> sizes_of(const acquire::Hit& hit, double fs_Hz) {
-  std::vector<double> sizes{std::abs(hit.peak_N)};
-  const double width = std::min(0.5, hit.bandwidth_Hz / fs_Hz) / static_cast<double>(kForceBands);
-  for (std::size_t band = 0; band < kForceBands && width > 0; ++band) {
-    const auto at = static_cast<double>(band);
-    sizes.push_back(pulse_level(hit.gated_N, at * width, (at + 1) * width));
-  }
-  return sizes;
+// [measures] The size of a blow: its peak and its impulse. A harder blow may be shorter: where the impulses are equal,
+// so may be the responses.
+std::vector<double> sizes_of(const acquire::Hit& hit) {
+  const double sum = std::accumulate(hit.gated_N.begin(), hit.gated_N.end(), 0.0);
+  return {std::abs(hit.peak_N), std::abs(sum)};
 }
 
 // The side as the measure of the blows shows it that leaves the greatest chance.
@@ -90,14 +86,14 @@ LevelSide likeliest_side_of(std::size_t channel, const std::vector<double>& extr
     std::vector<double> forces;
     for (const std::vector<double>& of_hit : sizes) forces.push_back(of_hit[measure]);
     if (std::any_of(forces.begin(), forces.end(), [](double value) { return !(value > 0); })) continue;
-    const LevelSide side = side_of(channel, extremes, forces);
+    const LevelSide side = side_of(channel, extremes, forces, measure == 0 ? kMinForceSpread : 0);
     if (!likeliest || side.chance > likeliest->chance) likeliest = side;
   }
   return likeliest.value_or(LevelSide{.channel = channel});
 }
 
 std::vector<LevelSide> sides_of(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
-                                std::size_t channels, double fs_Hz) {
+                                std::size_t channels) {
   std::map<int, std::vector<std::size_t>> points;
   for (std::size_t h = 0; h < hits.size(); ++h) {
     if (hits[h].responses.size() == channels && responses.of[h].size() == channels) points[hits[h].point].push_back(h);
@@ -106,10 +102,8 @@ std::vector<LevelSide> sides_of(const std::vector<AnalysedHit>& hits, const HitR
   for (const auto& [point, members] : points) {
     if (members.size() < kMinSameLevel) continue;
     std::vector<std::vector<double>> sizes;
-    for (const std::size_t h : members) sizes.push_back(sizes_of(hits[h].hit, fs_Hz));
-    const bool alike = std::all_of(sizes.begin(), sizes.end(),
-                                   [&](const std::vector<double>& one) { return one.size() == sizes.front().size(); });
-    for (std::size_t s = 0; alike && s < 2 * channels; ++s) {
+    for (const std::size_t h : members) sizes.push_back(sizes_of(hits[h].hit));
+    for (std::size_t s = 0; s < 2 * channels; ++s) {
       std::vector<double> extremes;
       for (const std::size_t h : members) {
         const HitResponse& response = responses.of[h][s / 2];
@@ -170,7 +164,7 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
 
 std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                                 const HitResponses& responses) {
-  std::vector<LevelSide> sides = sides_of(hits, responses, record.accel.size(), record.fs_Hz);
+  std::vector<LevelSide> sides = sides_of(hits, responses, record.accel.size());
   std::sort(sides.begin(), sides.end(), [](const LevelSide& a, const LevelSide& b) { return a.chance < b.chance; });
   double chance = 1, least = 1;
   std::size_t clipped = 0;
