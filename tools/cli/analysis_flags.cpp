@@ -105,8 +105,8 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
   command
       .value("--delay", flags.delay,
              "Remove the delay by which each accelerometer comes after the force. auto: as the phases of the modes "
-             "show it; off: "
-             "only warn; or seconds, one for all or one per channel, negative where the channel comes early")
+             "show it; off: only warn; or seconds, one for all or one per channel, negative where the channel comes "
+             "early")
       .type("auto|off|S,...")
       .show_default();
   command

@@ -141,8 +141,7 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   if (phase_rises(record.frfs)) {
     record.notes.emplace_back(
         "the phase rises through the resonances: the FRFs may be for exp(−jωt), but percuss needs exp(+jωt); if so, "
-        "give "
-        "their complex conjugates");
+        "give their complex conjugates");
   }
   std::stable_sort(record.frfs.begin(), record.frfs.end(), [](const PointFrf& a, const PointFrf& b) {
     return a.point != b.point ? a.point < b.point : a.channel < b.channel;

@@ -33,9 +33,8 @@ double std_of_average(const PointRatios& ratios, double spread) {
   return sum > 0 ? student_factor(ratios.value.size() - 1) * spread * std::sqrt(squares) / sum : 0;
 }
 
-// [points] the relative standard deviations of one mode's residues from the scatter. Where the points
-// together scatter significantly, the scatter of each counts. One point that scatters does not make the others
-// doubtful.
+// [points] the relative standard deviations of one mode's residues from the scatter. Where the points together
+// scatter significantly, the scatter of each counts. One point that scatters does not make the others doubtful.
 std::vector<double> scatter_of_points(const std::vector<PointRatios>& points) {
   std::vector<ScatterOfHits> scatter;
   double sum = 0, count = 0;
@@ -54,7 +53,7 @@ std::vector<double> scatter_of_points(const std::vector<PointRatios>& points) {
   return std;
 }
 
-// The phase of a mode's residues in the complex plane, up to its sign, where most of their energy lies.
+// The direction in the complex plane along which most of the energy of a mode's residues lies; its sign is arbitrary.
 Complex common_direction(const Mode& mode) {
   Complex doubled;
   for (const Residue& residue : mode.residues) doubled += residue.value * residue.value;

@@ -160,10 +160,9 @@ void add_model_beam(CommandLine& line) {
                                  [flags] { return model_beam(*flags); });
   command.about(
       "Models a beam that is free, or held at x = 0; the default support is a torsion spring, as for a clamped bat. "
-      "The "
-      "beam is uniform, or has the sections of a table (--profile). Reports frequencies in Hz, the places x of the "
-      "nodes, and shapes. --fit finds the stiffness, the spring or the mass from measured frequencies, with standard "
-      "deviations.");
+      "The beam is uniform, or has the sections of a table (--profile). Reports frequencies in Hz, the places x of "
+      "the nodes, and shapes. --fit finds the stiffness, the spring or the mass from measured frequencies, with "
+      "standard deviations.");
   command.example("percuss model beam --support free --length 0.84 --modes 6", "Model a free beam of 0.84 m");
   command.example("percuss model beam --fit ei,torsion --measured 14.5,322,1038 --measured-std 0.1,1,4",
                   "Fit stiffness and spring to three measured frequencies");
