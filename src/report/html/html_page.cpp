@@ -42,7 +42,8 @@ std::string HtmlPage::text() const {
   const bool draws = !data.empty();
   const std::string style =
       (draws ? std::string(page_assets().plot_style) : "") + std::string(page_assets().style) + paper_style(block);
-  const std::string program = std::string(page_assets().plot_program) + std::string(page_assets().program);
+  std::string program(page_assets().plot_program);
+  for (const std::string_view script : page_assets().program) program += script;
   const std::string scripts = draws ? fmt::format(R"(<script type="application/json" id="data">{}</script>
 <script>{}</script>
 )",
