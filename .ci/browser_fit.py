@@ -1,4 +1,4 @@
-"""Checks the parts of a page that a user operates: the fit of every point and channel, and the page on paper."""
+"""Checks the plot of a page that shows the fit of any point and channel, and the page on paper."""
 
 import time
 

@@ -112,7 +112,7 @@ def main():
         subprocess.run(["sox", "-D", at("ours.wav"), "-b", "16", at("back.wav")], check=True)
         check("percuss writes a WAV file, SoX reads it",
               np.array_equal(scipy.io.wavfile.read(at("back.wav"))[1], steps))
-        # SoX reads the numbers of a W64 file as integers.
+        # SoX takes the floating-point samples of a W64 file as 32-bit integers: they are scaled by 2^31.
         percuss("convert", at("scipy.wav"), at("ours.w64"), "--quiet", *roles, "--force-scale", str(2**31), "--accel-scale", str(2**31))
         subprocess.run(["sox", "-D", at("ours.w64"), "-b", "16", at("back.wav")], check=True)
         check("percuss writes a W64 file, SoX reads it", np.array_equal(scipy.io.wavfile.read(at("back.wav"))[1], steps))

@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 
 constexpr int kRounds = 5;
 constexpr std::size_t kDifferent = 50;
-constexpr std::size_t kRecordsCompared = 500;  // records
+constexpr std::size_t kRecordsCompared = 500;  // of each format
 
 synth::SynthSpec small_test(std::size_t seed) {
   synth::SynthSpec spec;

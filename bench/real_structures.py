@@ -22,7 +22,7 @@ import statistics
 import subprocess
 import tempfile
 
-NEAR = 0.01  # relative: a mode found at a reference frequency
+NEAR = 0.01  # relative distance from a reference frequency within which a mode counts as found
 CSV = ['--fs', '48000', '--unit', 'g', '--force-unit', 'N', '--quiet']
 ABOUT_MEASURED = """\
 `bench/real_structures.py` measures this section. The reference modes come from independent fits; they are another
@@ -157,7 +157,8 @@ def row(name, document, reference, z=(), hits=True):
 
 
 def survey_of_points(tool, folder, work):
-    """Joins the hits of each point of the violin's back plate into one record. Surveys all points, and two halves of the points."""
+    """Joins the hits of each point of the violin's back plate into one record. Surveys all points, and two halves of
+    the points."""
     points = collections.defaultdict(list)
     for path in sorted(glob.glob(os.path.join(folder, '*_acq_*.csv'))):
         points[path.rsplit('_acq_', 1)[0]].append(path)

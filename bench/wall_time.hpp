@@ -3,7 +3,7 @@
 
 namespace percuss {
 
-/// Wall-clock time.
+/// The wall-clock time of one call of `work`, s.
 template <class Work>
 double seconds_of(const Work& work) {
   const auto start = std::chrono::steady_clock::now();

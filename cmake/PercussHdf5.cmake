@@ -1,6 +1,7 @@
-# HDF5 and matio, linked statically into executables where possible. Debian's shared HDF5 supports Amazon's S3 and therefore loads
-# thirty more libraries (curl, TLS, Kerberos, LDAP ...) at start-up, which takes half of the time of `percuss --version`. A static library
-# contributes only the used objects. Modules use the shared libraries, since the static ones are not position independent.
+# HDF5 and matio, linked statically into executables where possible. Debian's shared HDF5 supports Amazon's S3 and
+# therefore loads thirty more libraries (curl, TLS, Kerberos, LDAP ...) at start-up, which takes half of the time of
+# `percuss --version`. A static library contributes only the used objects. Modules use the shared libraries, since the
+# static ones are not position independent.
 include(CheckCSourceCompiles)
 find_package(HDF5 REQUIRED COMPONENTS C)
 pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET matio>=1.5.23)

@@ -47,7 +47,8 @@ function(percuss_code target)
 endfunction()
 percuss_code(percuss_headers)
 
-# percuss_unity_folders(TARGET ROOT): one unity unit per folder, so that file-local names must be unique only within a folder.
+# percuss_unity_folders(TARGET ROOT): one unity unit per folder, so that file-local names must be unique only within a
+# folder.
 function(percuss_unity_folders target root)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)

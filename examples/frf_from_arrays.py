@@ -2,7 +2,7 @@
 
     python3 frf_from_arrays.py [MOBILITY.csv]
 
-The signals are those of a made-up wood bat: three hits, two accelerometers.
+The signals are those of a synthetic wood bat: three hits, two accelerometers.
 """
 
 import sys

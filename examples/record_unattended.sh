@@ -1,6 +1,6 @@
 #!/bin/sh
-# A small box without a screen, such as a single-board computer at a test stand: records one hammer test after another,
-# and says with its exit code and a log whether each is complete.
+# For a computer without a screen, such as a single-board computer at a test stand. Records one hammer test after
+# another. The exit code and the messages say whether each is complete.
 #   record_unattended.sh DEVICE FOLDER [TESTS] [OPTION]...
 # DEVICE is a name that "percuss devices" lists; sim:aluminium-bat tries it. TESTS is a number; without it, there is one
 # test. Options go to percuss record; the analysis has the same --band.

@@ -22,6 +22,8 @@ enum MessageType : std::uint16_t {
   kAttributeInfo = 21
 };
 
+// A message of an object header: its type; the positions in the file of its type, of its size and of its contents; and
+// the size of its contents.
 struct Message {
   std::uint16_t type = 0;
   std::size_t type_at = 0, size_at = 0, at = 0, size = 0;

@@ -26,7 +26,7 @@ namespace {
 constexpr TimingOptions kTiming, kQuickTiming{.min_rounds = 1, .min_total_s = 0, .min_work_s = 0};
 constexpr double kScalingBudget_s = 125;
 
-// The last section of the present page, which bench/real_structures.py writes; empty without one.
+// The last section of the existing page, which bench/real_structures.py writes; empty without one.
 std::string section_of_real_structures(const std::string& path) {
   std::ifstream file(path);
   const std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -135,7 +135,7 @@ std::vector<double> deflection_bound(const synth::Truth& truth) {
     MatrixXd all = information[c];
     all.topLeftCorner(poles, poles) += shared - eliminated(information[c], poles);
     const VectorXd g = gradient(truth, c);
-    bound.push_back(std::sqrt(g.dot(inverse_of(all) * g)));
+    bound.push_back(std::sqrt(g.dot(inverse_of(all) * g)));  // (1)
   }
   return bound;
 }

@@ -33,7 +33,7 @@ struct ModeTally {
     const double df_Hz = mode.pole.freq_Hz - true_mode.freq_Hz;
     const double dz = mode.pole.damping_ratio - true_mode.damping_ratio;
     freq += std::pow(df_Hz / true_mode.freq_Hz, 2);
-    freq_bound += std::pow(df_Hz / truth.bound->freq_std_Hz[m], 2);
+    freq_bound += std::pow(df_Hz / truth.bound->freq_std_Hz[m], 2);  // (1)
     damping += std::pow(dz / true_mode.damping_ratio, 2);
     damping_bound += std::pow(dz / truth.bound->damping_ratio_std[m], 2);
     covered += std::abs(df_Hz) <= kInterval * mode.freq_std_Hz ? 0.5 : 0;

@@ -17,7 +17,7 @@ struct Measured {
   std::vector<Saving> savings;
 };
 
-/// The page docs/project/accuracy.md: method, figures and their meaning. The numbers in its sentences come from the
+/// The page docs/project/accuracy.md: method, figures and their meaning. Most numbers in its sentences come from the
 /// figures.
 std::string page_of(const Measured& measured, const std::string& build_description);
 

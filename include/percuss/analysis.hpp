@@ -46,13 +46,13 @@ enum class Effort { quick, standard, best };
 enum class ObjectKind { automatic, tube, other };
 
 struct AnalysisOptions {
-  std::optional<Band> band_Hz{};  // default: the range that the hammer excited
+  std::optional<Band> band_Hz{};  // default: the range that the hammer excited; of FrfSet: its range
   Effort effort = Effort::best;
   Estimator estimator = Estimator::h1;  // of frfs(); modes are fitted to H1
   HitOptions hits{};
   std::optional<std::size_t> modes{};  // report this many, the clearest ones
   std::vector<double> start_Hz{};      // fit modes near these frequencies and no others
-  double exponential = 0;              // exponential window that falls to this fraction at the end; 0: none
+  double exponential = 0;              // exponential window that falls to this fraction at a hit's end; 0: none
   std::vector<double> delay_s{};       // delays of the accelerations to take out; one for all or one per channel
   bool auto_delay = false;             // take out the delays that the phases of the modes show, in place of delay_s
   double overlay_dB = 1;               // FRFs that differ by no more at a peak count as overlaid
@@ -68,7 +68,8 @@ struct JsonOptions {
 };
 
 /// Copies share the results. One thread at a time may call the accessors of an analysis and of its copies.
-/// errors  InputError, of the constructors: contradicting options, several runs (see Record::runs), no acceleration.
+/// errors  InputError, of the constructors: options that contradict each other, several runs (see Record::runs), no
+///         acceleration.
 ///         InputError, of the accessors: the file cannot be read; no hit can be used (where possible() is false).
 ///         BudgetSpent, of the accessors: they take more than the options' budget.
 class Analysis {
@@ -81,7 +82,7 @@ class Analysis {
   /// Hits, graded by their force, their responses and their agreement. Empty for an analysis of FRFs.
   std::vector<Hit> hits() const;
   Band band_Hz() const;
-  /// Averaged FRFs within the band.
+  /// Averaged FRFs within the band, as accelerances.
   FrfSet frfs() const;
   /// The numbers of the points that have FRFs, ascending.
   std::vector<int> points() const;
@@ -89,7 +90,7 @@ class Analysis {
   std::vector<Mode> modes() const;
   /// Bending or hoop, one per mode.
   std::vector<ModeClassification> classifications() const;
-  /// Every mode, fitted to each accepted hit alone.
+  /// Every mode, fitted to each accepted hit alone. A mode that a hit does not show has no entry for it.
   std::vector<ModeOfHit> modes_per_hit() const;
   /// Computes hits, FRFs and modes, and returns the warnings about them.
   std::vector<Warning> warnings() const;

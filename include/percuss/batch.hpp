@@ -47,11 +47,11 @@ struct BatchOptions {
   ReadOptions read{};          // of every path
   AnalysisOptions analysis{};  // of every record; its `threads` is not used
   std::size_t threads = 0;     // 0: all. One thread analyses each record; the results do not depend on the number
-  std::function<void(const BatchResult&)> on_result{};  // one call at a time, in the order of completion
+  std::function<void(const BatchResult&)> on_result{};  // one call at a time, on any thread, in the order of completion
 };
 
 /// Results in the order of the input; several runs of one record follow each other. A path may be a record or a file of
-/// FRFs.
+/// FRFs. errors  InputError: options that contradict each other, a channel set-up that cannot be read.
 std::vector<BatchResult> analyze_batch(const std::vector<std::string>& paths, const BatchOptions& options = {});
 std::vector<BatchResult> analyze_batch(const std::vector<Record>& records, const BatchOptions& options = {});
 

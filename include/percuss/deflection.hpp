@@ -35,7 +35,7 @@ struct DeflectionOptions {
   AnalysisOptions analysis{};
   DeflectionMethod method = DeflectionMethod::automatic;
   double highpass_corner_Hz = 0;              // of the charge amplifier, first order; 0: none
-  std::optional<double> lowest_Hz{};          // of the method frequency
+  std::optional<double> lowest_Hz{};          // for `frequency`; default: half the frequency of the largest line
   bool free_body = false;                     // the structure may move away from its rest position
   std::optional<double> effective_mass_kg{};  // of the free body at the struck point
   std::optional<double> beam_distance_m{};    // from the light beam to the structure: gives the ball's speed
@@ -47,7 +47,7 @@ struct DeflectionOptions {
 struct HitDeflection {
   std::size_t hit = 0, channel = 0;
   int point = 0;
-  double first_s = 0;  // of the samples, from the row's beginning
+  double first_s = 0;  // of the first sample, from the row's beginning
   std::vector<double> velocity_mps, deflection_m;
   std::vector<double> std_m;          // of the deflection; empty where the method gives none
   double peak_m = 0, peak_std_m = 0;  // signed; NaN where no deflection is significant
@@ -59,7 +59,7 @@ struct PointDeflection {
   int point = 0;
   std::size_t channel = 0, hits = 0;
   std::optional<double> position_m{};
-  double peak_m = 0, std_m = 0;  // mean magnitude of the peaks
+  double peak_m = 0, std_m = 0;  // mean magnitude of the peaks, and its standard deviation
 };
 
 /// The ball's speed between the light beam and the structure.
@@ -69,7 +69,9 @@ struct ImpactSpeed {
 };
 
 /// Copies share the results.
-/// errors  InputError, of the constructor: options that contradict each other, samples that cannot be read.
+/// Hits that Analysis rejects have a deflection too; hits without a pulse and hits in reject_hit have none.
+/// errors  InputError, of the constructor: options that contradict each other, samples that cannot be read, no force or
+///         no mode where the options need them, another number of positions than of points.
 class Deflections {
  public:
   explicit Deflections(const Record& record, const DeflectionOptions& options = {});

@@ -1,4 +1,4 @@
-/* The interface between percuss and a plug-in that brings the samples of a recording device.
+/* The interface between percuss and a plug-in that delivers the samples of a recording device.
  *
  * A plug-in is a shared library in C, or in any language that can export C functions. It exports one function,
  *     const percuss_device_plugin* percuss_device_plugin_v1(void);
@@ -7,7 +7,7 @@
  *
  * The calls come from one thread at a time: open, format, start, read …, stop, close. read may block for the stated
  * time; everything else returns soon. A plug-in keeps no pointer that percuss passes. Memory that it returns stays
- * valid until close. This header changes only by adding: sizes tell both sides what the other knows.
+ * valid until close. Later versions of this header only add members: the size of a structure tells which it has.
  */
 #ifndef PERCUSS_DEVICE_PLUGIN_H
 #define PERCUSS_DEVICE_PLUGIN_H
@@ -25,9 +25,9 @@ enum { PERCUSS_SAMPLE_INT32 = 1, PERCUSS_SAMPLE_FLOAT32 = 2, PERCUSS_SAMPLE_FLOA
 enum {
   PERCUSS_BLOCK_OVERRUN = 1,      /* the device lost frames before this block; first_frame tells how many, if known */
   PERCUSS_BLOCK_FINISHED = 2,     /* no frame will follow */
-  PERCUSS_BLOCK_UNPLUGGED = 4,    /* as above: the device is gone */
-  PERCUSS_BLOCK_RATE_CHANGED = 8, /* as above: its sampling rate changed */
-  PERCUSS_BLOCK_FAILED = 16       /* as above: it failed */
+  PERCUSS_BLOCK_UNPLUGGED = 4,    /* no frame will follow: the device is gone */
+  PERCUSS_BLOCK_RATE_CHANGED = 8, /* no frame will follow: its sampling rate changed */
+  PERCUSS_BLOCK_FAILED = 16       /* no frame will follow: it failed */
 };
 
 typedef struct percuss_device percuss_device; /* the plug-in's own */

@@ -51,7 +51,7 @@ struct Hit {
 struct HitOptions {
   std::optional<double> trigger_N{};     // default: from the noise
   std::optional<double> pretrigger_s{};  // default: the longest of 128 samples, 5 ms and twice the pulse's rise
-  std::optional<double> length_s{};      // of the samples of a hit, pre-trigger included
+  std::optional<double> length_s{};      // of the samples of a hit, pre-trigger included; default: to the next hit
   double from_s = 0;                     // find only hits after this time of each row
   std::optional<double> to_s{};          // find only hits before this time
   bool force_window = true;              // the pulse alone enters the FRF; false: the whole force record

@@ -42,6 +42,7 @@ struct BatReadings {
   double lot_correction = 0;                // of the balls, added to v_out/v_in
 };
 
+/// The results (P1) and (P3) to (P10) of docs/theory/performance.md.
 struct BatPerformance {
   std::optional<Measured> drop{}, moi_kgm2{}, besr{}, ncaa_besr{}, bbs_mps{}, bbcor{}, v_contact_mps{}, v_swing_mps{};
   std::optional<Measured> k{};  // m_ball x²/MOI, x from the pivot to the impact
@@ -49,7 +50,8 @@ struct BatPerformance {
 };
 
 /// Computes every result whose readings are given.
-/// errors  InputError: values not above 0, a place that is not between the tip and the pivot.
+/// errors  InputError: values not above 0, a length of at most 0.3048 m, a place that is not between the tip and the
+///         pivot, besr and bbcor together.
 BatPerformance bat_performance(const BatReadings& readings);
 
 }  // namespace percuss

@@ -44,7 +44,8 @@ struct BeamModeOptions {
   std::vector<double> x_m{};  // positions of BeamMode::shape
 };
 
-/// The lowest modes, rigid-body modes first. errors  InputError: values not above 0; frequencies beyond a double.
+/// The lowest modes, rigid-body modes first. errors  InputError: values not above 0; frequencies beyond the range of
+/// double; with shear, modes above the cut-off frequency.
 std::vector<BeamMode> beam_modes(const Beam& beam, const BeamModeOptions& options = {});
 
 /// A ball that hits a beam at rest.
@@ -59,14 +60,15 @@ struct BeamImpact {
 };
 
 struct BeamImpactResult {
-  double cor = 0;  // at the first separation
-  double contact_s = 0, peak_force_N = 0;
-  // The largest deflection by magnitude, positive along the ball's motion; NaN where the beam flies off.
+  double cor = 0;                          // at the first separation
+  double contact_s = 0, peak_force_N = 0;  // of the first contact
+  // The largest deflection at at_m by magnitude, until 80 ms after the first separation; positive along the ball's
+  // motion. NaN where the beam flies off.
   double peak_deflection_m = 0, peak_deflection_time_s = 0;
-  std::optional<double> recontact_s{};
-  std::size_t contacts = 1;           // until the ball stays away
-  std::optional<double> final_cor{};  // after the last contact; none where the contacts do not end
-  double energy_error = 0;            // largest |E/E₀ − 1| of the total energy E
+  std::optional<double> recontact_s{};  // time of the second contact, from the first touch
+  std::size_t contacts = 1;             // until the ball stays away for 80 ms
+  std::optional<double> final_cor{};    // after the last contact; none where the contacts do not end
+  double energy_error = 0;              // largest |E/E₀ − 1| of the total energy E
 };
 
 /// errors  InputError: ball and beam do not separate; values not above 0; a beam with shear or rotary inertia.
@@ -76,12 +78,14 @@ BeamImpactResult beam_impact(const BeamImpact& impact);
 struct RigidBat {
   double ball_mass_kg = 0.145, bat_mass_kg = 0.83;
   double inertia_kgm2 = 0.039;                    // about the centre of mass
-  double ball_speed_mps = 67, bat_speed_mps = 0;  // towards each other; of the bat, at its centre of mass
-  double swing_rate_radps = 60;
-  double cor = 0.55;
+  double ball_speed_mps = 67, bat_speed_mps = 0;  // towards each other; bat_speed_mps is of the centre of mass
+  double swing_rate_radps = 60;                   // positive: the barrel moves towards the ball
+  double cor = 0.55;                              // relative speed after over before, at the struck point
 };
 
+/// Effective mass of the bat at z_m.
 double effective_mass_kg(const RigidBat& bat, double z_m);
+/// Speed of the ball after the impact, positive against its initial direction.
 double exit_speed_mps(const RigidBat& bat, double z_m);
 /// The place between low_m and high_m with the largest exit speed.
 double best_impact_m(const RigidBat& bat, double low_m, double high_m);
@@ -89,20 +93,21 @@ double best_impact_m(const RigidBat& bat, double low_m, double high_m);
 /// A ball that hits a hollow barrel at rest. Each has one degree of freedom.
 struct Trampoline {
   double ball_mass_kg = 0.145;
-  double stiffness = 60e6;  // N/m^(1 + stiffness_exponent)
-  double damping = 5000;    // N s/m^(1 + damping_exponent)
-  double stiffness_exponent = 0.6495, damping_exponent = 0.5202;
+  double stiffness = 60e6;                                        // N/m^(1 + stiffness_exponent)
+  double damping = 5000;                                          // N s/m^(1 + damping_exponent)
+  double stiffness_exponent = 0.6495, damping_exponent = 0.5202;  // damping_exponent < 1 + stiffness_exponent
   double barrel_mass_kg = 0.090, barrel_damping_Nspm = 90.5;
   double ball_speed_mps = 60.80;
 };
 
 struct TrampolineRebound {
-  double cor = 0, contact_s = 0;
+  double cor = 0;        // after the last contact
+  double contact_s = 0;  // from the first touch to the end of the last contact
   std::size_t contacts = 1;
 };
 
 /// errors  InputError: values not above 0; a contact that does not end within a million steps, or whose result is not
-/// finite.
+/// finite; a thousand contacts without a departure.
 TrampolineRebound trampoline_rebound(const Trampoline& model, double hoop_Hz);
 /// The rebound from a rigid barrel.
 TrampolineRebound rigid_wall_rebound(const Trampoline& model);

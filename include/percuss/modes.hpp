@@ -71,12 +71,12 @@ struct SplitMode {
 struct ModeClassification {
   ModeType type = ModeType::unknown;
   int order = 0;                                // counts from 1 within the type; 0 when unknown
-  double confidence = 0;                        // posterior probability of the type
-  std::optional<ModeType> alternative{};        // the other type, where it is credible
+  double confidence = 0;                        // posterior probability of the type; unknown: 1 − the larger of both
+  std::optional<ModeType> alternative{};        // second type, where confidence < 0.9 or its own probability > 0.03
   std::optional<double> overlay_dB{};           // magnitude of the second FRF over the first at the peak
   bool overlaid = false;                        // |overlay_dB| is at most AnalysisOptions::overlay_dB
   std::optional<std::complex<double>> ratio{};  // residue of the second sensor over the residue of the first
-  double ratio_std = 0;
+  double ratio_std = 0;                         // of the real and of the imaginary part
   std::optional<SplitMode> split_mode{};
 };
 

@@ -58,7 +58,7 @@ struct RecordDescription {
   Channel force;
   std::vector<Channel> accel;
   std::vector<RecordRow> rows;
-  bool continuous = false;     // each row may hold several hits
+  bool continuous = false;     // each row may hold several hits; a single row always may
   std::vector<Message> notes;  // assumptions, and parts that could not be read
 };
 
@@ -71,7 +71,7 @@ enum class FrfKind { accelerance, mobility, receptance };
 struct ReadOptions {
   std::optional<double> fs_Hz{};
   std::string fs_variable{};                        // the variable of a MAT file that holds the rate
-  std::optional<double> df_Hz{};                    // spacing of FRFs, for files that do not state it
+  std::optional<double> df_Hz{};                    // spacing of the lines of FRFs, for files that do not state it
   std::string force_channel{};                      // name of the column, or number, counted from 1
   std::vector<std::string> accel_channel{};         // likewise, in the order wanted
   std::string force_unit{};                         // of the stored forces: "lbf", "V"
@@ -97,7 +97,7 @@ struct RecordArrays {
   std::vector<std::vector<std::vector<double>>> accel_mps2{};
   std::vector<int> point{};                       // the point that each row hits, from 0; empty: one point
   std::vector<double> angle_rad{}, position_m{};  // per acceleration channel; empty: not known
-  bool continuous = false;                        // each row may hold several hits
+  bool continuous = false;                        // each row may hold several hits; a single row always may
 };
 
 /// A recorded test. Copies are cheap and share the samples. Several threads may read at once.
@@ -108,7 +108,7 @@ class Record {
   std::size_t rows() const;
   std::size_t channels() const;
 
-  /// Samples of a row's force in N, and of a row's acceleration in m/s².
+  /// Samples of a row's force in N (zeros where no force was recorded), and of a row's acceleration in m/s².
   /// errors  InputError: no such row, channel or sample; the file cannot be read.
   std::vector<double> force_N(std::size_t row) const;
   std::vector<double> accel_mps2(std::size_t row, std::size_t channel) const;

@@ -50,7 +50,7 @@ struct Geometry {
 };
 
 /// Reads "point, x_m, y_m, z_m" or "point, position_m, angle_deg" from a text file. Points around an axis become a
-/// tube. Lengths without a unit are taken as m unless they exceed 10. errors  InputError: not such a file.
+/// tube. Lengths without a unit are taken as m. errors  InputError: not such a file; lengths above 10 without a unit.
 Geometry read_geometry(const std::string& path);
 
 /// The part that moves from point to point; the other one stays.
@@ -70,19 +70,19 @@ struct SurveyOptions {
 
 /// The value of a mode shape at one point and channel.
 struct ShapePlace {
-  std::size_t point = 0, channel = 0;
-  std::complex<double> value;  // 1/√kg with unit modal mass, else 1 at the largest
-  double std = 0;              // of the real and of the imaginary part
+  std::size_t point = 0, channel = 0;  // roving hammer: channel is 0, as all sensors contribute to the point
+  std::complex<double> value;          // 1/√kg with unit modal mass, else 1 at the largest
+  double std = 0;                      // of the real and of the imaginary part
 };
 
 struct ModeShape {
-  std::vector<ShapePlace> places;   // ascending by point, then channel
-  std::vector<ShapePlace> sensors;  // roving hammer: the same shape at the fixed sensors
-  bool unit_modal_mass = false;     // false: 1 at the largest
-  double scale_std = 0;             // for unit modal mass: relative, of the common scale
-  std::optional<double> modal_mass_kg{};
+  std::vector<ShapePlace> places;         // ascending by point, then channel
+  std::vector<ShapePlace> sensors;        // roving hammer: the same shape at the fixed sensors; point is 0
+  bool unit_modal_mass = false;           // false: 1 at the largest
+  double scale_std = 0;                   // for unit modal mass: relative, of the common scale
+  std::optional<double> modal_mass_kg{};  // of the shape with 1 at the largest; needs a driving point
   double modal_mass_std_kg = 0;
-  double mpc = 0;  // modal phase collinearity: 1 for a real shape
+  double mpc = 0;  // modal phase collinearity: 1 for a real shape, 0 for a travelling wave
 };
 
 /// Modal assurance criterion. 0: orthogonal, 1: the same shape.
@@ -93,9 +93,9 @@ struct Mac {
 /// A shape on a tube: axial functions times cos nθ.
 struct TubeShape {
   std::vector<double> energy;  // [n] fraction of the shape's energy
-  int order = 0;               // the n that holds the most: 1 bending, 2 and above hoop
+  int order = 0;               // the n that holds the most: 0 breathing, 1 bending, 2 and above hoop
   double confidence = 0;
-  std::optional<double> plane_rad{};  // an antinode, 0 … π/n
+  std::optional<double> plane_rad{};  // an antinode, 0 … π/n; none for n = 0, or where it is not observable
   double plane_std_rad = 0;
   std::vector<double> position_m, axial, axial_std;  // [rings]; the axial function of this order
 };
@@ -112,7 +112,7 @@ class Survey {
   Analysis analysis() const;
   std::optional<Geometry> geometry() const;
   std::vector<ModeShape> shapes() const;                    // [modes]
-  std::vector<std::optional<TubeShape>> tubes() const;      // [modes]; empty where the geometry is no tube
+  std::vector<std::optional<TubeShape>> tubes() const;      // [modes]; no value where the shape is not on a tube
   std::vector<ModeClassification> classifications() const;  // [modes]; by the shapes on a tube, else as Analysis
   std::vector<std::vector<Mac>> macs() const;               // [modes][modes], symmetric
   std::vector<Warning> warnings() const;                    // of the analysis and of the survey

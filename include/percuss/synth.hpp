@@ -1,5 +1,5 @@
 #pragma once
-/// Made-up hammer tests whose modes are exactly known: for learning, and for testing programs.
+/// Synthetic hammer tests whose modes are exactly known: for learning, and for testing programs.
 ///
 /// @code
 /// #include <iostream>
@@ -47,9 +47,9 @@ struct SynthSpec {
   std::vector<SynthPlace> sensors{{.position_m = 0.0508}, {.position_m = 0.0508, .angle_rad = 1.5707963267948966}};
   std::vector<SynthPlace> points{{.position_m = 0.1524}};  // several: roving hammer
   std::size_t hits = 5;                                    // per point
-  double peak_N = 300, pulse_s = 0.3e-3;
-  double force_noise = 0;  // standard deviation as a fraction of the largest force
-  double accel_noise = 0;  // standard deviation as a fraction of the RMS of the channel
+  double peak_N = 300, pulse_s = 0.3e-3;                   // haversine; peaks spread by ±25 %, widths by ±10 %
+  double force_noise = 0;                                  // standard deviation as a fraction of the largest force
+  double accel_noise = 0;                                  // standard deviation as a fraction of the RMS of the channel
   std::uint64_t seed = 0;
 };
 

@@ -170,6 +170,15 @@ class Analysis(TestResult):
         array (points, channels, lines)
             Complex, in (m/s²)/N, (m/s)/N or m/N.
 
+        Raises
+        ------
+        InputError
+            Frequencies that are not finite; residual terms of a test without a force.
+        NoHitError
+            No hit can be used.
+        UsageError
+            An unknown kind.
+
         Notes
         -----
         If the record ends before the decay, the measured FRF differs from this one by the missing part of the decay.
@@ -218,6 +227,10 @@ class Analysis(TestResult):
         ------
         ImportError
             Without matplotlib.
+        KeyError
+            No FRF of this point or channel.
+        UsageError
+            An unknown drawing; shapes without modes; axes that are too few or too many.
         """
         return plot_analysis(self, what, point, channel, ax)
 

@@ -21,7 +21,8 @@ def frozen(array: np.ndarray) -> np.ndarray:
 
 
 class Responses:
-    """FRFs by point and channel, stacked on first use."""
+    """FRFs by point and channel, stacked on first use. Each of `responses` is (point, channel, averages, value, std,
+    coherence); std and coherence may be None."""
 
     def __init__(self, responses: list[tuple[Any, ...]]) -> None:
         self._all = {(one[0], one[1]): one for one in responses}

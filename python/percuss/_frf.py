@@ -52,14 +52,17 @@ class Frf:
     Raises
     ------
     InputError
-        Shapes that do not agree; frequencies that do not rise, are uneven or negative; coherences outside 0 … 1, negative
-        standard deviations, values that are masked or not finite.
+        Shapes that do not agree; responses that are real, without a phase; frequencies that do not rise, are uneven or
+        negative; coherences outside 0 … 1, negative standard deviations, values that are masked or not finite; an
+        unknown kind; a point given twice.
+    TypeError
+        Values that are not numbers.
 
     Notes
     -----
-    FRFs without `exponential` are taken as those of records that hold the whole decay. If the record had an exponential
-    window that is not stated, its damping is part of the damping ratios. With `exponential`, H lies at s = jω + σ, and
-    mobility and receptance are accelerance/s and accelerance/s².
+    FRFs without `exponential` are taken to come from records that hold the whole decay. If the record had an
+    exponential window that is not stated, its damping is part of the damping ratios. With `exponential`, H lies at
+    s = jω + σ, and mobility and receptance are accelerance/s and accelerance/s².
 
     Examples
     --------

@@ -41,7 +41,7 @@ def mac(a: Any, b: Any = None) -> np.ndarray:
 
     Notes
     -----
-    Theory (5.4).
+    Equation (5.4) of docs/theory/theory.md.
 
     Examples
     --------

@@ -25,13 +25,13 @@ class Record:
     points      (hits,): index of the struck point, from 0; 0 for all hits unless given.
     names       names of the force and of each acceleration; "force", "accel 1" ... unless given.
     geometry    (points, 3) in m, or (points, 2): position along a tube in m and angle around it in degrees. One row per
-                point from 0 up; if all hits are at one point, one row per acceleration.
+                point from 0 up; if all hits are at point 0, one row, or one per acceleration.
     continuous  whether each row may hold several hits.
 
     The numbers may be float64, float32 or integers, with any strides. A result reads the arrays when it is computed,
-    possibly in other threads: do not change them before that. Records of arrays are pickled with their samples; for a
-    record that was read from a file, pass the path to other processes. Raises InputError for arrays that do not form a
-    test, and for NaN and infinity when the samples are read.
+    possibly in other threads: do not change them before that. Records of arrays are pickled with their samples. A
+    record that was read from a file is pickled as its path and options, and read again. Raises InputError for arrays
+    that do not form a test, and for NaN and infinity when the samples are read.
 
     >>> import numpy as np, percuss
     >>> record = percuss.Record(np.zeros(256), np.zeros((2, 256)), fs=4096.0)

@@ -77,6 +77,10 @@ class TestResult(Result):
         ------
         NoHitError
             No hit can be used.
+        InputError
+            A test without a force.
+        UsageError
+            An unknown kind.
         """
         self._require_hits()
         kind = kind or self._kind

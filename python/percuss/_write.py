@@ -35,6 +35,8 @@ def write(path: str | bytes | os.PathLike[str], data: Record | Frf | Synthetic |
     ------
     InputError
         The file exists or cannot be written; then no part of it is left.
+    TypeError
+        Data of another type.
     UsageError
         An unknown extension.
 

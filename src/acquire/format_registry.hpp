@@ -15,7 +15,7 @@ const FileFormat& detected_format(const FileHead& head);
 
 /// The format that percuss writes under the path's extension; nullptr when there is none.
 const FileFormat* written_format(const std::string& path);
-/// Whether that is HDF5.
+/// Whether that format is HDF5.
 bool writes_hdf5(const std::string& path);
 
 /// The extensions that write_record and write_frfs accept.

@@ -24,7 +24,8 @@ void refuse_variable_name(const FrfReadOptions& options, const std::string& path
 
 Measurement open_file(const std::string& path, const FrfReadOptions& options, Content content);
 
-// Opens the bytes of a pipe as a file, for libraries that read files only. The file loses its name once it is open.
+// Opens the bytes of a pipe as a temporary file, for libraries that read files only. The file is unlinked on return; a
+// reader that still needs it keeps it open.
 Measurement open_spooled(std::string_view bytes, const FrfReadOptions& options, Content content) {
   const SpooledFile file(bytes);
   const auto named = [&](const InputError& error) {

@@ -57,7 +57,7 @@ std::optional<CompletedLine> completed_line(std::string_view line) {
 }
 
 // Locks the file for this process. The lock ends with the process, and no child inherits it. False only if another
-// process has the lock.
+// process has the lock: a file system without locks is used without one.
 bool lock_file(int descriptor) {
   struct flock whole {};
   whole.l_type = F_WRLCK;

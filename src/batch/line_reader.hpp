@@ -13,7 +13,7 @@ namespace percuss::batch {
 class LineReader {
  public:
   LineReader(std::string path, std::size_t longest_bytes);
-  /// Reads from the current position of an open file, which stays open.
+  /// Reads an open file, which stays open, from its current position. Offsets count from there.
   LineReader(int descriptor, std::string path, std::size_t longest_bytes);
   ~LineReader();
   LineReader(const LineReader&) = delete;

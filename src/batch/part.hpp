@@ -33,8 +33,9 @@ struct FinishedShard {
   std::string sha256;       // of part-i.jsonl
 };
 
-/// The first line of part-i.partial and of part-i.jsonl, and the content of part-i.ok. Both without a line end.
+/// The first line of part-i.partial and of part-i.jsonl, without its line end.
 std::string label_line(const ShardLabel& label);
+/// The content of part-i.ok, without a line end.
 std::string finished_line(const FinishedShard& part);
 
 /// Nothing when part-i.ok is absent. errors  InputError: the file is invalid
@@ -45,7 +46,7 @@ FinishedShard parse_finished(std::string_view text, const std::string& where);
 /// The number of shards of the results in a folder; nothing for a folder without results.
 std::optional<std::size_t> shard_count_in(const std::string& folder);
 
-/// errors  InputError: `found` is of another plan, of other options, or of another version of percuss than `wanted`
+/// errors  InputError: `found` is of another shard, plan or version of percuss than `wanted`, or of other options
 void require_same_shard(const ShardLabel& found, const ShardLabel& wanted, const std::string& path);
 
 }  // namespace percuss::batch

@@ -77,8 +77,8 @@ class CollectedFiles {
   std::set<std::string> seen_;
 };
 
-// An absolute path stays. A relative path, as named, becomes relative to the folder; if a symbolic link makes that
-// another file, the links are resolved first.
+// An absolute path stays. A relative path becomes relative to the folder, without resolving symbolic links. If the
+// result names another file, the links are resolved first.
 std::string path_from(const std::string& path, const fs::path& folder) {
   const fs::path given(path);
   if (given.is_absolute()) return given.lexically_normal().string();

@@ -6,8 +6,9 @@
 
 namespace percuss::batch {
 
-/// Repeats work that a fault of the machine stops, after each of the waits. While the fault lasts, later work is tried
-/// once: a thousand records must not wait a thousand times. Several threads may call at the same time.
+/// Runs work again, after each of the waits, while a fault of the machine stops it. If the last attempt fails, later
+/// work is tried once only, until end_of_fault(): a thousand records must not wait a thousand times. Several threads
+/// may call at the same time.
 class Retries {
  public:
   /// The waits must outlive the object.
@@ -15,6 +16,7 @@ class Retries {
 
   /// errors  MachineFault: the last attempt failed; the other errors of `work`
   void run(const std::function<void()>& work);
+  /// Call it after work has succeeded: later work is then repeated again.
   void end_of_fault() { fault_lasts_ = false; }
 
  private:

@@ -17,12 +17,12 @@ struct ShardJob {
   std::size_t shard = 0, shards = 1;
   std::string folder;  // of the results; it exists
   RowOptions options;
-  std::size_t threads = 0;  // each record uses one thread
+  std::size_t threads = 0;  // 0: all; each record uses one thread
   bool force = false;       // discard existing results
   /// Waits before a record is tried again after a fault of the machine.
   std::vector<std::chrono::milliseconds> waits{std::chrono::milliseconds(100), std::chrono::milliseconds(500),
                                                std::chrono::seconds(2)};
-  std::function<void()> advance;  // any thread calls it after each record; may be empty
+  std::function<void()> advance;  // called on any thread after each finished record; may be empty
 };
 
 /// A record without a result: the machine failed (no process, no memory, no descriptor, a full disk, …), not the

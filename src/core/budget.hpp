@@ -34,8 +34,8 @@ class BudgetMeter {
   double spent_s_ = 0;                    // in scopes that have ended
   std::atomic<double> began_s_{0};        // of the present scope
   std::atomic<double> next_memory_s_{0};  // when the memory is measured again
-  // The flag of an InterruptScope: of the one in which the last BudgetScope began, else of the one in which this object
-  // was made; nullptr: none.
+  // The flag of the InterruptScope in which the last BudgetScope began. Without such a scope: of the InterruptScope in
+  // which this object was made. nullptr: none.
   std::shared_ptr<std::atomic<bool>> interrupted_;
 };
 

@@ -19,7 +19,7 @@ inline constexpr double kDegree_rad = std::numbers::pi / 180;
 
 enum class Quantity { force, acceleration, voltage, time, angle, length, mass, pressure, velocity };
 
-/// Whether a response of a structure is measured in it: acceleration or sound pressure.
+/// Whether a quantity is the response of a structure: acceleration or sound pressure.
 constexpr bool is_response(Quantity quantity) {
   return quantity == Quantity::acceleration || quantity == Quantity::pressure;
 }

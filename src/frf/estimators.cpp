@@ -99,8 +99,8 @@ Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator 
         frf.value[k] = h1;
         break;
       case Estimator::h2:
-        frf.value[k] = std::norm(fa) > 0 ? aa / std::conj(fa) : Complex{};
-        break;  // (2)
+        frf.value[k] = std::norm(fa) > 0 ? aa / std::conj(fa) : Complex{};  // (2)
+        break;
       case Estimator::hv:
         frf.value[k] = total_least_squares(ff, aa, fa, scale);
         break;

@@ -35,7 +35,7 @@ using acquire::Frf;
 ///        eigenvalue, both channels scaled to the same mean power over these lines                        (3)
 ///   γ² = |G_fa|² / (G_ff G_aa)                                                                         (4)
 ///   σ² = (1 − γ²)/γ² · |H1|² / (n − 1), n hits                                                         (5)
-/// shapes  every array (lines).
+/// shapes  every array [lines].
 /// units   (m/s²)/N.
 /// errors  InputError: the force has no energy at some spectral line (G_ff = 0).
 /// source  [3], [4] in docs/theory/sources.md.

@@ -13,8 +13,8 @@ struct UnmodelledResonance {
   double half_power_Hz = 0;  // bandwidth of the stable pole there; 0 for a peak without one
 };
 
-/// The unmodelled peaks, largest first, and the stable poles that no mode describes. None is returned near a mode,
-/// because the misfit of a mode has stable poles as well. `poles`: unmodelled_poles of the same modes.
+/// The unmodelled peaks, largest first, and the stable poles that no mode describes. Resonances near a mode are left
+/// out, because the misfit of a mode has stable poles as well. `poles`: unmodelled_poles of the same modes.
 std::vector<UnmodelledResonance> unmodelled_resonances(const FrfDataset& set, const std::vector<Mode>& modes,
                                                        const std::vector<Pole>& poles);
 

@@ -63,8 +63,8 @@ struct PairedModes {
 /// Pairs the modes of two documents. Only modes whose frequencies differ by at most PairOptions::furthest pair. Of
 /// these, two modes with shapes at three common places or more pair by shape only, the best MAC first. The remaining
 /// modes whose shapes cannot be compared pair by frequency, in ascending order: the number of pairs is maximised, then
-/// the sum of |ln(f_b/f_a)| is minimised. A bending mode never pairs with a hoop
-/// mode. Modes of 0 Hz (rigid-body modes) are left out.
+/// the sum of |ln(f_b/f_a)| is minimised. A bending mode never pairs with a hoop mode. Modes of 0 Hz (rigid-body modes)
+/// are left out.
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options = {});
 
 /// The MAC of two modes at their common places; nothing for fewer than three.

@@ -45,7 +45,7 @@ class Analysis {
   /// The FRFs that were given in place of a record; nullptr for a record.
   const acquire::FrfRecord* given_frfs() const { return source_->frfs(); }
   Trace& trace() const { return trace_; }
-  /// For computations that belong to this analysis.
+  /// The budget of the stages. Further computations on this analysis count in it, too.
   BudgetMeter& budget() const { return budget_; }
   /// Numbers of the measured points.
   std::set<int> points() const { return source_->points(); }
@@ -108,7 +108,8 @@ class Analysis {
   const std::vector<HitMode>& modes_per_hit() const;
   /// The stabilisation diagram of fitted_frfs(), poles within the band. The modes do not need it.
   const identify::Stabilisation& stabilisation() const;
-  /// Warnings about the results computed so far, most serious first. Computes the hits' grades by force, if need be.
+  /// Warnings about the results computed so far, most serious first. Computes the hits' grades by force, if need be. If
+  /// modes() are computed, it also computes channel_findings(), unexplained_peaks() and unmodelled_poles().
   std::vector<Warning> warnings() const;
 
  private:

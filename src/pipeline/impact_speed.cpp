@@ -13,7 +13,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kRinging = 8;  // samples before the onset that an anti-alias filter may move
+constexpr std::size_t kRinging = 8;  // samples before the onset that the ringing of an anti-alias filter may disturb
 
 // The time of the first touch, interpolated between samples: from the force, or from the accelerometer that moves
 // first.

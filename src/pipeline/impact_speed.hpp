@@ -11,7 +11,8 @@ double onset_from_first_sample_s(const acquire::Hit& hit, double fs_Hz);
 
 /// The speeds of the balls, from the light beam to the first touch. The touch lies between two samples
 /// (metrics::impact_onset): of the force, or of the accelerometer that moves first. Empty without the beam's distance.
-/// errors  InputError: an impact that is no later than the light beam.
+/// hits  indices into `impacts`
+/// errors  InputError: an impact less than one sample after the light beam.
 std::vector<ImpactSpeed> impact_speeds(const Analysis& analysis, const std::vector<AnalysedHit>& impacts,
                                        const std::vector<std::size_t>& hits, const ImpactTestOptions& options);
 

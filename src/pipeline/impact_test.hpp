@@ -36,7 +36,7 @@ struct PointDeflection {
   int point = 0;
   std::size_t channel = 0, hits = 0;
   std::optional<double> position_m;
-  double peak_m = 0;  // mean magnitude of the hits' peaks
+  double peak_m = 0;  // mean magnitude of the hits' peaks; NaN where no hit has one
   double std_m = 0;   // of the mean: from the hits' own ±, or from the scatter of two or more hits if larger
   double forward_m = 0, forward_std_m = 0;  // the same for deflections in the direction of the first motion
 };
@@ -51,7 +51,8 @@ struct ImpactTest {
 /// Deflection at each accelerometer for each impact with a pulse; without a force, each row is one impact. Hits that
 /// percuss rejects for FRFs (a double hit, a truncated decay) have a deflection, too. Hits that the user rejects have
 /// none. Modes are identified only if the method, stated or automatic, needs them.
-/// errors  InputError: no force or no mode where the options need them; another number of positions than points.
+/// errors  InputError: no force or no mode where the options need them; another number of positions than points; a
+///         response that is a pressure; an impact less than one sample after the light beam.
 ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options = {});
 
 }  // namespace percuss::pipeline

@@ -20,6 +20,7 @@ struct ScanPositions {
   }
 };
 
+/// The positions of a list, one per point in the order of the points' numbers. `where` names the input in messages.
 /// errors  InputError with the option "positions": two positions are equal.
 ScanPositions listed_positions(std::vector<double> position_m, const std::string& where);
 

@@ -20,7 +20,7 @@ namespace percuss::pipeline {
 struct SurveyOptions {
   std::optional<acquire::Geometry> geometry;  // default: the record's own
   identify::Roving roving = identify::Roving::hammer;
-  std::vector<identify::DrivingPoint> driving;  // empty: those of the record, else points at which a sensor sits
+  std::vector<identify::DrivingPoint> driving;  // empty: those of the record, else points of a tube with a sensor
   std::string geometry_source{};                // file of the geometry, for messages; empty: none
 };
 
@@ -46,7 +46,7 @@ class Survey {
   acquire::LineRange band() const;
   /// [channels of Analysis::fitted_frfs()]; `point` is an index into Analysis::frf_points().
   const std::vector<identify::SynthesisedFrf>& synthesis() const;
-  const Eigen::MatrixXd& indicator() const;  // CMIF [lines of band(), values]
+  const Eigen::MatrixXd& indicator() const;  // CMIF [lines of band(), singular values]
   std::vector<identify::DrivingPointCheck> driving_checks() const;
   std::vector<identify::ReciprocityCheck> reciprocity() const;
   /// The analysis's warnings and the survey's own, most serious first.

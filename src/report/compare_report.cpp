@@ -56,7 +56,7 @@ std::size_t first_number(const metrics::ComparedDocument& document) {
   return document.schema == "percuss/model-beam/1" ? 0 : 1;
 }
 
-// Whether some mode of the first document has a family: those of a plate or a beam have none.
+// Whether a mode of the document has a type. Modes of a plate or a beam have none.
 bool names_families(const metrics::ComparedDocument& document) {
   return std::any_of(document.modes.begin(), document.modes.end(), [](const metrics::ComparedMode& mode) {
     return !mode.family.empty() && mode.family != "unknown";
@@ -173,7 +173,7 @@ NumericColumn column_of(const std::string& name, std::size_t modes,
   return column;
 }
 
-// The modes of the first document, and those of the others that are paired with them.
+// The modes of the first document, and their partners in the other documents.
 std::vector<NumericColumn> mode_columns(const std::vector<metrics::ComparedDocument>& documents,
                                         const std::vector<Comparison>& comparisons) {
   const metrics::ComparedDocument& first = documents.front();
@@ -296,7 +296,7 @@ LineChart chart_of(const std::vector<Comparison>& comparisons) {
     chart.curves.push_back(std::move(curve));
     chart.bands.push_back(std::move(band));
   }
-  // A scale covers the curves alone; here the bands are to be seen whole.
+  // The default range covers the curves only; this one shows the whole bands.
   constexpr double kMargin = 0.04;
   const double margin = kMargin * (highest - lowest);
   if (highest > lowest) chart.y.range = {lowest - margin, highest + margin};

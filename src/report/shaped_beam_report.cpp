@@ -23,7 +23,8 @@ struct ShapedMode {
   std::vector<double> node_m, shape;  // shape at the positions of the report
 };
 
-// A rigid-body mode of a free beam has the centre of mass as its node, or none; one on a pin has none but the pin.
+// A free beam translates (mode 0, no node) and turns about its centre of mass (mode 1, its node). A beam on a pin turns
+// about the pin; a support is no node.
 ShapedMode rigid_mode(const model::BatModes& beam, std::size_t mode, const std::vector<double>& x_m) {
   const bool turns = beam.support.kind != model::BeamSupport::free || mode == 1;
   const bool free = beam.support.kind == model::BeamSupport::free;

@@ -9,7 +9,8 @@
 
 namespace percuss::report {
 
-/// The frequencies of the elastic modes with the other meaning of the table's rows.
+/// The frequencies of the elastic modes if the rows of the table were of the other kind: points instead of slices, or
+/// slices instead of points.
 struct OtherProfileKind {
   model::ProfileKind kind = model::ProfileKind::points;
   std::vector<double> freq_Hz;
@@ -20,11 +21,11 @@ struct StructureOrigin {
   std::optional<model::StructureFit> fit{};
   std::vector<model::MeasuredMode> measured{};  // that the fit used
   std::optional<double> total_mass_kg{};        // from which the density follows
-  std::optional<OtherProfileKind> other{};      // where stretches are long
+  std::optional<OtherProfileKind> other{};      // where a stretch exceeds kMaxStretchFraction
   std::size_t first_mode = 1;                   // number of the first elastic mode in the output
 };
 
-/// The longest stretch, as a fraction of the length, up to which the meaning of the rows hardly matters.
+/// The longest stretch between two rows, as a fraction of the length, up to which their kind hardly matters.
 inline constexpr double kMaxStretchFraction = 0.02;
 
 /// Adds the members "profile", "material", "support", "added_mass", "fit" and "warnings".

@@ -26,9 +26,9 @@ struct TrampolineExtras {
 };
 
 /// JSON: percuss/model-trampoline/1. COR over the hoop frequency, its maximum, the COR at a rigid wall, and the COR at
-/// 10 kHz. The source calls that barrel rigid and divides by its COR. With fitted exponents: the fit, and the range of
-/// the curve and of its maximum over the exponents that the measurements allow. With bats: their BBCOR beside the
-/// model's COR at their hoop frequency, and a row of the table for each. errors  as rebound.
+/// 10 kHz. The source takes a barrel of 10 kHz as rigid and divides by its COR. With fitted exponents: the fit, and the
+/// range of the curve and of its maximum over the exponents that the measurements allow. With bats: their BBCOR beside
+/// the model's COR at their hoop frequency, and a row of the table for each. errors  as rebound.
 CommandReport trampoline_report(const model::Trampoline& model, const std::vector<double>& hoop_Hz,
                                 const TrampolineExtras& extras = {});
 

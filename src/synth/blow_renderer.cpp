@@ -14,8 +14,9 @@ namespace {
 constexpr std::uint64_t kBlowStream = 11, kSessionNoiseStream = 12;
 constexpr double kBlowDecayExponent = 20;  // a decay ends below e^−20: a sixtieth of a step of 24 bits
 constexpr double kOrdinaryHeadroom = 1.5;  // full scale over the largest value of an ordinary blow
-constexpr double kClippedPeak = 1.8;       // over the full scale
-constexpr double kWeakPeak = 0.04;         // over the usual peak
+constexpr double kClippedPeak = 1.8;       // relative to the full scale
+constexpr double kWeakPeak = 0.04;         // relative to the usual peak
+// Second pulse of a double hit: relative to the first pulse, and after it.
 constexpr double kSecondPeak = 0.5, kSecondDelay_s = 0.012;
 
 }  // namespace
@@ -39,7 +40,7 @@ BlowRenderer::BlowRenderer(const SimulatedSession& session)
   set_levels();
 }
 
-// From the strongest blow that the spec allows, at the point where each channel moves most.
+// Sets full scales and noise by the strongest blow that the spec allows, at the point where each channel moves most.
 void BlowRenderer::set_levels() {
   const SynthSpec& spec = session_.spec;
   constexpr double kSeconds = 0.25;

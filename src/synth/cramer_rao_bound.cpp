@@ -78,7 +78,7 @@ MatrixXd row_products(const Truth& truth, std::span<const TrueHit> hits) {
   return sum;
 }
 
-/// Inverse of a symmetric positive matrix whose rows differ in scale.
+/// Inverse of a symmetric positive definite matrix whose rows differ in scale. A row of zeros stays zero.
 MatrixXd scaled_inverse(const MatrixXd& m) {
   const VectorXd scale = m.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.0; });
   MatrixXd unit = scale.asDiagonal() * m * scale.asDiagonal();

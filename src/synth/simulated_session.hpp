@@ -29,7 +29,7 @@ struct SimulatedPeriod {
 /// is an extra one. Blows count from 1.
 struct SimulatedSession {
   SynthSpec spec;
-  std::vector<SimulatedBlow> blows;  // ascending, but for late ones
+  std::vector<SimulatedBlow> blows;  // ascending onsets, except for late blows
   std::vector<SimulatedPeriod> gaps, overruns, overloads, no_numbers, dropouts;
   std::optional<double> rate_change_s, unplug_s;
   double end_s = 0;                          // the device finishes

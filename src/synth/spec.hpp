@@ -74,7 +74,7 @@ struct SynthRecorder {
   std::optional<double> force_clip_N{};
   std::optional<double> accel_clip_mps2{};
   int bits = 0;                           // 0: no quantisation
-  std::optional<double> force_range_N{};  // full scale for `bits`; absent: 1.5 × the largest value
+  std::optional<double> force_range_N{};  // full scale for `bits`; absent: see recorder_range()
   std::optional<double> accel_range_mps2{};
 };
 

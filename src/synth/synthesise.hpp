@@ -26,8 +26,8 @@ struct TrueHit {
 /// The smallest standard deviations of an unbiased estimator from all hits of one run. The force is known, the
 /// accelerations have white noise, and f, ζ, residues and rigid-body accelerance are unknown.
 struct CramerRaoBound {
-  std::vector<double> freq_std_Hz;
-  std::vector<double> damping_ratio_std;
+  std::vector<double> freq_std_Hz;        // [modes]
+  std::vector<double> damping_ratio_std;  // [modes]
 };
 
 /// The exact parameters of a record. Accelerance, [point][channel]:

@@ -68,7 +68,7 @@ TEST_F(FormatRegistry, ReadsBackEveryRecordThatItWrites) {
     const std::string path = folder_.file("r" + extension);
     write_record(path, small_record(), false);
     EXPECT_EQ(&format_of_file(path), written_format(path)) << extension;
-    const ReadOptions channels{.force_channel = "1", .accel_channels = {"2"}};
+    const ReadOptions channels{.force_channel = "1", .accel_channels = {"2"}};  // W64 stores no names of channels
     const Record read = extension == ".w64" ? open_record(path, channels) : open_record(path);
     EXPECT_EQ(read.fs_Hz, 1000) << extension;
     EXPECT_THAT(test::force_N(read), ElementsAre(0, 1, 2, 3)) << extension;

@@ -1,5 +1,5 @@
-# cmake -DBUILD=… -DWORK=… -DCXX=… -DGENERATOR=… -P run.cmake: installs the build tree BUILD under WORK, then configures, builds and runs
-# the project beside this file against that installation alone.
+# cmake -DBUILD=… -DWORK=… -DCXX=… -DGENERATOR=… -P run.cmake: installs the build tree BUILD under WORK, then
+# configures, builds and runs the project beside this file against that installation alone.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text WORKING_DIRECTORY ${WORK})
   if(NOT result EQUAL 0)

@@ -80,7 +80,7 @@ TEST(Budget, AddsTheTimeOfItsScopes) {
 }
 
 TEST(Budget, EndsWorkThatTakesMoreMemory) {
-  constexpr std::size_t kBlock_bytes = 33U << 20U;  // such blocks are never taken from freed memory
+  constexpr std::size_t kBlock_bytes = 33U << 20U;  // above 32 MiB, malloc maps each block anew
   BudgetMeter meter({.memory_bytes = 5 * kBlock_bytes}, "a.h5");
   std::vector<std::vector<char>> held;
   const auto greedy = [&] {

@@ -75,7 +75,7 @@ TEST(EstimateFrf, FollowsItsEquationsOnTwoHits) {
 TEST(EstimateFrf, IsResponseOverForceNotItsConjugate) {
   const Hits hits{{{1.0}, {Complex(0, 2)}}, {{Complex(0, -3)}, {6.0}}};  // A = −3j F: the response lags
   for (const Estimator estimator : kEstimators) {
-    EXPECT_LE(std::abs(hits.frf(estimator).value[0] - Complex(0, -3)), 1e-15) << name_of(estimator);
+    EXPECT_LE(std::abs(hits.frf(estimator).value[0] - Complex(0, -3)), 1e-15) << name_of(estimator);  // rounding
   }
 }
 
@@ -125,7 +125,7 @@ TEST(EstimateFrf, TakesTheInverseWhenTheChannelsAreSwapped) {
   const Hits hits = simulated(4, 100, 0.1, 0.1);
   const Hits swapped{hits.accel, hits.force};
   for (std::size_t k = 0; k < 100; ++k) {
-    constexpr double kRounding = 1e-13;
+    constexpr double kRounding = 1e-13;  // of sums of four products
     const Complex one = hits.frf(Estimator::h1).value[k] * swapped.frf(Estimator::h2).value[k];
     const Complex total = hits.frf(Estimator::hv).value[k] * swapped.frf(Estimator::hv).value[k];
     ASSERT_LE(std::abs(one - 1.0), kRounding);

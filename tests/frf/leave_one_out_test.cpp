@@ -56,7 +56,7 @@ TEST(LeaveOneOutError, DoesNotDependOnUnitsOrTheOrderOfHits) {
   const auto plain = unexplained(kForce, responses({1, 1.2, 0.7}));
   for (const double scale : {-1.0, 1e-30, 1e30}) {
     const auto scaled = unexplained(kForce, responses({1, 1.2, 0.7}, scale));
-    constexpr double kRounding = 1e-12;
+    constexpr double kRounding = 1e-12;  // of differences of a few products
     for (std::size_t h = 0; h < 3; ++h) EXPECT_LE(std::abs(scaled[h] / plain[h] - 1), kRounding);
   }
   auto accel = responses({1, 1.2, 0.7});
@@ -64,7 +64,7 @@ TEST(LeaveOneOutError, DoesNotDependOnUnitsOrTheOrderOfHits) {
   std::swap(force[0], force[2]);
   std::swap(accel[0], accel[2]);
   const auto turned = unexplained(force, accel);
-  constexpr double kRounding = 1e-12;
+  constexpr double kRounding = 1e-12;  // as above
   EXPECT_LE(std::abs(turned[0] / plain[2] - 1), kRounding);
   EXPECT_LE(std::abs(turned[1] / plain[1] - 1), kRounding);
 }

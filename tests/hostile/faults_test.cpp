@@ -76,7 +76,8 @@ class Faults : public testing::Test {
 TEST_F(Faults, OfMemoryGiveOneLineAndNoFile) {
   constexpr long kStep = 61;  // a prime, so that different allocations fail
   expect_all_or_nothing({"info", kCorpus + "csv/record.csv"}, "", kStep);
-  // libmatio reports few failed allocations: it drops variables, or their names.
+  // libmatio reports few failed allocations: it drops variables, or their names. percuss must notice this, so the step
+  // is small.
   expect_all_or_nothing({"info", kCorpus + "foreign/record.mat"}, "", 7);
   expect_all_or_nothing({"convert", kCorpus + "uff/record.uff"}, "out.csv", kStep);
   expect_all_or_nothing({"convert", kCorpus + "csv/record.csv"}, "out.uff", kStep);

@@ -74,6 +74,7 @@ TEST_F(HostileSamples, AreAcceptedWithoutADefect) {
 }
 
 TEST_F(HostileSamples, AreRejectedWithThePlaceOfANonFiniteValue) {
+  // 9.91e37 is the NaN of SCPI instruments.
   for (const double bad : {kNan, kInfinity, -kInfinity, 1e308, 9.91e37}) {
     accel_[1500] = bad;
     write_hdf5({2048});

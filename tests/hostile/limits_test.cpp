@@ -64,7 +64,7 @@ TEST_F(Limits, OfAddressesGiveOneLine) {
   std::size_t least_MiB = 30;
   while (least_MiB < 60 && run_percuss({"--version"}, {.max_address_bytes = least_MiB << 20U}).code != 0) ++least_MiB;
   ++least_MiB;
-  int failures = 0;  // of all commands: the small ones may work in this much
+  int failures = 0;  // of all commands: for small ones, even least_MiB may be enough
   for (const auto& command : commands()) {
     int in_a_row = 0;
     for (std::size_t max_MiB = least_MiB; max_MiB <= 200 && in_a_row < 6; ++max_MiB) {

@@ -254,7 +254,7 @@ TEST(AnalysesOfRuns, AssumeTheAnglesOfTwoAccelerometers) {
   const acquire::Record& assumed = analyses.front().analysis->record();
   EXPECT_EQ(assumed.accel[0].angle_rad, 0);
   EXPECT_NEAR(*assumed.accel[1].angle_rad, 1.5707963267948966, 1e-15);
-  EXPECT_TRUE(assumed.notes.empty());  // the modes decide whether they hold: warning assumed_tube or not_a_tube
+  EXPECT_TRUE(assumed.notes.empty());  // the modes decide whether the angles hold: warning assumed_tube or not_a_tube
 }
 
 // The identification of 60 modes takes seconds; the budget ends it at the next check of a fit.

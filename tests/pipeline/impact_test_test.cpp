@@ -21,8 +21,8 @@ ImpactTest deflect_with(std::optional<double> pretrigger_s) {
                  {.deflection = {.method = metrics::DeflectionMethod::drift_free, .free_body = true}});
 }
 
-// The std of the bias falls with the root of the rest's length, and that of the drift faster. A pre-trigger of 5 ms
-// once left 0.2 m of uncertainty after a second, although half a second of rest was recorded.
+// A longer rest before the hit determines bias and drift better. The rest of a pre-trigger of 5 ms would leave 0.2 m of
+// uncertainty after a second. Here half a second of rest is recorded.
 TEST(ImpactTest, TakesTheBiasFromALongRest) {
   const ImpactTest test = deflect_with({});
   ASSERT_FALSE(test.hits.empty());

@@ -32,7 +32,7 @@ synth::SynthSpec structure(std::vector<synth::SynthMode> modes);
 /// The same with modes at 400 Hz (1 %) and 1100 Hz (0.5 %).
 synth::SynthSpec two_modes();
 
-/// Noise at the given level in dB below the signal, in the unit of spec.noise.
+/// The noise as a fraction, as in spec.noise, for this signal-to-noise ratio.
 double ratio_of_dB(double snr_dB);
 
 std::vector<Cell> spacing_cells();

@@ -21,8 +21,8 @@ struct Result {
   std::vector<std::string> failures;   // none: as expected
   std::set<std::string> said;          // codes of findings and warnings; "exit N" if the exit code N is not 0
   std::size_t wanted = 0, found = 0;   // true modes that must be found, and true modes found
-  double freq_relative = 0;            // the largest error over the modes found, relative
-  double damping_absolute = 0;         // … of the damping ratio
+  double freq_relative = 0;            // largest relative error of a frequency, over the modes found
+  double damping_absolute = 0;         // largest absolute error of a damping ratio
   double freq_bound = 0;               // largest Cramér–Rao bound of a frequency, over half its bandwidth; 0: none
   std::vector<ModeError> mode_errors;  // of the found modes
   /// The noise meets the assumptions of the standard deviations, so the confidence intervals must cover the truth.

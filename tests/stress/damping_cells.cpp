@@ -18,7 +18,7 @@ std::vector<Cell> damping_cells() {
       cells.push_back(std::move(cell));
     }
   }
-  // Hardly any decay within the record: at its end, the slowest mode still has 94 % of its amplitude.
+  // Hardly any decay within the record: at its end, the slowest mode still has 95 % of its amplitude.
   for (const double snr_dB : {40.0, 80.0}) {
     Cell cell{.group = "damping",
               .name = fmt::format("no decay within 0.1 s, {:g} dB", snr_dB),

@@ -5,7 +5,8 @@
 //   --only     run the cell of this "group: name", or all cells whose names contain the text
 //   --table    replace the text after the line <!-- measured --> of FILE.md
 //   --record   write the record of run RUN of the chosen cell and exit
-// Exit code 1: a cell fails without a known defect, or the coverage of the intervals is wrong.
+// Exit code 1: a cell fails without a known defect, or the coverage of the intervals is wrong. Exit code 2: the command
+// line is wrong, or a file cannot be written.
 #include <fmt/format.h>
 
 #include <algorithm>

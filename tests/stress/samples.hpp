@@ -16,6 +16,7 @@ Samples samples_of(const acquire::Record& record);
 /// A record with the description of `like` and these samples.
 acquire::Record record_of(Samples samples, const acquire::Record& like);
 
+/// Multiplies all forces by `force`, and all accelerations by `accel`.
 void scale(Samples& samples, double force, double accel);
 /// Keeps the first `count` samples of every row.
 void cut(Samples& samples, std::size_t count);

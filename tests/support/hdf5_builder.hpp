@@ -26,7 +26,8 @@ class Hdf5Builder {
   Hdf5Builder& ramp(const std::string& name, const std::vector<hsize_t>& shape, const Hdf5Storage& storage = {});
   Hdf5Builder& values(const std::string& name, const std::vector<hsize_t>& shape, const std::vector<double>& values,
                       const Hdf5Storage& storage = {});
-  /// Attributes of `object` ("" is the root). A single number becomes a scalar.
+  /// Attributes of `object` ("" is the root). A single number becomes a scalar. A `fixed` text has a fixed length and
+  /// trailing blanks; other texts have a variable length.
   Hdf5Builder& numbers(const std::string& object, const std::string& name, const std::vector<double>& values);
   Hdf5Builder& text(const std::string& object, const std::string& name, const std::string& text, bool fixed = false);
   hid_t id() const { return file_; }

@@ -6,10 +6,12 @@
 
 namespace percuss::test {
 
+/// A mode with one residue. `half_power_Hz` is its half-power bandwidth.
 identify::Mode mode_at(double freq_Hz, double half_power_Hz, Complex residue);
 
 /// Hits of one point whose average has a strong mode at 431 Hz, alike in all hits, and a weak one whose phase advances
-/// by `turns` from hit to hit. Each hit is an impulse of 1 N; the lines are 1 Hz apart, from 10 to 990 Hz.
+/// by `turns` full turns from hit to hit. Each hit is a force of one sample, 1 N, and its FRF has a little noise. The
+/// lines are 1 Hz apart, from 10 to 990 Hz.
 class HitsWithPhases {
  public:
   HitsWithPhases(const identify::Mode& weak, std::size_t hits, double turns);
@@ -17,7 +19,7 @@ class HitsWithPhases {
   HitsWithPhases& operator=(const HitsWithPhases&) = delete;
 
   identify::FrfDataset set;          // the average
-  identify::HitFrfs frfs;            // refers to spectra
+  identify::HitFrfs frfs;            // refers to spectra_
   identify::Mode strong, weak_mean;  // of the average
 
  private:

@@ -5,11 +5,12 @@
 // What a microphone records after a blow, as a WAV file.
 namespace percuss::test {
 
+/// A decaying sine. `damping` is the damping ratio; full scale is an amplitude of 1.
 struct PingMode {
   double freq_Hz, damping, amplitude;
 };
 extern const std::vector<PingMode> kPing;
-inline constexpr double kBlow_s = 0.21;
+inline constexpr double kBlow_s = 0.21;  // time of the blow
 
 /// One second at 44.1 kHz: the modes kPing from kBlow_s on, with 1 ms of rise, and white noise of this standard
 /// deviation.

@@ -14,8 +14,8 @@ using std::numbers::pi;
 
 constexpr double kDegree = pi / 180;
 constexpr double kPlaced_rad = 2 * kDegree;  // standard deviation of the sensor angles
-constexpr double kGain = 0.03;               // … of their gains, relative
-constexpr double kPlanes_rad = 4 * kDegree;  // … of a mode's plane from the bat's
+constexpr double kGain = 0.03;               // standard deviation of the gains, relative
+constexpr double kPlanes_rad = 4 * kDegree;  // standard deviation of a mode's plane from the bat's
 constexpr double kHighest_Hz = 3000;
 constexpr std::uint64_t kPurpose = 0xBA7;
 

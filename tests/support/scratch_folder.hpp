@@ -11,7 +11,9 @@ class ScratchFolder : public TemporaryFolder {
   ScratchFolder() : TemporaryFolder("percuss-test") {}
 };
 
+/// The content of a file; empty when it cannot be read.
 std::string bytes_of(const std::string& path);
+/// Replaces the content of a file, or creates it. Throws std::runtime_error when it cannot be written.
 void write_bytes(const std::string& path, const std::string& bytes);
 
 }  // namespace percuss::test

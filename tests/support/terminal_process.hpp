@@ -23,18 +23,19 @@ class TerminalProcess {
 
   void type(const std::string& keys) const;
   void send(int signal) const;
-  /// Reads until the screen has shown this text, after the texts awaited before. False after a long time, and where the
-  /// process has ended.
+  /// Reads the output until it contains this text, after the texts of earlier calls. Returns false after 100 s, or when
+  /// the process has ended.
   bool shows(const std::string& text);
-  /// The exit code; −1 for a signal or after a long time. `read`: takes what is written meanwhile.
+  /// Waits for the end and returns the exit code; −1 for a signal, or after 100 s. If `read`, it reads the output while
+  /// it waits.
   int wait(bool read = true);
-  /// The terminal shows what is typed, and delivers lines.
+  /// Whether the terminal echoes its input and delivers it line by line.
   bool has_echo_and_lines() const;
-  /// All that was written and read.
+  /// All output read so far.
   const std::string& screen() const { return screen_; }
 
  private:
-  bool read_some();  // false where nothing more can come
+  bool read_some();  // false when no more output can come
 
   std::string screen_;
   int master_ = -1;

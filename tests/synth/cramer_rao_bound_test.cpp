@@ -44,7 +44,7 @@ TEST(CramerRaoBound, FallsWithTheRootOfTheNumberOfHits) {
   spec.onset_spread_s = 0;
   const double one = synthesise(spec).truth.bound->freq_std_Hz[0];
   spec.hits = 4;
-  constexpr double kTolerance = 1e-9;
+  constexpr double kTolerance = 1e-9;  // rounding of the derivatives and of the Fisher matrix
   EXPECT_LE(std::abs(synthesise(spec).truth.bound->freq_std_Hz[0] * 2 / one - 1), kTolerance);
 }
 
@@ -55,7 +55,7 @@ TEST(CramerRaoBound, CombinesPointsLikeHits) {
   const double one = synthesise(spec).truth.bound->freq_std_Hz[0];
   spec.points = {{}, {}};
   spec.modes[0].residue_per_kg = {0.8, 0.8};
-  constexpr double kTolerance = 1e-9;
+  constexpr double kTolerance = 1e-9;  // rounding of the derivatives and of the Fisher matrix
   EXPECT_LE(std::abs(synthesise(spec).truth.bound->freq_std_Hz[0] * std::sqrt(2) / one - 1), kTolerance);
 }
 

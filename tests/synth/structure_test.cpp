@@ -10,7 +10,7 @@ namespace percuss::synth::synth_structure_test {
 using std::numbers::pi;
 
 TEST(FreeBeam, IsOneAtBothEndsUpToItsSymmetry) {
-  constexpr double kTolerance = 1e-12;
+  constexpr double kTolerance = 1e-12;  // rounding: the arguments are up to 159
   for (int n = 1; n <= 50; ++n) {
     EXPECT_LE(std::abs(free_beam_shape(n, 0) - 1), kTolerance) << n;
     EXPECT_LE(std::abs(free_beam_shape(n, 1) - (n % 2 == 1 ? 1 : -1)), kTolerance) << n;
@@ -41,7 +41,7 @@ TEST(FreeBeam, ShapesAreOrthogonalToEachOtherAndToRigidMotion) {
     EXPECT_LE(std::abs(product(shape, [](double) { return 1.0; })), kTolerance);
     EXPECT_LE(std::abs(product(shape, [](double x) { return x; })), kTolerance);
     EXPECT_LE(std::abs(product(shape, [](double x) { return free_beam_shape(4, x); })), kTolerance);
-    EXPECT_LE(std::abs(product(shape, shape) - 0.25), kTolerance);  // tip 1, and tip² = 4 ∫X²
+    EXPECT_LE(std::abs(product(shape, shape) - 0.25), kTolerance);  // a shape of 1 at the tip has ∫X² = 1/4
   }
 }
 
@@ -56,7 +56,7 @@ SynthSpec bat() {
 
 TEST(Residue, HasTheRatioOfItsModeTypeForSensorsAtARightAngle) {
   const SynthSpec spec = bat();
-  constexpr double kTolerance = 1e-14;
+  constexpr double kTolerance = 1e-14;  // rounding
   EXPECT_LE(std::abs(residue_per_kg(spec, 1, 0, 1) / residue_per_kg(spec, 1, 0, 0) + 1), kTolerance);
   EXPECT_LE(std::abs(residue_per_kg(spec, 0, 0, 1) / residue_per_kg(spec, 0, 0, 0) - std::tan(0.35 - 0.1)), kTolerance);
 }

@@ -62,7 +62,7 @@ class CommandLine {
   /// False after --help and --version, which it has answered.
   bool parse(const std::vector<std::string>& typed);
 
-  /// The variables of a command: their initial values, and those of the last parse.
+  /// The variables of a command: their initial values, and the values of the last parse.
   struct Variables {
     std::function<void()> reset, keep, restore;
   };

@@ -28,9 +28,9 @@ struct CommandResult {
   std::function<std::string(std::size_t width, OptionWriter write_option)> text;
   std::function<std::string()> html;                              // the main table as HTML elements
   std::function<void(const std::string& path, bool force)> save;  // as -o PATH
-  /// Of a result of several tests: the result of one of them, as if it had been given alone.
+  /// Of a result of several tests: the result of one test, as if that test had been given alone.
   std::function<CommandResult(std::size_t test)> of_test;
-  std::size_t tests = 0;                                            // of analyze; of_test serves several
+  std::size_t tests = 0;                                            // of analyze: the number of tests
   bool possible = true;                                             // false: no hit can be used, or no decay fitted
   std::vector<std::shared_ptr<const pipeline::Analysis>> analyses;  // of each test
   std::shared_ptr<const pipeline::Survey> survey;

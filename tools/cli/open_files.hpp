@@ -11,7 +11,7 @@ namespace percuss::tools {
 /// "hit10". Throws InputError for a folder without records and a pattern without a match.
 struct FoundFiles {
   std::vector<std::string> paths;
-  std::vector<std::string> left_out;  // files of the folders whose extensions are those of no format
+  std::vector<std::string> left_out;  // files of the folders whose extension no format has
 };
 FoundFiles found_files(const std::vector<std::string>& paths);
 

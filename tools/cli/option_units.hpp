@@ -17,7 +17,7 @@ struct NumberAndUnit {
 };
 NumberAndUnit split_unit(std::string_view text);
 
-/// Whether a placeholder names such a unit.
+/// Whether the placeholder is one of those that in_option_unit() converts to.
 bool has_option_units(std::string_view placeholder);
 
 }  // namespace percuss::tools

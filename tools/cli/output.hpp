@@ -60,9 +60,9 @@ bool writes_charts(const OutputFlags& flags);
 void require_folder(const std::string& path);
 
 /// Checks the output paths before anything is computed. Throws UsageError for an extension that is not in `known` or a
-/// path given twice, or statements for a page where none is written; InputError for an existing file, or a link without
-/// one, unless --force is given, for a folder in place of a file, for a folder that does not exist, for files of the
-/// title block that cannot be used, and for .pdf without a browser.
+/// path given twice, or statements for a page where none is written. Throws InputError for an existing file, or a link
+/// to a file that does not exist, unless --force is given; for a folder, pipe or device in place of a file; for a folder
+/// that does not exist; for files of the title block that cannot be used; and for .pdf without a browser.
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known);
 
 /// Whether standard output is a terminal wide enough for a plot of characters.

@@ -18,7 +18,8 @@ namespace percuss::acquire {
 ///   unit                     of the stored numbers
 ///   instrument               sensor, amplifier, serial numbers: for reports
 /// errors  InputError with file and key: not such a document, an unknown or duplicate key, a value of the wrong type or
-/// out of range, two entries for one name, a second force, nested deeper than 16, longer than 1 MiB.
+/// out of range, two entries for one name, a second force, nested deeper than 16, more than 4096 entries, longer than
+/// 1 MiB.
 std::vector<ChannelSetup> read_channel_setup(const std::string& path);
 
 /// As read_channel_setup, for a document in memory; `where` names it.

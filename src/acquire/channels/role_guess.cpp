@@ -117,7 +117,8 @@ bool states_force(const CsvColumn& signal) {
 }
 
 // Several forces by their units are hits side by side, each with its responses: of such signals, only the first force
-// and the responses up to the next one remain.
+// and the responses up to the next force remain. If the first two forces are neighbours, all responses after them
+// remain.
 void keep_first_hit(std::vector<const CsvColumn*>& signals, const CsvColumn*& force) {
   const auto is_force = [](const CsvColumn* signal) { return states_force(*signal); };
   const auto first = std::find_if(signals.begin(), signals.end(), is_force);

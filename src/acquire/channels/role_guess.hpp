@@ -14,11 +14,11 @@ namespace percuss::acquire {
 struct CsvColumns;
 struct ReadOptions;
 
-/// Samples of a signal whose role is guessed or checked, at most: enough for a hit.
+/// At most so many samples of a signal are read to guess or check its role: enough for a hit.
 inline constexpr std::size_t kGuessedSamples = std::size_t{1} << 18U;
 inline constexpr std::size_t kMaxGuessedSignals = 64;  // more than a command line should list
-/// The largest ratio between the hammer_dissimilarity() of two hammers. That of a response is 20 times its hammer's or
-/// more.
+/// Signals whose hammer_dissimilarity() differs by less than this factor count as alike. A response has at least 20
+/// times the value of its hammer.
 inline constexpr double kMaxDissimilarityRatio = 10;
 /// The largest hammer_dissimilarity() of a hammer. A haversine of 5 ms in 0.3 s has 4e-4, the decay of a mode of 2 kHz
 /// and 1 % in 1 s has 5e-3.
@@ -60,9 +60,8 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
                       const std::function<std::vector<double>(std::size_t index, std::size_t max_samples)>& read,
                       const std::function<std::string(const CsvColumn&)>& name_of = {});
 
-/// The note on a file that is read without a force although a signal that is not read must be the hammer's: by the
-/// words of its name, or because its unit may be a force's and its samples look like pulses. `signals`, `read` as
-/// above.
+/// A note for a file that is read without a force, if an unread signal looks like the hammer's: its name has a word for
+/// a force, or its unit may be a force's and its samples look like pulses. `signals`, `read` as above.
 std::optional<Message> unread_hammer_note(
     const std::vector<CsvColumn>& signals, const CsvColumns& known,
     const std::function<std::vector<double>(std::size_t index, std::size_t max_samples)>& read);

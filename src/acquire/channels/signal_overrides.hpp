@@ -24,7 +24,7 @@ SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* 
 
 /// For acceleration channel `index` of the `count` that are read.
 /// errors  InputError: an option's list has neither one value (for all channels) nor `count` values, or sensitivities
-/// to accelerations and to pressures are both given. Angles need `count`.
+/// to accelerations and to pressures are both given. A list of angles needs `count` values.
 SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
                                 std::size_t count);
 

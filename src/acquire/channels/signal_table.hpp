@@ -56,6 +56,7 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options);
 /// errors  InputError: unusable units or rate, no rows, fewer than two samples in a row; the read functions throw it
 /// for samples that are too large or not finite.
 Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOptions& options);
+/// As above, with the roles of find_roles. Adds a note if no force was found, but a signal looks like one.
 Record record_of_table(SignalTable table, const ReadOptions& options);
 
 }  // namespace percuss::acquire

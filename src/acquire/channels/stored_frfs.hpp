@@ -21,8 +21,8 @@ struct StoredFrf {
 struct StoredFrfs {
   FrfRecord record;  // files, format, lines, notes, decay; accel by name with angle and position where stated
   std::vector<StoredFrf> frfs;
-  std::optional<FrfUnit> unit;  // as the file states it …
-  std::optional<FrfKind> kind;  // … or a kind without unit
+  std::optional<FrfUnit> unit;  // as the file states it; includes the kind
+  std::optional<FrfKind> kind;  // as the file states it; not used where `unit` is stated
 };
 
 /// Applies unit, kind, channel choice, signs, scales, angles and positions: stored numbers become accelerances.

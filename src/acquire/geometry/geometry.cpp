@@ -60,7 +60,7 @@ class Row {
     throw InputError(fmt::format("{} {:g} is too large", title, parsed.value), where_, "check its unit");
   }
 
-  // The lines or faces that the columns of these names state for the point.
+  // Adds the connections in the point's cells of the columns `lines` and `faces`.
   void add_connections(const GeometryColumns& columns, std::vector<Connection>& out) const {
     for (const GeometryField field : {kLines, kFaces}) {
       const auto index = columns[field].index;

@@ -25,6 +25,7 @@ Connection connection_of_row(const std::vector<std::string_view>& cells, const s
 
 /// Reads the cell of a column `lines` ("4 5": points connected with this one) or `faces` ("4 5 1 / 1 5 6": the other
 /// corners of each face).
+/// errors  InputError: as connection_of_row.
 std::vector<Connection> connections_of_cell(std::string_view cell, int point, bool face, const std::string& where);
 
 /// Adds the lines and faces to a geometry whose points are complete.

@@ -21,8 +21,8 @@ namespace {
 // 0.03 for noise.
 constexpr double kMaxFlatness = 0.54;
 // An ideal low-pass filter at 0.35 to 0.5 of the sampling rate makes half-sines shorter than kShortPulse as flat as
-// 0.554. Such a pulse is clipped if it is flatter than this, or flatter than other pulses of about its length: by the
-// filter alone, a tenth of the length changes the flatness by 0.04.
+// 0.554. Such a pulse is clipped if it exceeds kMaxShortFlatness, or the median of the pulses of about its length by
+// kFlatterThanOthers: due to the filter, a change of the length by a tenth changes the flatness by 0.04.
 constexpr double kShortPulse = 8;  // samples above 30 % of the peak
 constexpr double kMaxShortFlatness = 0.58, kFlatterThanOthers = 0.07, kAlikeLength = 0.15;
 constexpr std::size_t kOthers = 2;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNoise = 6;            // standard deviations of the smoothed force
 constexpr double kMinFraction = 0.001;  // of the peak: smaller contacts change an FRF by less than 0.01 dB
-constexpr double kSteps = 1.5;          // of the recorder: a coarse one rounds slow noise up by a whole step
+constexpr double kSteps = 1.5;          // of the recorder's resolution: a coarse one rounds slow noise up by a step
 constexpr std::size_t kMinGuard = 8;    // samples beside the pulse that belong to it
 constexpr double kMaxPause = 1.5;       // pulse lengths; after a longer pause the force is a contact of its own
 constexpr std::size_t kMaxPull = 3;     // times the longest pause; a longer pull between pushes is no ringing

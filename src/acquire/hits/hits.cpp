@@ -37,7 +37,7 @@ std::vector<double> force_between(const Record& record, std::size_t row, std::si
 }
 
 // `all` has the baseline removed; further contacts are sought in its first `scanned_samples`. The samples of the hit
-// begin at `offset`. `peak` is the index of the largest sample of the hit.
+// begin at `offset`. `peak` is its largest sample, counted from `offset`.
 void measure_and_grade_pulse(Hit& hit, std::span<const double> all, std::size_t scanned_samples, std::size_t offset,
                              std::size_t peak, double fs_Hz, const HitOptions& options) {
   const auto x = all.subspan(offset);

@@ -23,7 +23,7 @@ std::size_t rise_samples(const PulseShape& pulse);
 /// No hammer tip makes a longer pulse: longer is drift. At low rates a pulse may last kLongestPulse_samples samples.
 inline constexpr double kLongestPulse_s = 0.05;
 inline constexpr std::size_t kLongestPulse_samples = 8;
-/// Whether the force about its largest sample is a blow: ten times its noise, and no longer than a hammer's contact.
+/// Whether the force around `peak` is a blow: above ten times its noise, and no longer than a hammer's contact.
 bool is_hammer_pulse(std::span<const double> force_N, std::size_t peak, double noise_N, double fs_Hz);
 
 /// The gate [first, end) holds the pulse and the ringing of the recorder's anti-alias filter. It extends to the last
@@ -34,7 +34,8 @@ struct Gate {
 };
 Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
 
-/// Frequency at which the amplitude spectrum of a pulse first falls 20 dB below its largest line.
+/// Frequency at which the amplitude spectrum of a pulse first falls 20 dB below its largest line; half the sampling
+/// rate if it does not.
 /// theory (1.5)
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz);
 /// Plans the transforms of common pulse lengths. Call it before a parallel loop, so that threads do not wait for plans.

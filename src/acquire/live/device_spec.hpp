@@ -10,7 +10,7 @@ enum class DeviceKind { simulated, file, pipe, portaudio, alsa, plugin };
 /// "plugin:PATH[:ARGUMENTS]". A name without such a beginning is one of PortAudio.
 struct DeviceSpec {
   DeviceKind kind = DeviceKind::portaudio;
-  std::string name;       // what follows the colon; of a plug-in, its path
+  std::string name;       // the text after the colon; of a plug-in, its path
   std::string arguments;  // of a plug-in
 };
 

@@ -29,6 +29,7 @@ enum class JournalBlockType : std::uint32_t {
   finding = 0x646e6966
 };
 
+/// Bits of JournalBlockHeader::flags: samples were lost before the block (SampleBlock::overrun); floats of 8 bytes.
 inline constexpr std::uint32_t kBlockOverrun = 1, kBlockFloat64 = 2;
 
 struct JournalBlockHeader {
@@ -46,8 +47,8 @@ std::optional<std::uint32_t> journal_version(std::string_view head);
 
 /// A whole block with its checksum.
 std::string journal_block(JournalBlockType type, std::string_view payload, std::uint64_t frame = 0);
-/// As floats of 4 bytes where this loses nothing, else of 8 bytes. `out` is overwritten, so that its memory is used
-/// again.
+/// A block of samples, as floats of 4 bytes where this loses nothing, else of 8 bytes. `out` is overwritten, so that
+/// its memory is used again.
 void make_sample_block(const SampleBlock& block, std::size_t channels, std::string& out);
 
 /// Nothing where these 32 bytes cannot be a block's header.

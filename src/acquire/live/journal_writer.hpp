@@ -19,11 +19,12 @@ class JournalWriter {
     std::uint64_t offset = 0;  // of the block in the file
   };
 
-  /// Makes a new journal. errors  InputError: it exists and `overwrite` is off, or cannot be made; it is in use
+  /// Makes a new journal.
+  /// errors  InputError: it exists and `overwrite` is off, or cannot be made; it is in use
   JournalWriter(std::string path, const StreamFormat& format, bool overwrite);
   /// Continues a journal after its last whole block: cuts off the rest, and appends the format and a finding.
-  /// errors  InputError: as JournalReader; another process writes it; `format` differs in channels or rate
   /// `seamless`: the next frame follows the last one.
+  /// errors  InputError: as JournalReader; another process writes it; `format` differs in channels or rate
   static JournalWriter resumed(const std::string& path, const StreamFormat& format, bool seamless = false);
   JournalWriter(JournalWriter&& other) noexcept;
   JournalWriter(const JournalWriter&) = delete;

@@ -11,7 +11,8 @@ namespace percuss::acquire {
 /// Samples as recorders write them, little-endian.
 enum class PcmEncoding { s16, s24, s32, f32, f64 };
 
-/// "s16", "s24", "s32", "f32", "f64". errors  InputError: another name
+/// The encoding named "s16", "s24", "s32", "f32" or "f64".
+/// errors  InputError: another name
 PcmEncoding pcm_encoding(std::string_view name);
 
 std::size_t pcm_bytes(PcmEncoding encoding);

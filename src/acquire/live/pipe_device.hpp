@@ -10,8 +10,9 @@ namespace percuss::acquire {
 /// Their full scale is 1, except for floating-point numbers, which are as they are. The writer waits while the ring is
 /// full, so nothing is lost here. A WAV stream that percuss wrote states names and scales: its samples are in SI units,
 /// unless the set-up states units or sensitivities. The stream is finished where the data end, or where a WAV header
-/// says so. errors  InputError: another description; not a WAV header, compressed, damaged calibration, or no header
-/// within 10 s; require_rate
+/// says so.
+/// errors  InputError: another description; not a WAV header, compressed, damaged calibration, or no header within
+/// 10 s; as require_rate
 std::unique_ptr<Device> open_pipe_device(const std::string& description, int descriptor = 0,
                                          const DeviceOptions& options = {});
 

@@ -15,7 +15,8 @@ class PolledDevice : public Device {
   void stop() final;
 
  protected:
-  /// Starts the device, before the thread polls it. errors  InputError
+  /// Starts the device, before the thread polls it.
+  /// errors  InputError: as Device::start
   virtual void prepare() {}
   /// Writes the next frames to the sink, and ends it after the last one. Waits for frames for about 0.1 s at most.
   /// Exceptions end the stream as failed.

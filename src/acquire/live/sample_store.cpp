@@ -12,7 +12,7 @@ constexpr double kMaxRing_bytes = 32.0 * 1024 * 1024;
 constexpr std::size_t kMinRing = 1024;  // frames
 // Frames, for low rates, where StoreOptions::ring_s holds few frames. Limited by kMaxRing_bytes.
 constexpr std::size_t kMinSlowRing = 8192;
-// Frames that the search for blows takes together at most, whatever the rate, with a margin.
+// Not fewer frames than the search for blows examines at once, at any sampling rate.
 constexpr std::size_t kTakenTogether = 1024;
 constexpr std::size_t kMaxBlock_bytes = std::size_t{4} << 20U;
 constexpr std::size_t kMaxFindings = 10000;  // kept until they are taken
@@ -82,7 +82,7 @@ void SampleStore::close_journal() {
   watch_journal();
 }
 
-// A full disk gets one more trial. The frames that are then still missing are stated.
+// A full disk gets one more attempt. A finding states the frames that are still missing then.
 void SampleStore::write_rest() {
   const auto write = [this] {
     while (write_block(true)) {

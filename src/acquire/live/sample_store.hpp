@@ -41,7 +41,7 @@ class SampleStore {
   FrameSink& sink() { return ring_; }
   StreamEnd ended() const { return ring_.ended(); }
 
-  /// Moves frames on. Whether there was something to do.
+  /// Inspects new frames, writes full blocks to the journal, and frees room in the ring. Whether there was work.
   bool pump();
   /// Notes the findings that only the end of the stream shows. Precondition: the device writes no more frames. pump()
   /// may follow.

@@ -9,7 +9,7 @@
 
 namespace percuss::acquire {
 
-/// The path of an input ("-" is standard input) and its first bytes: 64 KiB, or all where there are fewer.
+/// The path of an input ("-" is standard input) and its first bytes: at least 64 KiB, or all where there are fewer.
 struct FileHead {
   std::string path;
   std::string_view bytes;
@@ -49,8 +49,8 @@ struct FileFormat {
   void (*write_frfs)(const std::string& path, const FrfRecord& record, FrfKind kind, bool force) = nullptr;
   /// The parts of a record that a file of this name would lose, one line each.
   std::vector<std::string> (*record_losses)(const std::string& path, const Record& record) = nullptr;
-  /// Likewise, of FRFs, apart from the names of channels, which no format keeps, and points, lines and faces
-  /// (keeps_frf_geometry).
+  /// The same for FRFs. losses_of() adds the names of channels, which no format keeps, and the geometry, where
+  /// keeps_frf_geometry is not set.
   std::vector<std::string> (*frf_losses)(const FrfRecord& record) = nullptr;
   bool keeps_marks = false;         // RowInfo::mark and Record::faults
   bool keeps_faces = false;         // Record::trace_faces

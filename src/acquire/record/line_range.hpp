@@ -7,7 +7,7 @@
 
 namespace percuss::acquire {
 
-/// The spectral lines of a transform of `samples` values that are kept: first … first + count − 1.
+/// Spectral lines first … first + count − 1 of the transform of `samples` values.
 struct LineRange {
   double fs_Hz = 0;
   std::size_t samples = 0;

@@ -9,7 +9,7 @@ namespace percuss::acquire {
 /// The largest point number of a file, and of files joined to one test.
 constexpr std::int64_t kMaxPointNumber = 1'000'000'000;
 
-/// Whether a whole number is from 0, the number of the geometry's first row, to kMaxPointNumber.
+/// Whether 0 ≤ point ≤ kMaxPointNumber. Point 0 is the first row of the geometry.
 bool is_point_number(std::int64_t point);
 
 /// errors  InputError: not the number of a point; names `where`.

@@ -36,7 +36,7 @@ struct SignalInfo {
 /// Whether the signal is that of a microphone, in Pa.
 inline bool is_pressure(const SignalInfo& signal) { return signal.measures == Quantity::pressure; }
 
-/// A range of time that all signals were sampled in without a gap.
+/// A range of time in which all signals were sampled without a gap.
 struct RowInfo {
   std::size_t samples = 0;
   std::size_t file = 0;          // index into Record::files
@@ -76,8 +76,8 @@ struct Record {
   std::string format;  // for people: "HDF5", "CSV"
   double fs_Hz = 0;
   SignalInfo force;
-  bool has_force = true;  // false: no force was recorded, and read_force_N gives zeros
-  std::vector<SignalInfo> accel;
+  bool has_force = true;          // false: no force was recorded, and read_force_N gives zeros
+  std::vector<SignalInfo> accel;  // the responses: accelerations, or pressures where no force was recorded
   std::vector<RowInfo> rows;
   bool continuous = false;  // every row may hold several hits
   // [points][x, y, z in m] or [points][position in m, angle in degrees]; NaN where not known; may be empty
@@ -94,7 +94,7 @@ struct Record {
 
   /// Samples first … first + out.size() − 1 of a row's force, in N. Several threads may call at once.
   SampleReader<std::size_t> read_force_N;  // (row, first, out)
-  /// As above for an acceleration channel, in m/s².
+  /// As above for a response, in m/s² (Pa for a microphone).
   SampleReader<std::size_t, std::size_t> read_accel_mps2;  // (row, channel, first, out)
 };
 
@@ -130,9 +130,11 @@ struct ReadOptions {
 
 enum class FileGrouping { automatic, hits, points, tests };
 
-/// Joins several files to one record: as hits of one point, or as one point per file. `automatic` means hits. A single
-/// record is returned unchanged. A caller that keeps files apart (`tests`) must not join them.
-/// errors  InputError: sampling rates, channel counts or forces differ; names the file.
+/// Joins several files to one record. With `hits`, point numbers stay, so that files without point numbers are hits of
+/// one point. With `points`, the points of a file follow the points of the file before it. `automatic` means hits. A
+/// single record is returned unchanged. A caller that keeps files apart (`tests`) must not join them.
+/// errors  InputError: no records; sampling rates or channel counts differ, or only some files have a force; names the
+/// file.
 Record join_records(std::vector<Record> records, FileGrouping grouping);
 
 /// A record of the rows for which keep(row) is true.

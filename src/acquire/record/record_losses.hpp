@@ -13,7 +13,7 @@ namespace percuss::acquire {
 void add_lost_lines(const Record& record, std::size_t kept, std::vector<std::string>& losses);
 /// The sensors' angles and positions.
 void add_lost_places(const Record& record, std::vector<std::string>& losses);
-/// Quantities other than that of the first response, where the file states one unit for all.
+/// The quantities of the responses, if they differ: the file states one unit for all.
 void add_lost_quantities(const Record& record, std::vector<std::string>& losses);
 /// Names other than "accel 1", "accel 2", …
 void add_lost_names(const Record& record, std::vector<std::string>& losses);

@@ -42,7 +42,7 @@ std::string uff_date(const std::vector<std::string_view>& lines) {
   return "";
 }
 
-// What follows the word in a line such as "# Date: 2026-11-20"; empty for other lines.
+// The text after the word in a line such as "# Date: 2026-11-20"; empty for other lines.
 std::string_view after_word(std::string_view line, std::string_view word) {
   line = trimmed(line, " \t\r\n\"'#%;/*");
   const std::string lower = lower_case(std::string(line.substr(0, std::min<std::size_t>(line.size(), 40))));

@@ -15,13 +15,13 @@ std::string stated_date(std::string_view head);
 /// The same for a file; empty for a file that cannot be read. `path` "-" states none.
 std::string stated_date_of_file(const std::string& path);
 
-/// The text if it can be a date: at least three digits, printable, and short. Otherwise empty.
+/// The text if it can be a date: at least three digits, printable ASCII, at most 60 characters. Otherwise empty.
 std::string plausible_date(std::string_view text);
 
 /// The date that the reader found, else stated_date_of_file().
 std::string date_of(const InputFile& file);
 
-/// The date that all these files state; empty where they differ.
+/// The date that all these files state; empty where they differ or one states none.
 std::string common_date_of(const std::vector<InputFile>& files);
 
 }  // namespace percuss::acquire

@@ -16,7 +16,7 @@ struct FaceTable {
 FaceTable face_table(const std::vector<TraceFace>& faces);
 
 /// The faces in such a table; NaN may stand for -1. `points`: the number of points that exist. `where` names the table.
-/// errors  InputError: fewer than three corners, a corner that is no point, a corner behind a -1.
+/// errors  InputError: fewer than three corners, a corner that is no point, a corner after a -1.
 std::vector<TraceFace> trace_faces_of(const FaceTable& table, std::size_t points, const std::string& where);
 
 }  // namespace percuss::acquire

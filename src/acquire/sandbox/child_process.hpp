@@ -13,7 +13,8 @@ int fork_child();
 /// their numbers, read-only: HDF5 reads a file that this process had open before the fork through its old descriptor.
 void keep_only_descriptors(std::initializer_list<int> kept, const std::string& path = {});
 
-/// The kernel kills this process once the write end of this pipe is closed in all processes. Only the parent holds it.
+/// The kernel kills this process once the write end of this pipe is closed in all processes. Only the parent holds the
+/// write end.
 void end_with_parent(int parent_pipe);
 
 /// Sets all signals to their default action, except SIGPIPE, which is ignored.

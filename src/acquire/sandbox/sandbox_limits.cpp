@@ -26,7 +26,7 @@ void limit(__rlimit_resource resource, std::uint64_t value) {
   setrlimit(resource, &soft_and_hard);
 }
 
-// Returns the addresses that the heap has reserved but not used: they would escape the limit.
+// Gives reserved but unused addresses of the heap back to the system: they would escape the limit.
 void release_reserved_heap() {
   constexpr int kTopPad_bytes = 1 << 17;
   ::mallopt(M_TOP_PAD, kTopPad_bytes);

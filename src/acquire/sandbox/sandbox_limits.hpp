@@ -10,8 +10,9 @@ std::uint64_t memory_limit_bytes(std::uint64_t file_bytes);
 /// which runs about twenty times slower, the limit is twenty times longer.
 unsigned processor_limit_s(std::uint64_t file_bytes);
 
-/// Limits this process permanently to the memory above, to few descriptors, and to writing no files. Lower limits
-/// remain. A sanitizer needs terabytes of address space, so a sanitized build has no limit of memory.
+/// Limits this process permanently to the memory above, to kSandboxDescriptors descriptors, and to one hour of
+/// processor time for all answers (more if one answer may take longer). It cannot write files or start processes. Lower
+/// limits remain. A sanitizer needs terabytes of address space, so a sanitized build has no limit of memory.
 void limit_resources(std::uint64_t file_bytes);
 
 /// The heap memory that this process has taken since limit_resources; 0 in a sanitized build.

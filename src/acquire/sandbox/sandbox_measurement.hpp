@@ -12,6 +12,7 @@ namespace percuss::acquire {
 SandboxService measurement_service(Measurement opened);
 
 /// The measurement of a child process that runs measurement_service.
+/// errors  InputError: the child's description is impossible.
 Measurement sandboxed_measurement(const std::shared_ptr<SandboxProcess>& process);
 
 /// The result of `open`, called in a sandboxed child process.

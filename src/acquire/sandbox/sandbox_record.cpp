@@ -82,8 +82,8 @@ Record deserialize_description(Deserializer& in) {
   return record;
 }
 
-// Whether `signals` signals with these rows fit into the file. The child may be compromised, so nothing is multiplied
-// before it is known to be small.
+// Whether `signals` signals with these rows stay within claim_limit_bytes. The child may be compromised, so nothing is
+// multiplied before it is known to be small.
 bool fits(const std::vector<RowInfo>& rows, std::size_t signals, std::uint64_t file_bytes) {
   std::uint64_t left = claim_limit_bytes(file_bytes) / sizeof(double) / std::max<std::size_t>(signals, 1);
   for (const RowInfo& row : rows) {

@@ -11,6 +11,7 @@ namespace percuss::acquire {
 SandboxService record_service(Record record);
 
 /// The record that a sandboxed process describes and serves. `in` is at the start of the bytes of record_service.
+/// errors  InputError: the description is impossible.
 Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>& process);
 
 /// Parts of the description of a record, which the description of FRFs shares.

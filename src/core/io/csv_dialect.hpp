@@ -31,6 +31,7 @@ bool is_skipped(std::string_view line, const CsvDialect& dialect);
 /// comments are omitted. At most 64 lines, and at least one where the text has one.
 std::vector<std::string_view> probe_lines(std::string_view text, char line_end);
 
+/// CsvDialect::line_end of a text.
 char find_line_end(std::string_view text);
 
 /// The dialect of `probes`. The delimiter is the first of ; tab , that most probes contain, otherwise blanks. A comma

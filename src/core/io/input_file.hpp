@@ -34,7 +34,7 @@ using GrowthCheck = std::function<void(std::string_view text)>;
 /// `path` for messages: "standard input" for "-".
 std::string input_name(const std::string& path);
 
-/// Opens a regular file for reading and gets its size.
+/// Opens a regular file for reading and gets its size. Returns the descriptor, which the caller closes.
 /// errors  as first_bytes; longer than `limit_bytes`
 int open_regular_file(const std::string& path, std::uint64_t limit_bytes, std::uint64_t& size_bytes);
 

@@ -9,9 +9,9 @@ inline namespace core {
 /// Whether `a` comes before `b` where numbers in names compare by their value: "hit2.csv" before "hit10.csv".
 bool comes_first_naturally(const std::string& a, const std::string& b);
 
-/// The order in which names that a shell's pattern gave ("p1 p10 p2") are meant: neighbours that differ in whole
-/// numbers only, and stand in the order of their characters, follow in natural order. Other names keep their places:
-/// any other order is somebody's choice, and decimal numbers ("p0.25", "p0.5") stand in order already.
+/// The intended order of names, some of which a shell may have expanded from a pattern ("p1 p10 p2"). Neighbours that
+/// differ only in whole numbers, and stand in the order of their characters, are put into natural order. Other names
+/// keep their places: any other order is the user's choice, and decimal numbers ("p0.25", "p0.5") are in order already.
 /// returns  result[i]: the index in `names` of the name that comes i-th.
 std::vector<std::size_t> meant_order(const std::vector<std::string>& names);
 

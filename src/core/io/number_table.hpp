@@ -15,7 +15,7 @@ struct NumberTableRow {
 
 /// The required form of such a table.
 struct NumberTableSpec {
-  std::size_t columns = 2;      // in every line
+  std::size_t columns = 2;      // in every line; the minimum if max_columns is above it
   std::size_t max_columns = 0;  // if above `columns`: every line has as many as the first, and at most this many
   std::size_t max_rows = 10'000;
   std::string remedy;  // for messages: describes the expected lines

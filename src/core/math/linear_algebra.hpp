@@ -5,8 +5,8 @@
 namespace percuss {
 inline namespace core {
 
-/// Inverse of a symmetric (Hermitian) positive matrix. It is scaled to ones on the diagonal first, because the diagonal
-/// may span many decades. shape [n, n].
+/// Inverse of a symmetric (Hermitian) positive definite matrix. It is scaled to ones on the diagonal first, because the
+/// diagonal may span many decades. shape [n, n].
 Eigen::MatrixXd inverse_gram(const Eigen::MatrixXd& gram);
 Eigen::MatrixXcd inverse_gram(const Eigen::MatrixXcd& gram);
 

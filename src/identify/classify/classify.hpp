@@ -34,7 +34,7 @@ enum class ObjectKind { automatic, tube, other };
 
 struct ClassifyOptions {
   ObjectKind object = ObjectKind::automatic;
-  bool angles_assumed = false;   // nobody stated the sensors' angles
+  bool angles_assumed = false;   // the sensors' angles are not stated
   double overlay_dB = 1;         // tight, because bending modes with a difference of 1.7 dB exist
   double double_peak_Hz = 25;    // [8]: closer peaks of one type are a split mode, if within 15 % of the frequency
   double angle_std_rad = 0.035;  // 2°: placement of a sensor by hand

@@ -24,7 +24,7 @@ struct SplitPlanes {
   SplitCause cause = SplitCause::unclear;
 };
 
-/// The other member of a split mode, for one of its two modes.
+/// A split mode as one of its two modes sees it.
 struct SplitMode {
   std::size_t partner = 0;  // index of the other mode
   double separation_Hz = 0;

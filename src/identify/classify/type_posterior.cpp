@@ -13,8 +13,8 @@ using std::numbers::pi;
 constexpr std::size_t kPlanes = 45;     // 2° apart over 90°: every plane comes with the plane at right angles to it
 constexpr double kPairPrior = 0.9;      // prior probability that two partners are one mode in two planes
 constexpr double kPairAngle_rad = 0.1;  // standard deviation, around 90°, of the angle between a mode's two planes
-constexpr double kBroader = 2;        // the density of the log size ratio is so many times as wide for unrelated modes
-constexpr double kMinHoop_Hz = 1000;  // lowest hoop frequency of barrels
+constexpr double kBroader = 2;          // width of the density of the log size ratio: unrelated modes over a pair
+constexpr double kMinHoop_Hz = 1000;    // lowest hoop frequency of barrels
 
 // One number per type, in the order of TypePosterior: a prior, likelihoods or weights whose sum is not 1.
 using TypeWeights = TypePosterior;

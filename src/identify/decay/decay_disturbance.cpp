@@ -12,10 +12,10 @@ namespace {
 constexpr double kBlock_s = 10e-3;
 constexpr std::size_t kShortestBlock = 64;  // samples: enough for a mean square to 18 %
 constexpr double kRise = 10;                // of the mean square
-constexpr std::size_t kBefore = 4;          // blocks, over which a disturbance rises at most
+constexpr std::size_t kBefore = 4;          // a disturbance rises within so many blocks
 constexpr std::size_t kFewestBlocks = 10;   // of a record, for a median
 
-// The mean squares of the prediction errors of a response without its decays, in blocks from the fit's start on.
+// The sums of the squared prediction errors of a response without its decays, in blocks from the fit's start on.
 std::vector<double> block_errors(const std::vector<double>& rest, const NoisePrediction& prediction,
                                  std::size_t block) {
   std::vector<double> out(rest.size() / block, 0.0);

@@ -60,7 +60,7 @@ class DecayModel {
   void unsettle_near(const DecayRate& rate);
   bool is_settled(const std::vector<std::size_t>& members, DecayAccuracy accuracy) const;
   void fit_group(const std::vector<std::size_t>& members, const DecayWindows& windows);
-  /// The variance of the noise near a mode, relative to that of lines where line_std_ is 1.
+  /// The variance of the noise near a mode, relative to lines where line_std_ is 1.
   double variance_at(const DecayRate& rate) const;
   void subtract(const FittedDecay& mode, std::size_t first, Eigen::Ref<Eigen::MatrixXcd> lines) const;
 

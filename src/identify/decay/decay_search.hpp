@@ -20,8 +20,8 @@ struct DecaySearchLimits {
   std::vector<DecayRate> refused;  // no candidate within their half-power bandwidth
 };
 
-/// The energy that noise exceeds once in 1000 searches: `spectra` (hits × channels) exponential variables in each of
-/// `places` places (Chernoff's bound of a Gamma variable).
+/// The energy that noise exceeds once in 1000 searches of `places` places. At each place, the energy of noise is a sum
+/// of `spectra` (hits × channels) exponential variables (Chernoff's bound of a Gamma variable).
 double decay_threshold(std::size_t spectra, std::size_t places);
 
 /// The strongest decays of a residual that rise above the noise, well apart from each other, the strongest first. The

@@ -18,7 +18,7 @@ constexpr double kAlarm = 4;        // normal deviate of a sum's χ²
 constexpr int kMaxMoves = 4;
 constexpr double kWorthwhile = 0.05;  // of the start: a smaller move changes nothing
 
-// Of one response: what its prediction errors before the start of the decays should be.
+// The expected prediction errors of one response before the start of the decays.
 struct Expected {
   const FreeDecayFit* fit = nullptr;
   Eigen::Index signal = 0;
@@ -128,7 +128,7 @@ std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std
       sum += chi2[b + 1 - blocks];
       const bool tested = (blocks & (blocks - 1)) == 0;
       if (!tested || chi2_deviate(sum, static_cast<double>(blocks) * freedom) < kAlarm) continue;
-      // In the block after those that exceed the limit, a weak force may still act: that block is left out, too.
+      // A weak force may still act in the block after the blocks that exceed the limit: it is left out, too.
       return std::min(start, start - (b + 1) * kBackBlock + (blocks + 1) * kBackBlock);
     }
   }

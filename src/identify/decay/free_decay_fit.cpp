@@ -19,9 +19,9 @@ constexpr int kSearchSweeps = 1, kFinalSweeps = 30;
 constexpr double kPairApart = 0.5, kPairReach = 3;  // of a mode's decay rate
 constexpr double kPairLevel = 0.01;                 // energy of one of a pair over the other's: a weaker one is misfit
 constexpr int kPairSweeps = 3;
-constexpr double kScatterShare = 0.9;  // of what a second pole explains
-constexpr std::size_t kPairPlaces = 10;
-constexpr double kStartDamping = 0.01;  // of the decays near stated frequencies
+constexpr double kScatterShare = 0.9;    // of the χ² that a second pole explains
+constexpr std::size_t kPairPlaces = 10;  // per mode, of decay_threshold()
+constexpr double kStartDamping = 0.01;   // of the decays near stated frequencies
 // A decay within the bandwidth of a stronger one is misfit if the ratio of their energies is below this limit. In a
 // single spectrum, no amplitudes at other hits or channels distinguish a weak mode from a stronger one whose frequency
 // or damping changes while it decays. The misfit is about as wide as the mode: a peak far narrower is no misfit of a
@@ -84,8 +84,8 @@ double chi2(const DecaySpectra& residual, const Eigen::MatrixXd& noise) {
   return sum;
 }
 
-// How much χ² (as of chi2) falls where each hit has a pole of its own, to first order. The mode's own noise contains
-// its misfit, so that its covariance is scaled to `noise`.
+// The decrease of chi2() if each hit had a pole of its own, to first order. The mode's own noise contains its misfit,
+// so that its covariance is scaled to `noise`.
 double gain_of_hits(const FittedDecay& mode, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
   const auto line = static_cast<Eigen::Index>(line_of(mode, of)), channels = static_cast<Eigen::Index>(of.channels);
   double sum = 0;

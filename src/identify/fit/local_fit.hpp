@@ -14,7 +14,7 @@ struct LocalFit {
   Eigen::MatrixXd residue_std;  // of real and imaginary part, rms |residue − truth|/√2, without the force's gain error
   Eigen::VectorXd freq_std_Hz, damping_std;
   Eigen::VectorXd noise;    // [channels] rms of |residual| per line, (m/s²)/N
-  double cost = 0;          // Σ |residual|²/weight²
+  double cost = 0;          // Σ |residual|²/noise_scale²
   std::size_t degrees = 0;  // of freedom: real data minus real parameters
   bool converged = false;
 };
@@ -24,7 +24,7 @@ struct LocalFitOptions {
   std::size_t residual_terms = 3;    // complex coefficients of the polynomial that stands for the other modes
   int max_steps = 30;
   double tolerance = 1e-7;  // of a step, see normalised_step
-  double change = 0.01;     // of the expected change of the poles, in standard deviations; either tolerance suffices
+  double change = 0.01;     // expected change of the poles, in standard deviations; either tolerance ends the fit
 };
 
 /// Least squares of all FRFs in a window by modes with complex residues and a polynomial. Poles are found by

@@ -15,7 +15,7 @@ constexpr double kTrendTest = 2.576;   // normal deviate of the slope's t statis
 constexpr double kMinExplained = 0.7;  // of the scatter's χ²
 constexpr std::size_t kMinHitsOfLaw = 3;
 constexpr double kMinForceRange = 1.2;  // largest force over the smallest: equal hits tell nothing of the amplitude
-constexpr double kMinVariation = 1e-9;
+constexpr double kMinVariation = 1e-9;  // relative variance of x: below it, x counts as constant
 constexpr int kBisections = 40;
 
 // The x of a regression line over the hits: a function of the hit's force, or its order.

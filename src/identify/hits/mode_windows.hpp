@@ -30,7 +30,7 @@ void subtract_other_modes(const FrfDataset& set, const std::vector<Mode>& modes,
 std::vector<Eigen::VectorXcd> window_data(const FrfDataset& set, const std::vector<Mode>& modes,
                                           const ModeWindow& window);
 
-/// The same as FRFs of their own, with the force at these lines.
+/// The same data as an FRF dataset, with the force at these lines.
 FrfDataset frfs_within(const FrfDataset& set, const std::vector<Mode>& modes, const ModeWindow& window);
 
 }  // namespace percuss::identify

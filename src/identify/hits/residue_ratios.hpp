@@ -20,7 +20,7 @@ struct HitResidue {
   std::size_t residue = 0;  // index in Mode::residues
   Complex value;
   double std = 0;    // of the real part and of the imaginary part
-  double share = 0;  // weight of this residue in the hit's ratio, over that of all residues
+  double share = 0;  // part of this residue in the weight of the hit's ratio
 };
 
 /// The residues of the single hits, from a fit of their FRFs over a window at the modes' poles. The arguments must

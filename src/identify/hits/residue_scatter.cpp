@@ -60,8 +60,8 @@ Complex common_direction(const Mode& mode) {
   return std::abs(doubled) > 0 ? std::sqrt(doubled / std::abs(doubled)) : Complex(1);
 }
 
-// Adds to the residues' standard deviations the scatter that differs between the channels: of a hit's residue minus the
-// ratio that the hit's residues share times the mean.
+// Adds the scatter that differs between the channels to the residues' standard deviations. It is the scatter of the
+// hit's residue minus the hit's ratio times the residue of the test, along the phase of the latter; theory (4.30).
 void add_scatter_of_channels(const HitFrfs& hits, const HitPoles& poles, std::size_t line, Mode& mode) {
   const Complex common = common_direction(mode);
   std::vector<PointRatios> beside(mode.residues.size());  // [residues], 1/kg

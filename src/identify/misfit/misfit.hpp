@@ -11,8 +11,9 @@ namespace percuss::identify {
 /// Where the residual of a mode's window correlates between lines, the standard deviations follow from the Fisher
 /// information and the residual's covariance (sandwich). A further term lets frequency and damping change along the
 /// decay. If it clearly improves the fit, the standard deviations are at least the shift that it causes in the pole.
-/// They are at least those of the scatter between the points, where this exceeds the noise. Modes with frequency
-/// scatter, and all modes under an exponential window, stay unchanged. Modes ascend in frequency. theory (4.20)
+/// Where the points scatter beyond the noise, the standard deviations are at least as large as this scatter makes them.
+/// Modes with frequency scatter, and all modes under an exponential window, stay unchanged. Modes ascend in frequency.
+/// theory (4.20)
 void add_misfit(const FrfDataset& set, std::vector<Mode>& modes);
 
 }  // namespace percuss::identify

@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 
 constexpr double kVisible = 0.02;  // residual energy over an FRF's energy: a FRAC of 0.98
-constexpr double kWorse = 4;       // residual energy of the sum over that of the common fit: twice the amplitude
+constexpr double kWorse = 4;       // residual energy of the sum over the common fit's: twice the amplitude
 
 // [channels] residual energy over the FRF's energy.
 std::vector<double> shares_of(const FrfDataset& set, const std::vector<VectorXcd>& residual) {

@@ -19,8 +19,8 @@ constexpr double kMinOverlap = 0.2;
 // more than the band, or hardly any mode was found one by one.
 constexpr double kMaxOverlap = 1;
 constexpr std::size_t kMinFound = 5;
-constexpr double kHighOverlap = 1;    // from here on, some modes are known to hardly better than their bandwidth
-constexpr double kKnownShare = 0.9;   // … below, almost all are known
+constexpr double kHighOverlap = 1;    // from here on, some modes are not well determined
+constexpr double kKnownShare = 0.9;   // … below, almost all are
 constexpr double kFirstCount = 1.5;   // pole pairs of the first trial, over the number of known modes
 constexpr double kCountGrowth = 1.3;  // factor of this number from one trial to the next
 constexpr std::size_t kMaxCount = 150;
@@ -29,13 +29,14 @@ constexpr double kCoreShare = 0.1;     // groups around the poles, of a bandwidt
 constexpr double kResolution = 0.2;    // of a bandwidth
 constexpr double kGainPerUnknown = 5;  // half the logarithm of the number of lines
 constexpr double kNeeded = 6;          // standard deviations of a residue
-constexpr double kLossPerUnknown =
-    3;  // loss of likelihood_ratio_statistic() below which a hardly known mode is dropped: noise alone gives about 1
-constexpr double kKnownMode = 3;  // standard deviations of the largest residue of a mode that is known
+// Loss of likelihood_ratio_statistic() below which a mode that is not well determined is dropped: noise alone gives
+// about 1.
+constexpr double kLossPerUnknown = 3;
+constexpr double kKnownMode = 3;  // standard deviations of the largest residue of a well determined mode
 constexpr int kCrowdFits = 12;
 constexpr int kTrialSteps = 8, kCrowdSteps = 150;  // while poles are dropped; of the last fit
 constexpr int kSmallDecreases = 5;                 // steps in a row
-constexpr double kCrowdCost = 1e-5;                // relative decrease of the squares: some poles are hardly known
+constexpr double kCrowdCost = 1e-5;  // relative decrease of the squares: some poles are not well determined
 
 // A fraction of a narrow bandwidth. A few of the known poles may follow noise.
 double resolution_Hz(const std::vector<Pole>& known) {
@@ -52,8 +53,8 @@ double significance_of(const JointFit& fit, std::size_t m) {
   return (fit.residues.col(at).cwiseAbs().array() / fit.residue_std.col(at).array()).maxCoeff();
 }
 
-// The poles whose residues differ from zero, at these poles. Of the many poles, every one that is needed counts: it
-// need not stand out of its neighbours.
+// The poles whose residues differ significantly from zero. Unlike a mode of the other searches, a pole need not stand
+// out of its neighbours.
 std::vector<Pole> needed_poles(const FrfDataset& set, const JointFit& linear) {
   std::vector<Pole> needed;
   for (std::size_t m = 0; m < linear.poles.size(); ++m) {
@@ -87,13 +88,13 @@ std::optional<JointFit> start_of(const FrfDataset& set, const std::vector<Pole>&
 
 double band_width_Hz(const FrfDataset& set) { return static_cast<double>(set.lines.count) * set.lines.df_Hz(); }
 
-// The modes of a crowd leave noise. Many poles describe most of the misfit of a few modes, but not all of it.
+// A fit of crowded modes leaves only noise. Many poles describe most of the misfit of a few modes, but not all of it.
 bool leaves_misfit(const FrfDataset& set, const JointFit& fit) {
   return overlap_of(fit.poles, band_width_Hz(set)) < kHighOverlap && smooth_somewhere(fit.residual);
 }
 
-// The fit from these poles. Those that are not needed are dropped on the way, while the fit is still rough. Nothing
-// where it leaves a misfit.
+// The fit from these poles. Poles that are not needed are dropped while the fit is still rough. Nothing where the fit
+// leaves a misfit.
 std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> poles, double& products_left) {
   int steps = kTrialSteps;
   std::optional<JointFit> converged;
@@ -124,8 +125,8 @@ bool is_known(const JointFit& fit, std::size_t m) {
          significance_of(fit, m) > kKnownMode;
 }
 
-// Drops the modes that are hardly known if the FRFs are as likely without them: all at once, or else one after the
-// other, the weakest first.
+// Drops the modes that are not well determined if the FRFs are as likely without them: all at once, or else one after
+// the other, the weakest first.
 JointFit without_unknown(const FrfDataset& set, JointFit fit, double& products_left) {
   for (bool all = true;;) {
     std::vector<Pole> kept;
@@ -150,7 +151,8 @@ JointFit without_unknown(const FrfDataset& set, JointFit fit, double& products_l
   }
 }
 
-// Modes that overlap little are all known, unless they follow a misfit: on wooden plates, half to three quarters were.
+// Modes that overlap little are all well determined, unless they follow a misfit: on wooden plates, only half to three
+// quarters of them were.
 bool are_determined(const FrfDataset& set, const JointFit& fit) {
   std::size_t known = 0;
   for (std::size_t m = 0; m < fit.poles.size(); ++m) known += is_known(fit, m) ? 1U : 0U;

@@ -7,7 +7,7 @@
 
 namespace percuss::identify {
 
-/// Crowded modes are fitted together in at most this many FRFs: those of two accelerometers on a bat. The work grows
+/// Crowded modes are fitted together in at most this many FRFs, as of two accelerometers on a bat. The work grows
 /// with the number of FRFs, and the shapes of more points separate close modes.
 constexpr std::size_t kMaxCrowdFrfs = 2;
 
@@ -25,7 +25,7 @@ bool are_crowded(const std::vector<Pole>& poles, double band_width_Hz);
 ///   `stable` is not crowded, or its bandwidths cover more than the band
 ///   `found` holds too few modes, or the set more than kMaxCrowdFrfs FRFs
 ///   no fit converges within a limit of work, or the fitted modes are not crowded
-///   the fitted modes follow a misfit: at an overlap below 1, more than a tenth of them are hardly known, or the
+///   the fitted modes follow a misfit: at an overlap below 1, more than a tenth of them are not well determined, or the
 ///   residual is smooth
 /// theory (4.26)
 std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pole>& stable,

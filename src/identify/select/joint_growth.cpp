@@ -127,10 +127,10 @@ std::vector<Pole> clear_starts(const FrfDataset& set, std::vector<Pole> starts, 
   return clear;
 }
 
-// Adds what the residual shows: the clear resonances, at once or else the clearest alone; then all significant ones;
-// and only then all. Starts close to a mode, and starts that follow the misfit of a missing mode, make a fit so
-// slow that it takes all evaluations. While strong modes are missing, their residual hides the others, and none may
-// be significant.
+// Adds modes that the residual shows. Each round tries the clear resonances, then the clearest alone, then all
+// significant ones, then all, until one of these is taken. The order matters: starts close to a mode, and starts that
+// follow the misfit of a missing mode, make a fit so slow that it takes all evaluations. While strong modes are
+// missing, their residual hides the others, and none may be significant.
 JointFit with_residual_modes(const FrfDataset& set, JointFit fit, JointFitBudget& budget) {
   for (int round = 0; round < kResidualRounds; ++round) {
     const std::vector<Pole> all = residual_starts(set, fit);

@@ -17,7 +17,7 @@ struct SequentialFitOptions {
   std::vector<double> start_Hz;      // fit exactly one mode from each of these frequencies
   std::vector<Pole> start;           // fit from these poles of an earlier fit, and keep the accepted ones
 };
-/// The search that each effort makes; see effort.hpp for its cost and accuracy.
+/// The search that each effort makes.
 SequentialFitOptions sequential_fit_options(Effort effort);
 
 /// Modes from peaks. Each prominent maximum of the summed FRFs is fitted over a window of spectral lines, with the

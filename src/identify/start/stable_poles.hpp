@@ -7,7 +7,7 @@ namespace percuss::identify {
 
 /// Poles that the LSCF estimator finds again and again as its model order grows, from all FRFs together, ascending. The
 /// band is taken whole and in halves, quarters … that overlap by half: a short section separates crowded modes, a long
-/// one holds broad modes. They are start values for fits of modes. A few come from noise: the fit decides.
+/// one holds broad modes. The poles are start values of fits. A few come from noise: the fit decides.
 /// source  [6], [11] in docs/theory/sources.md.
 /// theory (4.7)
 std::vector<Pole> stable_poles(const FrfDataset& set);

@@ -20,13 +20,14 @@ constexpr double kNear = 3;            // half-power bandwidths around a mode, o
 constexpr double kUnexplained = 0.25;  // residual energy over a peak's energy: below it the modes explain the peak
 constexpr double kPeakSpan = 6;        // half-widths on either side, for a peak's energy
 
-// Of the energy that noise does not explain, a polynomial of kTailTerms leaves at least 0.2 for a resonance within
-// kPeakSpan whose width is known to a factor of 1.4 and whose place to its half-width, and less than 0.15 for the tail
-// of a mode that is farther away than 1.1 of that span. A polynomial of kNoiseTerms leaves noise alone.
+// Parts of the energy that noise does not explain. A polynomial of kTailTerms leaves at least 0.2 of it for a resonance
+// within kPeakSpan whose width is known to a factor of 1.4 and whose place is known to its half-width. It leaves less
+// than 0.15 for the tail of a mode that is farther away than 1.1 of that span. A polynomial of kNoiseTerms leaves only
+// noise.
 constexpr Index kTailTerms = 5, kNoiseTerms = 10;
 constexpr double kTailRest = 0.15;
 
-// The lines around a resonance, and those of them that exist.
+// The existing lines around a resonance.
 struct Surroundings {
   Index first = 0, count = 0;
   bool complete = true;  // false where the spectral lines end within them
@@ -54,7 +55,7 @@ double energy_around(const Resonance& at, const Lines& lines) {
 }
 
 // True where the residual around a resonance is the tail of a mode beyond the spectral lines: a polynomial describes
-// it, or it is largest at their first or last.
+// it, or it is largest at the first or the last of all lines.
 bool is_tail(const std::vector<Eigen::VectorXcd>& left, const Resonance& at) {
   const Index lines = left.front().size();
   const Surroundings around = surroundings_of(at, lines);

@@ -168,7 +168,7 @@ class AbiEvaluation {
       end(AbiVerdict::undecided, fmt::format("the performance does not fall in {} tests", run_.cycle));
   }
 
-  // A failure is final.
+  // A failure is final. Without a limit, a bat cannot pass.
   void end(AbiVerdict verdict, const std::string& why) {
     if (verdict == AbiVerdict::pass && !log_.limit) verdict = AbiVerdict::undecided;
     if (run_.verdict != AbiVerdict::fail) {

@@ -81,8 +81,8 @@ struct Certification {
 /// Judges a session at any stage and states the next action. Shots are judged in their order, and a later shot never
 /// changes the judgement of an earlier one. The mean of a location is the mean of its first six valid shots.
 /// A bat fails as soon as damage is seen. Once the lot's correction is known and no condition is violated, it also
-/// fails as soon as a complete location exceeds the limit. It passes only when the sweet spot is found and every tested
-/// location keeps the limit.
+/// fails as soon as a complete location exceeds the limit. It passes only when the sweet spot is found and every
+/// complete location keeps the limit.
 /// errors  InputError: BBCOR without the bat's moment of inertia.
 Certification certify(const Session& session, const ProtocolLimits& limits = {});
 

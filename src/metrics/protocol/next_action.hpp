@@ -9,7 +9,7 @@ double contact_mph(const Session& s, double z_in);
 /// Whether damage was seen after a shot.
 bool damaged(const Certification& c);
 
-/// What the laboratory does next: the verdict, the search and all other fields of the certification are known.
+/// The next action of the laboratory. Precondition: all fields of `c` except `next` are set.
 NextAction next_action(const Session& s, const Certification& c, const ProtocolLimits& limits);
 
 }  // namespace percuss::metrics

@@ -14,10 +14,10 @@ enum class StudyFamily { wood, nonwood };
 /// Bats of one length in a figure.
 struct StudyClass {
   int length_class = 0;           // inches; 0: bats of all lengths, whose association is taken within each length
-  std::vector<std::size_t> bats;  // of Study::bats
+  std::vector<std::size_t> bats;  // indices into Study::bats
   std::optional<Association> association;
   std::optional<TrendLine> trend;     // of one length only
-  std::vector<std::size_t> outliers;  // of Study::bats
+  std::vector<std::size_t> outliers;  // indices into Study::bats
 };
 
 /// One of the figures of the source, with the bats that belong to it.
@@ -34,7 +34,7 @@ struct StudyFigure {
 /// The history of a bat: its states during the break-in, in their order.
 struct StudyHistory {
   std::string bat;
-  std::vector<std::size_t> states;              // of Study::bats
+  std::vector<std::size_t> states;              // indices into Study::bats
   std::optional<Association> besr, bbs, bbcor;  // over the first hoop frequency
 };
 

@@ -18,12 +18,13 @@ class BatImpact {
 
   const ModalState& bat() const { return bat_; }
 
-  // Advances by one step during the contact or just before it.
+  /// Advances by one step during the contact or just before it.
   void step();
 
-  // Advances to time_s and returns the amplitudes of all modes there. Times must not decrease from call to call.
+  /// Advances to time_s and returns the amplitudes of all modes there. Times must not decrease from call to call.
   Eigen::VectorXd amplitudes_at(double time_s);
 
+  /// Runs the collision to its end, from the first touch.
   BatRebound run();
 
  private:

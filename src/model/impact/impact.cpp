@@ -19,6 +19,7 @@ constexpr double kFirstPassSteps = 32;          // of the first pass, per Hertz 
 constexpr double kMaxImpactError = 5e-10;       // of the coefficient of restitution, and of the energy
 constexpr double kTargetImpactError = 2e-10;    // from which the next shorter step is chosen
 constexpr double kSmallIncrementStep_s = 1e-5;  // default
+// Moments in the series: of a contact of many steps, this many to twice as many; of the free motion.
 constexpr std::size_t kSeriesContact = 400, kSeriesFree = 4000;
 
 [[noreturn]] void refuse_values(const char* what) {

@@ -7,9 +7,9 @@
 
 namespace percuss::pipeline {
 
+inline constexpr std::size_t kRestWindows = 12;
 /// Means of a response before the hit, and over kRestWindows windows after it, each a 16th of the row. The structure's
 /// oscillations cancel in these means.
-inline constexpr std::size_t kRestWindows = 12;
 struct RestLevels {
   std::optional<double> before;
   std::array<double, kRestWindows> after{};

@@ -13,7 +13,7 @@ namespace {
 constexpr double kShock_s = 0.005;          // after the blow: the largest motion comes within this time
 constexpr std::size_t kMaxSuspects = 6;     // samples of one response that are looked at
 constexpr double kMaterialFault = 1e-9;     // of the largest response: smaller faults are rounding errors
-constexpr std::size_t kFilterRinging = 72;  // samples
+constexpr std::size_t kFilterRinging = 72;  // samples before a pulse in which the recorder's filter rings
 constexpr std::size_t kAfterPulse = 16;     // samples: the force still acts
 constexpr std::size_t kSearchStep = 80;     // samples: a diagnosis reaches 44 to either side
 constexpr double kEarlyPart = 0.25;         // of the decay: it is searched everywhere

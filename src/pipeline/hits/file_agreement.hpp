@@ -15,9 +15,9 @@ struct FileDisagreement {
   double explained = 0;  // part of its responses' energy that the H1 of the other files explains
 };
 
-/// The file whose responses the other files explain least, if less than half of the energy. Files are compared point by
-/// point, by their accepted hits; a file whose hits were all rejected as outliers disagrees, too. Nothing where no two
-/// files share a point.
+/// The file whose responses the other files explain least, if they explain less than half of the energy. Files are
+/// compared point by point, by their accepted hits. A file of two hits or more that are all outliers disagrees, too.
+/// Nothing where no two files share a point.
 std::optional<FileDisagreement> disagreeing_file(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                                  const std::vector<HitSpectra>& spectra);
 

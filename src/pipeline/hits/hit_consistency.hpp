@@ -22,9 +22,9 @@ struct HitSpectra {
 std::vector<HitSpectra> spectra_of_hits(const std::vector<AnalysedHit>& hits, const std::vector<frf::Spectrum>& force,
                                         const HitResponses& responses, std::size_t lines);
 
-/// Compares the accepted hits of each point with one another. Adds `outlier`, and rejects the hit, where one hit
-/// disagrees with the others far more than they do among themselves. Adds `low_coherence` where the others explain less
-/// than 90 % of its response.
+/// Compares the accepted hits of each point with one another. Adds `outlier` where one hit disagrees with the others
+/// far more than they do among themselves, and rejects this hit unless the user accepted it. Adds `low_coherence` where
+/// the others explain less than 90 % of a hit's response.
 void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra);
 
 /// Takes a vote of each point's accepted hits on the direction in which a channel first moves, relative to the push.

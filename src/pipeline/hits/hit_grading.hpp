@@ -22,7 +22,8 @@ inline constexpr std::size_t kEveryHit = std::numeric_limits<std::size_t>::max()
 /// Whether `list` names hit i: by its index, or by kEveryHit where `other` does not hold this index.
 bool names_hit(const std::vector<std::size_t>& list, const std::vector<std::size_t>& other, std::size_t i);
 
-/// errors  InputError: an index in `indices`, the value of `option`, that none of the `hits` hits has.
+/// errors  InputError with the option `option`: an index that is neither below `hits`, the number of hits, nor
+/// kEveryHit.
 void require_hits(const std::vector<std::size_t>& indices, std::size_t hits, const acquire::Record& record,
                   const char* option);
 

@@ -12,9 +12,10 @@
 namespace percuss::pipeline {
 namespace {
 
-// Samples: a long rest before a hit, as in a record of several blows, shows a weak motion that a pre-trigger hides.
+// Samples. A short pre-trigger does not show a weak motion; a long rest before a hit does, as in a record of several
+// blows.
 constexpr std::size_t kMinLongRest = 1024, kLongRest = 8192;
-constexpr double kMoreThanNoise = 1.3;  // power over white noise's; its standard deviation is 8 % for 1024 samples
+constexpr double kMoreThanNoise = 1.3;  // power over white noise's: for white noise of 1024 samples, 1 ± 8 %
 constexpr double kMotion = 3e-4;        // of the largest response
 
 std::size_t end_of_force(const acquire::Hit& hit) {

@@ -27,7 +27,7 @@ constexpr double kMoving = 4;          // times the noise before a blow: the str
 constexpr double kRinging = 0.0025;    // of the response: −52 dB, as acquire's response grade
 constexpr double kMoved = 1e-4;        // of the response
 constexpr double kSameLevel = 0.01;    // of the force: blows clipped at one level
-// Of the force of a hammer, from a pencil's to a sledge's, and of a shock accelerometer.
+// Plausible limits: the force of a hammer, from pencil-sized to sledge, and the acceleration of a shock accelerometer.
 constexpr double kMinForce_N = 0.5, kMaxForce_N = 3e4, kMaxAccel_mps2 = 3e5;
 
 struct Reason {

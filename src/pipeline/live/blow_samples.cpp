@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kMinSamples = 256;
 constexpr double kSpare = 1.5;  // a harder blow rings longer
-constexpr double kSettled =
-    0.75;  // of the samples: enough steady background follows a decay of at most this length to know its end
+// Of the samples: enough steady background follows a decay of at most this length to know its end.
+constexpr double kSettled = 0.75;
 
 // By the finding `truncated_decay` of the analysis.
 bool has_ended(const acquire::Hit& hit, std::span<const double> accel, double fs_Hz) {

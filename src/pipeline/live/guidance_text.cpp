@@ -14,8 +14,8 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kNearFullScale = 0.9;  // of the range: the next harder blow is clipped
-constexpr double kLowForce = 0.2, kLowAccel = 0.03;
+constexpr double kNearFullScale = 0.9;               // of the range: the next harder blow is clipped
+constexpr double kLowForce = 0.2, kLowAccel = 0.03;  // of the range: below, advise a higher gain
 constexpr double kLowCoherence = 0.9;
 constexpr std::size_t kMaxShownPoints = 8;
 constexpr std::size_t kMaxOutlook = 30;  // blows

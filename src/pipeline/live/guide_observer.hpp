@@ -17,8 +17,8 @@ struct BlowReport {
   int point = 0;
   std::size_t blow = 1;  // of SessionPlan::hits: its number among the accepted blows of its point, if it counts
   BlowGrade grade;
-  bool may_advise_gain =
-      false;              // its message may advise another gain: a first blow, not much weaker than an earlier one
+  // Whether its message may advise another gain: it is a first blow, and not much weaker than an earlier one.
+  bool may_advise_gain = false;
   bool repeated = false;  // its verdict was given in the interrupted session
   bool one_more = false;  // the point has its blows, but they differ: a further one helps to decide
 };

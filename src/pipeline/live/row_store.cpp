@@ -24,7 +24,7 @@ int open_unnamed(const std::string& folder) {
   return named;
 }
 
-// For messages: "." says little about a box without a screen.
+// For messages: "." does not tell the user which folder it is.
 std::string absolute_folder(const std::string& folder) {
   std::error_code failed;
   const auto path = std::filesystem::canonical(folder, failed);

@@ -13,8 +13,8 @@ namespace {
 using acquire::RowMark;
 using Kind = SessionEvent::Kind;
 
-constexpr std::size_t kNoisyPoints =
-    3;  // from this many other doubtful points on, noise may be the cause, not a wrong blow
+// From this many other doubtful points on, noise may be the cause, not a wrong blow.
+constexpr std::size_t kNoisyPoints = 3;
 
 }  // namespace
 

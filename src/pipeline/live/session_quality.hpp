@@ -31,7 +31,7 @@ struct SessionProblem {
 struct SessionQuality {
   std::size_t blows = 0;
   std::vector<LiveMode> modes{};      // ascending
-  std::optional<double> coherence{};  // median over the band, of the FRF where it is lowest
+  std::optional<double> coherence{};  // median over the spectral lines, of the FRF where it is lowest
   /// What makes the results wrong, with the remedy: a reversed hammer, exchanged channels, a wrong angle.
   std::vector<SessionProblem> problems{};
 };

@@ -10,14 +10,15 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kBlock_s = 0.5e-3, kHistory_s = 20e-3;
-constexpr double kContact_s = 1.5e-3;  // a soft tip needs this long to reach its largest force
-constexpr std::size_t kMinBlock = 8;   // samples
-constexpr double kRise = 10;           // of the power, within a contact
-constexpr double kWeakest = 3e-3;      // of the strongest block's power
-constexpr double kAboveQuiet = 30;     // of the power in the quietest fifth of the row
-constexpr std::size_t kFewestBefore = 5, kLonger = 4, kLongest = 16;  // blocks; lengths of longer blocks in blocks
-constexpr double kLowestRate_Hz = 5000;                               // of the means whose differences are taken
-constexpr double kClearer = 2;    // power over the quiet power: a longer mean must raise it so much
+constexpr double kContact_s = 1.5e-3;              // a soft tip needs this long to reach its largest force
+constexpr std::size_t kMinBlock = 8;               // samples
+constexpr double kRise = 10;                       // of the power, within a contact
+constexpr double kWeakest = 3e-3;                  // of the strongest block's power
+constexpr double kAboveQuiet = 30;                 // times the 20 % quantile of the row's block powers
+constexpr std::size_t kFewestBefore = 5;           // longer blocks in the history before a rise
+constexpr std::size_t kLonger = 4, kLongest = 16;  // blocks in a longer block: 4, then 16
+constexpr double kLowestRate_Hz = 5000;            // of the means whose differences are taken
+constexpr double kClearer = 2;  // factor by which a longer mean must raise the ratio of the largest to the quiet power
 constexpr double kAtStart = 0.5;  // of the strongest block's power: a blow within the first 20 ms of a row
 constexpr std::size_t kNoiseBlocks = 20;
 constexpr double kAboveNoise = 1.5;   // times the largest value in these blocks before the rise
@@ -140,8 +141,9 @@ std::vector<std::size_t> rising_blocks(const std::vector<double>& power, const B
   return out;
 }
 
-// The first sample of the rise, searched from a contact before the block `block_index` to the end of the next block. At
-// this sample a channel exceeds the noise before that part, and the fraction kOnsetLevel of its largest value in it.
+// The first sample of the rise, searched from a contact time before the block `block_index` to the end of the next
+// block. At this sample, a channel exceeds the fraction kOnsetLevel of its largest value in the searched part, and
+// kAboveNoise times its largest value in the kNoiseBlocks blocks before this part.
 std::size_t onset_in(const Signals& x, std::size_t block_index, const Blocks& blocks) {
   const std::size_t block = blocks.samples;
   const std::size_t first = std::max<std::size_t>((block_index - std::min(block_index, blocks.contact)) * block, 1);

@@ -15,10 +15,10 @@ struct ResponseImpact {
   bool whole_pulse = true;  // false: the row begins after the impact
 };
 
-/// The impacts of a record without a force, row by row. At an impact, the power of the difference between
-/// successive samples (or means of samples), summed over the channels, rises within 1.5 ms above ten times its largest
-/// value in the 20 ms before. If a row has no such rise, the power of the
-/// responses is searched instead. A row without any rise begins within a decay.
+/// The impacts of a record without a force, row by row. At an impact, the power of the difference between successive
+/// samples (or means of samples), summed over the channels, rises within 1.5 ms above ten times its largest value in
+/// the 20 ms before. If a row has no such rise, the power of the responses is searched instead. A row without any rise
+/// begins within a decay.
 /// errors  InputError: no samples in the selected time.
 std::vector<ResponseImpact> response_impacts(const acquire::Record& record, const acquire::HitOptions& options);
 

@@ -12,7 +12,7 @@
 namespace percuss::pipeline {
 
 struct ResponseHit {
-  ResponseImpact impact;
+  ResponseImpact impact;  // first … end is the usable part of its decay (usable_decay.hpp)
   int point = 0;
   double onset_s = 0;  // from the row's beginning
   bool accepted = false, by_user = false;
@@ -28,8 +28,8 @@ struct ResponseTest {
   AnalysisOptions options;
   std::pair<double, double> band_Hz;
   std::vector<ResponseHit> hits;
-  std::size_t samples = 0;  // of each decay, from the impact on
-  double start_s = 0;       // start of the decays after the impact: no force acts from there on
+  std::size_t samples = 0;  // of each decay, from ResponseHit::impact.first on
+  double start_s = 0;       // start of the fit within these samples: no force acts from there on
   identify::DecayResults found;
   std::vector<identify::ModeClassification> classifications;  // [found.modes]
   std::vector<Warning> warnings;

@@ -21,8 +21,8 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 
 constexpr std::size_t kMinHits = 3;
-constexpr double kReach = 0.1, kMinLines = 40;  // of a tone's frequency, and lines, on either side: the lines fitted
-constexpr double kToneOff = 0.01;               // of the frequency: a tone that wanders is known to this
+constexpr double kReach = 0.1, kMinLines = 40;  // half-width of the fitted lines: of the tone's frequency; at least
+constexpr double kToneOff = 0.01;               // relative error of the frequency of a tone that wanders
 constexpr std::size_t kToneLines = 3;           // on either side of its peak
 constexpr double kDominates = 30;               // power of the tone over all else in these lines
 constexpr double kBetter = 0.7;                 // standard deviation of a better value, relative
@@ -32,8 +32,8 @@ constexpr double kMatch = 3;                    // standard deviations between t
 // The combinations of the channels in which a tone cancels, a column for each.
 using Combinations = MatrixXcd;
 
-// Power at one line of what the force does not explain: of the responses to all hits without the average FRF times the
-// force. [channels, channels]
+// The part of the responses that the force does not explain, at one line: the response minus the average FRF times the
+// force. Its power matrix [channels, channels], summed over the hits.
 MatrixXcd unexplained_power(const identify::FrfDataset& set, const identify::HitFrfs& hits, std::size_t line) {
   const std::size_t channels = set.channels.size();
   MatrixXcd power = MatrixXcd::Zero(static_cast<Index>(channels), static_cast<Index>(channels));
@@ -47,7 +47,7 @@ MatrixXcd unexplained_power(const identify::FrfDataset& set, const identify::Hit
   return power;
 }
 
-// Nothing where something else is as large as the tone.
+// The combinations in which this tone cancels. Nothing where the tone does not dominate the lines at its peak.
 std::optional<Combinations> combinations_without(const Tone& tone, const identify::FrfDataset& set,
                                                  const identify::HitFrfs& hits) {
   const acquire::LineRange& lines = set.lines;

@@ -15,7 +15,7 @@ struct EarlierRinging {
   std::vector<identify::DecayRate> rates;  // of the modes that ring; empty: too few samples before the hit
   Eigen::MatrixXcd amplitude;              // [rates, channels] at the hit's first sample, m/s²
   Eigen::MatrixXd std;                     // [rates, channels] of its real and of its imaginary part
-  double share = 0;                        // of the largest |x| in a response: the largest amplitude
+  double share = 0;                        // largest amplitude over the largest |x| of its response
   bool explained = false;                  // these modes explain the motion before the hit
 };
 
@@ -31,7 +31,7 @@ bool may_ring_at_hits(const std::vector<AnalysedHit>& hits);
 std::vector<EarlierRinging> find_earlier_ringing(const acquire::Record& record, const identify::FrfDataset& set,
                                                  const TestSpectra& spectra, const std::vector<identify::Mode>& modes);
 
-/// The responses without this ringing. The result refers to `measured`, which must outlive it.
+/// The responses without this ringing, which must not be empty. The result refers to `measured`, which must outlive it.
 HitResponses without_ringing(const HitResponses& measured, const std::vector<EarlierRinging>& ringing,
                              const std::vector<AnalysedHit>& hits, const TransformOptions& options);
 

@@ -16,8 +16,8 @@ bool may_hide_modes(const identify::FrfDataset& set, const TestSpectra& spectra,
                     const identify::IdentifyOptions& options, const std::vector<identify::Mode>& modes);
 
 struct HiddenModes {
-  std::vector<Tone>
-      wandering;  // tones whose phase changes along the record, and resonances that the force does not explain
+  // Tones whose phase changes along the record, and resonances that the force does not explain.
+  std::vector<Tone> wandering;
   std::optional<std::vector<identify::Pole>> unmodelled;  // unmodelled_poles, where no mode was added
 };
 

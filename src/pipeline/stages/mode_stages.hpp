@@ -24,8 +24,8 @@ std::vector<identify::ModeClassification> classify_modes(const std::vector<ident
                                                          const std::vector<acquire::SignalInfo>& accel,
                                                          const identify::ClassifyOptions& options);
 
-/// The classifications of `part`, some of the modes `all`, which are all classified together. A split mode whose second
-/// peak is not in the part is none.
+/// The classifications of the modes `part`, taken from the `classifications` of the modes `all`. A mode does not count
+/// as split if its other peak is not in `part`.
 std::vector<identify::ModeClassification> classifications_of_part(
     const std::vector<identify::ModeClassification>& classifications, const std::vector<identify::Mode>& all,
     const std::vector<identify::Mode>& part);

@@ -23,7 +23,7 @@ constexpr double kUnitSpread = 5;          // largest factor between residues at
 constexpr double kFastest_mps = 50;        // ten times the speed of a hammer swung by hand
 constexpr double kSameMotion = 0.98;       // of ChannelPair::correlation
 constexpr double kSameRatio = 1.1;         // of ChannelPair::spread: sensors at one place; bending and hoop differ more
-constexpr double kOppositeMotion = -0.95;  // likewise
+constexpr double kOppositeMotion = -0.95;  // of ChannelPair::correlation
 constexpr double kOneSide_rad = std::numbers::pi / 2 + 0.1;  // sensors farther apart may point against each other
 constexpr double kOwnPlace_rad = std::numbers::pi / 6;       // sensors farther apart show different motions
 

@@ -9,7 +9,7 @@ namespace percuss::pipeline {
 
 /// The results that the warnings of an impact test are made from.
 struct DeflectionResults {
-  std::size_t without_pulse = 0, impacts = 0;  // left out; found
+  std::size_t without_pulse = 0, impacts = 0;  // hits left out because they show no impact; all hits
   bool rest_recorded = false;                  // every row begins long enough before its impact
   bool free_body = false;                      // as stated by the user
   bool has_force = false;                      // recorded

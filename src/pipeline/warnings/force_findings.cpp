@@ -78,7 +78,7 @@ std::vector<double> sizes_of(const acquire::Hit& hit) {
   return {std::abs(hit.peak_N), std::abs(sum)};
 }
 
-// The side as the measure of the blows shows it that leaves the greatest chance.
+// The side, judged by the measure of the blows (peak or impulse) that gives the greatest chance.
 LevelSide likeliest_side_of(std::size_t channel, const std::vector<double>& extremes,
                             const std::vector<std::vector<double>>& sizes) {
   std::optional<LevelSide> likeliest;

@@ -14,8 +14,8 @@ struct RankedCode {
   acquire::Severity severity;
 };
 
-/// All codes of warnings and findings, most serious first within each severity. docs/reference/warnings.md has a row
-/// for each.
+/// All codes of an analysis's warnings and findings, most serious first within each severity.
+/// docs/reference/warnings.md has a row for each.
 std::span<const RankedCode> ranked_codes();
 
 /// The severity of a warning's code; `warn` for a code that the ranking does not know.

@@ -18,7 +18,7 @@ using acquire::Severity;
 
 constexpr std::size_t kMaxBytes = 4000;  // of one statement
 
-// What is true of the structure puts no result in doubt.
+// A property of the structure puts no result in doubt.
 bool concerns_the_structure(std::string_view code) { return code == "double_peak" || code == "nonlinear"; }
 
 const char* label_of(const pipeline::Warning& warning) {

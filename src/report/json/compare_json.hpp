@@ -6,7 +6,7 @@
 
 namespace percuss::report {
 
-/// The comparison of one document with the first.
+/// The comparison of one document, `b`, with the first, `a`.
 struct Comparison {
   const metrics::ComparedDocument& a;
   const metrics::ComparedDocument& b;

@@ -21,7 +21,7 @@ class RiceCode {
   void put(std::uint32_t value, unsigned bits);
 
   std::vector<std::uint8_t> bytes_;
-  unsigned free_ = 0;  // bits of the last byte
+  unsigned free_ = 0;  // unused bits of the last byte
 };
 
 }  // namespace percuss::report

@@ -11,7 +11,9 @@ struct ChartScale {
   double from = 0, to = 1;                                            // pixels
   bool logarithmic = false;
 
+  /// The value, or its logarithm on a logarithmic scale.
   double drawn(double value) const;
+  /// Extends the range to the value.
   void cover(double value);
   /// Adds a margin, as a fraction of the range, once all values are covered; a range of zero gets some width.
   void settle(double margin);

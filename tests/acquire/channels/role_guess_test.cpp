@@ -103,7 +103,7 @@ TEST(GuessRoles, TakesEvenlyRisingNumbersAsTimesInAnyColumn) {
   EXPECT_EQ(guess.force, "");
   EXPECT_THAT(guess.accel, ElementsAre("5"));
   EXPECT_FALSE(guess.rate_known);
-  EXPECT_NEAR(guess.assumed_rate_Hz, 25000, 1e-6);
+  EXPECT_NEAR(guess.assumed_rate_Hz, 25000, 1e-6);  // rounding of the times
 }
 
 // The hits of a test side by side, each with its force and its accelerometers.

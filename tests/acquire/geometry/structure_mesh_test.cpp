@@ -102,7 +102,7 @@ TEST(StructureMesh, CoversAnIrregularPlateOnce) {
   EXPECT_NEAR(plane_area(points, mesh), 1, kRounding);
 }
 
-// An L: the triangles across the notch have long edges.
+// An L-shaped plate. Triangles across its notch would have long edges.
 TEST(StructureMesh, LeavesANotchOpen) {
   Points points;
   for (int i = 0; i < 12; ++i) {
@@ -113,6 +113,7 @@ TEST(StructureMesh, LeavesANotchOpen) {
   const StructureMesh mesh = structure_mesh(points);
   EXPECT_EQ(mesh.layout, PointLayout::plane);
   EXPECT_EQ(connected_points(mesh).size(), points.size());
+  // The tolerance is a fifth of the notch: the points lie up to 0.01 beside the outline.
   const double l_shape = 1.1 * 1.1 - 0.8 * 0.8, hull = 1.1 * 1.1 - 0.8 * 0.8 / 2;
   EXPECT_LT(std::abs(plane_area(points, mesh) - l_shape), 0.2 * (hull - l_shape)) << "hull " << hull;
 }
@@ -158,7 +159,7 @@ TEST(StructureMesh, IsEmptyForPointsThatHaveNoSize) {
 
 TEST(StructureMesh, LeavesManyPointsUnconnected) {
   Points points;
-  for (int i = 0; i < 3000; ++i) points.push_back({0.1 * i, 0, 0});
+  for (int i = 0; i < 3000; ++i) points.push_back({0.1 * i, 0, 0});  // the limit is 2000
   EXPECT_TRUE(structure_mesh(points).lines.empty());
 }
 

@@ -65,7 +65,7 @@ TEST(FlatPair, IsNoneInSmoothPulses) {
   EXPECT_FALSE(is_flat_pair(symmetric, symmetric)) << "a computed pulse";
   const std::vector<double> coarse{0, 0, 2.1, 9, 9, 1.5, 0.1, 0};
   EXPECT_FALSE(is_flat_pair(coarse, coarse)) << "rounding to 0.1";
-  // 12 bits at half of the range: of 1000 pulses, rounding makes the two largest samples of some equal.
+  // A recorder of 12 bits at half of its range: rounding makes the two largest samples equal in some of 1000 pulses.
   std::size_t flat = 0;
   for (std::size_t i = 0; i < 1000; ++i) {
     std::vector<double> x(60);

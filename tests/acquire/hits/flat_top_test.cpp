@@ -65,11 +65,12 @@ TEST(FlatTop, IsFoundInEachHitThatWasClippedBeforeTheFilter) {
   }
 }
 
-// Cut at 80 % of its peak, a short haversine is as flat as half-sines behind a filter, but not as the other hits.
+// A short haversine that is cut at 80 % of its peak is about as flat as half-sines behind a filter. It is flatter than
+// the other hits.
 TEST(FlatTop, IsFoundInAShortPulseUnlikeTheOthers) {
   const std::vector<Hit> hits =
       hits_of({cut_row(7, 1, 300, 1), cut_row(7.2, 1, 280, 2), cut_row(6.1, 0.8, 350, 3), cut_row(6.8, 1, 290, 4)});
-  EXPECT_LT(top_flatness(hits[2]), 0.58);
+  EXPECT_LT(top_flatness(hits[2]), 0.58);  // the limit for a short pulse alone
   for (std::size_t h = 0; h < hits.size(); ++h) EXPECT_EQ(hits[h].findings.size(), h == 2 ? 1U : 0U) << h;
 }
 
@@ -82,7 +83,7 @@ TEST(FlatTop, IsNotFoundInHalfSinesThatTheFilterMadeFlat) {
     flattest = std::max(flattest, top_flatness(hit));
     EXPECT_TRUE(hit.findings.empty()) << hit.onset_s;
   }
-  EXPECT_GT(flattest, 0.54);
+  EXPECT_GT(flattest, 0.54);  // the limit for longer pulses
 }
 
 // Without a filter, 5 samples do not determine the shape of a half-sine: the measured flatness is up to 0.57.

@@ -64,7 +64,7 @@ TEST(FindHits, BeginsALongPulseAtRest) {
   const auto hits = hits_in({x});
   ASSERT_EQ(hits.size(), 2U);
   const double rise = 0.856 * 256;
-  EXPECT_NEAR(static_cast<double>(hits[0].first), 20'256 - 2 * rise, 2);
+  EXPECT_NEAR(static_cast<double>(hits[0].first), 20'256 - 2 * rise, 2);  // whole samples
   EXPECT_EQ(hits[0].first + hits[0].samples, hits[1].first);
   for (const Hit& hit : hits) EXPECT_TRUE(hit.findings.empty());
   const auto stated = hits_in({x}, {.pretrigger_s = 0.02});

@@ -89,7 +89,7 @@ TEST(GateAround, LeavesTheNoiseOutside) {
   EXPECT_EQ(gate_around(x, clean, 0.01).end, gate.end);
 }
 
-// A gate that reached to such a sample would contain all noise before it.
+// A gate that reached to a single sample far behind the ringing would contain all noise in between.
 TEST(GateAround, EndsBeforeASampleFarBehindTheRinging) {
   std::vector<double> x(4000);
   test::add_haversine(x, 2000, 40, 100);

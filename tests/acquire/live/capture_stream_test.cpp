@@ -29,7 +29,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// Times real time. Sanitizers make the simulated device slower.
+// Speeds of the simulated device, in multiples of real time. Sanitizers make it slower.
 #ifdef PERCUSS_SANITIZED
 constexpr int kSpeed = 1, kStallSpeed = 5;
 #else
@@ -163,8 +163,8 @@ TEST(CaptureStream, JournalsFromTheFrameThatTheGuidanceNames) {
   EXPECT_EQ(wrong_numbers(journal), 0U);
 }
 
-// A device without a clock runs ahead of the reader. At a low rate, the reader knows of the first blow after many
-// seconds.
+// A device without a clock runs ahead of the reader. At a low rate, the device is many seconds further when the reader
+// finds the first blow.
 TEST(CaptureStream, JournalsFromAnEarlyFrameAtALowRate) {
   for (const auto stall : {0ms, 3ms, 30ms}) {
     const ScratchFolder folder;
@@ -219,8 +219,8 @@ TEST(CaptureStream, JournalsWhatIsAskedAfterTheDeviceHasEnded) {
   EXPECT_EQ(wrong_numbers(journal), 0U);
 }
 
-// Ten seconds of 8 channels at 51.2 kHz, played faster. The ring holds 4 s of them: the rest comes back from the
-// journal. The stress tests do the same in real time.
+// The reader stalls for ten seconds of 8 channels at 51.2 kHz, played faster. The ring holds 4 s of them; the rest is
+// read back from the journal. The stress tests do the same in real time.
 TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.h5.journal");

@@ -17,8 +17,8 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-// PortAudio itself, with ALSA's plug-in `file` in place of a sound card. The plug-in keeps no time, and after the
-// end of its file it repeats its last buffer, so the test reads one file of frames.
+// PortAudio itself, with ALSA's plug-in `file` in place of a sound card. The plug-in has no clock. After the end of its
+// file it repeats its last buffer, so the test reads only the frames of the file.
 namespace percuss::acquire::portaudio_test {
 
 using namespace std::chrono_literals;

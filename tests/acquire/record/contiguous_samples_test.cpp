@@ -73,7 +73,7 @@ TEST_F(ContiguousSamples, ExcludeChunkedSets) {
   for (std::size_t i = 0; i < accel.size(); ++i) ASSERT_EQ(accel[i], test::ramp_value(300 + i));
 }
 
-// The reader through the HDF5 library states the place in the message.
+// Samples that are not finite are read again through the HDF5 library, which states their place in the message.
 TEST_F(ContiguousSamples, AreRefusedWithTheirPlaceWhenNotFinite) {
   const std::string path = folder_.file("bad.h5");
   std::vector<double> values(kSamples, 1.0);

@@ -14,7 +14,7 @@ namespace percuss::convex_hull_test {
 using Point = std::array<double, 2>;
 using Direction = std::array<double, 3>;
 
-// Coordinates are rounded to 2⁻²⁰ of the extent.
+// Coordinates are rounded to 2⁻²⁰, about 1e-6, of the extent. Areas and distances allow for ten such steps.
 constexpr double kRounding = 1e-5;
 
 double area(const Point& a, const Point& b, const Point& c) {

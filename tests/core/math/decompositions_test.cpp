@@ -11,6 +11,8 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Complex = std::complex<double>;
 
+// The tolerances in this file are a few roundings.
+
 // [[2, 1], [1, 2]] stretches (1, 1) by 3 and (1, −1) by 1.
 TEST(Eigenvectors, AreOrderedByDescendingEigenvalue) {
   const MatrixXd vectors = eigenvectors((MatrixXd(2, 2) << 2, 1, 1, 2).finished());

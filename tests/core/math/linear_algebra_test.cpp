@@ -12,6 +12,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
+// The tolerances in this file are a few roundings, of up to 17 terms.
+
 // [[2, 1], [1, 2]] has the inverse [[2, −1], [−1, 2]]/3; scaled by D = diag(1e-9, 1e9) on both sides, its inverse is
 // scaled by D⁻¹.
 TEST(InverseGram, HoldsOverManyDecades) {

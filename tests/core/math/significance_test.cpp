@@ -4,6 +4,7 @@
 
 namespace percuss::significance_test {
 
+// The tables have four decimals.
 TEST(StudentQuantile, AgreesWithTables) {
   EXPECT_NEAR(student_quantile(1.959964, 1), 12.7062, 1e-3);
   EXPECT_NEAR(student_quantile(1.959964, 2), 4.3027, 1e-3);
@@ -14,6 +15,7 @@ TEST(StudentQuantile, AgreesWithTables) {
   EXPECT_NEAR(student_quantile(1.959964, 1e6), 1.959964, 1e-4);
 }
 
+// The tolerances allow for the error of the cube-root approximation.
 TEST(Chi2Deviate, IsTheNormalDeviateOfTheSameProbability) {
   EXPECT_NEAR(chi2_deviate(9.488, 4), 1.645, 0.02) << "95 %";
   EXPECT_NEAR(chi2_deviate(18.467, 4), 3.09, 0.05) << "99.9 %";

@@ -158,7 +158,7 @@ TEST(Classify, DoesNotDependOnUnitOrSign) {
 }
 
 TEST(Classify, DoesNotDependOnTheOrderOfSensors) {
-  constexpr double kTolerance = 0.05;  // the second sensor carries the placement error
+  constexpr double kTolerance = 0.05;  // only the second sensor has the placement error
   const SensorPair ab{.first = 0, .second = 1, .first_rad = 0, .second_rad = pi / 2};
   const SensorPair ba{.first = 1, .second = 0, .first_rad = pi / 2, .second_rad = 0};
   const std::vector<std::optional<double>> overlay(2);

@@ -37,7 +37,7 @@ DecayResults found_in(const std::vector<Motion>& motions, double noise = 0.01) {
   return modes_of_decays(fit_free_decays(decay_spectra(out), {.band_Hz = kBand_Hz}), channels, kBand_Hz);
 }
 
-// A decay from 1. Its frequency is `freq_Hz` when small, and lower by the fraction `softening` at the start.
+// A decay with the amplitude 1 at its start. Its frequency rises from (1 − softening) · freq_Hz to freq_Hz.
 std::vector<double> decay(double freq_Hz, double damping_ratio, double softening = 0) {
   std::vector<double> value(kSamples);
   double phase = 0;

@@ -134,7 +134,7 @@ TEST(DecayGroupFit, ReachesTheCramerRaoBoundWithTrueStandardDeviations) {
     RecordProperty("ratio_" + std::to_string(u), std::to_string(std::sqrt(squares(u) / kSeeds) / crb));
   }
   const double covered = static_cast<double>(within) / static_cast<double>(kSeeds * unknowns);
-  EXPECT_GE(covered, 0.93);
+  EXPECT_GE(covered, 0.93);  // 1800 values give the share to 0.5 %
   EXPECT_LE(covered, 0.97);
 }
 

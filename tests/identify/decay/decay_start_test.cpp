@@ -32,8 +32,8 @@ FreeDecays tap(std::size_t end, double noise, unsigned seed) {
   return {.fs_Hz = kFs_Hz, .hits = 1, .channels = 1, .response = {y}};
 }
 
-// A soft tip's force ends slowly. Decays that begin while it acts are biased. The noise alone must not keep the start
-// late, although the noise of neighbouring blocks of a few samples is correlated.
+// A soft tip's force ends slowly, and a fit that begins while it acts is biased. Noise alone must not delay the start,
+// although the noise of neighbouring blocks of a few samples is correlated.
 TEST(DecayStart, IsTheEndOfASoftForceInColouredNoise) {
   constexpr std::size_t kEnd = 96;  // 2 ms
   std::size_t late = 0;

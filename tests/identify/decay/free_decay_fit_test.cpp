@@ -76,7 +76,7 @@ TEST(FreeDecays, AreFoundExactlyWithoutNoise) {
   }
 }
 
-// A broad background of five hundred times the energy spans a narrow mode, in one spectrum.
+// A broad background with more than three hundred times the energy covers a narrow mode, in one spectrum.
 TEST(FreeDecays, KeepANarrowModeOnABroadBackground) {
   const DecayRate narrow = decay_rate_of({900, 0.0005}), broad = decay_rate_of({1000, 0.15});
   std::mt19937 random(4);
@@ -230,8 +230,8 @@ TEST(FreeDecays, AreNotFoundInNoise) {
   EXPECT_LE(found, 1U);
 }
 
-// Noise that falls with the frequency, as of a phone's sensor: a fit that took it for white weighted the lines below a
-// mode as those above it, and stated a ± too small by a factor that depends on the mode.
+// Noise that falls with the frequency, as in a phone's sensor. A fit that assumes white noise gives the lines below and
+// above a mode equal weights. Its ± is then too small, by a factor that depends on the mode.
 TEST(FreeDecays, HaveTrueStandardDeviationsInColouredNoise) {
   constexpr double kPhone_Hz = 24000, kPole = 0.99;
   constexpr std::size_t kLong = 24000;
@@ -317,7 +317,7 @@ TEST(FreeDecays, AllowForHitsOfDifferentNoise) {
   EXPECT_NEAR(std::sqrt(squares / kSeeds), 1, 0.48);  // three standard deviations of 20 values
 }
 
-// A sinusoid that lasts is hum, and no mode.
+// A sinusoid that does not decay is hum, not a mode.
 TEST(FreeDecays, LeaveOutTones) {
   DecaySpectra hum = decays(0.1, 3);
   FreeDecays tone{.fs_Hz = kFs_Hz, .hits = kHits, .channels = kChannels, .response = {}};

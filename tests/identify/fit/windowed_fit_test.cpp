@@ -27,7 +27,7 @@ TEST(WindowedFit, WidensTheWindowOfABroadResonance) {
   all.sweep();
   all.widen();
   const FitGroup& group = all.groups().front();
-  EXPECT_GE(group.count, 700U);  // nearly the largest window, 801 lines; that of the first pole has 81
+  EXPECT_GE(group.count, 700U);  // nearly the largest window, 801 lines; the window of the first pole has 81
   EXPECT_LE(std::abs(group.fit.poles[0].freq_Hz - 1000), 5 * group.fit.freq_std_Hz(0));
 }
 

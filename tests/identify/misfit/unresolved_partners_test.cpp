@@ -13,9 +13,9 @@ FrfDataset other_modes() {
   return set;
 }
 
-// The free decay of a mode whose phase leads by c (1 − exp(−2 a t)) while its amplitude falls as exp(−a t), as that of
-// a mode whose frequency rises with the square of its amplitude. Expanded in powers of c, it is a sum of linear decays
-// at one frequency with the damping ratios ζ, 3 ζ, 5 ζ …
+// The free decay of a mode whose frequency rises with the square of its amplitude: while the amplitude falls as
+// exp(−a t), the phase leads by c (1 − exp(−2 a t)). Expanded in powers of c, it is a sum of linear decays at one
+// frequency with the damping ratios ζ, 3 ζ, 5 ζ …
 void add_mode_of_changing_frequency(FrfDataset& set, const Pole& pole, double change_rad) {
   Complex residue = 1;
   for (int k = 0; k < 12; ++k) {
@@ -33,7 +33,7 @@ TEST(UnresolvedPartners, OfAModeWhoseFrequencyChangesAreDropped) {
   ASSERT_GT(found.size(), 3U);
   const std::vector<FittedMode> modes = without_unresolved_partners(set, found, {});
   ASSERT_EQ(modes.size(), 3U);
-  EXPECT_NEAR(modes[1].mode.pole.freq_Hz, pole.freq_Hz, 2 * pole.half_power_Hz());  // the frequency changes by that
+  EXPECT_NEAR(modes[1].mode.pole.freq_Hz, pole.freq_Hz, 2 * pole.half_power_Hz());  // the change of the frequency
 }
 
 TEST(UnresolvedPartners, KeepsAPairThatTheFrfsShow) {

@@ -58,7 +58,7 @@ TEST(SynthesisedFrf, FollowsTheFlankOfAModeJustAboveTheBand) {
   EXPECT_LE(1 - synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, 2e-3);
 }
 
-// The powers of s are nearly dependent over a narrow band: the gram matrix of four has a condition number of 10¹⁴.
+// The powers of s are nearly dependent over a narrow band: their Gram matrix has a condition number of 10¹⁴.
 TEST(SynthesisedFrf, FitsTheTermsOfANarrowBand) {
   Case c;
   const acquire::LineRange narrow{

@@ -18,7 +18,7 @@ FrfDataset measured() {
   return set;
 }
 
-// Modes from windows of their own, with these factors on their residues.
+// Modes as fitted in separate windows, with their residues multiplied by these factors.
 std::vector<FittedMode> local_modes(const std::vector<double>& factor) {
   std::vector<FittedMode> modes;
   for (std::size_t m = 0; m < kPoles.size(); ++m) {

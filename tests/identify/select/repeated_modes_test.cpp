@@ -9,7 +9,7 @@
 namespace percuss::identify::repeated_modes_test {
 
 constexpr std::size_t kPoints = 10;
-constexpr double kNoise = 1e-3;  // of a peak of about 10
+constexpr double kNoise = 1e-3;  // the peaks are 50 and 100 times the shape
 
 // Points of one channel each, with the force unknown.
 FrfDataset points() {

@@ -9,7 +9,7 @@ const std::vector<double> kFrequencies{100.1, 99.9, 100.05, 99.95, 100.0};
 TEST(RobustMean, IsThePlainMeanOfValuesOfOneSize) {
   const RobustMean mean = robust_mean(kFrequencies, std::vector<double>(5, 0.001), std::vector<double>(5, 1));
   EXPECT_NEAR(mean.value, 100, 1e-6);
-  EXPECT_NEAR(mean.spread, 0.079, 0.001);
+  EXPECT_NEAR(mean.spread, 0.079, 0.001);  // √(0.025/4)
 }
 
 TEST(RobustMean, GivesLittleWeightToANodeAndToAnOutlier) {

@@ -336,8 +336,8 @@ TEST(MotionOnset, IsNotAGlitchAtTheStart) {
   EXPECT_NEAR(motion_onset_s(x, 20000), 0.1, 2e-4);
 }
 
-// Noise whose power falls from 30 Hz on, as a micro-machined sensor has: its mean over the rest scatters far more than
-// that of white noise of the same samples. The ± of bias and drift must say so.
+// Noise whose power falls from 30 Hz on, as in a micro-machined sensor. Its mean over the rest scatters far more than
+// the mean of white noise with the same rms. The ± of bias and drift must include this.
 TEST(BaselineEstimate, StatesTheScatterOfColouredNoise) {
   constexpr double kFs_Hz = 20000, kPole = 0.99;
   double squares = 0, white_noise = 0;

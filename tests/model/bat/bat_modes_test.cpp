@@ -40,7 +40,7 @@ TEST(BatModes, ReproducesTheExactNodes) {
 
 TEST(BatModes, HaveNodesWhereTheDeflectionIsZero) {
   const BatModes modes = bat_modes(kStepped, {});
-  constexpr double kRounding = 1e-13;  // of the largest deflection: six shape functions at a rounded position
+  constexpr double kRounding = 1e-13;  // of the deflection at the tip: six shape functions at a rounded position
   for (std::size_t mode = 0; mode < 10; ++mode) {
     const auto column = static_cast<Eigen::Index>(mode);
     const double tip = std::abs(modes.deflection(modes.length_m)[column]);
@@ -57,7 +57,7 @@ TEST(BatModes, HaveTheMassOfTheSlices) {
   EXPECT_NEAR(inertia.inertia_kgm2, 0.03812615900067391, kRounding);
 }
 
-// The same reference for a rod of 40 mm: shear and rotary inertia lower the first mode by 2 %, the tenth by half.
+// The same reference for a rod of 40 mm: shear and rotary inertia lower the first mode by 2 %, the seventh by a third.
 TEST(BatModes, MatchTimoshenkoForAUniformRod) {
   const BatModes modes = bat_modes(rod(0.84, 0.040), {});
   const std::vector<double> exact_Hz{262.00417315568757, 692.7111230780149,  1281.977688907523, 1978.4243100382364,

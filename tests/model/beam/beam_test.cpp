@@ -20,7 +20,7 @@ UniformBeam sprung(double relative) { return {.torsion_Nmprad = relative * 4000 
 
 TEST(Beam, ReproducesTheCompositeBatOfKnowles) {
   const auto modes = beam_modes({}, 3);
-  // Independent values; the tolerance is half of their last digit.
+  // The defaults, [9] in docs/theory/sources.md. Independent values; the tolerance is half of their last digit.
   EXPECT_NEAR(modes[0].freq_Hz(), 14.536, 0.5e-3);
   EXPECT_NEAR(modes[1].freq_Hz(), 322.433, 0.5e-3);
   EXPECT_NEAR(modes[2].freq_Hz(), 1037.79, 0.5e-2);

@@ -82,6 +82,7 @@ TEST(ChannelFindings, AreNoneForGoodChannels) {
 }
 
 TEST(ChannelFindings, NameADelayWithItsNumber) {
+  // One sample and three samples of 122.07 µs.
   const acquire::Record record = late_by(synth::synthesise(oblique_bat()).record, 1, 3);
   const Analysis analysis(record, kBand);
   EXPECT_THAT(warnings_of(analysis), Contains(AllOf(StartsWith("skew: "), HasSubstr("122.1"), HasSubstr("366.2"))));

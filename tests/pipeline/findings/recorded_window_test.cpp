@@ -14,7 +14,7 @@ NoiseHistory falling_to(double end) {
   NoiseHistory history{.after = {}, .before = 1};
   const double per_block = std::log(end) / static_cast<double>(kBlocks);
   for (std::size_t b = 0; b < kBlocks; ++b) {
-    const double ripple = 0.01 * std::cos(static_cast<double>(b * b));  // noise is known to some percent
+    const double ripple = 0.01 * std::cos(static_cast<double>(b * b));  // the level of noise is known to about 1 %
     history.after.rms.push_back(std::exp(per_block * (static_cast<double>(b) + 0.5) + ripple));
   }
   return history;

@@ -32,7 +32,7 @@ TEST(FirstBlows, GivesRowsTheirDecayAfterAnEarlyFirstBlow) {
   EXPECT_THAT(early.marks(), ElementsAre(RowMark::none, RowMark::none));
 }
 
-// Two blows do not tell which is weak.
+// Two blows do not show which of them is weak.
 TEST(FirstBlows, TakesOutWeakFirstBlowsOnceThereAreThree) {
   for (const std::size_t weak : {0U, 1U}) {
     const std::string faults = R"("faults": [{"hit": )" + std::to_string(weak) + R"(, "kind": "weak", "ratio": 0.05}])";

@@ -51,7 +51,7 @@ acquire::Record eight_channels(int blows) {
       .record;
 }
 
-/// The time from the end of a blow's samples to its verdict: frames that had to come first, and computation.
+/// The time from the end of a blow's samples to its verdict: the wait for further frames, plus the computation.
 struct Latencies : pipeline::GuideObserver {
   const pipeline::Guide* guide = nullptr;
   Clock::time_point began;  // of the block that completed the blow

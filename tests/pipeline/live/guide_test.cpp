@@ -55,7 +55,7 @@ TEST(Guide, DoesNotDependOnTheSizeOfTheBlocks) {
   }
 }
 
-// A blow that begins shortly before or after the end of the last one's samples, at any place between two blocks.
+// Blows that begin shortly before or after the end of the previous blow's samples, wherever the blocks are divided.
 TEST(Guide, JudgesBlowsInQuickSuccessionAlikeForAnyBlocks) {
   for (const char* times_s : {"0.4, 0.85, 2, 2.7, 4", "0.4, 1.1, 1.55, 2.9", "0.4, 0.95, 1.5, 2.02, 2.6"}) {
     const acquire::Record tube = struck_tube(times_s, 5);
@@ -272,7 +272,7 @@ TEST(Guide, RejectsABlowOnAStructureThatStillRings) {
   EXPECT_THAT(bench.marks(), ElementsAre(RowMark::none, RowMark::none, RowMark::still_ringing, RowMark::none));
 }
 
-// "r" undoes the blows of the point where it was pressed, with the one that was being recorded.
+// "r" undoes the blows of the point where it was pressed, including the blow that is being recorded.
 TEST(Guide, RepeatsThePointOfTheBlowBeingRecorded) {
   Bench bench(struck_tube(kFiveTimes, 8), {.plan = {.points = {3, 7}, .hits = 1}});
   bench.play(0, 1800);  // in the first blow

@@ -83,7 +83,7 @@ TEST(OnlineTrigger, TakesTheStatedThreshold) {
   EXPECT_EQ(peaks(force, record.fs_Hz, 512, 150).size(), 2U);
 }
 
-// The largest of the recent blows must not hide all that follow.
+// One blow far above the others must not raise the threshold above the blows that follow.
 TEST(OnlineTrigger, FindsBlowsAfterAnAccident) {
   std::vector<double> force(200'000);
   std::mt19937 random(2);

@@ -88,7 +88,7 @@ TEST(SampleHistory, JoinsSamplesWithoutNumbersAcrossBlocks) {
   EXPECT_EQ(losses[1].channel, 0U);
 }
 
-// Frames in a gap read alike whether or not older ones were forgotten.
+// Frames in a gap have the same values whether or not older frames were discarded.
 TEST(SampleHistory, KeepsTheValueBeforeAGap) {
   SampleHistory history(2);
   history.add(block(0, 10));

@@ -53,7 +53,7 @@ TEST(Session, ReturnsToPointsThatWereSkipped) {
 void strike_compared(Session& session, bool differ) { session.apply({.kind = Kind::blow, .differ = differ}); }
 void strike_doubtfully(Session& session) { strike_compared(session, true); }
 
-// The last blow of a point is little like the others: four blows can tell which is wrong.
+// The last blow of a point differs from the others. Four blows can show which one is wrong.
 TEST(Session, StaysAtAPointInDoubt) {
   Session session({.points = {0, 1, 2}, .hits = 3});
   strike(session, 2);
@@ -112,7 +112,7 @@ TEST(Session, KeepsAPointInDoubtOpen) {
   EXPECT_THAT(session.doubtful_points(), ElementsAre(0));
 }
 
-// Where blows differ at most points, noise makes them differ.
+// If the blows differ at the majority of points, the cause is noise.
 TEST(Session, DoesNotStayWhereNoiseMakesBlowsDiffer) {
   Session session({.points = {0, 1, 2, 3}, .hits = 2});
   for (int point = 0; point < 3; ++point) {

@@ -13,7 +13,7 @@ namespace {
 
 using Bench = test::GuideBench;
 
-// A floor of 20 Hz, struck three times with a soft tip: pulses of this length.
+// A floor with a mode at 20 Hz, struck three times with a soft tip. `width_s` is the length of the pulses.
 acquire::Record floor_at(double fs_Hz, double width_s) {
   return synth::synthesise(synth::parse_synth_spec(fmt::format(
                                                        R"({{"schema": "percuss/synth/1", "name": "floor", "fs_hz": {},

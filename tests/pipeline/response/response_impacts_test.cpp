@@ -50,8 +50,8 @@ TEST(ResponseImpacts, FindsAWeakBlowOnASlowMode) {
   EXPECT_NEAR(std::sqrt(squares / kSeeds), 1, 0.28);  // and of their RMS
 }
 
-// The constant of the signal is no sign of a second mode. With these two of 400 seeds, it once counted as one, and no
-// mode was found.
+// The constant part of the signal is no sign of a second mode. With these two of 400 seeds, a fit that takes it for a
+// second mode finds no mode.
 TEST(ResponseImpacts, IsNotSplitByAConstant) {
   for (const unsigned seed : {231U, 351U}) {
     std::mt19937 random(seed);

@@ -53,9 +53,9 @@ std::vector<double> deviates_of(const Analysis& analysis, const synth::Truth& tr
   return out;
 }
 
-// Blows 0.3 s apart: the first mode rings with half of its amplitude when the next blow comes. The errors
-// were 6.9 standard deviations rms when the ringing was extrapolated with the poles of the first fit. Two to three are
-// left, in the frequency of the first mode.
+// Blows 0.3 s apart: the first mode rings with half of its amplitude when the next blow comes. If the ringing were
+// extrapolated with the poles of the first fit, the errors would be 6.9 standard deviations rms. The remaining errors
+// are two to three standard deviations, in the frequency of the first mode.
 TEST(EarlierRinging, ChangesPolesOfDenseBlowsByFewStandardDeviations) {
   std::vector<double> times_s;
   for (int i = 0; i < 8; ++i) times_s.push_back(0.1 + 0.3 * i);

@@ -91,8 +91,9 @@ TEST(HitScatter, AddsNothingToEqualHits) {
   }
 }
 
-// The responses of each hit times a factor of their own, as of hits beside the point. The average of the hits scatters
-// as the stated ± says; Student's factor makes the mean square of error over ± about 1 for 5 hits.
+// The responses of each hit are multiplied by the hit's own factor, as for hits beside the point. The average of the
+// hits scatters as the ± states: for 5 hits, Student's factor makes the mean square of error over ± about 1. The limits
+// are wide because a square of Student's t with 4 degrees of freedom has no finite variance.
 TEST(HitScatter, IsPartOfTheStandardDeviationsOfResidues) {
   constexpr std::size_t kSeeds = 24, kHits = 5;
   const auto equal = [](std::size_t) { return Modes{}; };
@@ -120,7 +121,7 @@ TEST(HitScatter, IsPartOfTheStandardDeviationsOfResidues) {
   EXPECT_LT(squares / kSeeds, 2.5);
 }
 
-// Each channel of each hit has a factor of its own, as of hits of a tube in other directions.
+// Each channel of each hit is multiplied by its own factor, as for hits on a tube in other directions.
 TEST(HitScatter, IsPartOfTheStandardDeviationsOfEachChannel) {
   constexpr std::size_t kSeeds = 24, kHits = 5;
   const auto bat = [](std::uint64_t seed) {
@@ -200,7 +201,7 @@ TEST(HitScatter, IsIncludedWhereNothingExplainsIt) {
   const auto random = [&](std::size_t hit) { return Modes{.second_Hz = kSecond_Hz * (1 + 1e-6 * ppm[hit])}; };
   const Analysis analysis(record_of(random, 5, 1), band());
   ASSERT_THAT(analysis.modes(), SizeIs(2));
-  EXPECT_NEAR(analysis.modes().back().hit_scatter_Hz, 0.27, 0.05);
+  EXPECT_NEAR(analysis.modes().back().hit_scatter_Hz, 0.27, 0.05);  // 302 ppm of 900 Hz
   EXPECT_THAT(warnings_of(analysis), Contains(HasSubstr("hits_differ: ")));
 }
 

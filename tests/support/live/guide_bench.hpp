@@ -75,6 +75,7 @@ inline std::string analysis_document(acquire::Record record) {
   return report::analysis_json(*runs.front().analysis);
 }
 
+/// The force of each row in N, [rows][samples].
 inline std::vector<std::vector<double>> force_rows(const acquire::Record& record) {
   std::vector<std::vector<double>> rows;
   for (std::size_t row = 0; row < record.rows.size(); ++row) {

@@ -35,8 +35,8 @@ std::optional<model::BeamStructure> shaped_beam_of(const BeamFlags& flags);
 /// Which numbers of a list may be zero.
 enum class ColonZeros { none, after_first };
 
-/// Reads "1200:0.5:3e-3": `least` to `most` finite numbers above zero, separated by colons. Throws an OptionError that
-/// ends in `remedy`.
+/// Reads "1200:0.5:3e-3": `least` to `most` finite numbers above zero, separated by colons; with after_first, all but
+/// the first may be zero. Throws an OptionError that ends in `remedy`.
 std::vector<double> parse_colon_list(const OptionId& option, const std::string& text, std::size_t least,
                                      std::size_t most, const char* remedy, ColonZeros zeros = ColonZeros::none);
 

@@ -19,7 +19,7 @@ struct FrequencyFitFlags {
   }
 };
 
-/// `names` of the parameters that can be fitted; `numbers` says how modes are numbered.
+/// `names` of the parameters that can be fitted; `numbers` is the help text of --measured-modes.
 void add_frequency_fit_flags(Command& command, FrequencyFitFlags& flags, const std::vector<std::string>& names,
                              const char* numbers);
 
@@ -29,6 +29,7 @@ std::vector<model::MeasuredMode> measured_modes(const FrequencyFitFlags& flags, 
 
 /// The parameters of a bat or beam with a table of sections, out of young, shear, density, torsion and added-mass.
 /// Throws OptionError for a parameter that the structure does not have, and for one named twice.
+/// total_mass  whether the total mass is given: the density then follows from it, and cannot be fitted
 std::vector<model::StructureParameter> structure_parameters(const FrequencyFitFlags& flags,
                                                             const model::BeamStructure& structure, bool total_mass);
 

@@ -18,7 +18,7 @@ struct StructureFlags {
   std::vector<std::string> added;
 };
 
-/// `kind` is the default of --profile-kind.
+/// `kind` is the default of --profile-kind. `required`: --profile must be given, as for a bat; help texts then differ.
 void add_structure_flags(Command& command, StructureFlags& flags, const char* kind, bool required);
 
 /// Reads the table and the masses. The density follows from the total mass where that is given. Throws UsageError for

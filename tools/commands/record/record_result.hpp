@@ -19,7 +19,7 @@ class SessionResult {
 
   const pipeline::Analysis& analysis() const { return *runs_.front().analysis; }
   const pipeline::SessionQuality& quality() const { return quality_; }
-  /// Warnings of the analysis beside the problems that `quality` names.
+  /// Number of warnings of the analysis, without infos, that `quality` does not name among its problems.
   std::size_t further_warnings() const;
   /// The document that `percuss analyze FILE --json` prints.
   std::string document() const;

@@ -32,9 +32,10 @@ std::string torn_text(const Interrupted& interrupted);
 
 /// The frames that were analysed, but could not be written to the journal.
 std::uint64_t missing_frames(const acquire::JournalReader& journal);
+/// A sentence about these frames.
 std::string missing_text(std::uint64_t frames, double fs_Hz);
 
-/// Only a device that makes the same samples again goes on where the session was interrupted.
+/// Whether the device makes the same samples again. Only such a device goes on where the session was interrupted.
 bool repeats_itself(const std::string& device);
 
 /// Gives the guide the samples, verdicts, keys and faults of the session.

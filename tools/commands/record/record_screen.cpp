@@ -83,14 +83,14 @@ void RecordScreen::note(const std::string& text) {
   if (!flags_.quiet) terminal_.line(text);
 }
 
-// Each once.
+// Shows each problem once.
 void RecordScreen::show_problems(const pipeline::SessionQuality& quality) {
   for (const pipeline::SessionProblem& problem : quality.problems) {
     if (told_.insert(problem.code).second) note("! " + problem.text);
   }
 }
 
-// Each once, as soon as there are modes.
+// Names each goal once, as soon as there are modes.
 void RecordScreen::show_missing_goals(const pipeline::SessionQuality& quality) {
   if (quality.modes.empty()) return;
   for (const pipeline::PrecisionGoal& goal : goals_) {

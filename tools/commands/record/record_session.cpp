@@ -94,7 +94,7 @@ struct Ending {
   bool broken = false;               // early, by a fault of the device or by a signal
 };
 
-// Until the session is finished, the device ends or a signal arrives.
+// Records until the session is finished, the device ends or a signal arrives.
 Ending record_blows(acquire::CaptureStream& stream, pipeline::Guide& guide, RecordTerminal& terminal,
                     RecordScreen& screen) {
   Ending ending;
@@ -122,7 +122,7 @@ Ending record_blows(acquire::CaptureStream& stream, pipeline::Guide& guide, Reco
   return ending;
 }
 
-// Names the way to go on where a blow cannot be stored: the journal holds the session.
+// If a blow cannot be stored, the error names the command that resumes the session, which the journal holds.
 Ending record_or_name_resume(const RecordFlags& flags, acquire::CaptureStream& stream, pipeline::Guide& guide,
                              RecordTerminal& terminal, RecordScreen& screen) {
   try {

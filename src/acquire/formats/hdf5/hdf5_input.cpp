@@ -18,7 +18,7 @@ namespace {
 
 /// Size of a regular file. Opens the file without the library first: the library does not say why opening failed.
 std::uint64_t size_of(const std::string& path) {
-  // O_NONBLOCK: a pipe without writer must not hang us.
+  // O_NONBLOCK: opening a pipe without a writer must not block.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) {
     const int error = errno;

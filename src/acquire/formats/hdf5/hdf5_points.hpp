@@ -13,7 +13,7 @@ namespace percuss::acquire::hdf5 {
 /// One whole number per row; zeros when the set is absent.
 std::vector<int> numbers_per_row(const InputHdf5& file, const std::string& name, std::size_t rows);
 
-/// Why each row was rejected while it was recorded; none when the set is absent.
+/// Why each row was rejected while it was recorded; RowMark::none for all rows when the set is absent.
 std::vector<RowMark> read_marks(const InputHdf5& file, std::size_t rows);
 
 /// Faults of the capture; none when the set is absent.
@@ -25,7 +25,8 @@ std::vector<std::vector<double>> read_geometry(const InputHdf5& file);
 /// Lines between points; `points` is the number of points. Empty when the set is absent.
 std::vector<TraceLine> read_trace_lines(const InputHdf5& file, std::size_t points);
 
-/// /trace_faces [faces, corners], -1 behind the last corner of a face. Likewise.
+/// Faces from /trace_faces [faces, corners], with -1 after the last corner. `points` as above. Empty when the set is
+/// absent.
 std::vector<TraceFace> read_trace_faces(const InputHdf5& file, std::size_t points);
 
 }  // namespace percuss::acquire::hdf5

@@ -9,8 +9,8 @@
 
 namespace percuss::acquire {
 
-/// [count] The variable's number for each channel; nothing where it is not finite. Nothing for every channel if there
-/// is no such variable, or if it does not hold `count` real numbers.
+/// The number for each channel in the variable `name`, [count]; nothing where it is not finite. Nothing for every
+/// channel if there is no such variable, or if it does not hold `count` real numbers.
 std::vector<std::optional<double>> per_channel(const MatFile& file, const char* name, std::size_t count);
 
 /// The value for `row` in a variable that holds one whole number per hit; 0 if the file has no such variable.
@@ -34,6 +34,7 @@ std::string unit_in(const MatFile& file, const std::string& name);
 /// errors  InputError: a variable is named as a power spectral density.
 void refuse_spectral_densities(const MatFile& file);
 
+/// The variable `geometry` as [points][2 or 3], as in Record::geometry. Empty if it is absent or has another shape.
 std::vector<std::vector<double>> geometry_in(const MatFile& file);
 
 /// Takes the lines and faces between points. Unreadable ones do not make the file an error: another program may use the

@@ -16,7 +16,7 @@ struct SoundCalibration {
   struct Signal {
     std::string name;
     Quantity measures = Quantity::acceleration;
-    double to_SI = 1;  // N or m/s² at full scale
+    double to_SI = 1;  // N, m/s² or Pa at full scale
     std::optional<double> angle_rad, position_m;
   };
   double fs_Hz = 0;

@@ -44,7 +44,7 @@ enum class SoundKind { wav, rf64, w64 };
 
 /// A sound file of 64-bit floating-point numbers that appears whole under its name, or not at all; equal calls give
 /// equal bytes.
-/// errors  InputError: as AtomicFile; a rate or a length beyond the format's limits.
+/// errors  InputError: as AtomicFile; a rate or a number of channels beyond the format's limits.
 class SoundOutput {
  public:
   struct Chunk {

@@ -114,7 +114,7 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const StampReader
   // Stamps may lack trailing zeros. Of the last 64, the one with the most decimals shows the rounding.
   constexpr std::size_t kLast = 64;
   std::vector<double> time_s(table.lines());
-  std::vector<int> decimals(rows.size(), -400);
+  std::vector<int> decimals(rows.size(), -400);  // the fewest that decimals_of() returns
   std::size_t row = 0;
   table.for_each_cell(reader.index, [&](std::size_t line, std::string_view cell) {
     time_s[line] = reader.time_s(line, cell);

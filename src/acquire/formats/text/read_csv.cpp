@@ -104,8 +104,8 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 }
 
 constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
-constexpr double kMinFrequencyStep_Hz =
-    0.05;  // Hz, in a column without a name; as a time step in s it would mean 20 Hz
+// Of a column without a name: as a time step in s, it would mean 20 Hz.
+constexpr double kMinFrequencyStep_Hz = 0.05;
 
 std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
   std::vector<double> samples(std::min(table.lines(), max_samples));
@@ -131,8 +131,8 @@ bool shows_hammer(const std::vector<CsvColumn>& columns,
   return shares.size() > 1 && kMaxDissimilarityRatio * shares[0] < shares[1];
 }
 
-// The sampling rate of times in ms, if they are no plausible times in s; otherwise 0. Numbers that rise by one count
-// the samples.
+// The sampling rate of times in ms, if they are no plausible times in s; otherwise 0. Also 0 for numbers that rise by
+// 1: they count the samples.
 double rate_of_ms_Hz(const std::vector<double>& times) {
   if (times.back() - times.front() == static_cast<double>(times.size() - 1)) return 0;
   const double rate_Hz = static_cast<double>(times.size() - 1) / (times.back() - times.front());

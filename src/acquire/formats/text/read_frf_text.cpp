@@ -57,7 +57,7 @@ Part part_of(const std::vector<std::string>& words) {
   return Part::none;
 }
 
-// [columns] what each column holds of an FRF. A column of numbers before a phase is its magnitude, whatever its name
+// The part of an FRF in each column, [columns]. A column of numbers before a phase is its magnitude, whatever its name
 // ("Hz, H1, phase"), unless it names another spectrum.
 std::vector<Part> parts_of(const CsvHeader& header) {
   std::vector<Part> parts;
@@ -155,7 +155,8 @@ bool closes_more_than_it_opens(const std::string& word, char open, char close) {
          std::count(word.begin(), word.end(), close) > std::count(word.begin(), word.end(), open);
 }
 
-// "g/N" of "g/N)", the end of "(dB re 1 g/N)", and of "(dBg/N)"; "(m/s)/N" of "(m/s)/N)".
+// Removes "dB" and unmatched closing brackets: "g/N)", the last word of "(dB re 1 g/N)", and "(dBg/N)" give "g/N";
+// "(m/s)/N)" gives "(m/s)/N".
 std::string without_dB(std::string word) {
   if (closes_more_than_it_opens(word, '(', ')')) word.pop_back();
   if (closes_more_than_it_opens(word, '[', ']')) word.pop_back();

@@ -26,7 +26,8 @@ DofKey key_of(const UffDof& dof) { return {dof.name, dof.node, dof.direction}; }
 // Assigns the degrees of freedom of the FRFs to points and channels.
 struct Grid {
   bool sensor_roves = false;
-  std::map<DofKey, std::size_t> channels;  // with a roving sensor: by name and direction only
+  // The number of each channel, from 1. With a roving sensor, the key is name and direction only.
+  std::map<DofKey, std::size_t> channels;
   DofKey channel_key(const UffFunction& f) const {
     return sensor_roves ? DofKey{f.response.name, 0, f.response.direction} : key_of(f.response);
   }

@@ -147,7 +147,7 @@ class Splitter {
     take_line();  // the delimiter
   }
 
-  // Whether the data are long, evenly spaced and followed by a delimiter; does not read them.
+  // Whether the data are long, evenly spaced and followed by a delimiter. If so, they are not loaded.
   bool stays_in_file(std::uint64_t bytes, std::string_view record7) {
     const auto even = UffFields(record7.substr(std::min<std::size_t>(kSpacingColumn, record7.size()))).integer(10);
     if (bytes < kMinUnread_bytes || bytes > rest_.size() || even != 1) return false;

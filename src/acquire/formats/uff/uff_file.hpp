@@ -26,7 +26,8 @@ bool is_universal_file(std::string_view head);
 /// The data sets of a universal file, in order. A delimiter is a whole line. Three lengths of a binary set 58 are
 /// tried, until a delimiter follows the data: the length in record 7, the length in the set's first line, and the
 /// length in record 7 with padding. A lazy file is loaded except for the data of long binary sets 58 with an even
-/// abscissa. errors  InputError with file and line: a set is not closed, or its number or length cannot be read.
+/// abscissa.
+/// errors  InputError with file and line: a set is not closed, or its number or length cannot be read.
 std::vector<UffSet> split_uff(const FileBytes& file);
 
 /// "file: line 12", the line of `at` in `file`. `at` points into the bytes of `file`.

@@ -19,6 +19,7 @@ std::string uff_d25(double value);
 
 /// A universal file that appears whole under its name, or not at all; equal calls give equal bytes (dates are left
 /// empty). Lines end in "\n".
+/// errors  InputError: as AtomicFile.
 class UffOutput {
  public:
   UffOutput(const std::string& path, bool force, UffData data = UffData::binary);
@@ -28,7 +29,7 @@ class UffOutput {
   /// Writes a data set of complete lines, each with its line end.
   void set(int number, std::string_view lines);
   /// Writes a data set 58 in double precision. The numbers of `description` are ignored. Complex values are real and
-  /// imaginary part in turn.
+  /// imaginary parts, alternating.
   void function(const UffFunction& description, std::span<const double> values);
   /// As above, in blocks: calls next(first, out) for numbers first … first + out.size() − 1 of `count`.
   template <class Next>

@@ -13,7 +13,7 @@ namespace percuss::acquire {
 /// nothing for other quantities.
 std::optional<Quantity> quantity_of_axis(const UffAxis& axis);
 
-/// [functions] whether a time record is a force. The first of these rules that finds one applies:
+/// Whether each time record is a force, [functions]. The first of these rules that finds a force applies:
 ///   the name that the options or the set-up give, in any letter case;
 ///   the axis (quantity_of_axis);
 ///   a word for a force in the name of functions without a quantity, if all these functions have the same name.
@@ -24,8 +24,8 @@ std::vector<bool> force_functions(const std::vector<const UffFunction*>& functio
 /// row, or if the name of the numbered force does not occur once per row.
 ReadOptions with_names(const ReadOptions& options, const std::vector<const UffFunction*>& functions);
 
-/// Names responses without a name by the first ID line of their functions, where these lines name signals: functions of
-/// one node and direction have the same line, those of different ones different lines.
+/// Names unnamed responses by the first ID line of their functions, if these lines name signals: all functions of one
+/// node and direction have the same line, and no two nodes or directions share a line.
 void name_by_id_lines(const std::vector<UffFunction*>& functions);
 
 /// The name of a degree of freedom: "force", "accel 1"; if it is unnamed, its node and direction: "12+Z".

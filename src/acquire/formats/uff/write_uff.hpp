@@ -7,7 +7,8 @@
 namespace percuss::acquire {
 
 /// Writes a record as a universal file: sets 151 and 164; a geometry of coordinates as 2411, its trace lines as 82 and
-/// its faces as 2412; one function 58 (58b for UffData::binary) per hit and channel in N and m/s^2, the force first.
+/// its faces as 2412; one function 58 (58b for UffData::binary) per hit and channel in N and m/s^2 (or Pa), the force
+/// first.
 /// The fourth line of a function states angle and position, the fifth the exact time step. Hits may differ in length.
 /// errors  InputError: the file exists (without `force`) or cannot be written.
 void write_uff(const std::string& path, const Record& record, bool force, UffData data = UffData::binary);

@@ -30,7 +30,7 @@ class PortAudioLibrary {
 
 /// The input with this name: its whole name, the part in parentheses, or a part that no other name has. `alsa_only`:
 /// among ALSA's inputs.
-/// errors  InputError: none, or several
+/// errors  InputError: none, or several; the sound card is busy or forbidden
 PortAudioInput find_input(const std::vector<PortAudioInput>& inputs, const std::string& name, bool alsa_only);
 
 /// Discards what C libraries write to standard error while it lives: ALSA and JACK report each device that they look

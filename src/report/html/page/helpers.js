@@ -2,8 +2,8 @@
 const data = Object.assign({}, ...JSON.parse(document.getElementById("data").textContent));
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
-// Colours differ between paper and a dark screen: forgetColours after a change. The colours are kept, because a browser
-// that is asked for a style after a change of the document computes the styles of the whole document again.
+// The colours of the page, each read once: when a style is read after a change of the document, a browser computes all
+// styles again. Paper and a dark screen have other colours: call forgetColours when that changes.
 const knownColours = new Map();
 const forgetColours = () => knownColours.clear();
 darkScheme.addEventListener("change", forgetColours);

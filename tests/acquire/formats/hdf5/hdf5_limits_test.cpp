@@ -270,7 +270,7 @@ TEST_F(Hdf5Limits, ChunksMustBePresentAndFit) {
 }
 
 TEST_F(Hdf5Limits, ManyChunksAreNotCounted) {
-  constexpr hsize_t kSamples = 200'001;
+  constexpr hsize_t kSamples = 200'001;  // chunks of one sample: one more than the reader counts
   {
     Hdf5Builder file(path_);
     file.numbers("", "fs", {1000}).ramp("accel", {kSamples}).ramp("force", {kSamples}, {.chunk = {1}});

@@ -55,6 +55,7 @@ TEST_F(SelfContained, MayHoldGroupsHardLinksAndReferences) {
   EXPECT_NO_THROW(check([](hid_t file) {
     Handle(H5Gcreate2(file, "group", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)).close();
     H5Lcreate_hard(file, "x", file, "group/again", H5P_DEFAULT, H5P_DEFAULT);
+    // A reference to a group, a null reference, and a reference to a place without an object.
     add_references(file, {reference_to(file, "group"), 0, 54'321});
     add_references(file, {}, "none");
   }));

@@ -17,7 +17,7 @@ namespace percuss::acquire::read_frf_hdf5_test {
 
 using testing::HasSubstr;
 
-// Two points, two channels, three lines; value 1 + 10 c + 100 p + jk.
+// Two points, two channels, three lines. Element [p, c, k] is first_value + 10 c + 100 p + jk.
 struct FrfFile {
   std::vector<double> freq_Hz{0, 0.5, 1};
   std::vector<double> point{3, 7};
@@ -60,7 +60,7 @@ TEST(ReadFrfHdf5, ReadsTheDocumentedLayout) {
   EXPECT_EQ(frfs->frfs[3].value[2], Complex(111, 2));
   EXPECT_EQ(frfs->unit->kind, FrfKind::receptance);
   EXPECT_EQ(frfs->record.lines.df_Hz(), 0.5);
-  EXPECT_NEAR(*frfs->record.accel.at(1).angle_rad, std::numbers::pi / 2, 1e-15);
+  EXPECT_NEAR(*frfs->record.accel.at(1).angle_rad, std::numbers::pi / 2, 1e-15);  // degrees in the file
 }
 
 TEST(ReadFrfHdf5, IgnoresTimeRecords) {

@@ -204,6 +204,7 @@ TEST_F(MatContents, AreTenThousandVariablesAtMost) {
   };
   const std::string two = cells(4096) + cells(4096);
   std::string more;
+  // 2 · 4096 + 1808 = 10 000.
   for (int n = 0; n < 1808; ++n) more += array(head(kDouble, {1, 1}, "n") + doubles({1}));
   EXPECT_THAT(read(two + more).variables, SizeIs(10'000));
   EXPECT_THAT(refusal(two + more + number), HasSubstr("more than 10000 variables"));

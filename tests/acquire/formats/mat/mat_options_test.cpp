@@ -235,7 +235,7 @@ TEST_F(MatCompleteness, LeavesOtherVariablesToTheLibrary) {
   EXPECT_THAT(refusal(five.substr(0, 126), MatLevel::v5), HasSubstr("reading failed"));
   std::string many;
   for (int n = 0; n < 100'001; ++n) many += words({50, 1, 1, 0, 2}, false) + std::string("x\0\1", 3);
-  expect_complete(many.substr(0, many.size() - 1), MatLevel::v4);  // the last one is not examined
+  expect_complete(many.substr(0, many.size() - 1), MatLevel::v4);  // variable 100 001 is not examined
 }
 
 }  // namespace percuss::acquire::mat_options_test

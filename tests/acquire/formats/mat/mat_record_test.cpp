@@ -59,7 +59,8 @@ TEST_F(MatRecord, IsReadFromEveryLevel) {
   }
 }
 
-// A level 4 file as its description lays it out, in both byte orders: type, rows, columns, imaginary, length of name.
+// A level 4 file, written byte by byte in both byte orders. Five numbers precede the name of a variable: type, rows,
+// columns, 1 for complex, length of the name.
 TEST_F(MatRecord, ReadsLevel4LaidOutByHand) {
   const auto variable = [](const std::string& name, const std::vector<double>& values, bool big) {
     std::string out;
@@ -227,7 +228,7 @@ TEST_F(MatRecord, GivesFrfsWithTheirFrequencies) {
   const acquire::FrfRecord record = frfs();
   ASSERT_EQ(record.frfs.size(), 2U);
   EXPECT_EQ(record.lines.first, 1U);
-  EXPECT_NEAR(record.lines.df_Hz(), 10, 1e-12);
+  EXPECT_NEAR(record.lines.df_Hz(), 10, 1e-12);  // rounding, here and below
   EXPECT_EQ(record.frfs[1].frf.value[2], Complex(11, 12));
   MatBuilder(path_, MatLevel::v4).complex("MEscope1", {3, 2}, lines);
   EXPECT_THAT(input_error_of([&] { frfs(); }), HasSubstr("MEscope1 [3x2 complex]"));
@@ -273,7 +274,7 @@ TEST_F(MatWritten, IsReadBackExactly) {
   EXPECT_THAT(accel_mps2(record, 0, 0), ElementsAre(1, 2, 1.0 / 3));
   EXPECT_EQ(record.rows[1].point, 3);
   EXPECT_EQ(record.rows[1].run, 2);
-  EXPECT_NEAR(*record.accel[1].angle_rad, 1.5, 1e-15);
+  EXPECT_NEAR(*record.accel[1].angle_rad, 1.5, 1e-15);  // degrees in the file
   EXPECT_FALSE(record.accel[0].angle_rad.has_value());
   EXPECT_EQ(record.geometry, example().geometry);
   EXPECT_FALSE(record.continuous);
@@ -305,6 +306,8 @@ TEST_F(MatWritten, IsRefusedWhenTruncated) {
       return false;
     }
   };
+  // After `accel`, a cut between two variables leaves a readable file. The cuts end before the end of `accel`: its
+  // samples and the header of accel_unit take less than 200 bytes.
   const std::size_t accel = good.find("accel_unit");
   for (std::size_t cut = 0; cut < accel - 200; cut += 3) EXPECT_FALSE(try_bytes(good.substr(0, cut))) << cut;
   EXPECT_TRUE(try_bytes(good));

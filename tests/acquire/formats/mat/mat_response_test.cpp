@@ -58,7 +58,8 @@ TEST_F(MatResponse, IsReadFromVectorsAndMatrices) {
   }
 }
 
-// percuss's own layout; and a matrix whose columns are hits, not channels, because `point` has a number for each.
+// The first file has percuss's own layout [hits, channels, samples]. In the second, the columns of a matrix are hits,
+// not channels, because `point` has one number per column.
 TEST_F(MatResponse, KnowsHitsByTheLayoutOrByAVariableOfTheirNumber) {
   std::vector<double> values;  // [hits, channels, samples] = [2, 3, 5]: 100 h + 10 c + i
   for (std::size_t i = 0; i < 5; ++i)

@@ -69,6 +69,7 @@ TEST(ReadFrfMat, UsesCoherenceAndStandardDeviationOnlyIfTheyAreReal) {
   }
 }
 
+// The tolerances of converted frequencies, from 1e-9 to 1e-6 Hz, allow for rounding.
 TEST(ReadFrfMat, ReadsTheUnitOfTheFrequencies) {
   const StoredFrfs kilo = read_frf_mat(one_point(text("frequency_hz_unit", "kHz")), {}).value();
   EXPECT_NEAR(kilo.record.lines.df_Hz(), 1000, 1e-9);
@@ -126,7 +127,7 @@ TEST(ReadFrfMat, IgnoresAnglesThatAreNotReal) {
   EXPECT_FALSE(frfs.record.accel.at(0).angle_rad.has_value());
 }
 
-// A longer array beside FRFs of another name may be a record; beside `frf` it is not, in either letter case.
+// A real array longer than the complex one may be a record. The name `frf`, in any letter case, decides for FRFs.
 TEST(ReadFrfMat, KnowsTheNameFrfInEitherLetterCase) {
   for (const std::string name : {"frf", "FRF", "test.Frf"}) {
     const MatFile file = file_of({numbers("frequency_hz", {1, 3}, {0, 1, 2}), complex(name, {1, 3}, {1, 2, 3}),

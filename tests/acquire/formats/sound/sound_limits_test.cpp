@@ -75,7 +75,7 @@ TEST_F(SoundLimits, ChunksThatClaimMoreThanTheFileAreRefused) {
     EXPECT_EQ(input_error_of([&] { opened(wav(samples_, "CAL1" + number(claimed, 4) + "{}  "), {}); }),
               "a custom chunk that is too long (" + path_ + "); export the file again");
   }
-  const std::uint32_t large = (16U << 20U) + 2;
+  const std::uint32_t large = (16U << 20U) + 2;  // the limit is 16 MiB
   EXPECT_THAT(input_error_of([&] { opened(wav(samples_, "CAL1" + number(large, 4) + std::string(large, ' ')), {}); }),
               HasSubstr("a custom chunk that is too long"));
 }

@@ -35,9 +35,8 @@ std::string number(std::uint64_t value, std::size_t bytes, bool big = false) {
 struct Wav {
   std::uint64_t kind = 1, channels = 2, rate_Hz = 1000, bits = 16;  // kind 1: integers, 3: floating point
   bool big = false;
-  std::string before = {};  // chunks before the samples
-  std::optional<std::uint64_t> claimed_bytes =
-      {};  // length of the samples that the header states; empty: the true length
+  std::string before = {};                          // chunks before the samples
+  std::optional<std::uint64_t> claimed_bytes = {};  // of samples, in the header; empty: the true number
 };
 
 /// The bytes of a WAV file with the header `w` and these samples.
@@ -268,14 +267,15 @@ TEST_F(SoundRecord, WrittenAsW64HoldsPlainNumbers) {
   EXPECT_EQ(accel_mps2(read), accel_mps2(record));
 }
 
-// A text names its columns "force_N"; the scale in the sound file counts, not the unit in the name.
+// A channel of the sound file keeps the name "force_N" of its column in the text. The scale in the sound file counts,
+// not the unit in that name. Samples are 32-bit floats.
 TEST_F(SoundRecord, KeepsTheScaleOfChannelsWhoseNamesCarryUnits) {
   const Record text = test::csv_record("t_s,force_N,acc_g\n0,0,1\n0.01,300,-2\n0.02,10,0.5\n0.03,0,0\n");
   write_record(path_, text, false);
   const Record sound = open_record(path_);
   EXPECT_THAT(force_N(sound), ElementsAre(0, testing::DoubleNear(300, 1e-4), testing::DoubleNear(10, 1e-4), 0));
   const std::vector<double> expected = accel_mps2(text), found = accel_mps2(sound);
-  for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_NEAR(found[n], expected[n], 1e-5);  // 32-bit floats
+  for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_NEAR(found[n], expected[n], 1e-5);
 }
 
 }  // namespace percuss::acquire::sound_record_test

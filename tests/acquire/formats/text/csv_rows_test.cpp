@@ -118,6 +118,7 @@ TEST(CsvRate, AsksForTheUnitWhereSecondsGiveALowRate) {
       input_error_of([&] { csv_record(text); }),
       AllOf(HasSubstr("25.6 Hz if they are seconds and 25600 Hz if they are milliseconds"), HasSubstr("Time (ms)")));
   EXPECT_THAT(test::options_of_error([&] { csv_record(text); }), ElementsAre("fs"));
+  // The times have six decimals.
   EXPECT_NEAR(csv_record(lines_at("Time (ms),force_N,acc_g\n", 0.0390625, 20, ",1,2\n")).fs_Hz, 25600, 1);
   EXPECT_EQ(csv_record(lines_at("Time,force_N,acc_g\n", 0.001, 20, ",1,2\n")).fs_Hz, 1000);
 }

@@ -159,7 +159,7 @@ TEST(ReadCsv, SurvivesMutationsOfAGoodFile) {
       ++refused;
     }
   }
-  EXPECT_GT(refused, 1000U);
+  EXPECT_GT(refused, 1000U);  // mutations that rarely matter would test nothing
 }
 
 }  // namespace percuss::acquire::read_csv_test

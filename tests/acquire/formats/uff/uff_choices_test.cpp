@@ -137,7 +137,7 @@ TEST(UffChoices, ReadUnevenTimesOfBinarySets) {
     set->values = 3;
   }
   const Record record = opened(force.binary(bytes, 1, bytes.size()) + accel.binary(bytes, 1, bytes.size()));
-  EXPECT_NEAR(record.fs_Hz, 2 / static_cast<double>(0.002F), 1e-9);
+  EXPECT_NEAR(record.fs_Hz, 2 / static_cast<double>(0.002F), 1e-9);  // rounding
   EXPECT_THAT(force_N(record), ElementsAre(1, 2, 3));
 }
 
@@ -196,7 +196,7 @@ TEST(UffFrfAxes, StateTheQuotientInTheOrdinateAlone) {
 TEST(UffFrfAxes, StateEachFrequencyOfUnevenLines) {
   const FrfRecord record = read(uneven_frf_text(frf(), 10, 12));
   EXPECT_EQ(record.lines.first, 5U);
-  EXPECT_NEAR(record.lines.df_Hz(), 2, 1e-12);
+  EXPECT_NEAR(record.lines.df_Hz(), 2, 1e-12);  // rounding
   EXPECT_EQ(record.frfs[0].frf.value[1], Complex(2, 0));
   UffText second = frf();
   second.response_node = 2;

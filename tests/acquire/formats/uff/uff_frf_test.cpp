@@ -153,10 +153,10 @@ TEST(UffFrf, IsWrittenWithCoherenceAndReadBackExactly) {
   EXPECT_EQ(again.frfs[1].point, 2);
   EXPECT_EQ(again.frfs[0].frf.value, record.frfs[0].frf.value);
   EXPECT_EQ(again.frfs[0].frf.coherence, record.frfs[0].frf.coherence);
-  EXPECT_NEAR(again.frfs[0].frf.std[1], record.frfs[0].frf.std[1], 1e-12);
-  EXPECT_NEAR(again.lines.df_Hz(), 10.0 / 3, 1e-14);
+  EXPECT_NEAR(again.frfs[0].frf.std[1], record.frfs[0].frf.std[1], 1e-12);  // rounding
+  EXPECT_NEAR(again.lines.df_Hz(), 10.0 / 3, 1e-14);                        // rounding
   EXPECT_EQ(again.lines.first, 3U);
-  EXPECT_NEAR(*again.accel[0].angle_rad, 0.5, 1e-9);
+  EXPECT_NEAR(*again.accel[0].angle_rad, 0.5, 1e-9);  // degrees with ten digits in the file
   EXPECT_EQ(again.geometry, record.geometry);
 }
 

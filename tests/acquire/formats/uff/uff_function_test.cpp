@@ -169,7 +169,7 @@ TEST(UffFunction, RemovesTheStepsRounding) {
         Case{"  0.22676E-04", 44100}, Case{"  1.00000E-03", 1000}}) {
     const auto f = only_function(UffText{.values = 2, .dx = dx}.text("  1.00000E+00  2.00000E+00\n"));
     std::string note;
-    EXPECT_NEAR(1 / uff_step(f, false, 1, note), fs_Hz, 1e-9 * fs_Hz) << dx;
+    EXPECT_NEAR(1 / uff_step(f, false, 1, note), fs_Hz, 1e-9 * fs_Hz) << dx;  // rounding
     EXPECT_EQ(note.empty(), fs_Hz == 1000 || std::string(dx) == "  3.90625E-05") << note;
   }
 }

@@ -153,7 +153,7 @@ TEST_F(UffWritten, IsReadBackExactly) {
   EXPECT_THAT(accel_mps2(record, 0, 0), ElementsAre(1, 2, 1.0 / 3));
   EXPECT_EQ(record.rows[1].point, 3);
   EXPECT_EQ(record.rows[1].run, 2);
-  EXPECT_NEAR(*record.accel[1].angle_rad, 90 * kDegree_rad, 1e-15);
+  EXPECT_NEAR(*record.accel[1].angle_rad, 90 * kDegree_rad, 1e-15);  // degrees in the file
   EXPECT_EQ(record.accel[1].position_m, 0.0508);
   EXPECT_EQ(record.geometry, example().geometry);
   EXPECT_FALSE(record.continuous);
