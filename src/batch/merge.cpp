@@ -47,14 +47,23 @@ std::vector<FinishedShard> finished_parts(const Manifest& manifest, const std::s
       folder, "run these shards");
 }
 
-void copy_rows(const std::string& folder, const FinishedShard& part,
-               const std::vector<std::unique_ptr<RowWriter>>& writers) {
+void add_if_failed(std::vector<FailedRecord>& failed, std::string_view record_row) {
+  if (failed.size() == kMaxNamed) return;
+  const auto row = nlohmann::json::parse(record_row, nullptr, false);
+  if (row.is_discarded() || !row.contains("reason") || !row["reason"].is_string()) return;
+  failed.push_back({.id = row.value("id", ""), .reason = row["reason"]});
+}
+
+// Returns the first failed records of the part.
+std::vector<FailedRecord> copy_rows(const std::string& folder, const FinishedShard& part,
+                                    const std::vector<std::unique_ptr<RowWriter>>& writers) {
   const std::string path = part_path(folder, part.label.shard, "jsonl");
   const PartFile file = PartFile::existing(path);
   if (!file.present()) refuse_changed(path);
   LineReader lines(file.descriptor(), path, kLongestRow_bytes);
   report::Digest digest;
   std::size_t records = 0;
+  std::vector<FailedRecord> failed;
   while (lines.next()) {
     digest.add(lines.line());
     digest.add("\n");
@@ -62,10 +71,14 @@ void copy_rows(const std::string& folder, const FinishedShard& part,
       if (lines.line() != label_line(part.label)) refuse_changed(path);
       continue;
     }
-    records += lines.line().starts_with(kRecordRow) ? 1U : 0U;
+    if (lines.line().starts_with(kRecordRow)) {
+      ++records;
+      if (part.failed > 0) add_if_failed(failed, lines.line());
+    }
     for (const auto& writer : writers) writer->add(lines.line(), fmt::format("{}, line {}", path, lines.number()));
   }
   if (records != part.records || report::hexadecimal(digest.result()) != part.sha256) refuse_changed(path);
+  return failed;
 }
 
 }  // namespace
@@ -85,7 +98,11 @@ MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, con
   std::vector<std::unique_ptr<RowWriter>> writers;
   writers.reserve(paths.size());
   for (const std::string& path : paths) writers.push_back(row_writer(path, totals, options.force, options.formulas));
-  for (const FinishedShard& part : parts) copy_rows(folder, part, writers);
+  for (const FinishedShard& part : parts) {
+    for (FailedRecord& record : copy_rows(folder, part, writers)) {
+      if (merged.first_failed.size() < kMaxNamed) merged.first_failed.push_back(std::move(record));
+    }
+  }
   for (const auto& writer : writers) writer->commit();
   return merged;
 }

@@ -12,8 +12,13 @@ struct MergeOptions {
   CsvFormulas formulas = CsvFormulas::neutralise;
 };
 
+struct FailedRecord {
+  std::string id, reason;
+};
+
 struct MergedBatch {
   std::size_t records = 0, failed = 0;
+  std::vector<FailedRecord> first_failed;  // at most kMaxNamed (status.hpp)
 };
 
 /// Writes the rows of all shards, ordered by id, to each file, in constant memory. The extension gives the format:

@@ -176,7 +176,8 @@ Json record_row(const BatchRecord& record, const RowContents& rows) {
 
 RecordRows rows_of(const BatchRecord& record, const RowOptions& options) {
   const RowContents contents = row_contents_of(record, options);
-  RecordRows out{.lines = {line_of(record_row(record, contents))}, .failed = contents.code != 0};
+  RecordRows out{
+      .lines = {line_of(record_row(record, contents))}, .failed = contents.code != 0, .reason = contents.reason};
   for (const auto* kind : {&contents.modes, &contents.frfs}) {
     for (const Json& row : *kind) out.lines.push_back(line_of(row));
   }

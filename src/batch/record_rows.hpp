@@ -26,7 +26,8 @@ struct RowOptions {
 /// The result of a record as lines of JSON without line ends: a "record", its "mode"s in ascending order, its "frf"s.
 struct RecordRows {
   std::vector<std::string> lines;
-  bool failed = false;  // the row of the record states the reason
+  bool failed = false;
+  std::string reason;  // of a failed record
 };
 
 /// Reads and analyses one record. A record that cannot be analysed gives a row with the message of the command

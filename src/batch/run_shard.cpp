@@ -49,15 +49,21 @@ std::optional<FinishedShard> finished_shard_before(const ShardJob& job, const Sh
   return absent || bytes != part->bytes ? std::nullopt : part;
 }
 
-// Analyses records and returns the records that a fault of the machine left open.
-std::vector<OpenRecord> analyse(const ShardJob& job, Journal& journal, const std::vector<std::size_t>& left) {
+struct ProblemsOfRun {
+  std::vector<RecordProblem> failed, open;
+};
+
+ProblemsOfRun analyse(const ShardJob& job, Journal& journal, const std::vector<std::size_t>& left) {
   Retries retries(job.waits);
   std::mutex one_at_a_time;
-  std::vector<OpenRecord> open;
+  ProblemsOfRun problems;
+  const auto note = [&](std::vector<RecordProblem>& list, std::size_t index, const std::string& reason) {
+    const std::scoped_lock lock(one_at_a_time);
+    list.push_back({.index = index, .reason = reason});
+  };
   const auto leave_open = [&](std::size_t index, const std::string& reason) {
     journal.leave_open(index, reason);
-    const std::scoped_lock lock(one_at_a_time);
-    open.push_back({.index = index, .reason = reason});
+    note(problems.open, index, reason);
   };
   parallel_for(left.size(), job.threads, [&](std::size_t i) {
     try {
@@ -65,6 +71,7 @@ std::vector<OpenRecord> analyse(const ShardJob& job, Journal& journal, const std
       retries.run([&] { journal.begin(left[i]); });
       retries.run([&] { rows = rows_of(job.manifest->record(left[i]), job.options); });
       retries.run([&] { journal.finish(left[i], rows.failed, rows.lines); });
+      if (rows.failed) note(problems.failed, left[i], rows.reason);
       retries.end_of_fault();
       if (job.advance) job.advance();
     } catch (const MachineFault& fault) {
@@ -73,8 +80,9 @@ std::vector<OpenRecord> analyse(const ShardJob& job, Journal& journal, const std
       leave_open(left[i], kOutOfMemoryMessage);
     }
   });
-  std::sort(open.begin(), open.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
-  return open;
+  for (auto* list : {&problems.failed, &problems.open})
+    std::sort(list->begin(), list->end(), [](const auto& a, const auto& b) { return a.index < b.index; });
+  return problems;
 }
 
 }  // namespace
@@ -99,7 +107,8 @@ ShardOutcome run_shard(const ShardJob& job) {
   for (std::size_t i = range.first; i < range.last; ++i) {
     if (!journal.has(i)) left.push_back(i);
   }
-  ShardOutcome outcome{.open = analyse(job, journal, left)};
+  ProblemsOfRun problems = analyse(job, journal, left);
+  ShardOutcome outcome{.failed = std::move(problems.failed), .open = std::move(problems.open)};
   outcome.analysed = left.size() - outcome.open.size();
   outcome.part = {.label = label, .records = journal.finished(), .failed = journal.failed()};
   if (!outcome.open.empty()) return outcome;

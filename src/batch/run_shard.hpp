@@ -25,17 +25,19 @@ struct ShardJob {
   std::function<void()> advance;  // called on any thread after each finished record; may be empty
 };
 
-/// A record without a result: the machine failed (no process, no memory, no descriptor, a full disk, …), not the
-/// record.
-struct OpenRecord {
+/// A record that failed, or that a fault of the machine left open.
+struct RecordProblem {
   std::size_t index = 0;
   std::string reason;
 };
 
 struct ShardOutcome {
-  FinishedShard part;            // without `bytes` and `sha256` if records are open
-  std::size_t analysed = 0;      // records in this run; earlier runs finished the others
-  std::vector<OpenRecord> open;  // ascending; not empty: the shard is not finished
+  FinishedShard part;                 // without `bytes` and `sha256` if records are open
+  std::size_t analysed = 0;           // records in this run; earlier runs finished the others
+  std::vector<RecordProblem> failed;  // those of `analysed` that failed, ascending
+  /// Records without a result, ascending: the machine failed (no process, no memory, no descriptor, a full disk, …),
+  /// not the record. The shard is not finished if there are any.
+  std::vector<RecordProblem> open;
 };
 
 /// Analyses the unfinished records of a shard, then writes part-i.jsonl and part-i.ok. Does nothing for a shard with a

@@ -16,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMaxNamed = 10;
 
 void add_unfinished(BatchStatus& status, const Manifest& manifest, const std::string& path) {
   const JournalState state = journal_state(path);

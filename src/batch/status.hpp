@@ -7,6 +7,9 @@
 
 namespace percuss::batch {
 
+/// Messages name at most this many records.
+inline constexpr std::size_t kMaxNamed = 10;
+
 /// The progress of a batch, from the files in the folder of its results.
 struct BatchStatus {
   std::size_t shards = 1;

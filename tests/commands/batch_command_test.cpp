@@ -116,6 +116,17 @@ TEST_F(BatchCommand, ReportsABadRecordAsAnalyzeDoes) {
   EXPECT_EQ("percuss: " + invalid["reason"].get<std::string>() + "\n", percuss({"analyze", "recs/c.csv"}).err);
 }
 
+TEST_F(BatchCommand, NamesFailedRecordsAndTheirReasons) {
+  plan();
+  const std::string reason = percuss({"analyze", "recs/c.csv"}).err.substr(std::string("percuss: ").size());
+  const auto names_both = AllOf(HasSubstr("percuss: b failed: "), HasSubstr("percuss: c failed: " + reason));
+  EXPECT_THAT(run().err, names_both);
+  EXPECT_THAT(run().err, IsEmpty()) << "nothing was analysed in this run";
+  EXPECT_THAT(run({"--force", "--quiet"}).err, IsEmpty());
+  EXPECT_THAT(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.csv"}).err, names_both);
+  EXPECT_THAT(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "q.csv", "--quiet"}).err, IsEmpty());
+}
+
 TEST_F(BatchCommand, GivesTheSameBytesForAnyNumberOfShards) {
   plan({"--frf"});
   ASSERT_EQ(run({"--threads", "1"}).code, 6);

@@ -11,6 +11,7 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "commands/batch/batch_commands.hpp"
+#include "commands/batch/problem_list.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "report/text/version.hpp"
@@ -61,6 +62,11 @@ int merge(const ResultFlags& flags) {
     std::cout << json.dump(2) << '\n';
   } else {
     std::cout << fmt::format("{} records, {} failed\n", merged.records, merged.failed);
+  }
+  if (!flags.output.quiet) {
+    ProblemList failed("failed");
+    for (const batch::FailedRecord& record : merged.first_failed) failed.add(record.id, record.reason);
+    failed.finish(merged.failed);
   }
   return merged.failed > 0 ? kPartial : kOk;
 }

@@ -20,6 +20,7 @@
 #include "cli/progress.hpp"
 #include "commands/batch/batch_commands.hpp"
 #include "commands/batch/batch_options.hpp"
+#include "commands/batch/problem_list.hpp"
 #include "core/error.hpp"
 #include "report/text/version.hpp"
 
@@ -121,17 +122,22 @@ void print(const RunFlags& flags, const std::vector<batch::ShardOutcome>& outcom
                            open > 0 ? fmt::format("; {} left open", open) : "");
 }
 
-// The reasons of the first records left open, and their number.
-void print_open_records(const batch::Manifest& manifest, const std::vector<batch::ShardOutcome>& outcomes) {
-  constexpr std::size_t kMaxNamed = 10, kLongestReason_bytes = 1000;
-  std::size_t open = 0;
+void print_failed_records(const batch::Manifest& manifest, const std::vector<batch::ShardOutcome>& outcomes) {
+  ProblemList failed("failed");
   for (const batch::ShardOutcome& outcome : outcomes) {
-    for (const batch::OpenRecord& record : outcome.open) {
-      if (open++ >= kMaxNamed) continue;
-      std::cerr << fmt::format("percuss: {} is left open: {}\n", one_line(manifest.record(record.index).id),
-                               one_line(record.reason, kLongestReason_bytes));
-    }
+    for (const batch::RecordProblem& record : outcome.failed)
+      failed.add(manifest.record(record.index).id, record.reason);
   }
+  failed.finish(failed.size());
+}
+
+void print_open_records(const batch::Manifest& manifest, const std::vector<batch::ShardOutcome>& outcomes) {
+  ProblemList list("is left open");
+  for (const batch::ShardOutcome& outcome : outcomes) {
+    for (const batch::RecordProblem& record : outcome.open) list.add(manifest.record(record.index).id, record.reason);
+  }
+  const std::size_t open = list.size();
+  list.finish(open);
   if (open > 0) {
     std::cerr << fmt::format("percuss: the machine failed at {} {}; run the batch again\n", open,
                              open == 1 ? "record" : "records");
@@ -191,6 +197,7 @@ int run_shards(const RunFlags& flags) {
   }
   progress.stop();
   print(flags, outcomes);
+  if (!flags.quiet) print_failed_records(manifest, outcomes);
   print_open_records(manifest, outcomes);
   return open > 0 || failed > 0 ? kPartial : kOk;
 }
@@ -239,7 +246,7 @@ void add_batch_run(CommandLine& line) {
   command.flag("--json", flags->json, "Print one JSON document on standard output");
   command.flag("--force", flags->force,
                "Discard existing results, even of another plan, and analyse all records again");
-  command.flag("--quiet", flags->quiet, "Print no progress");
+  command.flag("--quiet", flags->quiet, "Print no progress, and do not name failed records");
 }
 
 }  // namespace percuss::tools

@@ -1,0 +1,24 @@
+#include "commands/batch/problem_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "batch/status.hpp"
+#include "core/error.hpp"
+
+namespace percuss::tools {
+
+void ProblemList::add(const std::string& id, const std::string& reason) {
+  constexpr std::size_t kLongestReason_bytes = 1000;
+  if (size_++ >= batch::kMaxNamed) return;
+  std::cerr << fmt::format("percuss: {} {}: {}\n", one_line(id), what_, one_line(reason, kLongestReason_bytes));
+}
+
+void ProblemList::finish(std::size_t total) const {
+  const std::size_t named = std::min(size_, batch::kMaxNamed);
+  if (total > named) std::cerr << fmt::format("percuss: and {} more\n", total - named);
+}
+
+}  // namespace percuss::tools
