@@ -4,22 +4,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/statistics.hpp"
+
 namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMinQuiet = 16;  // samples
 constexpr std::size_t kRowShare = 16;  // length of a row over the length of a window
 constexpr std::size_t kStepWindows = 4;
-constexpr double kMaxOff = 0.15;  // largest distance of a window's mean from the fitted step or slope, over its size
+constexpr double kClearChange = 5;  // standard deviations of the mean before the hit, which few samples determine
+constexpr double kMaxOff = 0.15;    // largest distance of a window's mean from the fitted step or slope, over its size
 
 double mean_level(std::span<const double> x) {
   return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())).mean();
 }
 
+double min_change(const RestLevels& levels, double largest) {
+  return std::max(kMinBaselineChange * largest,
+                  kClearChange * levels.noise / std::sqrt(static_cast<double>(levels.quiet)));
+}
+
 std::optional<BaselineChange> find_step(const RestLevels& levels, double largest, double fs_Hz) {
   std::array<double, kStepWindows> shift{};
   for (std::size_t w = 0; w < kStepWindows; ++w) shift[w] = levels.after[w] - *levels.before;
-  if (std::abs(shift[0]) < kMinBaselineChange * largest || shift[1] * shift[0] <= 0) return std::nullopt;
+  if (std::abs(shift[0]) < min_change(levels, largest) || shift[1] * shift[0] <= 0) return std::nullopt;
   // NaN where all shifts cancel: then no window is near its expected shift.
   const double ratio = std::clamp((shift[1] + shift[2] + shift[3]) / (shift[0] + shift[1] + shift[2]), 1e-3, 1.0);
   for (std::size_t w = 0; w < kStepWindows; ++w) {
@@ -44,7 +52,7 @@ std::optional<BaselineChange> find_slope(const RestLevels& levels, std::size_t s
   const double change = levels.after.back() - *levels.before;
   const double per_sample = change / (middle_of(kRestWindows - 1) - start);
   const double size = per_sample * static_cast<double>(samples);
-  if (std::abs(size) < kMinBaselineChange * largest) return std::nullopt;
+  if (std::abs(size) < min_change(levels, largest)) return std::nullopt;
   for (std::size_t w = 0; w < kRestWindows; ++w) {
     const double expected = *levels.before + per_sample * (middle_of(w) - start);
     if (std::abs(levels.after[w] - expected) > kMaxOff * std::abs(size)) return std::nullopt;
@@ -59,6 +67,7 @@ RestLevels rest_levels(std::span<const double> x, std::size_t quiet, std::size_t
   if (quiet < kMinQuiet || quiet > x.size() || out.window == 0 || first + kRestWindows * out.window > x.size())
     return out;
   out.before = mean_level(x.first(quiet));
+  out.noise = rms_about_mean(x.first(quiet));
   for (std::size_t w = 0; w < kRestWindows; ++w)
     out.after[w] = mean_level(x.subspan(first + w * out.window, out.window));
   return out;

@@ -12,6 +12,7 @@ inline constexpr std::size_t kRestWindows = 12;
 /// oscillations cancel in these means.
 struct RestLevels {
   std::optional<double> before;
+  double noise = 0;  // standard deviation of the samples before
   std::array<double, kRestWindows> after{};
   std::size_t quiet = 0, first = 0, window = 0;  // samples before, first sample after, samples of each window
 };
@@ -26,7 +27,8 @@ struct BaselineChange {
 };
 
 inline constexpr double kMinBaselineChange = 0.02;  // of the largest response
-/// Nothing where the means change by less than kMinBaselineChange, or follow neither a step nor a slope.
+/// Nothing where the means change by less than kMinBaselineChange or within their noise, or follow neither a step nor a
+/// slope.
 std::optional<BaselineChange> find_baseline_change(const RestLevels& levels, std::size_t samples, double largest,
                                                    double fs_Hz);
 

@@ -23,6 +23,7 @@ constexpr double kMinFolded = 0.02;  // of the largest response: level of the hi
 constexpr std::size_t kMinSameLevel = 4;  // hits that show a level
 constexpr double kMaxLevelSpread = 0.04;  // of the logarithm of the extremes
 constexpr double kMinForceSpread = 0.05;  // of the logarithm of the forces
+constexpr double kMinLevel = 6;           // of the noise, whose own extremes are about as equal
 constexpr double kEqualLevels = 0.05;     // chance that two levels agree
 constexpr double kMaxLevelChance = 1e-3;
 constexpr double kMinCouplingPhase_rad = 0.02;  // moves a mode there by a hundredth of its bandwidth
@@ -105,13 +106,14 @@ std::vector<LevelSide> sides_of(const std::vector<AnalysedHit>& hits, const HitR
     for (const std::size_t h : members) sizes.push_back(sizes_of(hits[h].hit));
     for (std::size_t s = 0; s < 2 * channels; ++s) {
       std::vector<double> extremes;
+      bool clear = true;
       for (const std::size_t h : members) {
         const HitResponse& response = responses.of[h][s / 2];
         const double rest = response.rest.before.value_or(0);
         extremes.push_back(s % 2 == 0 ? response.grade.extremes.high - rest : rest - response.grade.extremes.low);
+        clear = clear && extremes.back() > kMinLevel * response.rest.noise;
       }
-      if (std::all_of(extremes.begin(), extremes.end(), [](double value) { return value > 0; }))
-        sides.push_back(likeliest_side_of(s / 2, extremes, sizes));
+      if (clear) sides.push_back(likeliest_side_of(s / 2, extremes, sizes));
     }
   }
   return sides;
