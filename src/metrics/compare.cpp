@@ -8,7 +8,6 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr std::size_t kMinPlaces = 3;
 constexpr double kSamePlace_m = 1e-6;
 
 // Whether the modes may be of one kind. Only classified modes state whether they are the second peak of a split mode.

@@ -11,6 +11,9 @@
 
 namespace percuss::metrics {
 
+/// Places at which two shapes must be known to be compared.
+inline constexpr std::size_t kMinPlaces = 3;
+
 /// A mode of a test or a model, with the properties that its document states.
 struct ComparedMode {
   double freq_Hz = 0;
@@ -23,7 +26,7 @@ struct ComparedMode {
     std::complex<double> value;
     double std = 0;
   };
-  std::map<std::pair<int, int>, Component> shape;  // by point and channel; empty: none
+  std::map<std::pair<int, int>, Component> shape;  // by point and channel (-1: every sensor); empty: none
 };
 
 /// The largest deflection under an impact.

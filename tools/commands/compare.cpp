@@ -44,7 +44,9 @@ void add_compare(CommandLine& line) {
                                  [flags] { return compare(*flags); });
   command.about(
       "Pairs the modes of the first document with the modes of each other document, by frequency and shape, and shows "
-      "the differences. Compares the deflections of two documents likewise. analyze, survey, deflect and model write "
+      "the differences. The MAC is that of the shapes over the common points, or over the channels where there are "
+      "fewer than three points. Compares the deflections of two documents likewise. analyze, survey, deflect and model "
+      "write "
       "such documents with --json.");
   command.example("percuss compare test.json model.json", "Compare a test with a model");
   command.example("percuss compare test.json model.json --furthest 40 -o compared.csv",

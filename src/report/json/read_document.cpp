@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/json_text.hpp"
+#include "identify/shapes/mode_shapes.hpp"
 
 namespace percuss::report {
 namespace {
@@ -18,7 +20,7 @@ constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20U;
 constexpr int kMaxDepth = 16;
 
 // All keys that are read below.
-constexpr std::array<std::string_view, 25> kWantedKeys = {"schema",
+constexpr std::array<std::string_view, 26> kWantedKeys = {"schema",
                                                           "runs",
                                                           "deflection",
                                                           "points",
@@ -42,6 +44,7 @@ constexpr std::array<std::string_view, 25> kWantedKeys = {"schema",
                                                           "sweep",
                                                           "at",
                                                           "peak_deflection_m",
+                                                          "roving",
                                                           "flugge_hz"};
 
 // A value of a document, and its location for messages.
@@ -77,9 +80,42 @@ class Part {
   std::string where_;
 };
 
-int whole(double number) { return static_cast<int>(std::clamp(number, -1e9, 1e9)); }
+constexpr int kEverySensor = -1;       // in the place of a channel
+constexpr std::size_t kMinFilled = 4;  // at least one in so many cells of a table holds a residue
 
-metrics::ComparedMode mode_in(const Part& part) {
+int whole(double number) { return static_cast<int>(std::clamp(number, -1e9, 1e9)); }
+std::size_t index(double number) { return static_cast<std::size_t>(std::clamp(number, 0.0, 1e9)); }
+
+// Whether the residues fill a fair part of a table of points and channels. A foreign document may state a table beyond
+// the memory.
+bool fill_a_table(const std::vector<identify::Residue>& residues) {
+  std::set<std::size_t> points, channels;
+  for (const identify::Residue& residue : residues) {
+    points.insert(residue.point);
+    channels.insert(residue.channel);
+  }
+  return points.size() >= metrics::kMinPlaces && points.size() * channels.size() <= kMinFilled * residues.size();
+}
+
+// The shape at its places (point, channel): over the points if there are enough of them, with channel -1, since each
+// sensor shows the same shape, with a factor of its own. Otherwise, and with a roving sensor, whose channels are
+// directions, each channel of a point is a place.
+std::map<std::pair<int, int>, metrics::ComparedMode::Component> shape_of(const identify::Mode& mode,
+                                                                         identify::Roving roving) {
+  std::map<std::pair<int, int>, metrics::ComparedMode::Component> out;
+  if (roving == identify::Roving::hammer && fill_a_table(mode.residues)) {
+    const identify::ModeShape shape = identify::shape_of(mode);
+    for (const identify::ShapePlace& place : shape.places)
+      out[{static_cast<int>(place.point), kEverySensor}] = {.value = place.value, .std = place.std};
+    return out;
+  }
+  for (const identify::Residue& residue : mode.residues)
+    out[{static_cast<int>(residue.point), static_cast<int>(residue.channel)}] = {.value = residue.value,
+                                                                                 .std = residue.std};
+  return out;
+}
+
+metrics::ComparedMode mode_in(const Part& part, identify::Roving roving) {
   metrics::ComparedMode mode{.freq_Hz = part.at("frequency_hz").number(),
                              .freq_std_Hz = part.number_or("frequency_std_hz", 0),
                              .damping_std = part.number_or("damping_ratio_std", 0),
@@ -88,11 +124,14 @@ metrics::ComparedMode mode_in(const Part& part) {
   if (part.has("damping_ratio")) mode.damping_ratio = part.at("damping_ratio").number();
   mode.second = part.has("double_peak") && part.at("double_peak").is_false("first");
   if (!part.has("residues")) return mode;
+  identify::Mode with_residues;
   part.at("residues").for_each([&](const Part& residue) {
-    const std::pair place{whole(residue.at("point").number()), whole(residue.at("channel").number())};
-    mode.shape[place] = {.value = {residue.at("re").number(), residue.number_or("im", 0)},
-                         .std = residue.number_or("std", 0)};
+    with_residues.residues.push_back({.point = index(residue.at("point").number()),
+                                      .channel = index(residue.at("channel").number()),
+                                      .value = {residue.at("re").number(), residue.number_or("im", 0)},
+                                      .std = residue.number_or("std", 0)});
   });
+  mode.shape = shape_of(with_residues, roving);
   return mode;
 }
 
@@ -119,7 +158,9 @@ metrics::ComparedDocument analysis_in(const Part& part, std::string name, std::s
       .name = std::move(name), .schema = std::move(schema), .modes = {}, .deflections = {}};
   if (part.has("deflection")) add_deflections(part.at("deflection"), document);
   if (!part.has("modes")) return document;
-  part.at("modes").for_each([&](const Part& mode) { document.modes.push_back(mode_in(mode)); });
+  const auto roving =
+      part.has("roving") && part.at("roving").text() == "sensor" ? identify::Roving::sensor : identify::Roving::hammer;
+  part.at("modes").for_each([&](const Part& mode) { document.modes.push_back(mode_in(mode, roving)); });
   return document;
 }
 

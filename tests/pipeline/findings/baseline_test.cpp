@@ -29,4 +29,13 @@ TEST(BaselineChange, IsNoneWhereTheShiftsCancel) {
   EXPECT_FALSE(find_baseline_change(levels_after({1, 0.5, -1.5, 1}), 1600, 10, 1000));
 }
 
+// The mean of the 100 samples before the hit is uncertain by a tenth of their standard deviation.
+TEST(BaselineChange, ExceedsTheNoiseOfTheMeanBefore) {
+  RestLevels decaying = levels_after({1, 0.5, 0.25, 0.125});
+  decaying.noise = 1.9;
+  EXPECT_TRUE(find_baseline_change(decaying, 1600, 10, 1000)) << "5.3 standard deviations of the mean";
+  decaying.noise = 2.1;
+  EXPECT_FALSE(find_baseline_change(decaying, 1600, 10, 1000)) << "4.8 standard deviations of the mean";
+}
+
 }  // namespace percuss::pipeline::baseline_test

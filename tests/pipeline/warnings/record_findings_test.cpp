@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
 
 #include "pipeline/analysis.hpp"
 #include "support/force_row.hpp"
@@ -15,6 +16,7 @@
 
 namespace percuss::pipeline::record_findings_test {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -105,6 +107,32 @@ TEST_P(Dropout, IsNamedAndReplaced) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RecordFindings, Dropout, testing::Values(1, 4, 32));
+
+// The recorder's filter follows the amplifier, so that no two samples of a clipped top are equal.
+TEST(RecordFindings, NameAnAmplifierThatClips) {
+  const auto clip = [](std::size_t, std::size_t channel, std::vector<double>& x) {
+    if (channel != 0) return;
+    for (double& value : x) value = std::clamp(value, -300.0, 300.0);
+    const std::vector<double> limited = x;
+    for (std::size_t n = 1; n + 1 < x.size(); ++n) x[n] = 0.25 * (limited[n - 1] + limited[n + 1]) + 0.5 * limited[n];
+  };
+  const Analysis analysis(changed(synth::synthesise(tube()).record, clip), band());
+  EXPECT_THAT(codes_of(analysis), Contains("response_clipped"));
+}
+
+// A channel that does not respond: the extremes of its noise are equal from hit to hit.
+TEST(RecordFindings, NameNoClippingOfNoise) {
+  const auto noise = [](std::size_t row, std::size_t channel, std::vector<double>& x) {
+    if (channel != 1) return;
+    std::mt19937 random(static_cast<std::mt19937::result_type>(row + 1));
+    std::normal_distribution<double> normal;
+    for (double& value : x) value = std::clamp(normal(random), -3.5, 3.5);
+    x[kDecay] = 4;
+    x[kDecay + 1] = -4;
+  };
+  const Analysis analysis(changed(synth::synthesise(tube()).record, noise), band());
+  EXPECT_THAT(codes_of(analysis), AllOf(Contains("dead_channel"), Not(Contains("response_clipped"))));
+}
 
 // Too many samples to be predicted: the hit is named.
 TEST(RecordFindings, NameALongDropoutOfOneChannel) {

@@ -1,0 +1,68 @@
+#include "report/json/read_document.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <complex>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "metrics/compare.hpp"
+
+namespace percuss::report::read_document_test {
+
+constexpr double kRounding = 1e-12;  // the shapes are exact
+
+// A document with one mode whose residues are A_pc = shape_p * sensors_c.
+std::string document_of(const std::vector<double>& shape, const std::vector<double>& sensors,
+                        const std::string& roving = "hammer") {
+  std::string residues;
+  for (std::size_t p = 0; p < shape.size(); ++p) {
+    for (std::size_t c = 0; c < sensors.size(); ++c)
+      residues += fmt::format(R"({}{{"point": {}, "channel": {}, "re": {}, "im": 0, "std": 0.01}})",
+                              residues.empty() ? "" : ", ", p, c, shape[p] * sensors[c]);
+  }
+  return fmt::format(
+      R"({{"schema": "percuss/analysis/1", "roving": "{}", "modes": [{{"frequency_hz": 100, "residues": [{}]}}]}})",
+      roving, residues);
+}
+
+double mac_of(const std::string& a, const std::string& b) {
+  const auto first = parse_documents(a, "a.json"), second = parse_documents(b, "b.json");
+  const auto mac = metrics::mac_between(first.at(0).modes.at(0), second.at(0).modes.at(0));
+  EXPECT_TRUE(mac.has_value());
+  return mac ? mac->value : -1;
+}
+
+// The MAC of (1, 2, 3) and (1, 2, 2) is 11²/(14 * 9).
+TEST(ReadDocument, ComparesShapesWhateverTheSensorsPlaces) {
+  const std::vector<double> shape{1, 2, 3}, other{1, 2, 2};
+  EXPECT_NEAR(mac_of(document_of(shape, {1, 0.5}), document_of(shape, {0.5, 1})), 1, kRounding)
+      << "the sensors are exchanged";
+  EXPECT_NEAR(mac_of(document_of(shape, {1, 0.5}), document_of(other, {-0.2, 1})), 121.0 / 126, kRounding);
+  EXPECT_NEAR(mac_of(document_of(shape, {1}), document_of(other, {0.3, 1, 2})), 121.0 / 126, kRounding);
+}
+
+TEST(ReadDocument, ComparesTheChannelsOfFewPoints) {
+  EXPECT_NEAR(mac_of(document_of({1}, {1, 2, 3}), document_of({1}, {1, 2, 2})), 121.0 / 126, kRounding);
+}
+
+TEST(ReadDocument, ComparesTheDirectionsOfARovingSensor) {
+  EXPECT_NEAR(mac_of(document_of({1, 1, 1}, {1, 2, 3}, "sensor"), document_of({1, 1, 1}, {1, 2, 2}, "sensor")),
+              121.0 / 126, kRounding);
+}
+
+// A table of these points and channels would take 10^10 cells.
+TEST(ReadDocument, TakesTheMemoryOfItsResiduesAlone) {
+  std::string residues;
+  for (int i = 0; i < 100000; ++i)
+    residues += fmt::format(R"({}{{"point": {}, "channel": {}, "re": 1}})", i == 0 ? "" : ", ", i, i);
+  const auto documents = parse_documents(
+      fmt::format(R"({{"schema": "percuss/analysis/1", "modes": [{{"frequency_hz": 100, "residues": [{}]}}]}})",
+                  residues),
+      "diagonal.json");
+  EXPECT_EQ(documents.at(0).modes.at(0).shape.size(), 100000U);
+}
+
+}  // namespace percuss::report::read_document_test
