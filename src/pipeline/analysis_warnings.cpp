@@ -23,7 +23,7 @@ namespace {
 
 // A window that the recorder applied makes the noise before a hit larger than at the end, and the modes differ by the
 // time of the hit. The warnings about these would name wrong causes.
-void remove_consequences(std::vector<Warning>& warnings) {
+void remove_consequences_of_window(std::vector<Warning>& warnings) {
   const bool windowed = std::any_of(warnings.begin(), warnings.end(),
                                     [](const Warning& warning) { return warning.code == "already_windowed"; });
   if (!windowed) return;
@@ -49,6 +49,10 @@ std::vector<Warning> Analysis::warnings() const {
   if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
   if (force_known) add(role_warnings(record(), graded));
   add(channel_warnings(record(), graded));
+  const auto silent = modes_.ready() && modes().empty() && responses_.ready()
+                          ? silent_response_warnings(record(), graded, responses())
+                          : std::vector<Warning>{};
+  add(silent);
   if (force_known && responses_.ready() && hits_.ready()) add(record_findings(record(), graded, responses()));
   if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
   if (responses_.ready() && options_.hits.gate_force) add(coupling_warnings(graded, band_Hz().first));
@@ -72,7 +76,10 @@ std::vector<Warning> Analysis::warnings() const {
     add(tube_warnings(record(), modes(), classifications(), options_.classes, modes_are_complete()));
     add(split_mode_warnings(modes(), classifications()));
   }
-  remove_consequences(out);
+  remove_consequences_of_window(out);
+  // Responses that are noise differ from hit to hit.
+  if (!silent.empty() && silent.size() == record().accel.size())
+    std::erase_if(out, [](const Warning& warning) { return warning.code == "hits_disagree"; });
   return ranked(std::move(out));
 }
 

@@ -8,6 +8,8 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr const char* kAllHits = "every accepted hit";
+constexpr std::size_t kMinQuiet = 64;  // samples before a hit: they determine the noise to a tenth
+constexpr double kNoiseExtreme = 6;    // standard deviations; a million samples of white noise reach 5
 
 // "hits 1, 3", or kAllHits; empty when the channel is dead in no hit.
 std::string dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
@@ -31,6 +33,17 @@ double coarsest_step(const std::vector<AnalysedHit>& hits, std::size_t channel) 
     if (hit.accepted && hit.responses.size() > channel) step = std::max(step, hit.responses[channel].coarse_step);
   }
   return step;
+}
+
+// Whether no accepted hit moves the channel above the noise before the hit.
+bool stays_in_noise(const std::vector<AnalysedHit>& hits, const HitResponses& responses, std::size_t channel) {
+  const std::vector<std::size_t> used = accepted_hits(hits);
+  return !used.empty() && std::all_of(used.begin(), used.end(), [&](std::size_t h) {
+    if (channel >= responses.of[h].size()) return false;
+    const HitResponse& response = responses.of[h][channel];
+    return response.rest.before && response.rest.quiet >= kMinQuiet &&
+           response.grade.extremes.max_distance_from(*response.rest.before) < kNoiseExtreme * response.rest.noise;
+  });
 }
 
 }  // namespace
@@ -66,6 +79,21 @@ std::vector<Warning> channel_warnings(const acquire::Record& record, const std::
                                  "modes may be off by more than their ±, and weak ones may be artefacts",
                                  one_line(record.accel[c].name, kMaxNameBytes), 100 * step)},
                     "use the recorder's full range and resolution"));
+  }
+  return out;
+}
+
+std::vector<Warning> silent_response_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                              const HitResponses& responses) {
+  std::vector<Warning> out;
+  for (std::size_t c = 0; c < record.accel.size(); ++c) {
+    if (!stays_in_noise(hits, responses, c)) continue;
+    out.push_back(with_remedy({"dead_channel",
+                               fmt::format("{} does not respond: after the hits, no sample exceeds {:.0f} standard "
+                                           "deviations of its noise before them",
+                                           one_line(record.accel[c].name, kMaxNameBytes), kNoiseExtreme),
+                               {"accel_channel"}},
+                              "check its cable and its mounting, or choose the other channels"));
   }
   return out;
 }

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "acquire/record/record.hpp"
-#include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/hits/hit_spectra.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -12,5 +12,10 @@ std::vector<Warning> input_warnings(const acquire::Record& record);
 
 /// dead_channel, coarse_steps, channel by channel.
 std::vector<Warning> channel_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
+
+/// dead_channel for each channel whose samples stay in its noise at every accepted hit. For tests in which no mode
+/// rises above the noise: a mode may be found in responses that do not.
+std::vector<Warning> silent_response_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                              const HitResponses& responses);
 
 }  // namespace percuss::pipeline

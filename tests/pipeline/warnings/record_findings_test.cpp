@@ -120,6 +120,18 @@ TEST(RecordFindings, NameAnAmplifierThatClips) {
   EXPECT_THAT(codes_of(analysis), Contains("response_clipped"));
 }
 
+// The hits cannot be told to differ: their responses are noise.
+TEST(RecordFindings, NameChannelsThatDoNotRespond) {
+  const auto noise = [](std::size_t row, std::size_t channel, std::vector<double>& x) {
+    std::mt19937 random(static_cast<std::mt19937::result_type>(2 * row + channel));
+    std::normal_distribution<double> normal;
+    for (double& value : x) value = normal(random);
+  };
+  const Analysis analysis(changed(synth::synthesise(tube()).record, noise), band());
+  EXPECT_THAT(codes_of(analysis), AllOf(Contains("dead_channel"), Not(Contains("hits_disagree"))));
+  EXPECT_THAT(analysis.modes(), IsEmpty());
+}
+
 // A channel that does not respond: the extremes of its noise are equal from hit to hit.
 TEST(RecordFindings, NameNoClippingOfNoise) {
   const auto noise = [](std::size_t row, std::size_t channel, std::vector<double>& x) {
