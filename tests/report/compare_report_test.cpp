@@ -6,6 +6,8 @@
 namespace percuss::report::compare_report_test {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
 
 // The chart of deflections at two places. An unset position or point is unknown.
 LineChart chart_of_places(std::vector<metrics::ComparedDeflection> places) {
@@ -66,6 +68,26 @@ TEST(CompareReport, ListsTheMacOfAllModesWithCommonPlaces) {
   EXPECT_FALSE(matrix.values[0][1].has_value());
   EXPECT_TRUE(
       compare_report({b, {.name = "c", .schema = "", .modes = {mode(300, {})}, .deflections = {}}}).macs.empty());
+}
+
+// Points that are numbered from 0 in one test and from 1 in the other: equal numbers are other places.
+TEST(CompareReport, SaysThatModesAgreeInFrequencyButNotInShape) {
+  const auto with_shape = [](std::vector<double> shape) {
+    metrics::ComparedMode mode{.freq_Hz = 100, .family = "", .shape = {}};
+    for (std::size_t p = 0; p < shape.size(); ++p) mode.shape[{static_cast<int>(p), -1}] = {.value = shape[p]};
+    return metrics::ComparedDocument{.name = "test.json", .schema = "", .modes = {mode}, .deflections = {}};
+  };
+  const auto text = [](const metrics::ComparedDocument& a, const metrics::ComparedDocument& b) {
+    return compare_report({a, b}).text.text(200);
+  };
+  const auto first = with_shape({1, 0, -1});
+  EXPECT_THAT(text(first, with_shape({0, 1, 0})),
+              HasSubstr("1 mode without a partner agrees in frequency within 1 % with a mode of test.json, but not in "
+                        "shape"));
+  EXPECT_THAT(text(first, with_shape({1, 0, -1})), Not(HasSubstr("in shape")));
+  auto distant = with_shape({0, 1, 0});
+  distant.modes[0].freq_Hz = 110;
+  EXPECT_THAT(text(first, distant), Not(HasSubstr("in shape")));
 }
 
 }  // namespace percuss::report::compare_report_test

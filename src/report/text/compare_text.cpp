@@ -1,0 +1,187 @@
+#include "report/text/compare_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/error.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/text_table.hpp"
+
+namespace percuss::report {
+namespace {
+
+constexpr std::size_t kMaxNamed = 8;
+constexpr double kSameFrequency = 0.01;  // relative: equal modes of tests of one structure agree far better
+
+// Without a sign where the value rounds to zero.
+std::string signed_percent(double percent) {
+  std::string text = fmt::format("{:+.2f}", percent);
+  return text == "-0.00" || text == "+0.00" ? "0.00" : text;
+}
+
+// "-0.25 %, 154 σ": the difference, and how many of its standard deviations it is, where both values have one.
+std::string difference_text(double percent, const std::optional<double>& std_percent, bool both_have_std) {
+  constexpr double kLargest = 1000;
+  std::string text = signed_percent(percent) + " %";
+  if (!both_have_std || !std_percent || !(*std_percent > 0)) return text;
+  const double deviations = std::abs(percent) / *std_percent;
+  if (deviations >= kLargest) return text + fmt::format(", over {:.0f} σ", kLargest);
+  return text + (deviations < 10 ? fmt::format(", {:.1f} σ", deviations) : fmt::format(", {:.0f} σ", deviations));
+}
+
+std::string frequency_text(const metrics::ComparedMode& mode) {
+  return value_with_std(mode.freq_Hz, mode.freq_std_Hz) + " Hz";
+}
+
+std::string damping_text(const metrics::ComparedMode& mode) {
+  return mode.damping_ratio ? value_with_std(100 * *mode.damping_ratio, 100 * mode.damping_std) + " %" : "–";
+}
+
+// Whether a mode of the document has a type. Modes of a plate or a beam have none.
+bool names_families(const metrics::ComparedDocument& document) {
+  return std::any_of(document.modes.begin(), document.modes.end(), [](const metrics::ComparedMode& mode) {
+    return !mode.family.empty() && mode.family != "unknown";
+  });
+}
+
+// The first cells of a mode's row.
+std::vector<std::string> mode_cells(const metrics::ComparedDocument& document, std::size_t m) {
+  std::vector<std::string> cells{std::to_string(first_mode_number(document) + m)};
+  if (names_families(document)) cells.push_back(document.modes[m].family);
+  return cells;
+}
+
+TextTable modes_table(const std::vector<metrics::ComparedDocument>& documents) {
+  std::vector<TextTable::Column> heads{{"mode", TextTable::Align::right}};
+  if (names_families(documents.front())) heads.push_back({"family"});
+  for (const metrics::ComparedDocument& document : documents)
+    heads.push_back({one_line(document.name, 40), TextTable::Align::right});
+  heads.push_back({""});
+  return TextTable(std::move(heads));
+}
+
+// The dampings of the paired modes, where two documents state them.
+std::optional<TextTable> dampings_table(const std::vector<metrics::ComparedDocument>& documents,
+                                        const std::vector<Comparison>& comparisons) {
+  TextTable table = modes_table(documents);
+  bool any = false;
+  for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
+    const metrics::ComparedMode& mode = documents.front().modes[m];
+    std::vector<std::string> cells = mode_cells(documents.front(), m);
+    cells.push_back(damping_text(mode));
+    bool paired = false;
+    for (const Comparison& c : comparisons) {
+      const metrics::ModePair* pair = pair_at(c, m);
+      const bool differs = pair && pair->damping_difference_percent;
+      paired = paired || differs;
+      cells.push_back(
+          !pair ? "–"
+          : differs
+              ? fmt::format("{} ({})", damping_text(c.b.modes[pair->b]),
+                            difference_text(*pair->damping_difference_percent, pair->damping_difference_std_percent,
+                                            mode.damping_std > 0 && c.b.modes[pair->b].damping_std > 0))
+              : damping_text(c.b.modes[pair->b]));
+    }
+    cells.emplace_back("");
+    if (paired) table.add(std::move(cells));
+    any = any || paired;
+  }
+  return any ? std::optional(std::move(table)) : std::nullopt;
+}
+
+// Says where modes without a partner agree in frequency, but not in shape.
+std::optional<std::string> other_shapes_text(const Comparison& c) {
+  std::size_t alike = 0;
+  for (const std::size_t a : c.modes.unpaired_a) {
+    const double freq_Hz = c.a.modes[a].freq_Hz;
+    alike += std::any_of(c.modes.unpaired_b.begin(), c.modes.unpaired_b.end(), [&](std::size_t b) {
+      return std::abs(c.b.modes[b].freq_Hz - freq_Hz) < kSameFrequency * freq_Hz &&
+             metrics::mac_between(c.a.modes[a], c.b.modes[b]).has_value();
+    });
+  }
+  if (alike == 0) return std::nullopt;
+  return fmt::format(
+      "{} without a partner {} in frequency within {:.0f} % with a mode of {}, but not in shape: do equal point "
+      "numbers "
+      "mean equal places in both tests?",
+      alike == 1 ? "1 mode" : fmt::format("{} modes", alike), alike == 1 ? "agrees" : "agree", 100 * kSameFrequency,
+      one_line(c.b.name, 200));
+}
+
+}  // namespace
+
+std::size_t first_mode_number(const metrics::ComparedDocument& document) {
+  return document.schema == "percuss/model-beam/1" ? 0 : 1;
+}
+
+const metrics::ModePair* pair_at(const Comparison& c, std::size_t mode) {
+  for (const metrics::ModePair& pair : c.modes.pairs) {
+    if (pair.a == mode) return &pair;
+  }
+  return nullptr;
+}
+
+ReportText compare_modes_text(const std::vector<metrics::ComparedDocument>& documents,
+                              const std::vector<Comparison>& comparisons) {
+  TextTable table = modes_table(documents);
+  for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
+    const metrics::ComparedMode& mode = documents.front().modes[m];
+    if (!(mode.freq_Hz > 0)) continue;
+    std::vector<std::string> cells = mode_cells(documents.front(), m);
+    cells.push_back(frequency_text(mode));
+    for (const Comparison& c : comparisons) {
+      const metrics::ModePair* pair = pair_at(c, m);
+      std::string cell = pair ? fmt::format("{} ({}", frequency_text(c.b.modes[pair->b]),
+                                            difference_text(pair->difference_percent, pair->difference_std_percent,
+                                                            mode.freq_std_Hz > 0 && c.b.modes[pair->b].freq_std_Hz > 0))
+                              : "–";
+      if (pair) cell += pair->mac ? fmt::format(", MAC {:.3f})", pair->mac->value) : ")";
+      cells.push_back(std::move(cell));
+    }
+    cells.emplace_back("");
+    table.add(std::move(cells));
+  }
+  ReportText text;
+  text += table;
+  for (const Comparison& c : comparisons) {
+    if (c.modes.unpaired_b.empty()) continue;
+    if (const auto hint = other_shapes_text(c)) text.say(*hint);
+    std::string only = fmt::format("only in {}:", one_line(c.b.name, 200));
+    const auto& unpaired = c.modes.unpaired_b;
+    const std::size_t shown = std::min(unpaired.size(), kMaxNamed);
+    for (std::size_t i = 0; i < shown; ++i) only += fmt::format(" {:.6g} Hz", c.b.modes[unpaired[i]].freq_Hz);
+    if (shown < unpaired.size()) only += fmt::format(" and {} more", unpaired.size() - shown);
+    text.say(only);
+  }
+  if (auto dampings = dampings_table(documents, comparisons)) {
+    text += "\ndamping\n";
+    text += *dampings;
+  }
+  return text;
+}
+
+ReportText compare_deflections_text(const Comparison& c) {
+  const bool inverted = c.a.model && !c.b.model;
+  TextTable table({{"position", TextTable::Align::right},
+                   {one_line(c.a.name, 40), TextTable::Align::right},
+                   {one_line(c.b.name, 40), TextTable::Align::right},
+                   {inverted ? "first/second" : "second/first", TextTable::Align::right},
+                   {""}});
+  for (const metrics::DeflectionPair& pair : c.deflections) {
+    const std::string place = pair.position_m ? fmt::format("{:.1f} mm", 1000 * *pair.position_m)
+                              : pair.point    ? fmt::format("point {}", *pair.point)
+                                              : "";
+    table.add({place, fmt::format("{:.4g} mm", 1000 * pair.a_m), fmt::format("{:.4g} mm", 1000 * pair.b_m),
+               value_with_std(pair.ratio, pair.ratio_std), ""});
+  }
+  ReportText text(std::string("largest deflection\n"));
+  text += table;
+  return text;
+}
+
+}  // namespace percuss::report

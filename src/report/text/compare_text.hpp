@@ -1,0 +1,23 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "report/json/compare_json.hpp"
+#include "report/text/report_text.hpp"
+
+namespace percuss::report {
+
+/// The number of the document's first mode, for people. Modes of beams are numbered from 0, as in the tables of the
+/// models; all others from 1.
+std::size_t first_mode_number(const metrics::ComparedDocument& document);
+/// The partner of a mode of the first document, or nullptr.
+const metrics::ModePair* pair_at(const Comparison& comparison, std::size_t mode);
+
+/// A row for each mode of the first document, with its partners in the others; the modes without a partner; the damping
+/// ratios. `comparisons`: of each document after the first.
+ReportText compare_modes_text(const std::vector<metrics::ComparedDocument>& documents,
+                              const std::vector<Comparison>& comparisons);
+/// A row for each place at which both documents state a deflection.
+ReportText compare_deflections_text(const Comparison& comparison);
+
+}  // namespace percuss::report
