@@ -79,9 +79,5 @@ std::vector<NumberTableRow> parse_number_table(std::string_view text, const std:
   return parse_named_number_table(text, where, wanted).rows;
 }
 
-std::vector<NumberTableRow> read_number_table(const std::string& path, const NumberTableSpec& wanted) {
-  return read_named_number_table(path, wanted).rows;
-}
-
 }  // namespace core
 }  // namespace percuss
