@@ -14,6 +14,7 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int kMaxDocumentDepth = 16;                       // documents of percuss nest far less
 constexpr std::size_t kMaxKeys = 10'000;                    // of one object
 constexpr std::size_t kFreeBytes = std::size_t{48} << 20U;  // of values, for a text of any length
 constexpr std::size_t kBytesPerTwo = 13;                    // of values, for two bytes of the text

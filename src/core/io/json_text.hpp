@@ -29,8 +29,6 @@ using WantedKeys = std::span<const std::string_view>;
 template <class Json>  // nlohmann::json, which headers do not include
 Json parse_json(const JsonText& input, WantedKeys wanted = {});
 
-inline constexpr int kMaxDocumentDepth = 16;  // documents of percuss nest far less
-
 /// The wanted keys of a text without comments; null where parse_json would throw.
 template <class Json>
 Json json_if_valid(std::string_view text, WantedKeys wanted);

@@ -67,6 +67,36 @@ std::vector<std::size_t> strongest_first(const FrfDataset& set, const std::vecto
   return order;
 }
 
+// Separate fits of a group at each impact point. Temperature, the strength of the blow, or the mass of the hammer or of
+// a roving sensor change the natural frequencies between hits. Poles common to all points then do not fit.
+struct PointFits {
+  std::vector<LocalFit> fits;  // [points]; residues and noise of that point's FRFs, in their order
+  double cost = 0;             // Σ of the fits' cost, see LocalFit
+  std::size_t degrees = 0;     // Σ of the fits' degrees of freedom
+};
+
+// Fits the group's modes to each point separately, the strongest point first. Returns no fits once the cost exceeds
+// `max_cost`.
+PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double max_cost) {
+  PointFits out;
+  out.fits.resize(set.points.size());
+  for (const std::size_t p : strongest_first(set, window.data)) {
+    const PointSet one = set_of_point(set, p);
+    std::vector<VectorXcd> its_data;
+    VectorXd its_weight(static_cast<Index>(one.channels.size()));
+    for (std::size_t i = 0; i < one.channels.size(); ++i) {
+      its_data.push_back(window.data[one.channels[i]]);
+      its_weight(static_cast<Index>(i)) = window.weight(static_cast<Index>(one.channels[i]));
+    }
+    out.fits[p] =
+        fit_locally(one.set, its_data, its_weight, group.fit.poles, {.first = group.first, .count = group.count});
+    out.cost += out.fits[p].cost;
+    out.degrees += out.fits[p].degrees;
+    if (out.cost > max_cost) return {};
+  }
+  return out;
+}
+
 // The points whose separate fit determines this mode.
 std::vector<std::size_t> points_observing(const PointFits& points, const FitGroup& group, std::size_t mode,
                                           double width_Hz) {
@@ -139,26 +169,6 @@ bool scatter_spans(const PointFits& points, const std::vector<Pole>& poles) {
 }
 
 }  // namespace
-
-PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double max_cost) {
-  PointFits out;
-  out.fits.resize(set.points.size());
-  for (const std::size_t p : strongest_first(set, window.data)) {
-    const PointSet one = set_of_point(set, p);
-    std::vector<VectorXcd> its_data;
-    VectorXd its_weight(static_cast<Index>(one.channels.size()));
-    for (std::size_t i = 0; i < one.channels.size(); ++i) {
-      its_data.push_back(window.data[one.channels[i]]);
-      its_weight(static_cast<Index>(i)) = window.weight(static_cast<Index>(one.channels[i]));
-    }
-    out.fits[p] =
-        fit_locally(one.set, its_data, its_weight, group.fit.poles, {.first = group.first, .count = group.count});
-    out.cost += out.fits[p].cost;
-    out.degrees += out.fits[p].degrees;
-    if (out.cost > max_cost) return {};
-  }
-  return out;
-}
 
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,
                                const FitGroup& more) {

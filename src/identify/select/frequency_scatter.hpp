@@ -7,24 +7,12 @@
 
 namespace percuss::identify {
 
-/// Separate fits of a group at each impact point. Temperature, the strength of the blow, or the mass of the hammer or
-/// of a roving sensor change the natural frequencies between hits. Poles common to all points then do not fit.
-struct PointFits {
-  std::vector<LocalFit> fits;  // [points]; residues and noise of that point's FRFs, in their order
-  double cost = 0;             // Σ of the fits' cost, see LocalFit
-  std::size_t degrees = 0;     // Σ of the fits' degrees of freedom
-};
-
 /// The data of a window without the other groups' contributions (WindowedFit::data_without_other_modes), and the noise
 /// scale of each FRF.
 struct WindowData {
   std::vector<Eigen::VectorXcd> data;  // [channels][group.count]
   Eigen::VectorXd weight;              // [channels] noise_scale of fit_locally()
 };
-
-/// Fits the group's modes to each point separately, the strongest point first. Returns no fits once the cost exceeds
-/// `max_cost`.
-PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double max_cost);
 
 /// Compares two fits of one window by modes common to all points: `one`, and `more`, which has additional modes and was
 /// fitted to this window. True where the additional modes only describe the frequency scatter of the modes of `one`. To
