@@ -41,12 +41,6 @@ void read_degrees(StrictObject& object, const std::string& key, double& to_rad) 
   to_rad = object.has(key) ? degrees * kDegree_rad : to_rad;
 }
 
-void read_optional(StrictObject& object, const std::string& key, std::optional<double>& to) {
-  double value = 0;
-  object.read(key, value);
-  if (object.has(key)) to = value;
-}
-
 void read_structure(StrictObject& o, SynthStructure& to) {
   o.read("length_m", to.length_m);
   o.read("barrel_m", to.barrel_m);
@@ -98,11 +92,11 @@ void read_recorder(StrictObject& o, SynthRecorder& to) {
   o.read("force_bias_n", to.force_bias_N);
   o.read("accel_bias_mps2", to.accel_bias_mps2);
   o.read("accel_drift_mps2_per_s", to.accel_drift_mps2_per_s);
-  read_optional(o, "force_clip_n", to.force_clip_N);
-  read_optional(o, "accel_clip_mps2", to.accel_clip_mps2);
+  o.read("force_clip_n", to.force_clip_N);
+  o.read("accel_clip_mps2", to.accel_clip_mps2);
   o.read("bits", to.bits);
-  read_optional(o, "force_range_n", to.force_range_N);
-  read_optional(o, "accel_range_mps2", to.accel_range_mps2);
+  o.read("force_range_n", to.force_range_N);
+  o.read("accel_range_mps2", to.accel_range_mps2);
 }
 
 void read_fault(StrictObject& o, SynthFault& to) {
