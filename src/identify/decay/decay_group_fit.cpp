@@ -213,6 +213,7 @@ DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, c
   for (int round = 0; round < rounds; ++round) {
     out.noise = problem.set_weights_from_residual();
     const LevenbergMarquardtSummary summary = levenberg_marquardt(problem, rough ? kRough : kFull);
+    // The rates also stand still where no trial lowers the cost: no_decrease counts as converged here.
     out.converged = summary.stop != LevenbergMarquardtStop::max_steps;
     if (of.channels == 1) break;
   }
