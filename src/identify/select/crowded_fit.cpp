@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "identify/select/joint_fit_budget.hpp"
 #include "identify/select/joint_selection.hpp"
 #include "identify/start/residual_smoothness.hpp"
 #include "identify/start/vector_fitting.hpp"
@@ -105,7 +106,7 @@ std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> p
                                 .core_share = kCoreShare,
                                 .max_small_decreases = kSmallDecreases,
                                 .test_real = false});
-    const auto columns = static_cast<double>(2 * fit.poles.size() + 10);
+    const double columns = estimated_columns(fit.poles);
     products_left -= fit.trials * 2 * static_cast<double>(set.lines.count) * columns * columns;
     if (products_left < 0 || (fit.converged && leaves_misfit(set, fit))) return std::nullopt;
     poles = needed_poles(set, fit_residues(set, fit.poles));
