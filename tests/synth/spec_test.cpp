@@ -57,6 +57,8 @@ TEST(SynthSpec, RefusesImpossibleValues) {
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "samples": 1e12, "modes": []})"), HasSubstr("samples"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "samples": -1, "modes": []})"), HasSubstr("samples"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "duration_s": 1e300, "modes": []})"), HasSubstr("duration_s"));
+  EXPECT_THAT(rejection_of(R"("modes": [{"frequency_hz": 10, "damping_ratio": 0.1, "order": 1000001}])"),
+              AllOf(HasSubstr("1000001 is out of range"), HasSubstr("give at most 1000000")));
   EXPECT_THAT(refusal(R"({"fs_hz": 1e999, "samples": 1000, "modes": []})"), HasSubstr("too large"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "samples": 1e6, "modes": [], "hits": 10000})"), HasSubstr("would hold"));
   EXPECT_THAT(rejection_of(R"("modes": [], "hits": 18446744073709551615)"), HasSubstr("hits"));

@@ -75,6 +75,7 @@ struct StrictObject::Impl {
 
 namespace {
 
+constexpr std::size_t kMaxInt = 1'000'000;          // of a number of type int
 constexpr double kLargestWhole = 9007199254740992;  // 2^53: a double does not hold all larger whole numbers
 
 void append_numbers(const json& value, std::vector<double>& to, const StrictObject& object, const std::string& key) {
@@ -155,7 +156,7 @@ void StrictObject::read(const std::string& key, std::size_t& to) {
 void StrictObject::read(const std::string& key, int& to) {
   auto value = static_cast<std::size_t>(to);
   read(key, value);
-  if (value > 1000000) fail(fmt::format("{} is out of range", value), key, "give a small whole number");
+  if (value > kMaxInt) fail(fmt::format("{} is out of range", value), key, fmt::format("give at most {}", kMaxInt));
   to = static_cast<int>(value);
 }
 
