@@ -13,7 +13,6 @@
 namespace percuss::synth {
 namespace {
 
-constexpr std::size_t kLongestText = std::size_t{4} << 20;
 constexpr int kMaxDepth = 6;
 
 /// Reads one of the given words.
@@ -186,7 +185,7 @@ void read_document(StrictObject& o, SynthSpec& spec) {
 
 SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
   const std::string place(where);
-  if (text.size() > kLongestText) throw InputError("longer than 4 MiB", place, "give a synth spec");
+  if (text.size() > kMaxSpec_bytes) throw InputError("longer than 4 MiB", place, "give a synth spec");
   SynthSpec spec;
   read_strict_json({.text = text, .where = place, .options = {"synth.example"}, .max_depth = kMaxDepth},
                    [&](StrictObject& o) { read_document(o, spec); });

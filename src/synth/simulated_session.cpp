@@ -18,14 +18,13 @@
 namespace percuss::synth {
 namespace {
 
-constexpr std::uint64_t kMaxSimulatedSpec_bytes = std::uint64_t{5} << 20U;
 constexpr double kMaxTime_s = 1e7, kMaxBlows = 1e6;
 constexpr const char* kRemedy = "correct the description of the simulated device";
 
 SynthSpec spec_of(const std::string& name) {
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored) && name.find('/') == std::string::npos) return synth_preset(name);
-  return parse_synth_spec(read_input(name, kMaxSimulatedSpec_bytes).view(), name);
+  return parse_synth_spec(read_input(name, kMaxSpec_bytes + 1).view(), name);
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {

@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMaxSpec_bytes = std::uint64_t{5} << 20U;  // parse_synth_spec has a lower limit
-
 struct SynthFlags {
   std::string spec;
   std::vector<std::string> outputs;
@@ -38,7 +36,7 @@ synth::SynthSpec spec_named(const std::string& name) {
   std::error_code ignored;
   if (name != "-" && !fs::exists(name, ignored) && name.find('/') == std::string::npos)
     return synth::synth_preset(name);
-  const auto bytes = read_input(name, kMaxSpec_bytes);
+  const auto bytes = read_input(name, synth::kMaxSpec_bytes + 1);
   return synth::parse_synth_spec(bytes.view(), input_name(name));
 }
 
