@@ -55,7 +55,7 @@ void read_mode(StrictObject& o, SynthMode& to) {
   o.need("damping_ratio");
   o.read("frequency_hz", to.freq_Hz);
   o.read("damping_ratio", to.damping_ratio);
-  read_word(o, "family", {{"bending", SynthFamily::bending}, {"hoop", SynthFamily::hoop}}, to.family);
+  read_word(o, "family", {{"bending", SynthModeType::bending}, {"hoop", SynthModeType::hoop}}, to.type);
   o.read("order", to.order);
   read_degrees(o, "angle_deg", to.angle_rad);
   o.read("amplitude_per_sqrt_kg", to.amplitude_per_sqrt_kg);

@@ -31,7 +31,7 @@ double free_beam_shape(int n, double x) {
 
 double mode_shape_per_sqrt_kg(const SynthStructure& structure, const SynthMode& mode, double position_m,
                               double angle_rad) {
-  if (mode.family == SynthFamily::bending) {
+  if (mode.type == SynthModeType::bending) {
     const double from_knob = 1 - position_m / structure.length_m;
     return mode.amplitude_per_sqrt_kg * free_beam_shape(mode.order, from_knob) * std::cos(angle_rad - mode.angle_rad);
   }

@@ -33,7 +33,7 @@ std::string rejection_of(const std::string& rest) { return refusal(kStart + ", "
 TEST(SynthSpec, ReadsEveryKey) {
   const SynthSpec spec = parse_synth_spec(synth_example(), "example");
   EXPECT_EQ(spec.samples, 25600U);
-  EXPECT_EQ(spec.modes[1].family, SynthFamily::hoop);
+  EXPECT_EQ(spec.modes[1].type, SynthModeType::hoop);
   EXPECT_DOUBLE_EQ(spec.modes[1].angle_rad, 12 * std::numbers::pi / 180);
   EXPECT_EQ(spec.modes[2].residue_per_kg, (std::vector{0.8, -0.8}));
   EXPECT_EQ(spec.sensors[1].sign, -1);

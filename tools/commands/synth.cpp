@@ -82,7 +82,7 @@ void print_summary(const SynthFlags& flags, const synth::Truth& truth, const acq
                            spec.sensors.size());
   for (const synth::SynthMode& m : spec.modes) {
     std::cout << fmt::format("{:>10.3f} Hz  {:>7.4f} %  {} {}\n", m.freq_Hz, 100 * m.damping_ratio,
-                             m.family == synth::SynthFamily::bending ? "bending" : "hoop", m.order);
+                             m.type == synth::SynthModeType::bending ? "bending" : "hoop", m.order);
   }
   for (std::size_t h = 0; h < truth.hits.size(); ++h) {
     if (truth.hits[h].flag != "good") std::cout << fmt::format("  hit {}: {}\n", h + 1, truth.hits[h].flag);

@@ -15,9 +15,9 @@ const char* name_of(ModeType type);
 
 /// The type of a mode from two accelerometers around the barrel.
 struct ModeClassification {
-  ModeType family = ModeType::unknown;
+  ModeType type = ModeType::unknown;
   int order = 0;          // from 1 within the type; 0 for unknown
-  double confidence = 0;  // posterior probability of `family`; for unknown, 1 − the larger of bending and hoop
+  double confidence = 0;  // posterior probability of `type`; for unknown, 1 − the larger of bending and hoop
   /// The second type, stated where `confidence` is below 0.9 or the second type's own probability is above 0.03. For
   /// unknown, classify() states the likelier of bending and hoop.
   std::optional<ModeType> alternative;
