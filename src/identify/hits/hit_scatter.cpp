@@ -6,8 +6,8 @@
 
 #include "core/math/significance.hpp"
 #include "identify/hits/hit_laws.hpp"
-#include "identify/hits/moved_poles.hpp"
-#include "identify/hits/residues_by_hit.hpp"
+#include "identify/hits/moved_residues.hpp"
+#include "identify/hits/nonlinearity_modes.hpp"
 
 namespace percuss::identify {
 namespace {

@@ -1,4 +1,4 @@
-#include "identify/hits/residues_by_hit.hpp"
+#include "identify/hits/nonlinearity_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
