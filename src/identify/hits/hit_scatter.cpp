@@ -117,8 +117,6 @@ bool is_undetermined(const HitFrfs& hits, const std::vector<std::size_t>& residu
 
 }  // namespace
 
-double StdParts::total() const { return std::hypot(noise, hits, misfit); }
-
 double student_factor(std::size_t degrees) {
   return student_quantile(kCoverage, static_cast<double>(degrees)) / kCoverage;
 }
