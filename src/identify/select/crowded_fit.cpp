@@ -49,7 +49,7 @@ double resolution_Hz(const std::vector<Pole>& known) {
 }
 
 // The largest |residue| of mode m over its standard deviation.
-double significance_of(const JointFit& fit, std::size_t m) {
+double residue_significance(const JointFit& fit, std::size_t m) {
   const auto at = static_cast<Index>(m);
   return (fit.residues.col(at).cwiseAbs().array() / fit.residue_std.col(at).array()).maxCoeff();
 }
@@ -62,7 +62,7 @@ std::vector<Pole> needed_poles(const FrfDataset& set, const JointFit& linear) {
     const Pole& pole = linear.poles[m];
     const bool repeated =
         std::any_of(needed.begin(), needed.end(), [&](const Pole& k) { return are_merged(set, k, pole); });
-    if (!repeated && significance_of(linear, m) > kNeeded) needed.push_back(pole);
+    if (!repeated && residue_significance(linear, m) > kNeeded) needed.push_back(pole);
   }
   return needed;
 }
@@ -123,7 +123,7 @@ std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> p
 bool is_known(const JointFit& fit, std::size_t m) {
   const auto at = static_cast<Index>(m);
   return fit.freq_std_Hz(at) < fit.poles[m].half_power_Hz() && fit.damping_std(at) < fit.poles[m].damping_ratio &&
-         significance_of(fit, m) > kKnownMode;
+         residue_significance(fit, m) > kKnownMode;
 }
 
 // Drops the modes that are not well determined if the FRFs are as likely without them: all at once, or else one after
@@ -135,7 +135,7 @@ JointFit without_unknown(const FrfDataset& set, JointFit fit, double& products_l
     for (std::size_t m = 0; m < fit.poles.size(); ++m) {
       if (is_known(fit, m)) {
         kept.push_back(fit.poles[m]);
-      } else if (weakest == fit.poles.size() || significance_of(fit, m) < significance_of(fit, weakest)) {
+      } else if (weakest == fit.poles.size() || residue_significance(fit, m) < residue_significance(fit, weakest)) {
         weakest = m;
       }
     }

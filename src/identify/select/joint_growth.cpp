@@ -117,7 +117,7 @@ std::vector<Pole> clear_starts(const FrfDataset& set, std::vector<Pole> starts, 
   const JointFit linear = fit_residues(set, all);
   std::vector<std::pair<double, std::size_t>> ranks;
   for (std::size_t m = 0; m < starts.size(); ++m) {
-    const double significance = standing_of(set, linear, m, Misfit::counted).significance;
+    const double significance = significance_of(set, linear, m, Misfit::counted).significance;
     if (significance > kJointSignificance) ranks.emplace_back(-significance, m);
   }
   std::sort(ranks.begin(), ranks.end());

@@ -32,7 +32,7 @@ std::vector<FittedMode> joint_modes(const FrfDataset& set, const JointFit& fit) 
     FittedMode& mode = modes.emplace_back();
     mode.first = static_cast<std::size_t>(window.first);
     mode.count = static_cast<std::size_t>(window.count);
-    mode.peak_to_residual = standing_of(set, fit, m, Misfit::ignored).peak_to_residual;
+    mode.peak_to_residual = significance_of(set, fit, m, Misfit::ignored).peak_to_residual;
     mode.noise.resize(static_cast<Index>(set.channels.size()));
     for (std::size_t o = 0; o < set.channels.size(); ++o) {
       mode.noise(static_cast<Index>(o)) =

@@ -52,13 +52,13 @@ std::vector<double> energies_of(const FrfDataset& set, const std::vector<VectorX
   return energy;
 }
 
-bool is_mode(const FrfDataset& set, const JointFit& fit, std::size_t mode, const Standing& standing) {
+bool is_mode(const FrfDataset& set, const JointFit& fit, std::size_t mode, const ModeSignificance& of_mode) {
   const Pole& pole = fit.poles[mode];
   const auto m = static_cast<Index>(mode);
   const bool inside = pole.freq_Hz > set.lines.freq_Hz(0) && pole.freq_Hz < set.lines.freq_Hz(set.lines.count - 1);
   return inside && pole.damping_ratio < kJointMaxDamping && fit.damping_std(m) < pole.damping_ratio &&
-         fit.freq_std_Hz(m) < width_or_spacing_Hz(set, pole) && standing.significance > kJointSignificance &&
-         standing.peak_to_residual > kJointPeakToResidual;
+         fit.freq_std_Hz(m) < width_or_spacing_Hz(set, pole) && of_mode.significance > kJointSignificance &&
+         of_mode.peak_to_residual > kJointPeakToResidual;
 }
 
 // As likelihood_ratio_statistic(), over the lines around a pole, where the level of the residual is about constant.
@@ -93,9 +93,9 @@ bool stands_alone(const FrfDataset& set, const std::vector<Pole>& known, const s
 bool is_clear(const FrfDataset& set, const KnownModes& known, const JointFit& fit, std::size_t mode) {
   const Pole& pole = fit.poles[mode];
   if (!stands_alone(set, known.poles, fit.poles, pole)) return false;
-  const Standing standing = standing_of(set, fit, mode, Misfit::counted);
+  const ModeSignificance of_mode = significance_of(set, fit, mode, Misfit::counted);
   const double least = kClearGain * static_cast<double>(unknowns_per_mode(set));
-  return standing.significance > kClearSignificance && standing.peak_to_residual > kClearPeakToResidual &&
+  return of_mode.significance > kClearSignificance && of_mode.peak_to_residual > kClearPeakToResidual &&
          local_likelihood_ratio_statistic(set, known.residual, fit.residual, pole) > least;
 }
 
@@ -130,11 +130,11 @@ bool are_merged(const FrfDataset& set, const Pole& a, const Pole& b) {
   return std::abs(a.freq_Hz - b.freq_Hz) < kJointCoincide * narrower_Hz;
 }
 
-Standing standing_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit) {
+ModeSignificance significance_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit) {
   const Pole& pole = fit.poles[mode];
   const JointWindow window = window_around(set, pole);
   const double peak = std::max(2 * pole.damping_ratio, set.lines.df_Hz() / pole.freq_Hz);
-  Standing best;
+  ModeSignificance best;
   for (std::size_t o = 0; o < set.channels.size(); ++o) {
     const VectorXcd left = fit.residual[o].segment(window.first, window.count);
     const double size = std::abs(fit.residues(static_cast<Index>(o), static_cast<Index>(mode)));
@@ -152,9 +152,9 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
   std::vector<double> significance(count);
   std::vector<char> accepted(count);
   for (std::size_t m = 0; m < count; ++m) {
-    const Standing standing = standing_of(set, fit, m, misfit);
-    significance[m] = standing.significance;
-    accepted[m] = is_mode(set, fit, m, standing);
+    const ModeSignificance of_mode = significance_of(set, fit, m, misfit);
+    significance[m] = of_mode.significance;
+    accepted[m] = is_mode(set, fit, m, of_mode);
     for (std::size_t i = 0; i < m; ++i)
       if (are_merged(set, fit.poles[i], fit.poles[m])) accepted[m] = 0;
   }
