@@ -48,7 +48,7 @@ std::vector<std::size_t> scatter_partners(const FrfDataset& set, const std::vect
   for (const FittedMode& mode : modes) {
     if (!(mode.mode.freq_scatter_Hz > 0)) continue;
     const double reach_Hz =
-        std::max(kScatterReach * mode.mode.freq_scatter_Hz, width_or_spacing_Hz(set, mode.mode.pole));
+        std::max(kScatterReach * mode.mode.freq_scatter_Hz, resolved_width_Hz(mode.mode.pole, set.lines));
     std::vector<std::size_t> near;
     for (std::size_t m = 0; m < fit.poles.size(); ++m) {
       if (std::abs(fit.poles[m].freq_Hz - mode.mode.pole.freq_Hz) < reach_Hz) near.push_back(m);

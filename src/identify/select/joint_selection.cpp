@@ -57,7 +57,7 @@ bool is_mode(const FrfDataset& set, const JointFit& fit, std::size_t mode, const
   const auto m = static_cast<Index>(mode);
   const bool inside = pole.freq_Hz > set.lines.freq_Hz(0) && pole.freq_Hz < set.lines.freq_Hz(set.lines.count - 1);
   return inside && pole.damping_ratio < kJointMaxDamping && fit.damping_std(m) < pole.damping_ratio &&
-         fit.freq_std_Hz(m) < width_or_spacing_Hz(set, pole) && of_mode.significance > kJointSignificance &&
+         fit.freq_std_Hz(m) < resolved_width_Hz(pole, set.lines) && of_mode.significance > kJointSignificance &&
          of_mode.peak_to_residual > kJointPeakToResidual;
 }
 
@@ -84,7 +84,7 @@ bool stands_alone(const FrfDataset& set, const std::vector<Pole>& known, const s
     });
   };
   const auto near = [&](const Pole& other) {
-    const double width_Hz = std::max(width_or_spacing_Hz(set, pole), width_or_spacing_Hz(set, other));
+    const double width_Hz = std::max(resolved_width_Hz(pole, set.lines), resolved_width_Hz(other, set.lines));
     return &other != &pole && distance_Hz(pole, other) <= kClearWidths * width_Hz;
   };
   return std::none_of(known.begin(), known.end(), became) && std::none_of(poles.begin(), poles.end(), near);
@@ -114,10 +114,6 @@ std::vector<VectorXcd> residual_in(const std::vector<VectorXcd>& residual, const
 
 }  // namespace
 
-double width_or_spacing_Hz(const FrfDataset& set, const Pole& pole) {
-  return std::max(pole.half_power_Hz(), 0.5 * set.lines.df_Hz());
-}
-
 JointWindow window_around(const FrfDataset& set, const Pole& pole) {
   const double half = std::max(kJointWindowWidths * pole.half_power_Hz() / set.lines.df_Hz(), kJointWindowLines);
   const double at = set.lines.position(pole.freq_Hz);
@@ -126,7 +122,7 @@ JointWindow window_around(const FrfDataset& set, const Pole& pole) {
 }
 
 bool are_merged(const FrfDataset& set, const Pole& a, const Pole& b) {
-  const double narrower_Hz = std::min(width_or_spacing_Hz(set, a), width_or_spacing_Hz(set, b));
+  const double narrower_Hz = std::min(resolved_width_Hz(a, set.lines), resolved_width_Hz(b, set.lines));
   return std::abs(a.freq_Hz - b.freq_Hz) < kJointCoincide * narrower_Hz;
 }
 
@@ -162,8 +158,8 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
   for (std::size_t m = 0; m < count; ++m) {
     const auto weaker_beside = [&](std::size_t i) {
       const double apart_Hz = std::abs(fit.poles[i].freq_Hz - fit.poles[m].freq_Hz);
-      const bool near =
-          apart_Hz < 2 * std::max(width_or_spacing_Hz(set, fit.poles[i]), width_or_spacing_Hz(set, fit.poles[m]));
+      const bool near = apart_Hz < 2 * std::max(resolved_width_Hz(fit.poles[i], set.lines),
+                                                resolved_width_Hz(fit.poles[m], set.lines));
       return i != m && !accepted[i] && near &&
              (significance[i] < significance[m] || (significance[i] == significance[m] && i < m));
     };

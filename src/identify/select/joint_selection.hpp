@@ -13,9 +13,6 @@ struct JointWindow {
 };
 JointWindow window_around(const FrfDataset& set, const Pole& pole);
 
-/// The half-power bandwidth, at least half the line spacing.
-double width_or_spacing_Hz(const FrfDataset& set, const Pole& pole);
-
 /// The significance that a mode of a joint fit needs (ModeSignificance::significance): its clearest residue, in
 /// standard deviations.
 inline constexpr double kJointSignificance = 6;
