@@ -64,7 +64,7 @@ bool is_mode(const FrfDataset& set, const JointFit& fit, std::size_t mode, const
 // As likelihood_ratio_statistic(), over the lines around a pole, where the level of the residual is about constant.
 double local_likelihood_ratio_statistic(const FrfDataset& set, const std::vector<VectorXcd>& before,
                                         const std::vector<VectorXcd>& after, const Pole& pole) {
-  const JointWindow window = window_around(set, pole);
+  const JointWindow window = joint_window(set, pole);
   double ratio = 0;
   for (std::size_t o = 0; o < after.size(); ++o) {
     const VectorXcd left = after[o].segment(window.first, window.count);
@@ -114,7 +114,7 @@ std::vector<VectorXcd> residual_in(const std::vector<VectorXcd>& residual, const
 
 }  // namespace
 
-JointWindow window_around(const FrfDataset& set, const Pole& pole) {
+JointWindow joint_window(const FrfDataset& set, const Pole& pole) {
   const double half = std::max(kJointWindowWidths * pole.half_power_Hz() / set.lines.df_Hz(), kJointWindowLines);
   const double at = set.lines.position(pole.freq_Hz);
   const auto first = static_cast<Index>(set.lines.at(at - half));
@@ -128,7 +128,7 @@ bool are_merged(const FrfDataset& set, const Pole& a, const Pole& b) {
 
 ModeSignificance significance_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit) {
   const Pole& pole = fit.poles[mode];
-  const JointWindow window = window_around(set, pole);
+  const JointWindow window = joint_window(set, pole);
   const double peak = std::max(2 * pole.damping_ratio, set.lines.df_Hz() / pole.freq_Hz);
   ModeSignificance best;
   for (std::size_t o = 0; o < set.channels.size(); ++o) {
@@ -171,7 +171,7 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
 }
 
 double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole, Tails tails) {
-  const JointWindow window = window_around(set, pole);
+  const JointWindow window = joint_window(set, pole);
   double worst = 0;
   for (const VectorXcd& left : residual_in(residual, window, tails))
     worst = std::max(worst, (1 - noise_part(left)) * std::sqrt(static_cast<double>(window.count)));
@@ -179,7 +179,7 @@ double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, 
 }
 
 bool is_material(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole, Tails tails) {
-  const JointWindow window = window_around(set, pole);
+  const JointWindow window = joint_window(set, pole);
   const std::vector<VectorXcd> left = residual_in(residual, window, tails);
   for (std::size_t o = 0; o < residual.size(); ++o) {
     const Eigen::Map<const VectorXcd> frf(set.channels[o].frf.data(), residual[o].size());

@@ -11,7 +11,7 @@ namespace percuss::identify {
 struct JointWindow {
   Eigen::Index first = 0, count = 0;
 };
-JointWindow window_around(const FrfDataset& set, const Pole& pole);
+JointWindow joint_window(const FrfDataset& set, const Pole& pole);
 
 /// The significance that a mode of a joint fit needs (ModeSignificance::significance): its clearest residue, in
 /// standard deviations.
