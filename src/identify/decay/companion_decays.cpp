@@ -74,7 +74,7 @@ void take_companions(std::vector<DecayMode>& from, const DecayMode& main, std::v
   from.erase(rest, from.end());
 }
 
-std::size_t companions_of(const DecayMode& main, const std::vector<DecayMode>& among) {
+std::size_t count_companions(const DecayMode& main, const std::vector<DecayMode>& among) {
   return static_cast<std::size_t>(
       std::count_if(among.begin(), among.end(), [&](const DecayMode& other) { return may_be_companion(main, other); }));
 }
@@ -91,7 +91,7 @@ void gather_companions(DecayResults& found) {
                                   [&](const DecayMode& mode) { return amplitude_of(mode) == amplitude; });
     if (own == found.modes.end()) continue;  // a companion by now
     DecayMode main = *own;
-    if (companions_of(main, found.modes) + companions_of(main, found.tones) < kMinCompanions) continue;
+    if (count_companions(main, found.modes) + count_companions(main, found.tones) < kMinCompanions) continue;
     std::vector<DecayMode> companions;
     take_companions(found.modes, main, companions);
     take_companions(found.tones, main, companions);
