@@ -159,7 +159,10 @@ DecayResults modes_of_decays(const FreeDecayFit& fit, std::size_t channels, std:
     const bool decays = mode.pole.damping_ratio > kMinDampingSignificance * mode.damping_std;
     (decays ? shapes : tone_shapes).push_back(rank_one(fit.decays[d], static_cast<Index>(channels)));
     (decays ? out.modes : out.tones)
-        .push_back({.mode = mode, .hits = {}, .energy = fit.energy[d], .rivals_Hz = fit.decays[d].rivals_Hz});
+        .push_back({.mode = mode,
+                    .hits = {},
+                    .energy = fit.energy[d],
+                    .alternative_pair_Hz = fit.decays[d].alternative_pair_Hz});
   }
   out.reference = reference_channel(shapes, channels);
   for (std::size_t m = 0; m < shapes.size(); ++m) add_shape(shapes[m], out.reference, out.modes[m]);

@@ -128,7 +128,7 @@ std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_
   trial.fit(kPairSweeps, {});
   const double gain = chi2(trial.residual(), noise) - chi2(model.residual(), noise);
   if (!scatter_explains(trial.modes()[m], gain, of, noise)) return std::nullopt;
-  trial.set_rivals(m, frequencies_Hz(modes[m].rate, modes[last].rate));
+  trial.set_alternative_pair(m, frequencies_Hz(modes[m].rate, modes[last].rate));
   return trial;
 }
 
@@ -155,7 +155,7 @@ std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double lef
     const double least = std::max(kPairLevel, of.lines.cols() > 1 ? 0 : kMimicsAlone);
     if (!pair || !(std::min(energy[i], energy[i + 1]) > least * std::max(energy[i], energy[i + 1]))) continue;
     if (!scatters) return trial;
-    model.set_rivals(m, frequencies_Hz(trial.modes()[i].rate, trial.modes()[i + 1].rate));
+    model.set_alternative_pair(m, frequencies_Hz(trial.modes()[i].rate, trial.modes()[i + 1].rate));
     break;
   }
   return std::nullopt;
