@@ -33,8 +33,8 @@ constexpr double kNeeded = 6;          // standard deviations of a residue
 // Loss of likelihood_ratio_statistic() below which a mode that is not well determined is dropped: noise alone gives
 // about 1.
 constexpr double kLossPerUnknown = 3;
-constexpr double kMinDeterminedSignificance =
-    3;  // standard deviations of the largest residue of a well determined mode
+// Standard deviations of the largest residue of a well determined mode.
+constexpr double kMinDeterminedSignificance = 3;
 constexpr int kCrowdFits = 12;
 constexpr int kTrialSteps = 8, kCrowdSteps = 150;  // while poles are dropped; of the last fit
 constexpr int kSmallDecreases = 5;                 // steps in a row
