@@ -73,7 +73,7 @@ bool comes_first_naturally(const std::string& a, const std::string& b) {
   return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
 }
 
-std::vector<std::size_t> meant_order(const std::vector<std::string>& names) {
+std::vector<std::size_t> intended_order(const std::vector<std::string>& names) {
   std::vector<std::size_t> order(names.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t first = 0; first < names.size();) {
