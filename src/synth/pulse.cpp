@@ -187,11 +187,12 @@ double pulse_impulse_Ns(const Pulse& pulse) {
 }
 
 PulseSupport pulse_support(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles) {
-  constexpr double kLargest = 5;  // a regular part never exceeds e^5 of the force's peak
+  constexpr double kMaxGrowthExponent = 5;  // a regular part never exceeds e^5 of the force's peak
   const Zone zone(SampledPulse(pulse, fs_Hz));
   double longest = 0;
   for (const SynthPole& pole : poles) {
-    longest = std::max(longest, (kDecayExponent + kLargest) * fs_Hz / (2 * kPi * pole.freq_Hz * pole.damping_ratio));
+    longest = std::max(longest,
+                       (kDecayExponent + kMaxGrowthExponent) * fs_Hz / (2 * kPi * pole.freq_Hz * pole.damping_ratio));
   }
   return {static_cast<double>(zone.first), static_cast<double>(zone.last) + longest};
 }

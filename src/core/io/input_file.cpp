@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::size_t kHead_bytes = std::size_t{1} << 16U;
 constexpr std::size_t kCheckInterval_bytes = std::size_t{1} << 24U;  // between two calls of a GrowthCheck
-constexpr std::size_t kLargestFirstGuess_bytes = std::size_t{1}
-                                                 << 30U;  // memory for larger files grows with the bytes read
+// Memory for larger files grows with the bytes read.
+constexpr std::size_t kMaxFirstGuess_bytes = std::size_t{1} << 30U;
 
 class Descriptor {
  public:
@@ -74,10 +74,10 @@ int open_regular(const std::string& path, std::uint64_t& size_bytes) {
 
 // The available bytes, at most `count`.
 std::size_t read_fully(const Descriptor& file, char* to, std::size_t count, const std::string& path) {
-  constexpr std::size_t kLargestRead_bytes = std::size_t{1} << 30U;
+  constexpr std::size_t kMaxRead_bytes = std::size_t{1} << 30U;
   std::size_t done = 0;
   while (done < count) {
-    const auto got = ::read(file.number(), to + done, std::min(count - done, kLargestRead_bytes));
+    const auto got = ::read(file.number(), to + done, std::min(count - done, kMaxRead_bytes));
     if (got == 0) break;
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw_system_error("reading failed", errno, input_name(path), "check the disk or pipe");
@@ -164,7 +164,7 @@ FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const H
   std::uint64_t size = 0;
   const Descriptor file{open_regular_file(path, limit_bytes, size, too_long_remedy), true};
   // One byte more than the file, so that its end is found without growing.
-  const auto guess = static_cast<std::size_t>(std::min<std::uint64_t>(size + 1, kLargestFirstGuess_bytes));
+  const auto guess = static_cast<std::size_t>(std::min<std::uint64_t>(size + 1, kMaxFirstGuess_bytes));
   return read_all(file, guess, limit_bytes, check_head, check_growth, too_long_remedy, path);
 }
 

@@ -21,8 +21,8 @@ std::string value_with_std(double value, double deviation) {
   // A deviation below the rounding error of the value counts as zero.
   constexpr double kRounding = 1e-14;
   if (!(deviation > kRounding * std::abs(value)) || !std::isfinite(deviation)) return fmt::format("{:.6g}", value);
-  constexpr double kSmallest = 9.95e-12;  // 12 decimals show two digits of larger deviations
-  if (deviation < kSmallest) return fmt::format("{:.9g} ± {:.1e}", value, deviation);
+  constexpr double kMinShownStd = 9.95e-12;  // 12 decimals show two digits of larger deviations
+  if (deviation < kMinShownStd) return fmt::format("{:.9g} ± {:.1e}", value, deviation);
   // 0.0996 rounds to 0.10: the decimals follow the rounded deviation.
   const double rounded = std::stod(fmt::format("{:.1e}", deviation));
   const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(rounded) + 1e-9)), 0, 12);

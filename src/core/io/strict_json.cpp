@@ -75,8 +75,8 @@ struct StrictObject::Impl {
 
 namespace {
 
-constexpr std::size_t kMaxInt = 1'000'000;          // of a number of type int
-constexpr double kLargestWhole = 9007199254740992;  // 2^53: a double does not hold all larger whole numbers
+constexpr std::size_t kMaxInt = 1'000'000;      // of a number of type int
+constexpr double kMaxWhole = 9007199254740992;  // 2^53: a double does not hold all larger whole numbers
 
 void append_numbers(const json& value, std::vector<double>& to, const StrictObject& object, const std::string& key) {
   if (value.is_number()) {
@@ -147,7 +147,7 @@ void StrictObject::read(const std::string& key, std::size_t& to) {
     return;
   }
   const double number = value->is_number() ? value->get<double>() : -1;
-  if (!(number >= 0 && number <= kLargestWhole && number == std::floor(number))) {
+  if (!(number >= 0 && number <= kMaxWhole && number == std::floor(number))) {
     fail(fmt::format("{} is not a whole number", one_line(value->dump(), 40)), key, "give a whole number");
   }
   to = static_cast<std::size_t>(number);

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double kMaxTrialDamping = 0.5;  // damping ratio beyond which a rate describes no oscillation
-constexpr double kSmallest = 1e-300;
+constexpr double kMinVariance = 1e-300;
 
 // Real and imaginary parts one under the other.
 Eigen::MatrixXd stacked(const Eigen::MatrixXcd& complex) {
@@ -66,7 +66,7 @@ class DecayProblem : public LeastSquaresProblem {
       of_channel(i % channels) += now_.residual.col(i).squaredNorm() / level_(i) / freedom / static_cast<double>(hits);
     }
     for (Index i = 0; i < data_.cols(); ++i) noise(i) = of_channel(i % channels) * level_(i);
-    weight_ = noise.cwiseMax(kSmallest).cwiseInverse();
+    weight_ = noise.cwiseMax(kMinVariance).cwiseInverse();
     return noise;
   }
 
