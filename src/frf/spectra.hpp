@@ -27,9 +27,9 @@ struct ForceBlock {
 };
 ForceBlock force_block(const acquire::Hit& hit, double fs_Hz, double decay_per_s);
 
-/// A shared spectrum: a pointer to its first spectral line. shape  [lines]
+/// A shared spectrum: a pointer to its first spectral line. make_spectrum() takes the lines over. shape  [lines]
 using Spectrum = std::shared_ptr<const Complex>;
-inline Spectrum shared(std::vector<Complex> lines) {
+inline Spectrum make_spectrum(std::vector<Complex> lines) {
   const auto owner = std::make_shared<const std::vector<Complex>>(std::move(lines));
   return {owner, owner->data()};
 }
