@@ -189,7 +189,7 @@ SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
   SynthSpec spec;
   read_strict_json({.text = text, .where = place, .options = {"synth.example"}, .max_depth = kMaxDepth},
                    [&](StrictObject& o) { read_document(o, spec); });
-  check(spec, where);
+  validate(spec, where);
   return spec;
 }
 

@@ -182,7 +182,7 @@ SimulatedSession parse_simulated_session(std::string_view text, const acquire::D
   if (const auto seed = options.number("seed", 0, 1e15)) session.spec.seed = static_cast<std::uint64_t>(*seed);
   const auto rate_Hz = options.number("fs", 100, 1e6);
   change_rate(session.spec, device.fs_Hz.value_or(rate_Hz.value_or(session.spec.fs_Hz)));
-  check(session.spec, "sim");
+  validate(session.spec, "sim");
   plan_blows(options, session);
   session.gaps = options.periods("gap", 2);
   session.overruns = options.periods("overrun", 0.01);

@@ -114,6 +114,6 @@ struct SynthSpec {
 
 /// Checks that the spec is finite, physical and small enough for memory.
 /// errors  InputError with the key and `where`.
-void check(const SynthSpec& spec, std::string_view where = "synth spec");
+void validate(const SynthSpec& spec, std::string_view where = "synth spec");
 
 }  // namespace percuss::synth

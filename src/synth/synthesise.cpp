@@ -129,7 +129,7 @@ acquire::Record record_of(const Truth& truth, SynthSamples samples) {
 }  // namespace
 
 SyntheticTest synthesise(const SynthSpec& spec, std::size_t threads) {
-  check(spec);
+  validate(spec);
   Truth truth = planned_truth(spec);
   SynthSamples clean = clean_run(truth, threads);
   set_noise_levels(clean, truth);
