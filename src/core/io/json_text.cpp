@@ -143,5 +143,34 @@ json json_if_valid<json>(std::string_view text, WantedKeys wanted) {
   }
 }
 
+bool looks_like_json(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    if (first == std::string_view::npos) return false;
+    text.remove_prefix(first);
+    if (!text.starts_with("//")) return text.front() == '{';
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+  return false;
+}
+
+bool nests_deeper_than(std::string_view text, int depth) {
+  int open = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && (c == '{' || c == '[')) {
+      if (++open > depth) return true;
+    } else if (!quoted && (c == '}' || c == ']')) {
+      --open;
+    }
+  }
+  return false;
+}
+
 }  // namespace core
 }  // namespace percuss

@@ -33,5 +33,12 @@ Json parse_json(const JsonText& input, WantedKeys wanted = {});
 template <class Json>
 Json json_if_valid(std::string_view text, WantedKeys wanted);
 
+/// Whether a text begins with a JSON object, after blanks and comments that begin with //.
+bool looks_like_json(std::string_view text);
+
+/// Whether the lists and objects of a JSON text are nested more than `depth` times, which would take unbounded memory
+/// to read. For texts without comments.
+bool nests_deeper_than(std::string_view text, int depth);
+
 }  // namespace core
 }  // namespace percuss

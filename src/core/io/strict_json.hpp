@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/io/json_text.hpp"
 
 namespace percuss {
 inline namespace core {
@@ -81,13 +82,6 @@ void read_strict_json(const StrictText& text, const StrictObject::Reader& read);
 /// errors  InputError with the line: as above; a cell without a column, two columns of one name, more than 100000 rows
 /// or 16 MiB
 void read_strict_table(const StrictText& text, const std::string& rows, const StrictObject::Reader& read);
-
-/// Whether a text begins with a JSON object, after blanks and comments that begin with //.
-bool looks_like_json(std::string_view text);
-
-/// Whether the lists and objects of a JSON text are nested more than `depth` times, which would take unbounded memory
-/// to read. For texts without comments.
-bool nests_deeper_than(std::string_view text, int depth);
 
 }  // namespace core
 }  // namespace percuss
