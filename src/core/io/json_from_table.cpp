@@ -61,7 +61,7 @@ CsvDialect table_dialect(std::string_view names) {
 
 }  // namespace
 
-std::string json_from_table(const StrictText& input, StrictSource& source) {
+std::string json_from_table(const JsonText& input, StrictSource& source) {
   std::string_view text = input.text;
   if (text.size() > kMaxStrictTable_bytes) throw InputError("longer than 16 MiB", input.where, "split the file");
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);

@@ -12,8 +12,8 @@ inline namespace core {
 /// A text to be read as JSON, with its name and the remedy for messages.
 struct JsonText {
   std::string_view text;
-  std::string where;                // its name
-  std::string remedy;               // "compare it with a valid example"
+  std::string where;  // its name
+  std::string remedy = "compare it with a valid example";
   std::vector<OptionId> options{};  // of the remedy: {"synth.example"}
   int max_depth = 6;                // of nested lists and objects
   bool comments = false;

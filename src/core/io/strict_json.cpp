@@ -88,13 +88,9 @@ void append_numbers(const json& value, std::vector<double>& to, const StrictObje
   }
 }
 
-json json_of(const StrictText& input) {
-  return parse_json<nlohmann::json>({.text = input.text,
-                                     .where = input.where,
-                                     .remedy = input.remedy,
-                                     .options = input.options,
-                                     .max_depth = input.max_depth,
-                                     .comments = true});
+json json_of(JsonText input) {
+  input.comments = true;
+  return parse_json<json>(input);
 }
 
 }  // namespace
@@ -223,7 +219,7 @@ std::string StrictObject::place() const {
   return impl_->path.empty() ? impl_->where : fmt::format("{}, {}", impl_->where, impl_->path);
 }
 
-void read_strict_json(const StrictText& text, const StrictObject::Reader& read) {
+void read_strict_json(const JsonText& text, const StrictObject::Reader& read) {
   const json document = json_of(text);
   const StrictSource source{.where = text.where, .remedy = text.remedy, .options = text.options};
   StrictObject object(std::make_unique<StrictObject::Impl>(document, source, ""));
@@ -231,7 +227,7 @@ void read_strict_json(const StrictText& text, const StrictObject::Reader& read) 
   object.finish();
 }
 
-void read_strict_table(const StrictText& text, const std::string& rows, const StrictObject::Reader& read) {
+void read_strict_table(const JsonText& text, const std::string& rows, const StrictObject::Reader& read) {
   StrictSource source{.where = text.where, .remedy = text.remedy, .options = text.options, .rows = rows};
   const std::string as_json = json_from_table(text, source);
   const json document = json_of({.text = as_json, .where = text.where});
