@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/io/csv_dialect.hpp"
-#include "core/io/csv_header.hpp"
+#include "core/io/csv_text.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/parse_number.hpp"
 
