@@ -20,14 +20,14 @@ constexpr double kOtherLevel = 0.1;  // relative change of the noise of a hit or
 double frequency_Hz(const FittedDecay& mode) { return mode.rate.rate_radps.imag() / kTwoPi; }
 
 // First line and one past the last.
-std::pair<std::size_t, std::size_t> window_of(const DecayRate& rate, const DecaySpectra& of,
+std::pair<std::size_t, std::size_t> window_of(const DecayRate& rate, const DecaySpectra& spectra,
                                               const DecayWindows& windows) {
-  const double half_power = -rate.rate_radps.real() / std::numbers::pi / of.df_Hz();
+  const double half_power = -rate.rate_radps.real() / std::numbers::pi / spectra.df_Hz();
   const double reach =
       std::min(std::max(windows.half_power_bandwidths * std::max(half_power, 0.0), windows.lines), windows.max_lines);
-  const double centre = rate.rate_radps.imag() / kTwoPi / of.df_Hz();
-  const auto lines = static_cast<double>(of.lines.rows());
-  const double last = of.samples % 2 == 0 ? lines - 1 : lines;  // without the lines that are real
+  const double centre = rate.rate_radps.imag() / kTwoPi / spectra.df_Hz();
+  const auto lines = static_cast<double>(spectra.lines.rows());
+  const double last = spectra.samples % 2 == 0 ? lines - 1 : lines;  // without the lines that are real
   const double first = std::clamp(std::floor(centre - reach), 1.0, last - 1);
   return {static_cast<std::size_t>(first), static_cast<std::size_t>(std::clamp(centre + reach + 1, first + 1, last))};
 }
@@ -47,13 +47,13 @@ std::vector<std::vector<std::size_t>> split(std::vector<std::size_t> members, co
   return out;
 }
 
-std::vector<std::vector<std::size_t>> groups_of(const std::vector<FittedDecay>& modes, const DecaySpectra& of,
+std::vector<std::vector<std::size_t>> groups_of(const std::vector<FittedDecay>& modes, const DecaySpectra& spectra,
                                                 const DecayWindows& windows) {
   std::vector<std::vector<std::size_t>> out;
   std::vector<std::size_t> members;
   std::size_t end = 0;
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const auto [first, last] = window_of(modes[m].rate, of, windows);
+    const auto [first, last] = window_of(modes[m].rate, spectra, windows);
     if (!members.empty() && first >= end) {
       for (auto& group : split(members, modes)) out.push_back(std::move(group));
       members.clear();

@@ -30,17 +30,17 @@ constexpr double kMimics = 1e-3, kMimicsAlone = 0.1;
 constexpr double kNarrowest = 0.1;    // decay rate of a misfit over the mode's
 constexpr double kFastestFit = 0.25;  // decay rate over the sampling rate: a faster decay is over in a few samples
 
-std::size_t line_of(const FittedDecay& mode, const DecaySpectra& of) {
-  const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / of.df_Hz());
-  return static_cast<std::size_t>(std::clamp(line, 1.0, static_cast<double>(of.lines.rows() - 1)));
+std::size_t line_of(const FittedDecay& mode, const DecaySpectra& spectra) {
+  const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / spectra.df_Hz());
+  return static_cast<std::size_t>(std::clamp(line, 1.0, static_cast<double>(spectra.lines.rows() - 1)));
 }
 
 // The energy of a decay as DecayCandidate::energy gives it: Σ over hits and channels of |a|² Σ exp(2 Re s t)/4 over the
 // noise's variance per sample.
-double energy_of(const FittedDecay& mode, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
-  const double decay = 2 * mode.rate.rate_radps.real() / of.fs_Hz, n = static_cast<double>(of.samples);
+double energy_of(const FittedDecay& mode, const DecaySpectra& spectra, const Eigen::MatrixXd& noise) {
+  const double decay = 2 * mode.rate.rate_radps.real() / spectra.fs_Hz, n = static_cast<double>(spectra.samples);
   const double sum = std::abs(decay * n) < 1e-9 ? n : std::expm1(decay * n) / std::expm1(decay);
-  const auto line = static_cast<Eigen::Index>(line_of(mode, of));
+  const auto line = static_cast<Eigen::Index>(line_of(mode, spectra));
   double energy = 0;
   // A line's variance is N times a sample's. The matched filter passes only half of the amplitude of a real decay.
   for (Eigen::Index i = 0; i < mode.amplitude.size(); ++i)
@@ -48,9 +48,9 @@ double energy_of(const FittedDecay& mode, const DecaySpectra& of, const Eigen::M
   return energy;
 }
 
-std::vector<double> energies(const DecayModel& model, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
+std::vector<double> energies(const DecayModel& model, const DecaySpectra& spectra, const Eigen::MatrixXd& noise) {
   std::vector<double> out;
-  for (const FittedDecay& mode : model.modes()) out.push_back(energy_of(mode, of, noise));
+  for (const FittedDecay& mode : model.modes()) out.push_back(energy_of(mode, spectra, noise));
   return out;
 }
 
@@ -86,8 +86,9 @@ double chi2(const DecaySpectra& residual, const Eigen::MatrixXd& noise) {
 
 // The decrease of chi2() if each hit had a pole of its own, to first order. The mode's own noise contains its misfit,
 // so that its covariance is scaled to `noise`.
-double gain_of_hits(const FittedDecay& mode, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
-  const auto line = static_cast<Eigen::Index>(line_of(mode, of)), channels = static_cast<Eigen::Index>(of.channels);
+double gain_of_hits(const FittedDecay& mode, const DecaySpectra& spectra, const Eigen::MatrixXd& noise) {
+  const auto line = static_cast<Eigen::Index>(line_of(mode, spectra)),
+             channels = static_cast<Eigen::Index>(spectra.channels);
   double sum = 0;
   for (std::size_t h = 0; h < mode.hit_step.size(); ++h) {
     const Eigen::Vector2d& step = mode.hit_step[h];
@@ -106,13 +107,14 @@ std::pair<double, double> frequencies_Hz(const DecayRate& a, const DecayRate& b)
 }
 
 // Whether frequencies that differ between the hits explain most of what a second pole would.
-bool scatter_explains(const FittedDecay& alone, double gain, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
-  return alone.hit_step.size() > 1 && gain_of_hits(alone, of, noise) > kScatterShare * gain;
+bool scatter_explains(const FittedDecay& alone, double gain, const DecaySpectra& spectra,
+                      const Eigen::MatrixXd& noise) {
+  return alone.hit_step.size() > 1 && gain_of_hits(alone, spectra, noise) > kScatterShare * gain;
 }
 
 // The model with one mode in place of the modes from m on that overlap each other, where the hits' scatter explains
 // them.
-std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_t m, const DecaySpectra& of,
+std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_t m, const DecaySpectra& spectra,
                                              const Eigen::MatrixXd& noise, const std::vector<double>& energy) {
   const auto& modes = model.modes();
   std::size_t last = m, strongest = m;
@@ -127,7 +129,7 @@ std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_
   }
   trial.fit(kPairSweeps, {});
   const double gain = chi2(trial.residual(), noise) - chi2(model.residual(), noise);
-  if (!scatter_explains(trial.modes()[m], gain, of, noise)) return std::nullopt;
+  if (!scatter_explains(trial.modes()[m], gain, spectra, noise)) return std::nullopt;
   trial.set_alternative_pair(m, frequencies_Hz(modes[m].rate, modes[last].rate));
   return trial;
 }
@@ -136,7 +138,7 @@ std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_
 // than noise would. The search cannot find such a pair: one fitted mode leaves no clear peak of the other. But the
 // shapes of the two modes differ. Where frequencies that differ between the hits fit about as well, the mode stays one,
 // and `model` remembers the pair. `left`: χ² of the model's residual.
-std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double left, const DecaySpectra& of,
+std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double left, const DecaySpectra& spectra,
                                     const Eigen::MatrixXd& noise) {
   const Complex s = model.modes()[m].rate.rate_radps, apart(0, kPairApart * s.real());
   DecayModel trial = model;
@@ -145,14 +147,14 @@ std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double lef
   trial.add({s + apart});
   trial.fit(kPairSweeps, kSearchWindows);
   const double gain = left - chi2(trial.residual(), noise);
-  const auto spectra = static_cast<std::size_t>(of.lines.cols());
-  if (!(gain > decay_threshold(spectra + 1, kPairPlaces * model.modes().size()))) return std::nullopt;
-  const bool scatters = scatter_explains(model.modes()[m], gain, of, noise);
-  const std::vector<double> energy = energies(trial, of, noise);
+  const auto count = static_cast<std::size_t>(spectra.lines.cols());
+  if (!(gain > decay_threshold(count + 1, kPairPlaces * model.modes().size()))) return std::nullopt;
+  const bool scatters = scatter_explains(model.modes()[m], gain, spectra, noise);
+  const std::vector<double> energy = energies(trial, spectra, noise);
   for (std::size_t i = 0; i + 1 < energy.size(); ++i) {
     const bool pair = std::abs(trial.modes()[i].rate.rate_radps - s) < kPairReach * -s.real() &&
                       std::abs(trial.modes()[i + 1].rate.rate_radps - s) < kPairReach * -s.real();
-    const double least = std::max(kPairLevel, of.lines.cols() > 1 ? 0 : kMimicsAlone);
+    const double least = std::max(kPairLevel, spectra.lines.cols() > 1 ? 0 : kMimicsAlone);
     if (!pair || !(std::min(energy[i], energy[i + 1]) > least * std::max(energy[i], energy[i + 1]))) continue;
     if (!scatters) return trial;
     model.set_alternative_pair(m, frequencies_Hz(trial.modes()[i].rate, trial.modes()[i + 1].rate));
@@ -162,9 +164,9 @@ std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double lef
 }
 
 // Whether the fit of a candidate stayed near it.
-bool is_modelled(const DecayRate& candidate, const DecayModel& model, const DecaySpectra& of) {
+bool is_modelled(const DecayRate& candidate, const DecayModel& model, const DecaySpectra& spectra) {
   return std::any_of(model.modes().begin(), model.modes().end(),
-                     [&](const FittedDecay& mode) { return overlap(mode.rate, candidate, 1, of.df_Hz()); });
+                     [&](const FittedDecay& mode) { return overlap(mode.rate, candidate, 1, spectra.df_Hz()); });
 }
 
 }  // namespace
