@@ -32,7 +32,8 @@ class LinePhasors {
   const Complex* at_ = nullptr;
 };
 
-Complex inverse(const Complex& z) { return std::conj(z) / std::norm(z); }
+// 1/z by division: core's inverse() rounds once more.
+Complex divided_inverse(const Complex& z) { return std::conj(z) / std::norm(z); }
 
 }  // namespace
 
@@ -75,7 +76,8 @@ Eigen::MatrixX2cd decay_values(const DecayRate& rate, const DecaySpectra& spectr
   const Complex gone = 1.0 - std::exp(static_cast<double>(spectra.samples) * s);
   for (Eigen::Index i = 0; i < out.rows(); ++i) {
     const Complex q = phasor[i];
-    const Complex d = gone * inverse(1.0 - step * q), m = std::conj(gone) * inverse(1.0 - std::conj(step) * q);
+    const Complex d = gone * divided_inverse(1.0 - step * q),
+                  m = std::conj(gone) * divided_inverse(1.0 - std::conj(step) * q);
     out(i, 0) = 0.5 * (d + m);
     out(i, 1) = Complex(0, 0.5) * (d - m);
   }
@@ -90,7 +92,7 @@ DecayColumns decay_columns(const DecayRate& rate, const DecaySpectra& spectra, s
   const Complex s = rate.rate_radps * dt_s, at_end = std::exp(n * s), step = std::exp(s);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const auto kernel = [&](Complex one_step, Complex z_n) {
-      const Complex q = one_step * phasor[i], r = inverse(1.0 - q), value = (1.0 - z_n) * r;
+      const Complex q = one_step * phasor[i], r = divided_inverse(1.0 - q), value = (1.0 - z_n) * r;
       return std::pair(value, dt_s * r * (value * q - n * z_n));
     };
     const auto [d, d1] = kernel(step, at_end);
