@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/math/statistics.hpp"
+#include "identify/model/frf_lines.hpp"
 #include "identify/select/robust_mean.hpp"
 
 namespace percuss::identify {
@@ -27,26 +28,6 @@ constexpr double kMaxScatterWidthRatio = 6;  // of the half-power bandwidths: be
 // Largest distance of common poles that may stand for scatter, in standard deviations of the scatter.
 constexpr double kMaxPoleDistance = 4;
 constexpr double kMaxPoleOffset = 1;  // bandwidths: a separate pole farther away is another mode
-
-// The FRFs of one point as a dataset. Their values stay empty: the fits take the data of their window.
-struct PointSet {
-  FrfDataset set;
-  std::vector<std::size_t> channels;  // indices into the whole set
-};
-
-PointSet set_of_point(const FrfDataset& all, std::size_t point) {
-  PointSet one{.set = {.lines = all.lines,
-                       .usable_bandwidth_Hz = all.usable_bandwidth_Hz,
-                       .points = {all.points[point]},
-                       .channels = {}},
-               .channels = {}};
-  for (std::size_t o = 0; o < all.channels.size(); ++o) {
-    if (all.channels[o].point != point) continue;
-    one.channels.push_back(o);
-    one.set.channels.push_back({.point = 0, .channel = all.channels[o].channel, .frf = {}});
-  }
-  return one;
-}
 
 // The mode with the largest peak, over all FRFs.
 std::size_t highest_peak(const LocalFit& fit) {
