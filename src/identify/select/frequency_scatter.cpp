@@ -16,13 +16,9 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMinPoints = 3;      // each of two points may observe one mode of an orthogonal pair
-constexpr double kMinScatterEnergy = 2;    // residual energy over the noise energy: below it there is no scatter
-constexpr double kScatterFStatistic = 25;  // F statistic of separate poles
-// Cost of separate poles at each point over the cost of a further common mode, where the frequency scatters. It exceeds
-// 1, because such a frequency also drifts during the decay, and a further common mode follows this drift better than
-// separate poles do. For a true pair the ratio is tens to thousands.
-constexpr double kMaxScatterCostRatio = 15;
+constexpr std::size_t kMinPoints = 3;        // each of two points may observe one mode of an orthogonal pair
+constexpr double kMinScatterEnergy = 2;      // residual energy over the noise energy: below it there is no scatter
+constexpr double kScatterFStatistic = 25;    // F statistic of separate poles
 constexpr double kMaxScatterWidths = 3;      // bandwidths: poles farther apart are separate modes
 constexpr double kMaxScatterWidthRatio = 6;  // of the half-power bandwidths: beyond it the poles are separate modes
 // Largest distance of common poles that may stand for scatter, in standard deviations of the scatter.

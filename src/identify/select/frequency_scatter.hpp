@@ -14,12 +14,17 @@ struct WindowData {
   Eigen::VectorXd weight;              // [channels] noise_scale of fit_locally()
 };
 
+/// Largest cost of separate poles at each point, over the cost of a further common mode, where a frequency scatters. It
+/// exceeds 1, because such a frequency also drifts during the decay, and a further common mode follows this drift
+/// better than separate poles do. For a true pair the ratio is tens to thousands.
+inline constexpr double kMaxScatterCostRatio = 15;
+
 /// Compares two fits of one window by modes common to all points: `one`, and `more`, which has additional modes and was
 /// fitted to this window. True where the additional modes only describe the frequency scatter of the modes of `one`. To
 /// first order, additional modes describe such scatter exactly. The test: separate poles of `one` at each point leave
-/// at most 15 times the cost of `more`. If `one` has a single mode, its frequency must also scatter as widely as the
-/// poles of `more` lie apart. Always false for fewer than three points, because two orthogonal modes look the same
-/// there.
+/// at most kMaxScatterCostRatio times the cost of `more`. If `one` has a single mode, its frequency must also scatter
+/// as widely as the poles of `more` lie apart. Always false for fewer than three points, because two orthogonal modes
+/// look the same there.
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,
                                const FitGroup& more);
 
