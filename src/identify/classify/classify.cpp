@@ -11,7 +11,6 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kPairSpacing = 0.04;          // relative: one bending mode's frequencies in its two planes are closer
 constexpr double kSplitDeviations = 2;         // standard deviations that noise may add to a separation
 constexpr double kSplitSpacing = 0.15;         // of the lower frequency: largest separation, besides double_peak_Hz
 constexpr double kMinLoneProbability = 0.9;    // below it the second type is stated …

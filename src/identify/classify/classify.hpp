@@ -28,6 +28,9 @@ struct ModeClassification {
   std::optional<SplitMode> split_mode;
 };
 
+/// Relative distance below which a bending mode may have two frequencies, in its two planes.
+inline constexpr double kPairSpacing = 0.04;
+
 /// What was struck. Bending and hoop are types of a tube's modes only. automatic: a tube where the sensors' angles are
 /// stated, or where the modes fit assumed angles.
 enum class ObjectKind { automatic, tube, other };

@@ -18,7 +18,8 @@ std::vector<double> frequencies_Hz(const std::vector<Mode>& modes, const std::ve
     if (types[m].type != type || types[m].confidence < min_confidence) continue;
     // The two planes of a mode are one order.
     const double freq_Hz = modes[m].pole.freq_Hz;
-    if (out.empty() || freq_Hz - out.back() > std::max(options.double_peak_Hz, 0.04 * freq_Hz)) out.push_back(freq_Hz);
+    if (out.empty() || freq_Hz - out.back() > std::max(options.double_peak_Hz, kPairSpacing * freq_Hz))
+      out.push_back(freq_Hz);
   }
   return out;
 }
