@@ -17,7 +17,6 @@ constexpr double kReach = 0.03;            // of the mode's frequency
 constexpr double kWeak = 0.5;              // of the mode's amplitude; a stronger companion must be within kClose
 constexpr double kClose = 3;               // half-power bandwidths of the broader decay
 constexpr double kMinMac = 0.8;
-constexpr double kSameShape = 3.1;  // normal deviate of χ²; of one shape, one pair in 1000 exceeds it
 
 double amplitude_of(const DecayMode& decay) {
   double of_hits = 0, of_channels = 0;
@@ -39,7 +38,7 @@ bool have_one_shape(const Mode& a, const Mode& b) {
     chi2 += std::norm(one.value - other.value) / variance;
     freedom += 2;
   }
-  return freedom > 0 && std::norm(ab) > kMinMac * aa * bb && chi2_deviate(chi2, freedom) < kSameShape;
+  return freedom > 0 && std::norm(ab) > kMinMac * aa * bb && chi2_deviate(chi2, freedom) < kOnceIn1000;
 }
 
 bool may_be_companion(const DecayMode& of, const DecayMode& other) {

@@ -12,8 +12,6 @@
 namespace percuss::identify {
 namespace {
 
-// Normal deviate of χ²; without scatter, one value in 1000 exceeds it.
-constexpr double kSignificantScatter = 3.1;
 // Standard deviations of trend_deviate(); without scatter, one pair of slopes in 2000 exceeds them.
 constexpr double kSignificantTrend = 3.7;
 constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval, which Student's factor keeps
@@ -62,7 +60,7 @@ ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& pe
   scatter.freq = scatter_of_hits(scatter.known.freq_Hz, scatter.known.freq_std_Hz);
   scatter.damping = scatter_of_hits(scatter.known.damping, scatter.known.damping_std);
   const auto differs = [&](const ScatterOfHits& of, bool is_freq) {
-    return of.deviate > kSignificantScatter || trend_deviate(scatter.series(0, is_freq), peak_N) > kSignificantTrend;
+    return of.deviate > kOnceIn1000 || trend_deviate(scatter.series(0, is_freq), peak_N) > kSignificantTrend;
   };
   scatter.freq_differs = differs(scatter.freq, true);
   scatter.damping_differs = differs(scatter.damping, false);

@@ -10,9 +10,9 @@
 namespace percuss::identify {
 namespace {
 
-// Normal deviates of χ²: of all points of a mode together (without scatter, one mode in 1000 exceeds it), and of one
-// point alone (one in 300,000, as a survey has hundreds of points and modes).
-constexpr double kSignificantTogether = 3.1, kSignificantAlone = 4.5;
+// Normal deviates of χ²: of all points of a mode together, and of one point alone, as a survey has hundreds of points
+// and modes.
+constexpr double kSignificantTogether = kOnceIn1000, kSignificantAlone = kOnceIn300000;
 constexpr double kRoundingRatio = 1e-9;  // of a ratio without noise
 constexpr double kMaxShare = 0.99;       // of the weight of a hit's ratio: such a residue alone decides the ratio
 constexpr double kClearDirection = 5;    // standard deviations of a residue whose phase is known
