@@ -10,6 +10,10 @@ inline constexpr double kOnceIn1000 = 3.1, kOnceIn300000 = 4.5;
 /// count as 1.
 double student_quantile(double z, double degrees);
 
+/// The 97.5 % quantile of Student's t for these degrees of freedom, over 1.96. A standard deviation estimated from few
+/// values is multiplied by it, so that ±1.96 standard deviations still cover 95 %.
+double student_factor(double degrees);
+
 /// χ² as the normal deviate of the same probability, by the cube root of Wilson and Hilferty.
 double chi2_deviate(double chi2, double degrees);
 

@@ -14,7 +14,6 @@ namespace {
 
 // Standard deviations of trend_deviate(); without scatter, one pair of slopes in 2000 exceeds them.
 constexpr double kSignificantTrend = 3.7;
-constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval, which Student's factor keeps
 constexpr std::size_t kMinHits = 2;
 // Standard deviations of a residue in one hit. A hit with a clearer residue determines its pole, unless the pole
 // changes during the hit or differs much from the mean.
@@ -115,10 +114,6 @@ bool is_undetermined(const HitFrfs& hits, const std::vector<std::size_t>& residu
 
 }  // namespace
 
-double student_factor(std::size_t degrees) {
-  return student_quantile(kCoverage, static_cast<double>(degrees)) / kCoverage;
-}
-
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std) {
   const auto weighted = [&](double spread2) {
     double sum = 0, weights = 0, squares = 0;
@@ -141,7 +136,7 @@ ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vecto
   const double scatter = std::sqrt(std::max(0.0, 1 / certainty - noise2));
   return {.mean = mean,
           .std = std::sqrt(noise2),
-          .std_from_scatter = scatter > 0 ? student_factor(value.size() - 1) * scatter : 0,
+          .std_from_scatter = scatter > 0 ? student_factor(degrees) * scatter : 0,
           .spread = std::sqrt(spread2),
           .deviate = chi2_deviate(chi2, degrees)};
 }

@@ -30,7 +30,8 @@ double std_of_average(const HitValues& values, double spread) {
     sum += power;
     squares += power * power;
   }
-  return sum > 0 ? student_factor(values.value.size() - 1) * spread * std::sqrt(squares) / sum : 0;
+  const double degrees = static_cast<double>(values.value.size()) - 1;
+  return sum > 0 ? student_factor(degrees) * spread * std::sqrt(squares) / sum : 0;
 }
 
 // [points] the relative standard deviations of one mode's residues from the scatter. Where the points together

@@ -14,8 +14,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval: Student's factor widens ± to cover 95 %
-
 // The standard deviation of an unknown from the scatter of the points' contributions; 0 where the noise explains it.
 // `variance`: of each contribution, by the noise.
 double std_of(const VectorXd& contribution, const VectorXd& variance) {
@@ -31,8 +29,7 @@ double std_of(const VectorXd& contribution, const VectorXd& variance) {
   if (points < kMinScatterPoints || !(chi2_deviate(chi2, points - 1) > kOnceIn300000)) return 0;
   // Points near a node contribute nothing, and do not count as degrees of freedom.
   const double degrees = std::max(1.0, sum * sum / sum_of_squares - 1);
-  const double student = student_quantile(kCoverage, degrees) / kCoverage;
-  return student * std::sqrt(squares * points / (points - 1));
+  return student_factor(degrees) * std::sqrt(squares * points / (points - 1));
 }
 
 }  // namespace
