@@ -14,7 +14,6 @@ constexpr long long kHugeExponent = 1LL << 40;  // more than the digits of any t
 constexpr std::size_t kMaxRewritten = 64;       // characters of a number with decimal comma or D exponent
 
 bool is_padding(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // from_chars reports "out of range" for numbers too large and too small. The power of ten of the first digit other than
 // zero distinguishes them.
