@@ -169,82 +169,124 @@ bool is_modelled(const DecayRate& candidate, const DecayModel& model, const Deca
                      [&](const FittedDecay& mode) { return overlap(mode.rate, candidate, 1, spectra.df_Hz()); });
 }
 
+// The steps of fit_free_decays(), and the model that they change.
+class FreeDecayFitter {
+ public:
+  FreeDecayFitter(const DecaySpectra& measured, const FreeDecayOptions& options)
+      : measured_(measured),
+        options_(options),
+        mimics_(measured.lines.cols() > 1 ? kMimics : kMimicsAlone),
+        rounding_(decay_rounding(measured)),
+        model_(measured),
+        limits_{.band_Hz = options.band_Hz, .refused = {}} {
+    out_.threshold = decay_threshold(measured.hits * measured.channels, measured.samples);
+    out_.noise = decay_line_noise(measured, rounding_);
+  }
+
+  FreeDecayFit run() {
+    fit_starts();
+    if (!search()) {
+      out_.complete = false;
+      return result();
+    }
+    if (options_.search && measured_.hits > 1) merge_imitations();
+    model_.set_noise(out_.noise);
+    if (options_.search) split_pairs();
+    model_.fit(kFinalSweeps, {});
+    out_.noise = decay_line_noise(model_.residual(), rounding_);
+    return result();
+  }
+
+ private:
+  void fit_starts() {
+    for (const double start_Hz : options_.start_Hz)
+      model_.add(decay_rate_of({.freq_Hz = start_Hz, .damping_ratio = kStartDamping}));
+    for (const DecayRate& rate : options_.initial) model_.add(rate);
+    model_.fit(kSearchSweeps, kSearchWindows);
+    if (!options_.initial.empty()) drop_unconfirmed();
+  }
+
+  // The rough fits of a search refuse some decays that a full fit of the others reveals: the residual is searched
+  // again. False where the search ended at max_decays.
+  bool search() {
+    for (int round = 0; round < kMaxRounds; ++round) {
+      const std::size_t before = model_.modes().size();
+      if (options_.search) search_residual();
+      if (model_.modes().size() >= options_.max_decays) return false;
+      if (round > 0 && model_.modes().size() <= before) break;
+      model_.set_noise(out_.noise);
+      model_.fit(kFinalSweeps, {});
+      drop_unconfirmed();
+      limits_.refused.clear();
+      if (!options_.search) break;
+    }
+    return true;
+  }
+
+  void search_residual() {
+    for (int pass = 0; pass < kMaxSearches && model_.modes().size() < options_.max_decays; ++pass) {
+      const auto found = strongest_decays(model_.residual(), out_.noise, limits_);
+      if (found.empty()) break;
+      for (const DecayCandidate& one : found) model_.add(one.rate);
+      model_.fit(kSearchSweeps, kSearchWindows);
+      const std::size_t before = model_.modes().size() - found.size();
+      drop_unconfirmed();
+      if (model_.modes().size() > before) limits_.refused.clear();  // a better model may confirm them
+      for (const DecayCandidate& one : found) {
+        if (!is_modelled(one.rate, model_, measured_)) limits_.refused.push_back(one.rate);
+      }
+    }
+  }
+
+  void drop_unconfirmed() {
+    for (;;) {
+      out_.noise = decay_line_noise(model_.residual(), rounding_);
+      out_.energy = energies(model_, measured_, out_.noise);
+      const std::size_t m = unconfirmed(model_, out_.energy, out_.threshold, mimics_, measured_.fs_Hz);
+      if (m == model_.modes().size()) return;
+      limits_.refused.push_back(model_.modes()[m].rate);
+      model_.remove(m);
+      model_.fit(kSearchSweeps, kSearchWindows);
+    }
+  }
+
+  void merge_imitations() {
+    for (std::size_t m = 0; m < model_.modes().size(); ++m) {
+      if (auto alone = without_imitations(model_, m, measured_, out_.noise, energies(model_, measured_, out_.noise)))
+        model_ = std::move(*alone);
+    }
+  }
+
+  void split_pairs() {
+    double left = chi2(model_.residual(), out_.noise);
+    for (std::size_t m = 0; m < model_.modes().size(); ++m) {
+      if (auto pair = with_pair(model_, m, left, measured_, out_.noise)) {
+        model_ = std::move(*pair);
+        left = chi2(model_.residual(), out_.noise);
+        ++m;
+      }
+    }
+  }
+
+  FreeDecayFit result() {
+    out_.energy = energies(model_, measured_, out_.noise);
+    out_.decays = model_.modes();
+    return std::move(out_);
+  }
+
+  const DecaySpectra& measured_;
+  const FreeDecayOptions& options_;
+  const double mimics_;
+  const Eigen::VectorXd rounding_;
+  DecayModel model_;
+  DecaySearchLimits limits_;
+  FreeDecayFit out_;
+};
+
 }  // namespace
 
 FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOptions& options) {
-  DecayModel model(measured);
-  const Eigen::VectorXd rounding = decay_rounding(measured);
-  DecaySearchLimits limits{.band_Hz = options.band_Hz, .refused = {}};
-  FreeDecayFit out;
-  out.threshold = decay_threshold(measured.hits * measured.channels, measured.samples);
-  out.noise = decay_line_noise(measured, rounding);
-  const double mimics = measured.lines.cols() > 1 ? kMimics : kMimicsAlone;
-  const auto drop_unconfirmed = [&] {
-    for (;;) {
-      out.noise = decay_line_noise(model.residual(), rounding);
-      out.energy = energies(model, measured, out.noise);
-      const std::size_t m = unconfirmed(model, out.energy, out.threshold, mimics, measured.fs_Hz);
-      if (m == model.modes().size()) return;
-      limits.refused.push_back(model.modes()[m].rate);
-      model.remove(m);
-      model.fit(kSearchSweeps, kSearchWindows);
-    }
-  };
-  for (const double start_Hz : options.start_Hz)
-    model.add(decay_rate_of({.freq_Hz = start_Hz, .damping_ratio = kStartDamping}));
-  for (const DecayRate& rate : options.initial) model.add(rate);
-  model.fit(kSearchSweeps, kSearchWindows);
-  if (!options.initial.empty()) drop_unconfirmed();
-  const auto search_residual = [&] {
-    for (int search = 0; search < kMaxSearches && model.modes().size() < options.max_decays; ++search) {
-      const auto found = strongest_decays(model.residual(), out.noise, limits);
-      if (found.empty()) break;
-      for (const DecayCandidate& one : found) model.add(one.rate);
-      model.fit(kSearchSweeps, kSearchWindows);
-      const std::size_t before = model.modes().size() - found.size();
-      drop_unconfirmed();
-      if (model.modes().size() > before) limits.refused.clear();  // a better model may confirm them
-      for (const DecayCandidate& one : found) {
-        if (!is_modelled(one.rate, model, measured)) limits.refused.push_back(one.rate);
-      }
-    }
-  };
-  // The rough fits of a search refuse some decays that a full fit of the others reveals: the residual is searched
-  // again.
-  for (int round = 0; round < kMaxRounds; ++round) {
-    const std::size_t before = model.modes().size();
-    if (options.search) search_residual();
-    if (model.modes().size() >= options.max_decays) {
-      out.complete = false;
-      out.energy = energies(model, measured, out.noise);
-      out.decays = model.modes();
-      return out;
-    }
-    if (round > 0 && model.modes().size() <= before) break;
-    model.set_noise(out.noise);
-    model.fit(kFinalSweeps, {});
-    drop_unconfirmed();
-    limits.refused.clear();
-    if (!options.search) break;
-  }
-  for (std::size_t m = 0; options.search && measured.hits > 1 && m < model.modes().size(); ++m) {
-    if (auto alone = without_imitations(model, m, measured, out.noise, energies(model, measured, out.noise)))
-      model = std::move(*alone);
-  }
-  model.set_noise(out.noise);
-  double left = options.search ? chi2(model.residual(), out.noise) : 0;
-  for (std::size_t m = 0; options.search && m < model.modes().size(); ++m) {
-    if (auto pair = with_pair(model, m, left, measured, out.noise)) {
-      model = std::move(*pair);
-      left = chi2(model.residual(), out.noise);
-      ++m;
-    }
-  }
-  model.fit(kFinalSweeps, {});
-  out.noise = decay_line_noise(model.residual(), rounding);
-  out.energy = energies(model, measured, out.noise);
-  out.decays = model.modes();
-  return out;
+  return FreeDecayFitter(measured, options).run();
 }
 
 }  // namespace percuss::identify
