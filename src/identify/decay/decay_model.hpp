@@ -62,6 +62,17 @@ class DecayModel {
   void unsettle_near(const DecayRate& rate);
   bool is_settled(const std::vector<std::size_t>& members, DecayAccuracy accuracy) const;
   void fit_group(const std::vector<std::size_t>& members, const DecayWindows& windows);
+  /// DecayGroup::windows of a group.
+  std::vector<std::pair<std::size_t, std::size_t>> windows_of(const std::vector<std::size_t>& members,
+                                                              const DecayWindows& windows) const;
+  /// The measured lines of a group's windows without the modes of the other groups, [lines, hits × channels].
+  Eigen::MatrixXcd data_of(const std::vector<std::pair<std::size_t, std::size_t>>& windows,
+                           const std::vector<std::size_t>& members) const;
+  /// DecayGroup::line_std for these windows, which hold `lines` lines.
+  Eigen::VectorXd line_std_of(const std::vector<std::pair<std::size_t, std::size_t>>& windows,
+                              Eigen::Index lines) const;
+  /// Takes the results of a group's fit over.
+  void store(const DecayGroupFit& fitted, const std::vector<std::size_t>& members);
   /// The variance of the noise near a mode, relative to lines where line_std_ is 1.
   double variance_at(const DecayRate& rate) const;
   void subtract(const FittedDecay& mode, std::size_t first, Eigen::Ref<Eigen::MatrixXcd> lines) const;
