@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMaxDepth = 6;
 
-/// Reads one of the given words.
+// Reads one of the given words.
 template <class Enum>
 void read_word(StrictObject& object, const std::string& key, std::initializer_list<std::pair<const char*, Enum>> words,
                Enum& to) {
@@ -151,7 +151,7 @@ void read_band(StrictObject& o, SynthSpec& to) {
   to.band_high_Hz = band[1];
 }
 
-/// Reads the items of a list, which replace the previous items.
+// Reads the items of a list, which replace the previous items.
 template <class Item>
 void read_items(StrictObject& o, const std::string& key, std::vector<Item>& to, void (*read)(StrictObject&, Item&)) {
   if (o.has(key)) to.clear();

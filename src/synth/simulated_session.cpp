@@ -37,7 +37,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// The options by name. Reading an option removes it; options that remain are unknown.
+// The options by name. Reading an option removes it; options that remain are unknown.
 class SessionOptions {
  public:
   explicit SessionOptions(std::string_view text) : parts_(split(text, ',')) {
@@ -86,7 +86,7 @@ class SessionOptions {
     return out;
   }
 
-  /// "3:0.5+10:1": from 3 s for 0.5 s, and from 10 s for 1 s.
+  // "3:0.5+10:1": from 3 s for 0.5 s, and from 10 s for 1 s.
   std::vector<SimulatedPeriod> periods(const char* name, double usual_s) {
     std::vector<SimulatedPeriod> out;
     for (const auto item : list(name)) {
@@ -119,7 +119,7 @@ class SessionOptions {
   std::map<std::string, std::string_view> values_;
 };
 
-/// The faulty blows, by their number from 1.
+// The faulty blows, by their number from 1.
 std::map<std::size_t, BlowKind> faulty_blows(SessionOptions& options) {
   std::map<std::size_t, BlowKind> kinds;
   const auto add = [&](const char* name, BlowKind kind) {
@@ -167,7 +167,7 @@ void plan_blows(SessionOptions& options, SimulatedSession& session) {
   session.end_s = options.number("end", 0, kMaxTime_s).value_or(next_s - every_s + std::max(kAfterLast_s, every_s));
 }
 
-/// The band of a spec only marks modes in the truth document. At a lower sampling rate, it ends at half that rate.
+// The band of a spec only marks modes in the truth document. At a lower sampling rate, it ends at half that rate.
 void change_rate(SynthSpec& spec, double fs_Hz) {
   if (fs_Hz == spec.fs_Hz) return;
   spec.fs_Hz = fs_Hz;

@@ -5,7 +5,7 @@
 namespace percuss::synth {
 namespace {
 
-/// The n-th positive root of cos β = 1/cosh β, by Newton's method from its asymptote (n + 1/2)π.
+// The n-th positive root of cos β = 1/cosh β, by Newton's method from its asymptote (n + 1/2)π.
 double free_beam_root(int n) {
   double beta = (n + 0.5) * std::numbers::pi;
   for (int i = 0; i < 8; ++i) {

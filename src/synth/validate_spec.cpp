@@ -14,7 +14,7 @@ constexpr double kMaxAngle_deg = 5700;   // 100 rad
 constexpr double kMaxValues = 1U << 28;  // samples of all signals together: 2 GiB
 constexpr double kLarge = 1e12;          // beyond any force, acceleration or ratio of a hammer test
 
-/// A spec and its name in messages.
+// A spec and its name in messages.
 class Checker {
  public:
   Checker(const SynthSpec& spec, std::string_view where) : spec_(spec), where_(where) {}
@@ -28,7 +28,7 @@ class Checker {
   void require(bool ok, const std::string& problem, const std::string& key, const std::string& remedy) const {
     if (!ok) throw InputError(problem, fmt::format("{}, {}", where_, key), remedy);
   }
-  /// low <= value <= high; NaN fails.
+  // low <= value <= high; NaN fails.
   void in_range(double value, double low, double high, const std::string& key) const {
     require(value >= low && value <= high, fmt::format("{:g} is out of range", value), key,
             fmt::format("give {:g} to {:g}", low, high));

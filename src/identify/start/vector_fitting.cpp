@@ -72,7 +72,7 @@ class PoleRelocation {
       poles_(m) = start_pole(low + width * static_cast<double>(m) / static_cast<double>(count - 1));
   }
 
-  /// Moves the poles once. False where they stay, because the equations have no solution.
+  // Moves the poles once. False where they stay, because the equations have no solution.
   bool step() {
     fill_columns();
     const Index unknowns = 2 * poles_.size() + 1;  // of σ: real and imaginary parts of c, and d
