@@ -49,7 +49,7 @@ synth::SynthSpec small_test(std::size_t seed) {
   spec.pulse.width_s = 0.0008;
   spec.noise = {.force = 1e-4, .accel = 1e-3};
   spec.modes = {{.freq_Hz = 200, .damping_ratio = 0.03},
-                {.freq_Hz = 700, .damping_ratio = 0.02, .family = synth::SynthFamily::hoop}};
+                {.freq_Hz = 700, .damping_ratio = 0.02, .type = synth::SynthModeType::hoop}};
   return spec;
 }
 

@@ -59,9 +59,10 @@ Measurement open_standard_input(const FrfReadOptions& options, Content content) 
     if (format.check != nullptr) format.check(head);
     if (format.growth_check != nullptr) check_growth = format.growth_check("-");
   };
-  const FileBytes stream = read_input("-", kMaxPipe_bytes, check_head, [&](std::string_view text) {
+  const auto check_text = [&](std::string_view text) {
     if (check_growth) check_growth(text);
-  });
+  };
+  const FileBytes stream = read_input("-", kMaxPipe_bytes, check_head, check_text, kSplitRecord);
   const FileFormat& format = detected_format({"-", stream.view()});
   return format.sandboxed ? open_spooled(stream.view(), options, content)
                           : format.open({"-", &stream}, options, content);

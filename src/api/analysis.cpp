@@ -51,7 +51,7 @@ std::vector<Mode> modes_of(const std::vector<identify::Mode>& modes) {
 std::vector<ModeClassification> classifications_of(const std::vector<identify::ModeClassification>& classifications) {
   std::vector<ModeClassification> out;
   for (const identify::ModeClassification& from : classifications) {
-    ModeClassification to{.type = type_of(from.family),
+    ModeClassification to{.type = type_of(from.type),
                           .order = from.order,
                           .confidence = from.confidence,
                           .overlay_dB = from.overlay_dB,

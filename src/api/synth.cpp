@@ -14,7 +14,7 @@ namespace {
 synth::SynthMode internal_mode(const SynthMode& mode) {
   return {.freq_Hz = mode.freq_Hz,
           .damping_ratio = mode.damping_ratio,
-          .family = mode.type == ModeType::hoop ? synth::SynthFamily::hoop : synth::SynthFamily::bending,
+          .type = mode.type == ModeType::hoop ? synth::SynthModeType::hoop : synth::SynthModeType::bending,
           .order = mode.order,
           .angle_rad = mode.angle_rad,
           .amplitude_per_sqrt_kg = mode.amplitude_per_sqrt_kg};
@@ -23,7 +23,7 @@ synth::SynthMode internal_mode(const SynthMode& mode) {
 SynthMode public_mode(const synth::SynthMode& mode) {
   return {.freq_Hz = mode.freq_Hz,
           .damping_ratio = mode.damping_ratio,
-          .type = mode.family == synth::SynthFamily::hoop ? ModeType::hoop : ModeType::bending,
+          .type = mode.type == synth::SynthModeType::hoop ? ModeType::hoop : ModeType::bending,
           .order = mode.order,
           .angle_rad = mode.angle_rad,
           .amplitude_per_sqrt_kg = mode.amplitude_per_sqrt_kg};

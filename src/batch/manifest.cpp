@@ -12,6 +12,7 @@
 #include "batch/sha256_file.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/json_text.hpp"
 #include "core/io/strict_json.hpp"
 #include "report/text/digest.hpp"
 
@@ -42,7 +43,7 @@ Json record_json(const BatchRecord& record) {
   return json;
 }
 
-StrictText line_text(std::string_view line, const std::string& path, std::size_t number) {
+JsonText line_text(std::string_view line, const std::string& path, std::size_t number) {
   return {.text = line, .where = fmt::format("{}, line {}", path, number), .remedy = kPlanAgain};
 }
 
@@ -51,7 +52,7 @@ void require_name(const StrictObject& o, const std::string& text, const char* ke
   if (!fits) o.fail("empty, too long or not a name", key, kPlanAgain);
 }
 
-BatchHeader parse_head(const StrictText& text, std::size_t& records) {
+BatchHeader parse_head(const JsonText& text, std::size_t& records) {
   BatchHeader head;
   read_strict_json(text, [&](StrictObject& o) {
     std::string schema, digest;
@@ -75,7 +76,7 @@ BatchHeader parse_head(const StrictText& text, std::size_t& records) {
   return head;
 }
 
-BatchRecord parse_record(const StrictText& text) {
+BatchRecord parse_record(const JsonText& text) {
   BatchRecord record;
   read_strict_json(text, [&](StrictObject& o) {
     for (const char* key : {"id", "path", "bytes"}) o.need(key);

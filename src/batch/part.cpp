@@ -7,6 +7,7 @@
 
 #include "batch/part_file.hpp"
 #include "core/error.hpp"
+#include "core/io/json_text.hpp"
 #include "core/io/strict_json.hpp"
 #include "report/text/version.hpp"
 
@@ -28,7 +29,7 @@ Json label_json(const ShardLabel& label) {
           {"shards", label.shards}};
 }
 
-StrictText strict_text(std::string_view text, const std::string& where) {
+JsonText strict_text(std::string_view text, const std::string& where) {
   return {.text = text, .where = where, .remedy = "run the batch again"};
 }
 

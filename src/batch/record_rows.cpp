@@ -62,7 +62,7 @@ void add_hits(RowContents& rows, const pipeline::Analysis& analysis) {
 }
 
 void add_classification(Json& row, const identify::ModeClassification& classification) {
-  row["family"] = name_of(classification.family);
+  row["family"] = name_of(classification.type);
   row["order"] = classification.order > 0 ? Json(classification.order) : Json();
   row["confidence"] = classification.confidence;
   row["alternative"] = classification.alternative ? Json(name_of(*classification.alternative)) : Json();

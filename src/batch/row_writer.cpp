@@ -11,7 +11,7 @@
 #include "batch/serialized_frf.hpp"
 #include "batch/sha256_file.hpp"
 #include "core/error.hpp"
-#include "core/io/strict_json.hpp"
+#include "core/io/json_text.hpp"
 #include "metrics/study/batch_columns.hpp"
 
 namespace percuss::batch {

@@ -172,8 +172,8 @@ std::string examples(Quantity quantity) {
 }  // namespace
 
 std::optional<Unit> parse_unit(std::string_view name) {
-  constexpr std::size_t kLongest = 24;  // bytes of the longest name worth normalising
-  if (name.empty() || name.size() > kLongest) return std::nullopt;
+  constexpr std::size_t kMaxLength = 24;  // bytes of the longest name worth normalising
+  if (name.empty() || name.size() > kMaxLength) return std::nullopt;
   const std::string text = normalised(name);
   for (const auto& known : kNames) {
     if (known.text == text) return known.unit;

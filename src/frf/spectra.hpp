@@ -2,7 +2,6 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "acquire/hits/hits.hpp"
@@ -29,10 +28,6 @@ ForceBlock force_block(const acquire::Hit& hit, double fs_Hz, double decay_per_s
 
 /// A shared spectrum: a pointer to its first spectral line. shape  [lines]
 using Spectrum = std::shared_ptr<const Complex>;
-inline Spectrum shared(std::vector<Complex> lines) {
-  const auto owner = std::make_shared<const std::vector<Complex>>(std::move(lines));
-  return {owner, owner->data()};
-}
 
 /// The spectrum of a force block: by pulse_spectrum for a short pulse, otherwise by one real FFT. shape  out
 /// [lines.count]. units  N (unscaled sums).

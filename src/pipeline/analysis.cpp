@@ -304,9 +304,9 @@ const std::vector<identify::ModeClassification>& Analysis::classifications() con
   return within_budget(budget_, classifications_, [&] {
     std::vector<identify::ModeClassification> out = types();
     const identify::LowerOrders& lower = lower_orders();
-    for (identify::ModeClassification& type : out) {
-      if (!options_.modes.start_Hz.empty()) type.order = 0;  // lower modes need not be among the stated ones
-      if (type.order > 0) type.order += type.family == identify::ModeType::hoop ? lower.hoop : lower.bending;
+    for (identify::ModeClassification& mode : out) {
+      if (!options_.modes.start_Hz.empty()) mode.order = 0;  // lower modes need not be among the stated ones
+      if (mode.order > 0) mode.order += mode.type == identify::ModeType::hoop ? lower.hoop : lower.bending;
     }
     return out;
   });

@@ -211,7 +211,7 @@ NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, do
                     "measure three positions or more"));
   }
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
-    if (analysis.classifications()[m].family == identify::ModeType::hoop) continue;
+    if (analysis.classifications()[m].type == identify::ModeType::hoop) continue;
     const identify::Mode& mode = analysis.modes()[m];
     ModeAlongScan along{.mode = m,
                         .shape = identify::shape_along(mode, measured.point, measured.position_m),

@@ -36,11 +36,11 @@ std::optional<identify::ModeType> second_type(const identify::TubeShape& tube) {
 }
 
 void classify_by_tube(identify::ModeClassification& classification, const identify::TubeShape& tube) {
-  const identify::ModeType family = mode_type_of(tube);
+  const identify::ModeType type = mode_type_of(tube);
   const bool sure = tube.confidence >= kMinSoleProbability;
-  if (family == identify::ModeType::unknown && !sure && classification.family != identify::ModeType::unknown)
+  if (type == identify::ModeType::unknown && !sure && classification.type != identify::ModeType::unknown)
     return;  // the two sensors decided it
-  classification.family = family;
+  classification.type = type;
   classification.confidence = tube.confidence;
   classification.alternative = sure ? std::nullopt : second_type(tube);
 }

@@ -35,7 +35,7 @@ Json mode_json(const pipeline::Analysis& analysis, const pipeline::ModeAlongScan
             {"frequency_std_hz", mode.freq_std_Hz},
             {"damping_ratio", mode.pole.damping_ratio},
             {"damping_ratio_std", mode.damping_std},
-            {"family", name_of(classification.family)},
+            {"family", name_of(classification.type)},
             {"order", classification.order > 0 ? Json(classification.order) : Json()},
             {"nodes", Json::array()}};
   for (const identify::Node& node : along.nodes) {
@@ -118,8 +118,8 @@ ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeSc
     for (const identify::Node& node : along.nodes)
       nodes.push_back(value_with_std(node.position_m / kInch_m, node.std_m / kInch_m) + " in");
     table.add({fmt::format("{}", along.mode + 1),
-               classification.order > 0 ? fmt::format("{} {}", name_of(classification.family), classification.order)
-                                        : std::string(name_of(classification.family)),
+               classification.order > 0 ? fmt::format("{} {}", name_of(classification.type), classification.order)
+                                        : std::string(name_of(classification.type)),
                value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz", joined(nodes),
                along.minimum_m ? fmt::format("{:.3f} in", *along.minimum_m / kInch_m) : "–", ""});
   }
@@ -195,7 +195,7 @@ void add_nodes_table(CommandReport& report, const pipeline::Analysis& analysis, 
                                       known ? along.nodes[n].std_m : kEmpty,
                                       along.minimum_m.value_or(kEmpty)};
       for (std::size_t c = 0; c < row.size(); ++c) columns[c].values.push_back(row[c]);
-      family.values.emplace_back(name_of(classification.family));
+      family.values.emplace_back(name_of(classification.type));
     }
   }
   report.columns = std::move(columns);

@@ -92,7 +92,7 @@ std::string shapes_csv(const pipeline::Survey& survey) {
     const identify::ModeClassification& classification = survey.classifications()[m];
     for (const identify::ShapePlace& place : survey.shapes()[m].places) {
       fmt::format_to(end, "{},{},{},{},{},{},{},", m, modes[m].pole.freq_Hz, modes[m].pole.damping_ratio,
-                     name_of(classification.family),
+                     name_of(classification.type),
                      classification.order > 0 ? fmt::format("{}", classification.order) : "", place.point,
                      place.channel);
       const acquire::GeometryPoint* at = geometry_point_of(survey, place.point);

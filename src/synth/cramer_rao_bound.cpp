@@ -20,7 +20,7 @@ constexpr double kFreqStep = 1e-6, kDampingStep = 1e-4;     // relative: truncat
 constexpr std::size_t kChunkValues = std::size_t{1} << 20;  // per chunk: memory does not grow with the record
 constexpr double kUnseen = 1e99;                            // standard deviation for a mode that no channel measures
 
-/// The poles, then the poles with f increased, f decreased, ζ increased, ζ decreased.
+// The poles, then the poles with f increased, f decreased, ζ increased, ζ decreased.
 std::vector<SynthPole> poles_and_neighbours(const SynthSpec& spec) {
   std::vector<SynthPole> out;
   for (const auto& [df, dz] :
@@ -34,8 +34,8 @@ void add_to(std::span<const double> values, double scale, std::size_t offset, Ei
   for (std::size_t i = 0; i < values.size(); ++i) column[static_cast<Index>(offset + i)] += scale * values[i];
 }
 
-/// Adds the columns for unit residues from sample `first` on: ∂/∂f_r and ∂/∂ζ_r (both still to be multiplied by the
-/// residue), ∂/∂residue_r, ∂/∂(rigid-body accelerance).
+// Adds the columns for unit residues from sample `first` on: ∂/∂f_r and ∂/∂ζ_r (both still to be multiplied by the
+// residue), ∂/∂residue_r, ∂/∂(rigid-body accelerance).
 void add_columns(const SynthSpec& spec, const Pulse& pulse, std::span<const SynthPole> poles, std::size_t first,
                  MatrixXd& columns) {
   const PulseBasis basis = pulse_basis(pulse, spec.fs_Hz, poles, first, static_cast<std::size_t>(columns.rows()));
@@ -54,7 +54,7 @@ void add_columns(const SynthSpec& spec, const Pulse& pulse, std::span<const Synt
   add_to(basis.force_N, 1, offset, column(3 * modes));
 }
 
-/// Inner products of these columns over one row with the given hits.
+// Inner products of these columns over one row with the given hits.
 MatrixXd row_products(const Truth& truth, std::span<const TrueHit> hits) {
   const auto size = static_cast<Index>(3 * truth.spec.modes.size() + 1);
   const std::vector<SynthPole> poles = poles_and_neighbours(truth.spec);
@@ -78,7 +78,7 @@ MatrixXd row_products(const Truth& truth, std::span<const TrueHit> hits) {
   return sum;
 }
 
-/// Inverse of a symmetric positive definite matrix whose rows differ in scale. A row of zeros stays zero.
+// Inverse of a symmetric positive definite matrix whose rows differ in scale. A row of zeros stays zero.
 MatrixXd scaled_inverse(const MatrixXd& m) {
   const VectorXd scale = m.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.0; });
   MatrixXd unit = scale.asDiagonal() * m * scale.asDiagonal();
@@ -88,8 +88,8 @@ MatrixXd scaled_inverse(const MatrixXd& m) {
   return scale.asDiagonal() * unit.inverse() * scale.asDiagonal();
 }
 
-/// The contribution of one channel at one point to the matrix of (f, ζ). Its residues and rigid-body accelerance are
-/// eliminated.
+// The contribution of one channel at one point to the matrix of (f, ζ). Its residues and rigid-body accelerance are
+// eliminated.
 MatrixXd channel_information(const MatrixXd& products, const std::vector<double>& residue_per_kg) {
   const auto modes = static_cast<Index>(residue_per_kg.size());
   const VectorXd residue = Eigen::Map<const VectorXd>(residue_per_kg.data(), modes).replicate(2, 1);

@@ -15,10 +15,11 @@ namespace {
 
 constexpr double kBall_kg = 0.1454, kSweetSpot_in = 6;
 constexpr double kHighestHoop_Hz = 2800;
+constexpr std::uint64_t kPopulationStream = 0x62617473;  // "bats"
 
 class PopulationMaker {
  public:
-  explicit PopulationMaker(const PopulationSpec& spec) : spec_(spec), random_({spec.seed, 0x62617473}) {}
+  explicit PopulationMaker(const PopulationSpec& spec) : spec_(spec), random_({spec.seed, kPopulationStream}) {}
 
   std::vector<metrics::StudyBat> make() {
     for (std::size_t i = 0; i < spec_.wood; ++i) bats_.push_back(wood());

@@ -17,8 +17,8 @@ using Complex = std::complex<double>;
 constexpr double kPi = std::numbers::pi;
 constexpr double kDecayExponent = 42;  // a decay is truncated below e^−42 = 6e-19
 
-/// A term amplitude · e^{j m W t} of the pulse's shape, m = multiple, W = π/width. The list of terms also holds the
-/// conjugate of each term, so the shape is real.
+// A term amplitude · e^{j m W t} of the pulse's shape, m = multiple, W = π/width. The list of terms also holds the
+// conjugate of each term, so the shape is real.
 struct Harmonic {
   double multiple;
   Complex amplitude;
@@ -42,7 +42,7 @@ double unit_pulse(PulseKind kind, double fraction) {
   return kind == PulseKind::halfsine ? s : kind == PulseKind::haversine ? s * s : s * s * s;
 }
 
-/// (e^a − e^b)/(a − b), accurate also for a ≈ b.
+// (e^a − e^b)/(a − b), accurate also for a ≈ b.
 Complex divided_exponential(Complex a, Complex b) {
   const Complex z = a - b;
   if (std::abs(z) > 0.5) return (std::exp(a) - std::exp(b)) / z;
@@ -51,7 +51,7 @@ Complex divided_exponential(Complex a, Complex b) {
   return std::exp(b) * sum;
 }
 
-/// The pole of a mode in 1/sample, and the factor c of the regular part 2 Re(c e^{λt}) of its acceleration.
+// The pole of a mode in 1/sample, and the factor c of the regular part 2 Re(c e^{λt}) of its acceleration.
 struct SampledPole {
   Complex lambda, factor;
   SampledPole(const SynthPole& pole, double fs_Hz) {
@@ -62,14 +62,14 @@ struct SampledPole {
   }
 };
 
-/// A pulse in samples, shape 1 at its peak.
+// A pulse in samples, shape 1 at its peak.
 struct SampledPulse {
   PulseKind kind;
   double onset, width, end;
   SampledPulse(const Pulse& pulse, double fs_Hz)
       : kind(pulse.kind), onset(pulse.onset_s * fs_Hz), width(pulse.width_s * fs_Hz), end(onset + width) {}
 
-  /// ∫_0^τ e^{λ(τ−v)} p(v) dv, 0 <= τ <= width.
+  // ∫_0^τ e^{λ(τ−v)} p(v) dv, 0 <= τ <= width.
   Complex response(Complex lambda, double tau) const {
     Complex sum = 0;
     for (const Harmonic& h : harmonics(kind)) {
@@ -79,7 +79,7 @@ struct SampledPulse {
   }
 };
 
-/// The samples first <= n < last that depend on the pulse through the filter.
+// The samples first <= n < last that depend on the pulse through the filter.
 struct Zone {
   long first, last;
   explicit Zone(const SampledPulse& p)
@@ -87,8 +87,8 @@ struct Zone {
         last(static_cast<long>(std::ceil(p.end + kFilterHalfWidth)) + 1) {}
 };
 
-/// The filtered force (unit peak) and, per pole, the filtered modal response during the pulse, for samples n in [a, b)
-/// of the zone.
+// The filtered force (unit peak) and, per pole, the filtered modal response during the pulse, for samples n in [a, b)
+// of the zone.
 struct DuringPulse {
   std::vector<double> force;
   std::vector<std::vector<Complex>> modal;
@@ -117,9 +117,9 @@ DuringPulse during_pulse(const SampledPulse& pulse, const std::vector<SampledPol
   return out;
 }
 
-/// Z[i] = ∫_{−w}^{v} b(u) e^{λ(v−u)} du at v = zone.first + i − end: the filtered decay that starts at the end of the
-/// pulse. b is anti_alias_kernel, w is kFilterHalfWidth. There is one panel per sample. The recursion Z(v + 1) = e^λ
-/// Z(v) + new panel damps its own rounding errors.
+// Z[i] = ∫_{−w}^{v} b(u) e^{λ(v−u)} du at v = zone.first + i − end: the filtered decay that starts at the end of the
+// pulse. b is anti_alias_kernel, w is kFilterHalfWidth. There is one panel per sample. The recursion Z(v + 1) = e^λ
+// Z(v) + new panel damps its own rounding errors.
 std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const std::vector<SampledPole>& poles,
                                               const Zone& zone) {
   const auto size = static_cast<std::size_t>(zone.last - zone.first);
@@ -156,8 +156,8 @@ std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const s
   return out;
 }
 
-/// Appends Re(start·e^{λ n}) for n = skip, skip + 1, … until it falls below e^−42 of the peak, at most `most` values.
-/// Each value is a product of two exponentials, so errors do not grow with n.
+// Appends Re(start·e^{λ n}) for n = skip, skip + 1, … until it falls below e^−42 of the peak, at most `most` values.
+// Each value is a product of two exponentials, so errors do not grow with n.
 void append_decay(Complex start, Complex lambda, double skip, double peak, double most, std::vector<double>& to) {
   const double size = std::log(std::abs(start) / (std::abs(peak) + 1e-300) + 1e-300) + kDecayExponent;
   const auto count = static_cast<std::size_t>(std::clamp(std::ceil(size / -lambda.real() - skip), 0.0, most));
@@ -187,11 +187,12 @@ double pulse_impulse_Ns(const Pulse& pulse) {
 }
 
 PulseSupport pulse_support(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles) {
-  constexpr double kLargest = 5;  // a regular part never exceeds e^5 of the force's peak
+  constexpr double kMaxGrowthExponent = 5;  // a regular part never exceeds e^5 of the force's peak
   const Zone zone(SampledPulse(pulse, fs_Hz));
   double longest = 0;
   for (const SynthPole& pole : poles) {
-    longest = std::max(longest, (kDecayExponent + kLargest) * fs_Hz / (2 * kPi * pole.freq_Hz * pole.damping_ratio));
+    longest = std::max(longest,
+                       (kDecayExponent + kMaxGrowthExponent) * fs_Hz / (2 * kPi * pole.freq_Hz * pole.damping_ratio));
   }
   return {static_cast<double>(zone.first), static_cast<double>(zone.last) + longest};
 }

@@ -8,7 +8,7 @@
 namespace percuss::synth {
 namespace {
 
-/// Stafford's mix of SplitMix64: a bijection with uncorrelated outputs for neighbouring inputs.
+// Stafford's mix of SplitMix64: a bijection with uncorrelated outputs for neighbouring inputs.
 std::uint64_t mix(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;

@@ -13,10 +13,9 @@
 namespace percuss::synth {
 namespace {
 
-constexpr std::size_t kLongestText = std::size_t{4} << 20;
 constexpr int kMaxDepth = 6;
 
-/// Reads one of the given words.
+// Reads one of the given words.
 template <class Enum>
 void read_word(StrictObject& object, const std::string& key, std::initializer_list<std::pair<const char*, Enum>> words,
                Enum& to) {
@@ -41,12 +40,6 @@ void read_degrees(StrictObject& object, const std::string& key, double& to_rad) 
   to_rad = object.has(key) ? degrees * kDegree_rad : to_rad;
 }
 
-void read_optional(StrictObject& object, const std::string& key, std::optional<double>& to) {
-  double value = 0;
-  object.read(key, value);
-  if (object.has(key)) to = value;
-}
-
 void read_structure(StrictObject& o, SynthStructure& to) {
   o.read("length_m", to.length_m);
   o.read("barrel_m", to.barrel_m);
@@ -62,7 +55,7 @@ void read_mode(StrictObject& o, SynthMode& to) {
   o.need("damping_ratio");
   o.read("frequency_hz", to.freq_Hz);
   o.read("damping_ratio", to.damping_ratio);
-  read_word(o, "family", {{"bending", SynthFamily::bending}, {"hoop", SynthFamily::hoop}}, to.family);
+  read_word(o, "family", {{"bending", SynthModeType::bending}, {"hoop", SynthModeType::hoop}}, to.type);
   o.read("order", to.order);
   read_degrees(o, "angle_deg", to.angle_rad);
   o.read("amplitude_per_sqrt_kg", to.amplitude_per_sqrt_kg);
@@ -98,11 +91,11 @@ void read_recorder(StrictObject& o, SynthRecorder& to) {
   o.read("force_bias_n", to.force_bias_N);
   o.read("accel_bias_mps2", to.accel_bias_mps2);
   o.read("accel_drift_mps2_per_s", to.accel_drift_mps2_per_s);
-  read_optional(o, "force_clip_n", to.force_clip_N);
-  read_optional(o, "accel_clip_mps2", to.accel_clip_mps2);
+  o.read("force_clip_n", to.force_clip_N);
+  o.read("accel_clip_mps2", to.accel_clip_mps2);
   o.read("bits", to.bits);
-  read_optional(o, "force_range_n", to.force_range_N);
-  read_optional(o, "accel_range_mps2", to.accel_range_mps2);
+  o.read("force_range_n", to.force_range_N);
+  o.read("accel_range_mps2", to.accel_range_mps2);
 }
 
 void read_fault(StrictObject& o, SynthFault& to) {
@@ -158,7 +151,7 @@ void read_band(StrictObject& o, SynthSpec& to) {
   to.band_high_Hz = band[1];
 }
 
-/// Reads the items of a list, which replace the previous items.
+// Reads the items of a list, which replace the previous items.
 template <class Item>
 void read_items(StrictObject& o, const std::string& key, std::vector<Item>& to, void (*read)(StrictObject&, Item&)) {
   if (o.has(key)) to.clear();
@@ -192,11 +185,11 @@ void read_document(StrictObject& o, SynthSpec& spec) {
 
 SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
   const std::string place(where);
-  if (text.size() > kLongestText) throw InputError("longer than 4 MiB", place, "give a synth spec");
+  if (text.size() > kMaxSpec_bytes) throw InputError("longer than 4 MiB", place, "give a synth spec");
   SynthSpec spec;
   read_strict_json({.text = text, .where = place, .options = {"synth.example"}, .max_depth = kMaxDepth},
                    [&](StrictObject& o) { read_document(o, spec); });
-  check(spec, where);
+  validate(spec, where);
   return spec;
 }
 

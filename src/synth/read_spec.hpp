@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -6,6 +7,10 @@
 #include "synth/spec.hpp"
 
 namespace percuss::synth {
+
+/// The longest text of a spec. Readers of spec files read one byte more, so that parse_synth_spec reports a longer
+/// file.
+inline constexpr std::size_t kMaxSpec_bytes = std::size_t{4} << 20U;
 
 /// Reads and checks a spec from JSON (docs/guides/synth.md; comments are allowed). `where` names the text in messages.
 /// errors  InputError for an invalid spec: not JSON, too deep or too long, a key that is unknown, repeated, missing or

@@ -30,7 +30,7 @@ bool touches(double limit, double step, std::span<const double> values) {
   return std::any_of(values.begin(), values.end(), [&](double v) { return std::abs(v) >= limit - 0.5 * step; });
 }
 
-/// The limit and the step of one kind of channel.
+// The limit and the step of one kind of channel.
 std::pair<double, double> limit_and_step(std::optional<double> clip, std::optional<double> range, int bits,
                                          double peak) {
   double limit = clip.value_or(std::numeric_limits<double>::infinity());

@@ -18,14 +18,13 @@
 namespace percuss::synth {
 namespace {
 
-constexpr std::uint64_t kMaxSimulatedSpec_bytes = std::uint64_t{5} << 20U;
 constexpr double kMaxTime_s = 1e7, kMaxBlows = 1e6;
 constexpr const char* kRemedy = "correct the description of the simulated device";
 
 SynthSpec spec_of(const std::string& name) {
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored) && name.find('/') == std::string::npos) return synth_preset(name);
-  return parse_synth_spec(read_input(name, kMaxSimulatedSpec_bytes).view(), name);
+  return parse_synth_spec(read_input(name, kMaxSpec_bytes + 1).view(), name);
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -38,7 +37,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// The options by name. Reading an option removes it; options that remain are unknown.
+// The options by name. Reading an option removes it; options that remain are unknown.
 class SessionOptions {
  public:
   explicit SessionOptions(std::string_view text) : parts_(split(text, ',')) {
@@ -87,7 +86,7 @@ class SessionOptions {
     return out;
   }
 
-  /// "3:0.5+10:1": from 3 s for 0.5 s, and from 10 s for 1 s.
+  // "3:0.5+10:1": from 3 s for 0.5 s, and from 10 s for 1 s.
   std::vector<SimulatedPeriod> periods(const char* name, double usual_s) {
     std::vector<SimulatedPeriod> out;
     for (const auto item : list(name)) {
@@ -120,7 +119,7 @@ class SessionOptions {
   std::map<std::string, std::string_view> values_;
 };
 
-/// The faulty blows, by their number from 1.
+// The faulty blows, by their number from 1.
 std::map<std::size_t, BlowKind> faulty_blows(SessionOptions& options) {
   std::map<std::size_t, BlowKind> kinds;
   const auto add = [&](const char* name, BlowKind kind) {
@@ -168,7 +167,7 @@ void plan_blows(SessionOptions& options, SimulatedSession& session) {
   session.end_s = options.number("end", 0, kMaxTime_s).value_or(next_s - every_s + std::max(kAfterLast_s, every_s));
 }
 
-/// The band of a spec only marks modes in the truth document. At a lower sampling rate, it ends at half that rate.
+// The band of a spec only marks modes in the truth document. At a lower sampling rate, it ends at half that rate.
 void change_rate(SynthSpec& spec, double fs_Hz) {
   if (fs_Hz == spec.fs_Hz) return;
   spec.fs_Hz = fs_Hz;
@@ -183,7 +182,7 @@ SimulatedSession parse_simulated_session(std::string_view text, const acquire::D
   if (const auto seed = options.number("seed", 0, 1e15)) session.spec.seed = static_cast<std::uint64_t>(*seed);
   const auto rate_Hz = options.number("fs", 100, 1e6);
   change_rate(session.spec, device.fs_Hz.value_or(rate_Hz.value_or(session.spec.fs_Hz)));
-  check(session.spec, "sim");
+  validate(session.spec, "sim");
   plan_blows(options, session);
   session.gaps = options.periods("gap", 2);
   session.overruns = options.periods("overrun", 0.01);

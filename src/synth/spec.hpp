@@ -11,7 +11,7 @@
 
 namespace percuss::synth {
 
-enum class SynthFamily { bending, hoop };
+enum class SynthModeType { bending, hoop };
 enum class SynthLayout { rows, continuous };               // one hit per row, or one long row with every hit of a run
 enum class PulseKind { halfsine, haversine, sine_cubed };  // sin, sin² and sin³ of π t/width
 enum class SynthFaultKind { double_hit, weak, missing, late, reversed };
@@ -19,7 +19,7 @@ enum class SynthFaultKind { double_hit, weak, missing, late, reversed };
 struct SynthMode {
   double freq_Hz = 0;
   double damping_ratio = 0;
-  SynthFamily family = SynthFamily::bending;
+  SynthModeType type = SynthModeType::bending;
   int order = 1;                         // bending: of the free-free beam; hoop: axial half-waves
   double angle_rad = 0;                  // plane of bending; an antinode of the hoop pattern
   double amplitude_per_sqrt_kg = 1;      // mass-normalised shape: at the knob (bending), at the antinode (hoop)
@@ -114,6 +114,6 @@ struct SynthSpec {
 
 /// Checks that the spec is finite, physical and small enough for memory.
 /// errors  InputError with the key and `where`.
-void check(const SynthSpec& spec, std::string_view where = "synth spec");
+void validate(const SynthSpec& spec, std::string_view where = "synth spec");
 
 }  // namespace percuss::synth

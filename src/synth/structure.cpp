@@ -5,7 +5,7 @@
 namespace percuss::synth {
 namespace {
 
-/// The n-th positive root of cos β = 1/cosh β, by Newton's method from its asymptote (n + 1/2)π.
+// The n-th positive root of cos β = 1/cosh β, by Newton's method from its asymptote (n + 1/2)π.
 double free_beam_root(int n) {
   double beta = (n + 0.5) * std::numbers::pi;
   for (int i = 0; i < 8; ++i) {
@@ -31,7 +31,7 @@ double free_beam_shape(int n, double x) {
 
 double mode_shape_per_sqrt_kg(const SynthStructure& structure, const SynthMode& mode, double position_m,
                               double angle_rad) {
-  if (mode.family == SynthFamily::bending) {
+  if (mode.type == SynthModeType::bending) {
     const double from_knob = 1 - position_m / structure.length_m;
     return mode.amplitude_per_sqrt_kg * free_beam_shape(mode.order, from_knob) * std::cos(angle_rad - mode.angle_rad);
   }

@@ -30,8 +30,8 @@ Truth planned_truth(const SynthSpec& spec) {
   return truth;
 }
 
-/// Adds the contribution of a hit to its row: the force with the gain of the recorder, and the accelerations by (1).
-/// The residues are per recorded force, so the gain of the force multiplies the accelerations too.
+// Adds the contribution of a hit to its row: the force with the gain of the recorder, and the accelerations by (1).
+// The residues are per recorded force, so the gain of the force multiplies the accelerations too.
 void add_hit(const Truth& truth, const TrueHit& hit, std::vector<double>& force_N,
              std::vector<std::vector<double>>& accel_mps2) {
   const SynthSpec& spec = truth.spec;
@@ -88,7 +88,7 @@ void set_noise_levels(const SynthSamples& clean, Truth& truth) {
   }
 }
 
-/// Repeats the clean run, each time with its own noise.
+// Repeats the clean run, each time with its own noise.
 SynthSamples recorded_runs(SynthSamples clean, const Truth& truth, const RecorderRange& range, std::size_t threads) {
   const std::size_t rows = clean.force_N.size();
   SynthSamples out = std::move(clean);
@@ -129,7 +129,7 @@ acquire::Record record_of(const Truth& truth, SynthSamples samples) {
 }  // namespace
 
 SyntheticTest synthesise(const SynthSpec& spec, std::size_t threads) {
-  check(spec);
+  validate(spec);
   Truth truth = planned_truth(spec);
   SynthSamples clean = clean_run(truth, threads);
   set_noise_levels(clean, truth);

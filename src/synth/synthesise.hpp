@@ -53,7 +53,7 @@ struct SyntheticTest {
 /// Synthesises the hammer test of `spec` as a record (one row per hit; continuous: one row per run) with exact truth.
 /// The modal responses are closed forms. One linear-phase anti-alias filter acts on both signals, so their FRF is (1)
 /// below 0.44 fs. Equal spec and seed give equal samples on any number of threads.
-/// errors  InputError, as check().
+/// errors  InputError, as validate().
 SyntheticTest synthesise(const SynthSpec& spec, std::size_t threads = 0);
 
 /// Evaluates (1) at the given frequencies.

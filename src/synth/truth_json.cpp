@@ -25,7 +25,7 @@ void add_modes(const Truth& truth, ordered_json& out) {
   const SynthSpec& spec = truth.spec;
   out["f_hz"] = each(spec.modes, [](const SynthMode& m) { return m.freq_Hz; });
   out["zeta"] = each(spec.modes, [](const SynthMode& m) { return m.damping_ratio; });
-  out["kind"] = each(spec.modes, [](const SynthMode& m) { return m.family == SynthFamily::bending ? "bend" : "hoop"; });
+  out["kind"] = each(spec.modes, [](const SynthMode& m) { return m.type == SynthModeType::bending ? "bend" : "hoop"; });
   out["order"] = each(spec.modes, [](const SynthMode& m) { return m.order; });
   out["in_band"] = each(
       spec.modes, [&](const SynthMode& m) { return m.freq_Hz > spec.band_low_Hz && m.freq_Hz < spec.band_high_Hz; });

@@ -32,7 +32,7 @@ class SurveyCommand : public testing::Test {
     synth::SynthSpec spec{.fs_Hz = 4096, .samples = 4096, .band_high_Hz = 1500};
     spec.modes = {
         {.freq_Hz = 205, .damping_ratio = 0.02, .order = 1, .angle_rad = 0.3},
-        {.freq_Hz = 1100, .damping_ratio = 0.006, .family = synth::SynthFamily::hoop, .order = 1, .angle_rad = 0.1}};
+        {.freq_Hz = 1100, .damping_ratio = 0.006, .type = synth::SynthModeType::hoop, .order = 1, .angle_rad = 0.1}};
     spec.sensors = {{.position_m = 0.05, .angle_rad = 0}};
     spec.points.clear();
     for (std::size_t p = 0; p < 18; ++p) {

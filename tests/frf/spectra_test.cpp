@@ -117,7 +117,7 @@ synth::SyntheticTest ringing_test(std::size_t samples) {
   spec.seed = 3;
   spec.modes = {
       {.freq_Hz = 169, .damping_ratio = 0.004, .amplitude_per_sqrt_kg = 1.7},
-      {.freq_Hz = 1900, .damping_ratio = 0.001, .family = synth::SynthFamily::hoop, .amplitude_per_sqrt_kg = 2.7}};
+      {.freq_Hz = 1900, .damping_ratio = 0.001, .type = synth::SynthModeType::hoop, .amplitude_per_sqrt_kg = 2.7}};
   return synth::synthesise(spec);
 }
 

@@ -23,7 +23,7 @@ synth::SynthSpec bat(std::uint64_t seed = 0) {
   spec.modes = {{.freq_Hz = 180, .damping_ratio = 0.01, .order = 1, .angle_rad = 0.4, .amplitude_per_sqrt_kg = 1.7},
                 {.freq_Hz = 1900,
                  .damping_ratio = 0.003,
-                 .family = synth::SynthFamily::hoop,
+                 .type = synth::SynthModeType::hoop,
                  .order = 1,
                  .angle_rad = 0.2,
                  .amplitude_per_sqrt_kg = 2.4}};
@@ -147,8 +147,8 @@ TEST(Analysis, FindsTheModesAndTheirTypes) {
   ASSERT_EQ(analysis.modes().size(), 2U);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.freq_Hz - 180), 5 * analysis.modes()[0].freq_std_Hz);
   EXPECT_LE(std::abs(analysis.modes()[1].pole.freq_Hz - 1900), 5 * analysis.modes()[1].freq_std_Hz);
-  EXPECT_EQ(analysis.classifications()[0].family, identify::ModeType::bending);
-  EXPECT_EQ(analysis.classifications()[1].family, identify::ModeType::hoop);
+  EXPECT_EQ(analysis.classifications()[0].type, identify::ModeType::bending);
+  EXPECT_EQ(analysis.classifications()[1].type, identify::ModeType::hoop);
   EXPECT_EQ(analysis.modes_per_hit().size(), 10U);
 }
 

@@ -22,8 +22,8 @@ struct CheckedMode {
   bool right = false;
 };
 
-bool is(identify::ModeType family, synth::SynthFamily truth) {
-  return family == (truth == synth::SynthFamily::bending ? identify::ModeType::bending : identify::ModeType::hoop);
+bool is(identify::ModeType type, synth::SynthModeType truth) {
+  return type == (truth == synth::SynthModeType::bending ? identify::ModeType::bending : identify::ModeType::hoop);
 }
 
 std::vector<CheckedMode> checked_bat(std::uint64_t seed) {
@@ -39,7 +39,7 @@ std::vector<CheckedMode> checked_bat(std::uint64_t seed) {
                                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
     out.push_back({.classification = analysis.classifications()[m],
                    .matched = distance(nearest) <= 3 * 2 * nearest.damping_ratio * nearest.freq_Hz,
-                   .right = is(analysis.classifications()[m].family, nearest.family)});
+                   .right = is(analysis.classifications()[m].type, nearest.type)});
   }
   return out;
 }
@@ -66,7 +66,7 @@ Pool pool_of(const std::vector<std::vector<CheckedMode>>& bats, double low, doub
     double surplus = 0, wrong = 0;
     for (const CheckedMode& j : bat) {
       const double p = j.classification.confidence;
-      if (j.classification.family == identify::ModeType::unknown || p < low || p >= high) continue;
+      if (j.classification.type == identify::ModeType::unknown || p < low || p >= high) continue;
       ++pool.classifications;
       pool.right += j.right;
       pool.confidence += p;
@@ -98,8 +98,8 @@ void expect_doubts_named(const std::vector<std::vector<CheckedMode>>& bats) {
   for (std::size_t i = 0; i < bats.size(); ++i) {
     for (const auto& [classification, matched, right] : bats[i]) {
       if (classification.confidence >= kConfident) continue;
-      EXPECT_TRUE(classification.family == identify::ModeType::unknown || classification.alternative) << "bat " << i;
-      EXPECT_NE(classification.alternative, classification.family) << "bat " << i;
+      EXPECT_TRUE(classification.type == identify::ModeType::unknown || classification.alternative) << "bat " << i;
+      EXPECT_NE(classification.alternative, classification.type) << "bat " << i;
     }
   }
 }

@@ -56,7 +56,7 @@ void expect_nodes(const char* preset, std::uint64_t seed) {
   const NodeScan scan = scan_of(spec);
   std::size_t bending = 0;
   for (const synth::SynthMode& mode : spec.modes) {
-    if (mode.family != synth::SynthFamily::bending) continue;
+    if (mode.type != synth::SynthModeType::bending) continue;
     SCOPED_TRACE(testing::Message() << preset << ", seed " << seed << ", " << mode.freq_Hz << " Hz");
     const auto exact = exact_nodes_m(spec, mode);
     ASSERT_EQ(exact.size(), 1U);

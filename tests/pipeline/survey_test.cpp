@@ -29,19 +29,19 @@ synth::SynthSpec barrel() {
   spec.samples = 8192;  // all modes have decayed by then: truncated records take much longer to fit
   spec.seed = 4;
   spec.band_high_Hz = 3000;
-  const auto mode = [&](double freq_Hz, double damping, synth::SynthFamily family, int order, double angle_deg) {
+  const auto mode = [&](double freq_Hz, double damping, synth::SynthModeType type, int order, double angle_deg) {
     spec.modes.push_back({.freq_Hz = freq_Hz,
                           .damping_ratio = damping,
-                          .family = family,
+                          .type = type,
                           .order = order,
                           .angle_rad = angle_deg * kDegree,
                           .amplitude_per_sqrt_kg = 2});
   };
-  mode(205, 0.02, synth::SynthFamily::bending, 1, 20);
-  mode(690, 0.008, synth::SynthFamily::bending, 2, 20);
-  mode(1900, 0.004, synth::SynthFamily::hoop, 1, 12);
-  mode(1912, 0.0044, synth::SynthFamily::hoop, 1, 57);
-  mode(2700, 0.003, synth::SynthFamily::hoop, 2, 5);
+  mode(205, 0.02, synth::SynthModeType::bending, 1, 20);
+  mode(690, 0.008, synth::SynthModeType::bending, 2, 20);
+  mode(1900, 0.004, synth::SynthModeType::hoop, 1, 12);
+  mode(1912, 0.0044, synth::SynthModeType::hoop, 1, 57);
+  mode(2700, 0.003, synth::SynthModeType::hoop, 2, 5);
   spec.pulse.width_s = 0.25e-3;
   spec.noise = {.force = 1e-4, .accel = 1e-3};
   spec.hits = 2;
@@ -120,7 +120,7 @@ TEST_F(BarrelSurvey, NamesModesFromTheirShapes) {
   for (std::size_t m = 0; m < 5; ++m) {
     ASSERT_TRUE(survey_->tubes()[m]);
     EXPECT_EQ(survey_->tubes()[m]->order, circumferential.at(m));
-    EXPECT_EQ(survey_->classifications()[m].family,
+    EXPECT_EQ(survey_->classifications()[m].type,
               circumferential.at(m) == 1 ? identify::ModeType::bending : identify::ModeType::hoop);
     EXPECT_EQ(survey_->classifications()[m].order, order.at(m));
     EXPECT_GE(survey_->classifications()[m].confidence, 0.95);
@@ -163,7 +163,7 @@ TEST_F(BarrelSurvey, AgreesWithTheTwoAccelerometerTest) {
     EXPECT_LE(std::abs(a.pole.damping_ratio - b.pole.damping_ratio),
               kDeviations * std::hypot(a.damping_std, b.damping_std))
         << m;
-    EXPECT_EQ(analysis.classifications()[m].family, survey_->classifications()[m].family) << m;
+    EXPECT_EQ(analysis.classifications()[m].type, survey_->classifications()[m].type) << m;
     EXPECT_EQ(analysis.classifications()[m].order, survey_->classifications()[m].order) << m;
     EXPECT_EQ(analysis.classifications()[m].split_mode.has_value(),
               survey_->classifications()[m].split_mode.has_value())
@@ -179,7 +179,7 @@ TEST_F(BarrelSurvey, LeavesModeTypesUnknownWithoutAGeometry) {
   EXPECT_FALSE(survey.geometry());
   for (const auto& tube : survey.tubes()) EXPECT_FALSE(tube);
   for (const identify::ModeClassification& classification : survey.classifications())
-    EXPECT_EQ(classification.family, identify::ModeType::unknown);
+    EXPECT_EQ(classification.type, identify::ModeType::unknown);
   EXPECT_THAT(survey.warnings(), Contains(Field(&Warning::code, "no_geometry")));
 }
 

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numeric>
+#include <utility>
 
 #include "core/units.hpp"
 #include "identify/noise/force_noise.hpp"
@@ -30,7 +32,7 @@ identify::FrfDataset frf_set_of(const acquire::Record& record, double low_Hz, do
     std::vector<frf::Spectrum> force;
     for (const std::size_t row : rows) {
       blocks.push_back(frf::force_block(whole_row(record, row), record.fs_Hz, decay_per_s));
-      force.push_back(frf::shared(frf::force_spectrum(blocks.back(), set.lines)));
+      force.push_back(make_spectrum(frf::force_spectrum(blocks.back(), set.lines)));
     }
     for (std::size_t c = 0; c < record.accel.size(); ++c) {
       std::vector<Complex> h(set.lines.count);
@@ -52,9 +54,14 @@ identify::FrfDataset frf_set_of(const acquire::Record& record, double low_Hz, do
   return set;
 }
 
+frf::Spectrum make_spectrum(std::vector<Complex> lines) {
+  const auto owner = std::make_shared<const std::vector<Complex>>(std::move(lines));
+  return {owner, owner->data()};
+}
+
 identify::FrfDataset empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels) {
   identify::FrfDataset set{.lines = frf::lines_in_band(fs_Hz, samples, low_Hz, high_Hz)};
-  const frf::Spectrum flat = frf::shared(std::vector<Complex>(set.lines.count, Complex(1, 0)));
+  const frf::Spectrum flat = make_spectrum(std::vector<Complex>(set.lines.count, Complex(1, 0)));
   set.points.push_back(identify::point_force({{.force_N = {1}}}, {flat}, set.lines, 0));
   for (std::size_t c = 0; c < channels; ++c)
     set.channels.push_back({.point = 0, .channel = c, .frf = std::vector<Complex>(set.lines.count)});
@@ -82,7 +89,7 @@ void add_frf_noise(identify::FrfDataset& set, double deviation, std::uint64_t se
 void set_gated_pulse(identify::FrfDataset& set, double noise_N) {
   frf::ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
   for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
-  const frf::Spectrum spectrum = frf::shared(frf::force_spectrum(block, set.lines));
+  const frf::Spectrum spectrum = make_spectrum(frf::force_spectrum(block, set.lines));
   set.points[0] = identify::point_force({block}, {spectrum}, set.lines, noise_N);
 }
 

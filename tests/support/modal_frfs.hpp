@@ -16,6 +16,9 @@ identify::FrfDataset frf_set_of(const acquire::Record& record, double low_Hz, do
 /// lines decays to 2e-7 within the record.
 identify::FrfDataset empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels);
 
+/// The lines as a shared spectrum.
+frf::Spectrum make_spectrum(std::vector<Complex> lines);
+
 /// The FRF of one mode, by its definition.
 Complex mode_accelerance(const identify::Pole& pole, Complex s);
 

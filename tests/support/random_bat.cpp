@@ -62,7 +62,7 @@ void add_hoop(synth::SynthSpec& spec, synth::RandomStream& random) {
   for (int order = 1; order <= 2 && f < kHighest_Hz; ++order, f *= random.uniform(1.2, 1.6)) {
     synth::SynthMode mode{.freq_Hz = f,
                           .damping_ratio = random.uniform(0.002, 0.006),
-                          .family = synth::SynthFamily::hoop,
+                          .type = synth::SynthModeType::hoop,
                           .order = order,
                           .angle_rad = random.uniform(0, pi),
                           .amplitude_per_sqrt_kg = random.uniform(1.5, 4)};

@@ -15,7 +15,7 @@ SynthSpec bat() {
   spec.samples = 4096;
   spec.seed = 9;
   spec.modes = {{.freq_Hz = 169, .damping_ratio = 0.010, .amplitude_per_sqrt_kg = 1.7},
-                {.freq_Hz = 1900, .damping_ratio = 0.003, .family = SynthFamily::hoop, .amplitude_per_sqrt_kg = 2.7}};
+                {.freq_Hz = 1900, .damping_ratio = 0.003, .type = SynthModeType::hoop, .amplitude_per_sqrt_kg = 2.7}};
   spec.points = {{.angle_rad = 0.35}};
   spec.hits = 3;
   return spec;

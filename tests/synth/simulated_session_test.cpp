@@ -1,8 +1,12 @@
 #include "synth/simulated_session.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "support/input_error.hpp"
+#include "support/scratch_folder.hpp"
+#include "synth/read_spec.hpp"
 
 namespace percuss::synth::simulated_session_test {
 
@@ -19,6 +23,15 @@ TEST(SimulatedSession, EndsItsBandAtHalfALowSamplingRate) {
 TEST(SimulatedSession, RefusesARateOutOfRange) {
   EXPECT_THROW(parse_simulated_session("wood-bat,fs=50"), InputError);
   EXPECT_THROW(parse_simulated_session("wood-bat,fs=2e6"), InputError);
+}
+
+TEST(SimulatedSession, RefusesATooLongSpecAsTheReaderOfSpecsDoes) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("spec.json"), text(kMaxSpec_bytes + 1, ' ');
+  test::write_bytes(path, text);
+  const std::string message = test::input_error_of([&] { parse_simulated_session(path); });
+  EXPECT_THAT(message, testing::HasSubstr("longer than 4 MiB"));
+  EXPECT_EQ(message, test::input_error_of([&] { parse_synth_spec(text, path); }));
 }
 
 }  // namespace percuss::synth::simulated_session_test

@@ -33,7 +33,7 @@ std::string rejection_of(const std::string& rest) { return refusal(kStart + ", "
 TEST(SynthSpec, ReadsEveryKey) {
   const SynthSpec spec = parse_synth_spec(synth_example(), "example");
   EXPECT_EQ(spec.samples, 25600U);
-  EXPECT_EQ(spec.modes[1].family, SynthFamily::hoop);
+  EXPECT_EQ(spec.modes[1].type, SynthModeType::hoop);
   EXPECT_DOUBLE_EQ(spec.modes[1].angle_rad, 12 * std::numbers::pi / 180);
   EXPECT_EQ(spec.modes[2].residue_per_kg, (std::vector{0.8, -0.8}));
   EXPECT_EQ(spec.sensors[1].sign, -1);
@@ -57,6 +57,8 @@ TEST(SynthSpec, RefusesImpossibleValues) {
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "samples": 1e12, "modes": []})"), HasSubstr("samples"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "samples": -1, "modes": []})"), HasSubstr("samples"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "duration_s": 1e300, "modes": []})"), HasSubstr("duration_s"));
+  EXPECT_THAT(rejection_of(R"("modes": [{"frequency_hz": 10, "damping_ratio": 0.1, "order": 1000001}])"),
+              AllOf(HasSubstr("1000001 is out of range"), HasSubstr("give at most 1000000")));
   EXPECT_THAT(refusal(R"({"fs_hz": 1e999, "samples": 1000, "modes": []})"), HasSubstr("too large"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "samples": 1e6, "modes": [], "hits": 10000})"), HasSubstr("would hold"));
   EXPECT_THAT(rejection_of(R"("modes": [], "hits": 18446744073709551615)"), HasSubstr("hits"));

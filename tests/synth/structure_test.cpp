@@ -48,7 +48,7 @@ TEST(FreeBeam, ShapesAreOrthogonalToEachOtherAndToRigidMotion) {
 SynthSpec bat() {
   SynthSpec spec;
   spec.modes = {{.freq_Hz = 200, .damping_ratio = 0.01, .angle_rad = 0.35},
-                {.freq_Hz = 2100, .damping_ratio = 0.003, .family = SynthFamily::hoop, .angle_rad = 0.2}};
+                {.freq_Hz = 2100, .damping_ratio = 0.003, .type = SynthModeType::hoop, .angle_rad = 0.2}};
   spec.sensors = {{.angle_rad = 0.1}, {.angle_rad = 0.1 + pi / 2}};
   spec.points = {{.angle_rad = 0.3}};
   return spec;

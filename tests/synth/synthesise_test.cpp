@@ -22,10 +22,10 @@ SynthSpec bat() {
       {.freq_Hz = 575, .damping_ratio = 0.006, .order = 2, .angle_rad = 0.4, .amplitude_per_sqrt_kg = 1.7},
       {.freq_Hz = 1900,
        .damping_ratio = 0.003,
-       .family = SynthFamily::hoop,
+       .type = SynthModeType::hoop,
        .angle_rad = 0.2,
        .amplitude_per_sqrt_kg = 2.7},
-      {.freq_Hz = 7300, .damping_ratio = 0.005, .family = SynthFamily::hoop, .order = 2, .amplitude_per_sqrt_kg = 2}};
+      {.freq_Hz = 7300, .damping_ratio = 0.005, .type = SynthModeType::hoop, .order = 2, .amplitude_per_sqrt_kg = 2}};
   spec.points = {{.angle_rad = 0.35}};
   spec.hits = 2;
   return spec;

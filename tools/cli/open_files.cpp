@@ -145,7 +145,7 @@ std::optional<Message> left_out_note(const OrderedFiles& found, const std::vecto
 // Puts the files of an unquoted pattern, which the shell gave as "p1 p10 p2", into their natural order, each with its
 // force scale. Returns what was done, if anything was.
 std::optional<Message> order_naturally(ReadFlags& flags) {
-  const std::vector<std::size_t> order = meant_order(flags.paths);
+  const std::vector<std::size_t> order = intended_order(flags.paths);
   const auto moved = std::adjacent_find(order.begin(), order.end(), std::greater<>());
   if (moved == order.end()) return std::nullopt;
   const std::vector<std::string> paths = flags.paths;

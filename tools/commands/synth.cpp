@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMaxSpec_bytes = std::uint64_t{5} << 20U;  // parse_synth_spec has a lower limit
-
 struct SynthFlags {
   std::string spec;
   std::vector<std::string> outputs;
@@ -38,7 +36,7 @@ synth::SynthSpec spec_named(const std::string& name) {
   std::error_code ignored;
   if (name != "-" && !fs::exists(name, ignored) && name.find('/') == std::string::npos)
     return synth::synth_preset(name);
-  const auto bytes = read_input(name, kMaxSpec_bytes);
+  const auto bytes = read_input(name, synth::kMaxSpec_bytes + 1);
   return synth::parse_synth_spec(bytes.view(), input_name(name));
 }
 
@@ -84,7 +82,7 @@ void print_summary(const SynthFlags& flags, const synth::Truth& truth, const acq
                            spec.sensors.size());
   for (const synth::SynthMode& m : spec.modes) {
     std::cout << fmt::format("{:>10.3f} Hz  {:>7.4f} %  {} {}\n", m.freq_Hz, 100 * m.damping_ratio,
-                             m.family == synth::SynthFamily::bending ? "bending" : "hoop", m.order);
+                             m.type == synth::SynthModeType::bending ? "bending" : "hoop", m.order);
   }
   for (std::size_t h = 0; h < truth.hits.size(); ++h) {
     if (truth.hits[h].flag != "good") std::cout << fmt::format("  hit {}: {}\n", h + 1, truth.hits[h].flag);

@@ -10,13 +10,11 @@ namespace percuss {
 inline namespace core {
 namespace {
 
-bool is_numeral(char c) { return c >= '0' && c <= '9'; }
-
 // Removes the digits at the front and returns their value. Nothing without a digit or with more than `most` digits.
 std::optional<double> take_digits(std::string_view& text, std::size_t most, int& count) {
   double value = 0;
   std::size_t digits = 0;
-  while (digits < text.size() && is_numeral(text[digits])) {
+  while (digits < text.size() && is_digit(text[digits])) {
     if (digits == most) return std::nullopt;
     value = 10 * value + (text[digits] - '0');
     ++digits;
@@ -37,7 +35,7 @@ bool take(std::string_view& text, std::string_view any) {
 bool is_date(std::string_view text) {
   while (!text.empty() && (text.back() == ' ' || text.back() == 'T')) text.remove_suffix(1);
   const bool marked = text.find_first_of("-/.") != std::string_view::npos;
-  return marked && is_numeral(text.front()) && text.find_first_not_of("0123456789-/.") == std::string_view::npos;
+  return marked && is_digit(text.front()) && text.find_first_not_of("0123456789-/.") == std::string_view::npos;
 }
 
 bool is_zone(std::string_view text) {
@@ -56,7 +54,7 @@ std::optional<ClockTime> parse_clock(std::string_view cell) {
   const std::size_t colon = rest.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
   std::size_t start = colon;
-  while (start > 0 && is_numeral(rest[start - 1])) --start;
+  while (start > 0 && is_digit(rest[start - 1])) --start;
   if (start > 0 && !is_date(rest.substr(0, start))) return std::nullopt;
   rest.remove_prefix(start);
   int digits = 0;

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/io/csv_dialect.hpp"
+#include "core/io/csv_text.hpp"
 
 namespace percuss {
 inline namespace core {
@@ -53,12 +54,6 @@ struct NameAndUnit {
   std::string base, unit;
 };
 NameAndUnit split_name(std::string_view name);
-
-/// `text` as UTF-8: unchanged if it is valid, otherwise converted from Latin-1.
-std::string to_utf8(std::string_view text);
-
-/// ASCII letters in lower case.
-std::string lower_case(std::string_view text);
 
 }  // namespace core
 }  // namespace percuss

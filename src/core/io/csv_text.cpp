@@ -1,4 +1,5 @@
-#include "core/io/csv_header.hpp"
+#include "core/io/csv_text.hpp"
+
 #include "core/visible_text.hpp"
 
 namespace percuss {

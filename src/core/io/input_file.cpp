@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::size_t kHead_bytes = std::size_t{1} << 16U;
 constexpr std::size_t kCheckInterval_bytes = std::size_t{1} << 24U;  // between two calls of a GrowthCheck
-constexpr std::size_t kLargestFirstGuess_bytes = std::size_t{1}
-                                                 << 30U;  // memory for larger files grows with the bytes read
+// Memory for larger files grows with the bytes read.
+constexpr std::size_t kMaxFirstGuess_bytes = std::size_t{1} << 30U;
 
 class Descriptor {
  public:
@@ -74,10 +74,10 @@ int open_regular(const std::string& path, std::uint64_t& size_bytes) {
 
 // The available bytes, at most `count`.
 std::size_t read_fully(const Descriptor& file, char* to, std::size_t count, const std::string& path) {
-  constexpr std::size_t kLargestRead_bytes = std::size_t{1} << 30U;
+  constexpr std::size_t kMaxRead_bytes = std::size_t{1} << 30U;
   std::size_t done = 0;
   while (done < count) {
-    const auto got = ::read(file.number(), to + done, std::min(count - done, kLargestRead_bytes));
+    const auto got = ::read(file.number(), to + done, std::min(count - done, kMaxRead_bytes));
     if (got == 0) break;
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw_system_error("reading failed", errno, input_name(path), "check the disk or pipe");
@@ -111,7 +111,7 @@ class GrowingBuffer {
 };
 
 FileBytes read_all(const Descriptor& file, std::size_t first_guess, std::uint64_t limit, const HeadCheck& check_head,
-                   const GrowthCheck& check_growth, const std::string& path) {
+                   const GrowthCheck& check_growth, const char* too_long_remedy, const std::string& path) {
   GrowingBuffer buffer;
   buffer.reserve(kHead_bytes);
   std::size_t size = read_fully(file, buffer.data(), kHead_bytes, path);
@@ -125,10 +125,8 @@ FileBytes read_all(const Descriptor& file, std::size_t first_guess, std::uint64_
     size += got;
     ended = got < wanted;
     if (check_growth) check_growth({buffer.data(), size});
-    if (size > limit) {
-      throw InputError(fmt::format("longer than {} MiB", limit >> 20U), input_name(path),
-                       "split it, or save it as HDF5");
-    }
+    if (size > limit)
+      throw InputError(fmt::format("longer than {} MiB", limit >> 20U), input_name(path), too_long_remedy);
   }
   return {.path = path, .data = buffer.share(), .size = size};
 }
@@ -137,11 +135,11 @@ FileBytes read_all(const Descriptor& file, std::size_t first_guess, std::uint64_
 
 std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
-int open_regular_file(const std::string& path, std::uint64_t limit_bytes, std::uint64_t& size_bytes) {
+int open_regular_file(const std::string& path, std::uint64_t limit_bytes, std::uint64_t& size_bytes,
+                      const char* too_long_remedy) {
   Descriptor opened{open_regular(path, size_bytes), true};
-  if (size_bytes > limit_bytes) {
-    throw InputError(fmt::format("longer than {} MiB", limit_bytes >> 20U), path, "split it, or save it as HDF5");
-  }
+  if (size_bytes > limit_bytes)
+    throw InputError(fmt::format("longer than {} MiB", limit_bytes >> 20U), path, too_long_remedy);
   return opened.release();
 }
 
@@ -160,13 +158,14 @@ std::string first_bytes(const std::string& path, std::size_t count) {
 }
 
 FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const HeadCheck& check_head,
-                     const GrowthCheck& check_growth) {
-  if (path == "-") return read_all(Descriptor{STDIN_FILENO, false}, 0, limit_bytes, check_head, check_growth, path);
+                     const GrowthCheck& check_growth, const char* too_long_remedy) {
+  if (path == "-")
+    return read_all(Descriptor{STDIN_FILENO, false}, 0, limit_bytes, check_head, check_growth, too_long_remedy, path);
   std::uint64_t size = 0;
-  const Descriptor file{open_regular_file(path, limit_bytes, size), true};
+  const Descriptor file{open_regular_file(path, limit_bytes, size, too_long_remedy), true};
   // One byte more than the file, so that its end is found without growing.
-  const auto guess = static_cast<std::size_t>(std::min<std::uint64_t>(size + 1, kLargestFirstGuess_bytes));
-  return read_all(file, guess, limit_bytes, check_head, check_growth, path);
+  const auto guess = static_cast<std::size_t>(std::min<std::uint64_t>(size + 1, kMaxFirstGuess_bytes));
+  return read_all(file, guess, limit_bytes, check_head, check_growth, too_long_remedy, path);
 }
 
 }  // namespace core

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/io/csv_cell.hpp"
 #include "core/io/csv_dialect.hpp"
-#include "core/io/csv_header.hpp"
+#include "core/io/csv_text.hpp"
 #include "core/io/parse_number.hpp"
 
 namespace percuss {
@@ -61,7 +61,7 @@ CsvDialect table_dialect(std::string_view names) {
 
 }  // namespace
 
-std::string json_from_table(const StrictText& input, StrictSource& source) {
+std::string json_from_table(const JsonText& input, StrictSource& source) {
   std::string_view text = input.text;
   if (text.size() > kMaxStrictTable_bytes) throw InputError("longer than 16 MiB", input.where, "split the file");
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
@@ -100,35 +100,6 @@ std::string json_from_table(const StrictText& input, StrictSource& source) {
     source.lines.push_back(lines[i].number);
   }
   return document.dump();
-}
-
-bool looks_like_json(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    if (first == std::string_view::npos) return false;
-    text.remove_prefix(first);
-    if (!text.starts_with("//")) return text.front() == '{';
-    text.remove_prefix(std::min(text.find('\n'), text.size()));
-  }
-  return false;
-}
-
-bool nests_deeper_than(std::string_view text, int depth) {
-  int open = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted && c == '\\') {
-      ++i;
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (!quoted && (c == '{' || c == '[')) {
-      if (++open > depth) return true;
-    } else if (!quoted && (c == '}' || c == ']')) {
-      --open;
-    }
-  }
-  return false;
 }
 
 }  // namespace core

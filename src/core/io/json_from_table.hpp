@@ -20,7 +20,7 @@ struct StrictSource {
 
 /// A table as a JSON document in which every value is text. Adds to `source` what messages need.
 /// errors  as read_strict_table
-std::string json_from_table(const StrictText& input, StrictSource& source);
+std::string json_from_table(const JsonText& input, StrictSource& source);
 
 }  // namespace core
 }  // namespace percuss

@@ -14,6 +14,7 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int kMaxDocumentDepth = 16;                       // documents of percuss nest far less
 constexpr std::size_t kMaxKeys = 10'000;                    // of one object
 constexpr std::size_t kFreeBytes = std::size_t{48} << 20U;  // of values, for a text of any length
 constexpr std::size_t kBytesPerTwo = 13;                    // of values, for two bytes of the text
@@ -140,6 +141,35 @@ json json_if_valid<json>(std::string_view text, WantedKeys wanted) {
   } catch (const InputError&) {
     return {};
   }
+}
+
+bool looks_like_json(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    if (first == std::string_view::npos) return false;
+    text.remove_prefix(first);
+    if (!text.starts_with("//")) return text.front() == '{';
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+  return false;
+}
+
+bool nests_deeper_than(std::string_view text, int depth) {
+  int open = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && (c == '{' || c == '[')) {
+      if (++open > depth) return true;
+    } else if (!quoted && (c == '}' || c == ']')) {
+      --open;
+    }
+  }
+  return false;
 }
 
 }  // namespace core

@@ -12,8 +12,8 @@ inline namespace core {
 /// A text to be read as JSON, with its name and the remedy for messages.
 struct JsonText {
   std::string_view text;
-  std::string where;                // its name
-  std::string remedy;               // "compare it with a valid example"
+  std::string where;  // its name
+  std::string remedy = "compare it with a valid example";
   std::vector<OptionId> options{};  // of the remedy: {"synth.example"}
   int max_depth = 6;                // of nested lists and objects
   bool comments = false;
@@ -29,11 +29,16 @@ using WantedKeys = std::span<const std::string_view>;
 template <class Json>  // nlohmann::json, which headers do not include
 Json parse_json(const JsonText& input, WantedKeys wanted = {});
 
-inline constexpr int kMaxDocumentDepth = 16;  // documents of percuss nest far less
-
 /// The wanted keys of a text without comments; null where parse_json would throw.
 template <class Json>
 Json json_if_valid(std::string_view text, WantedKeys wanted);
+
+/// Whether a text begins with a JSON object, after blanks and comments that begin with //.
+bool looks_like_json(std::string_view text);
+
+/// Whether the lists and objects of a JSON text are nested more than `depth` times, which would take unbounded memory
+/// to read. For texts without comments.
+bool nests_deeper_than(std::string_view text, int depth);
 
 }  // namespace core
 }  // namespace percuss

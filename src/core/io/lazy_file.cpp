@@ -14,13 +14,13 @@ inline namespace core {
 
 LazyFile::LazyFile(const std::string& path, std::uint64_t limit_bytes) : path_(path) {
   std::uint64_t size = 0;
-  descriptor_ = open_regular_file(path, limit_bytes, size);
+  descriptor_ = open_regular_file(path, limit_bytes, size, kSplitRecord);
   size_ = static_cast<std::size_t>(size);
   void* const place = ::mmap(nullptr, std::max<std::size_t>(1, size_), PROT_READ | PROT_WRITE,
                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (place == MAP_FAILED) {
     ::close(descriptor_);
-    throw MachineFault("not enough address space for the file", path, "split it, or save it as HDF5");
+    throw MachineFault("not enough address space for the file", path, kSplitRecord);
   }
   data_ = static_cast<char*>(place);
 }

@@ -9,7 +9,7 @@ inline namespace core {
 /// A regular file with address space for all its bytes, which are read on request. Unread bytes take no memory.
 class LazyFile {
  public:
-  /// errors  InputError: as read_input; no address space for a file of this size
+  /// errors  InputError: as read_input, with the remedy kSplitRecord; no address space for a file of this size
   LazyFile(const std::string& path, std::uint64_t limit_bytes);
   ~LazyFile();
   LazyFile(const LazyFile&) = delete;

@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/io/parse_number.hpp"
+
 namespace percuss {
 inline namespace core {
 namespace {
-
-bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 
 // The name with "#" for each number.
 std::string without_numbers(const std::string& name) {
   std::string out;
   for (std::size_t i = 0; i < name.size(); ++i) {
-    if (!is_decimal_digit(name[i])) {
+    if (!is_digit(name[i])) {
       out += name[i];
-    } else if (i == 0 || !is_decimal_digit(name[i - 1])) {
+    } else if (i == 0 || !is_digit(name[i - 1])) {
       out += '#';
     }
   }
@@ -37,7 +37,7 @@ std::string letters_and_digits(const std::string& name) {
   std::string out;
   for (const char c : name) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    if (letter || is_decimal_digit(c) || static_cast<unsigned char>(c) >= 0x80) out += c;
+    if (letter || is_digit(c) || static_cast<unsigned char>(c) >= 0x80) out += c;
   }
   return out;
 }
@@ -60,7 +60,7 @@ bool comes_first_naturally(const std::string& a, const std::string& b) {
   };
   std::size_t i = 0, j = 0;
   while (i < a.size() && j < b.size()) {
-    if (is_decimal_digit(a[i]) && is_decimal_digit(b[j])) {
+    if (is_digit(a[i]) && is_digit(b[j])) {
       const std::string x = number(a, i), y = number(b, j);
       if (x != y) return x.size() != y.size() ? x.size() < y.size() : x < y;
     } else if (a[i] != b[j]) {
@@ -73,7 +73,7 @@ bool comes_first_naturally(const std::string& a, const std::string& b) {
   return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
 }
 
-std::vector<std::size_t> meant_order(const std::vector<std::string>& names) {
+std::vector<std::size_t> intended_order(const std::vector<std::string>& names) {
   std::vector<std::size_t> order(names.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t first = 0; first < names.size();) {

@@ -13,7 +13,7 @@ bool comes_first_naturally(const std::string& a, const std::string& b);
 /// differ only in whole numbers, and stand in the order of their characters, are put into natural order. Other names
 /// keep their places: any other order is the user's choice, and decimal numbers ("p0.25", "p0.5") are in order already.
 /// returns  result[i]: the index in `names` of the name that comes i-th.
-std::vector<std::size_t> meant_order(const std::vector<std::string>& names);
+std::vector<std::size_t> intended_order(const std::vector<std::string>& names);
 
 }  // namespace core
 }  // namespace percuss

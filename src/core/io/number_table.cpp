@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/io/csv_dialect.hpp"
-#include "core/io/csv_header.hpp"
+#include "core/io/csv_text.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/parse_number.hpp"
 
@@ -14,8 +14,8 @@ namespace percuss {
 inline namespace core {
 namespace {
 
-constexpr std::uint64_t kLargestTable_bytes = std::uint64_t{16} << 20U;
-constexpr std::size_t kLongestCell = 40;  // shown in messages
+constexpr std::uint64_t kMaxTable_bytes = std::uint64_t{16} << 20U;
+constexpr std::size_t kMaxCell = 40;  // shown in messages
 
 bool are_names(const std::vector<std::string_view>& cells, bool decimal_comma) {
   return std::none_of(cells.begin(), cells.end(), [&](std::string_view cell) {
@@ -33,9 +33,8 @@ NumberTableRow row_of(const std::vector<std::string_view>& cells, const std::str
   for (const std::string_view cell : cells) {
     const ParsedNumber number = parse_number(cell, dialect.decimal_comma);
     if (number.problem != NumberProblem::none) {
-      throw InputError(
-          fmt::format("'{}' is {}", one_line(to_utf8(trimmed(cell)), kLongestCell), describe(number.problem)), place,
-          wanted.remedy);
+      throw InputError(fmt::format("'{}' is {}", one_line(to_utf8(trimmed(cell)), kMaxCell), describe(number.problem)),
+                       place, wanted.remedy);
     }
     row.values.push_back(number.value);
   }
@@ -70,17 +69,13 @@ NumberTable parse_named_number_table(std::string_view text, const std::string& w
 }
 
 NumberTable read_named_number_table(const std::string& path, const NumberTableSpec& wanted) {
-  const FileBytes bytes = read_input(path, kLargestTable_bytes);
+  const FileBytes bytes = read_input(path, kMaxTable_bytes);
   return parse_named_number_table(bytes.view(), input_name(path), wanted);
 }
 
 std::vector<NumberTableRow> parse_number_table(std::string_view text, const std::string& where,
                                                const NumberTableSpec& wanted) {
   return parse_named_number_table(text, where, wanted).rows;
-}
-
-std::vector<NumberTableRow> read_number_table(const std::string& path, const NumberTableSpec& wanted) {
-  return read_named_number_table(path, wanted).rows;
 }
 
 }  // namespace core

@@ -31,15 +31,14 @@ struct NumberTable {
 /// first. `path` as in read_input.
 /// errors  InputError with file and line: no numbers, a cell without a finite number, too few or too many cells, too
 /// many lines, too many bytes
-std::vector<NumberTableRow> read_number_table(const std::string& path, const NumberTableSpec& wanted);
-
-/// As read_number_table, with the lines of names.
 NumberTable read_named_number_table(const std::string& path, const NumberTableSpec& wanted);
 
-/// As read_number_table, for a text in memory; `where` names it.
+/// As read_named_number_table, for a text in memory; `where` names it.
+NumberTable parse_named_number_table(std::string_view text, const std::string& where, const NumberTableSpec& wanted);
+
+/// The rows of parse_named_number_table.
 std::vector<NumberTableRow> parse_number_table(std::string_view text, const std::string& where,
                                                const NumberTableSpec& wanted);
-NumberTable parse_named_number_table(std::string_view text, const std::string& where, const NumberTableSpec& wanted);
 
 }  // namespace core
 }  // namespace percuss

@@ -11,10 +11,9 @@ inline namespace core {
 namespace {
 
 constexpr long long kHugeExponent = 1LL << 40;  // more than the digits of any text in memory can offset
-constexpr std::size_t kLongestRewritten = 64;   // characters of a number with decimal comma or D exponent
+constexpr std::size_t kMaxRewritten = 64;       // characters of a number with decimal comma or D exponent
 
 bool is_padding(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // from_chars reports "out of range" for numbers too large and too small. The power of ten of the first digit other than
 // zero distinguishes them.
@@ -46,7 +45,7 @@ ParsedNumber parse_plain(std::string_view text) {
 
 // Replaces decimal comma by point and exponent letters by e: from_chars stops at D.
 ParsedNumber parse_rewritten(std::string_view text, bool decimal_comma) {
-  std::array<char, kLongestRewritten> plain{};
+  std::array<char, kMaxRewritten> plain{};
   if (text.size() > plain.size()) return {0, NumberProblem::not_a_number};
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];

@@ -12,6 +12,9 @@ struct ParsedNumber {
   NumberProblem problem = NumberProblem::none;
 };
 
+/// A decimal digit, whatever the locale.
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// Parses a number as instruments write it: surrounding blanks and double quotes, leading '+', exponent with e, E, d or
 /// D, decimal comma if `decimal_comma`. The number must fill `cell`. A number too small for double is 0; "inf",
 /// "nan" and the error texts of programs ("#N/A", "1.#IND") are not_finite.

@@ -38,7 +38,7 @@ void sync_folder_named(const char* name) noexcept {
   ::close(folder);
 }
 
-/// The target of a chain of symbolic links; `path` itself when it does not exist.
+// The target of a chain of symbolic links; `path` itself when it does not exist.
 std::string resolved(const std::string& path) {
   const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr), &std::free);
   return real ? real.get() : path;
@@ -59,7 +59,7 @@ std::string remedy_for(int error) {
   }
 }
 
-/// The prefix of the temporary names for a target.
+// The prefix of the temporary names for a target.
 std::string temporary_prefix(const std::string& target) {
   return "." + name_of(target).substr(0, kNameBytesKept) + ".percuss-";
 }
@@ -70,8 +70,8 @@ std::string temporary_name(const std::string& target, int attempt) {
   return name;
 }
 
-/// Calls make(name) with new names until one succeeds, and returns this name. Returns an empty text when a call fails
-/// for another reason than an existing file, or after kNamesTried names.
+// Calls make(name) with new names until one succeeds, and returns this name. Returns an empty text when a call fails
+// for another reason than an existing file, or after kNamesTried names.
 template <class Make>
 std::string first_free_name(const std::string& target, Make&& make) {
   for (int attempt = 0; attempt < kNamesTried; ++attempt) {
@@ -86,7 +86,7 @@ std::string first_free_name(const std::string& target, Make&& make) {
   throw InputError("file exists", path, "give another name, or overwrite it", {"force"});
 }
 
-/// rename(2) that keeps an existing target; errno is EEXIST then.
+// rename(2) that keeps an existing target; errno is EEXIST then.
 bool rename_to_new(const std::string& from, const std::string& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
   if (errno != EINVAL && errno != ENOSYS) return false;

@@ -75,7 +75,8 @@ struct StrictObject::Impl {
 
 namespace {
 
-constexpr double kLargestWhole = 9007199254740992;  // 2^53: a double does not hold all larger whole numbers
+constexpr std::size_t kMaxInt = 1'000'000;      // of a number of type int
+constexpr double kMaxWhole = 9007199254740992;  // 2^53: a double does not hold all larger whole numbers
 
 void append_numbers(const json& value, std::vector<double>& to, const StrictObject& object, const std::string& key) {
   if (value.is_number()) {
@@ -87,13 +88,9 @@ void append_numbers(const json& value, std::vector<double>& to, const StrictObje
   }
 }
 
-json json_of(const StrictText& input) {
-  return parse_json<nlohmann::json>({.text = input.text,
-                                     .where = input.where,
-                                     .remedy = input.remedy,
-                                     .options = input.options,
-                                     .max_depth = input.max_depth,
-                                     .comments = true});
+json json_of(JsonText input) {
+  input.comments = true;
+  return parse_json<json>(input);
 }
 
 }  // namespace
@@ -146,7 +143,7 @@ void StrictObject::read(const std::string& key, std::size_t& to) {
     return;
   }
   const double number = value->is_number() ? value->get<double>() : -1;
-  if (!(number >= 0 && number <= kLargestWhole && number == std::floor(number))) {
+  if (!(number >= 0 && number <= kMaxWhole && number == std::floor(number))) {
     fail(fmt::format("{} is not a whole number", one_line(value->dump(), 40)), key, "give a whole number");
   }
   to = static_cast<std::size_t>(number);
@@ -155,7 +152,7 @@ void StrictObject::read(const std::string& key, std::size_t& to) {
 void StrictObject::read(const std::string& key, int& to) {
   auto value = static_cast<std::size_t>(to);
   read(key, value);
-  if (value > 1000000) fail(fmt::format("{} is out of range", value), key, "give a small whole number");
+  if (value > kMaxInt) fail(fmt::format("{} is out of range", value), key, fmt::format("give at most {}", kMaxInt));
   to = static_cast<int>(value);
 }
 
@@ -222,7 +219,7 @@ std::string StrictObject::place() const {
   return impl_->path.empty() ? impl_->where : fmt::format("{}, {}", impl_->where, impl_->path);
 }
 
-void read_strict_json(const StrictText& text, const StrictObject::Reader& read) {
+void read_strict_json(const JsonText& text, const StrictObject::Reader& read) {
   const json document = json_of(text);
   const StrictSource source{.where = text.where, .remedy = text.remedy, .options = text.options};
   StrictObject object(std::make_unique<StrictObject::Impl>(document, source, ""));
@@ -230,7 +227,7 @@ void read_strict_json(const StrictText& text, const StrictObject::Reader& read) 
   object.finish();
 }
 
-void read_strict_table(const StrictText& text, const std::string& rows, const StrictObject::Reader& read) {
+void read_strict_table(const JsonText& text, const std::string& rows, const StrictObject::Reader& read) {
   StrictSource source{.where = text.where, .remedy = text.remedy, .options = text.options, .rows = rows};
   const std::string as_json = json_from_table(text, source);
   const json document = json_of({.text = as_json, .where = text.where});

@@ -7,18 +7,10 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/io/json_text.hpp"
 
 namespace percuss {
 inline namespace core {
-
-/// A text to be read strictly, with its name and the remedy for messages.
-struct StrictText {
-  std::string_view text;
-  std::string where;  // its name
-  std::string remedy = "compare it with a valid example";
-  std::vector<OptionId> options{};  // of the remedy: {"synth.example"}
-  int max_depth = 6;
-};
 
 /// One JSON object being read. The reader reads each key by name; a key that it does not read is an error.
 ///   read_strict_json({.text = text, .where = "spec.json"}, [&](StrictObject& o) {
@@ -62,16 +54,16 @@ class StrictObject {
   std::string place() const;
 
  private:
-  friend void read_strict_json(const StrictText&, const Reader&);
-  friend void read_strict_table(const StrictText&, const std::string&, const Reader&);
+  friend void read_strict_json(const JsonText&, const Reader&);
+  friend void read_strict_table(const JsonText&, const std::string&, const Reader&);
   void finish() const;
 
   std::unique_ptr<Impl> impl_;
 };
 
-/// Reads JSON text (comments allowed) with an object at the top.
+/// Reads JSON text with an object at the top. Comments are allowed, whatever JsonText::comments says.
 /// errors  InputError: not JSON, nested deeper than `max_depth`, a key given twice, a key that `read` does not read
-void read_strict_json(const StrictText& text, const StrictObject::Reader& read);
+void read_strict_json(const JsonText& text, const StrictObject::Reader& read);
 
 /// Reads a table as such a document. Its rows are the objects of the list `rows`, the column names are the keys, and
 /// empty cells are absent keys. Lines like "# bat.length_in = 34" above the table set the other keys. A cell is text
@@ -80,14 +72,7 @@ void read_strict_json(const StrictText& text, const StrictObject::Reader& read);
 /// cells.
 /// errors  InputError with the line: as above; a cell without a column, two columns of one name, more than 100000 rows
 /// or 16 MiB
-void read_strict_table(const StrictText& text, const std::string& rows, const StrictObject::Reader& read);
-
-/// Whether a text begins with a JSON object, after blanks and comments that begin with //.
-bool looks_like_json(std::string_view text);
-
-/// Whether the lists and objects of a JSON text are nested more than `depth` times, which would take unbounded memory
-/// to read. For texts without comments.
-bool nests_deeper_than(std::string_view text, int depth);
+void read_strict_table(const JsonText& text, const std::string& rows, const StrictObject::Reader& read);
 
 }  // namespace core
 }  // namespace percuss

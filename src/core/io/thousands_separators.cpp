@@ -8,8 +8,8 @@ inline namespace core {
 namespace {
 
 constexpr std::size_t kHeadLines = 64;
-constexpr std::size_t kLeast = 3;  // cells of each kind in a column: fewer may be chance
-constexpr std::size_t kGroup = 3;  // digits after a thousands separator
+constexpr std::size_t kMinCells = 3;  // cells of each kind in a column: fewer may be chance
+constexpr std::size_t kGroup = 3;     // digits after a thousands separator
 
 std::size_t digits_at(std::string_view cell, std::size_t at) {
   const std::size_t end = cell.find_first_not_of("0123456789", at);
@@ -53,7 +53,7 @@ struct ColumnCells {
   }
   // `quoted_commas`: the numbers are quoted because the comma also separates cells. Nobody writes decimals so.
   bool holds_separators(bool quoted_commas) const {
-    return certain >= kLeast || (other == 0 && possible >= kLeast && (whole >= kLeast || quoted_commas));
+    return certain >= kMinCells || (other == 0 && possible >= kMinCells && (whole >= kMinCells || quoted_commas));
   }
 };
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/io/csv_header.hpp"
+#include "core/io/csv_text.hpp"
 #include "core/io/parse_number.hpp"
 
 namespace percuss {

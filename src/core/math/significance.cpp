@@ -14,6 +14,11 @@ double student_quantile(double z, double degrees) {
   return std::copysign(gsl_cdf_tdist_Qinv(above, std::max(degrees, 1.0)), z);
 }
 
+double student_factor(double degrees) {
+  constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval
+  return student_quantile(kCoverage, degrees) / kCoverage;
+}
+
 double chi2_deviate(double chi2, double degrees) {
   const double variance = 2 / (9 * degrees);
   return (std::cbrt(chi2 / degrees) - (1 - variance)) / std::sqrt(variance);

@@ -3,9 +3,16 @@
 namespace percuss {
 inline namespace core {
 
+/// Normal deviates that chance exceeds once in 1000 cases, and once in 300 000.
+inline constexpr double kOnceIn1000 = 3.1, kOnceIn300000 = 4.5;
+
 /// Quantile of Student's t distribution for the probability of the normal quantile `z`. `degrees` of freedom below 1
 /// count as 1.
 double student_quantile(double z, double degrees);
+
+/// The 97.5 % quantile of Student's t for these degrees of freedom, over 1.96. A standard deviation estimated from few
+/// values is multiplied by it, so that ±1.96 standard deviations still cover 95 %.
+double student_factor(double degrees);
 
 /// χ² as the normal deviate of the same probability, by the cube root of Wilson and Hilferty.
 double chi2_deviate(double chi2, double degrees);

@@ -130,9 +130,9 @@ PERCUSS_WIDE_LOOPS void add_scaled(Complex* to, Complex factor, const double* co
 // task(j) for every column of `matrix`; `others` columns are multiplied with each.
 template <class Task>
 void over_columns(const MatrixXcd& matrix, Index others, const Task& task) {
-  constexpr Index kPerElement = 8;  // flops of a complex product and a sum
+  constexpr Index kFlopsPerElement = 8;  // flops of a complex product and a sum
   parallel_for_cost(static_cast<std::size_t>(matrix.cols()),
-                    static_cast<std::size_t>(kPerElement * matrix.rows() * others),
+                    static_cast<std::size_t>(kFlopsPerElement * matrix.rows() * others),
                     [&](std::size_t j) { task(static_cast<Index>(j)); });
 }
 

@@ -11,7 +11,6 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kPairSpacing = 0.04;          // relative: one bending mode's frequencies in its two planes are closer
 constexpr double kSplitDeviations = 2;         // standard deviations that noise may add to a separation
 constexpr double kSplitSpacing = 0.15;         // of the lower frequency: largest separation, besides double_peak_Hz
 constexpr double kMinLoneProbability = 0.9;    // below it the second type is stated …
@@ -109,10 +108,10 @@ void set_type(ModeClassification& classification, const TypePosterior& posterior
   const double best = std::max(posterior[0], posterior[1]);
   const double rival = std::min(posterior[0], posterior[1]);
   const bool real_shape = ratio.angle.out_of_phase < kMaxOutOfPhase;
-  classification.family =
+  classification.type =
       best >= kMinTypeProbability && real_shape ? (bending ? ModeType::bending : ModeType::hoop) : ModeType::unknown;
-  classification.confidence = classification.family == ModeType::unknown ? 1 - best : best;
-  if (classification.family == ModeType::unknown) {
+  classification.confidence = classification.type == ModeType::unknown ? 1 - best : best;
+  if (classification.type == ModeType::unknown) {
     classification.alternative = bending ? ModeType::bending : ModeType::hoop;
   } else if (rival > kMinRivalProbability || best < kMinLoneProbability) {
     classification.alternative = bending ? ModeType::hoop : ModeType::bending;
@@ -125,7 +124,7 @@ void mark_split_modes(const std::vector<Mode>& modes, std::vector<ModeClassifica
     const double apart = modes[m + 1].pole.freq_Hz - modes[m].pole.freq_Hz;
     const double most_Hz = std::min(options.double_peak_Hz, kSplitSpacing * modes[m].pole.freq_Hz);
     const double error_Hz = kSplitDeviations * std::hypot(modes[m].freq_std_Hz, modes[m + 1].freq_std_Hz);
-    if (apart > most_Hz + error_Hz || classifications[m].family != classifications[m + 1].family ||
+    if (apart > most_Hz + error_Hz || classifications[m].type != classifications[m + 1].type ||
         classifications[m].split_mode)
       continue;
     classifications[m].split_mode = SplitMode{.partner = m + 1, .separation_Hz = apart, .first = true};
@@ -135,12 +134,12 @@ void mark_split_modes(const std::vector<Mode>& modes, std::vector<ModeClassifica
 
 void number_orders(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
                    const ClassifyOptions& options, const LowerOrders& lower) {
-  for (const ModeType family : {ModeType::bending, ModeType::hoop}) {
-    int order = family == ModeType::bending ? lower.bending : lower.hoop;
+  for (const ModeType type : {ModeType::bending, ModeType::hoop}) {
+    int order = type == ModeType::bending ? lower.bending : lower.hoop;
     std::optional<std::size_t> before;
     bool paired = false;  // a mode has at most one partner
     for (std::size_t m = 0; m < modes.size(); ++m) {
-      if (classifications[m].family != family) continue;
+      if (classifications[m].type != type) continue;
       const bool same = before && !paired && near_enough_for_one_mode(modes[*before], modes[m], options);
       if (!same) ++order;
       paired = same;
@@ -155,8 +154,8 @@ void find_planes(const std::vector<Mode>& modes, std::vector<ModeClassification>
                  const SensorPair& sensors, const ClassifyOptions& options) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
     auto& pair = classifications[m].split_mode;
-    if (!pair || !pair->first || classifications[m].family == ModeType::unknown) continue;
-    const int order = classifications[m].family == ModeType::bending ? 1 : 2;
+    if (!pair || !pair->first || classifications[m].type == ModeType::unknown) continue;
+    const int order = classifications[m].type == ModeType::bending ? 1 : 2;
     const auto plane = [&](std::size_t i) {
       return plane_from_sensors(modes[i], sensors, order, options.angle_std_rad);
     };

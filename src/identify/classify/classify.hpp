@@ -15,9 +15,9 @@ const char* name_of(ModeType type);
 
 /// The type of a mode from two accelerometers around the barrel.
 struct ModeClassification {
-  ModeType family = ModeType::unknown;
+  ModeType type = ModeType::unknown;
   int order = 0;          // from 1 within the type; 0 for unknown
-  double confidence = 0;  // posterior probability of `family`; for unknown, 1 − the larger of bending and hoop
+  double confidence = 0;  // posterior probability of `type`; for unknown, 1 − the larger of bending and hoop
   /// The second type, stated where `confidence` is below 0.9 or the second type's own probability is above 0.03. For
   /// unknown, classify() states the likelier of bending and hoop.
   std::optional<ModeType> alternative;
@@ -27,6 +27,9 @@ struct ModeClassification {
   double ratio_std = 0;              // of the real and of the imaginary part
   std::optional<SplitMode> split_mode;
 };
+
+/// Relative distance below which a bending mode may have two frequencies, in its two planes.
+inline constexpr double kPairSpacing = 0.04;
 
 /// What was struck. Bending and hoop are types of a tube's modes only. automatic: a tube where the sensors' angles are
 /// stated, or where the modes fit assumed angles.

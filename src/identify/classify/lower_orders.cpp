@@ -12,13 +12,14 @@ constexpr double kFirstRatio = 2.3;
 constexpr double kMaxRatio = 4.5;
 
 std::vector<double> frequencies_Hz(const std::vector<Mode>& modes, const std::vector<ModeClassification>& types,
-                                   ModeType family, double min_confidence, const ClassifyOptions& options) {
+                                   ModeType type, double min_confidence, const ClassifyOptions& options) {
   std::vector<double> out;
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (types[m].family != family || types[m].confidence < min_confidence) continue;
+    if (types[m].type != type || types[m].confidence < min_confidence) continue;
     // The two planes of a mode are one order.
     const double freq_Hz = modes[m].pole.freq_Hz;
-    if (out.empty() || freq_Hz - out.back() > std::max(options.double_peak_Hz, 0.04 * freq_Hz)) out.push_back(freq_Hz);
+    if (out.empty() || freq_Hz - out.back() > std::max(options.double_peak_Hz, kPairSpacing * freq_Hz))
+      out.push_back(freq_Hz);
   }
   return out;
 }
@@ -44,9 +45,7 @@ int lower_bending(const std::vector<double>& below_Hz, const std::vector<double>
 LowerOrders lower_orders(const std::vector<Mode>& below, const std::vector<ModeClassification>& below_types,
                          const std::vector<Mode>& found, const std::vector<ModeClassification>& types,
                          const ClassifyOptions& options) {
-  const auto lower = [&](ModeType family) {
-    return frequencies_Hz(below, below_types, family, kMinConfidence, options);
-  };
+  const auto lower = [&](ModeType type) { return frequencies_Hz(below, below_types, type, kMinConfidence, options); };
   return {
       .bending = lower_bending(lower(ModeType::bending), frequencies_Hz(found, types, ModeType::bending, 0, options)),
       .hoop = static_cast<int>(lower(ModeType::hoop).size())};

@@ -17,7 +17,6 @@ constexpr double kReach = 0.03;            // of the mode's frequency
 constexpr double kWeak = 0.5;              // of the mode's amplitude; a stronger companion must be within kClose
 constexpr double kClose = 3;               // half-power bandwidths of the broader decay
 constexpr double kMinMac = 0.8;
-constexpr double kSameShape = 3.1;  // normal deviate of χ²; of one shape, one pair in 1000 exceeds it
 
 double amplitude_of(const DecayMode& decay) {
   double of_hits = 0, of_channels = 0;
@@ -39,7 +38,7 @@ bool have_one_shape(const Mode& a, const Mode& b) {
     chi2 += std::norm(one.value - other.value) / variance;
     freedom += 2;
   }
-  return freedom > 0 && std::norm(ab) > kMinMac * aa * bb && chi2_deviate(chi2, freedom) < kSameShape;
+  return freedom > 0 && std::norm(ab) > kMinMac * aa * bb && chi2_deviate(chi2, freedom) < kOnceIn1000;
 }
 
 bool may_be_companion(const DecayMode& of, const DecayMode& other) {
@@ -74,7 +73,7 @@ void take_companions(std::vector<DecayMode>& from, const DecayMode& main, std::v
   from.erase(rest, from.end());
 }
 
-std::size_t companions_of(const DecayMode& main, const std::vector<DecayMode>& among) {
+std::size_t count_companions(const DecayMode& main, const std::vector<DecayMode>& among) {
   return static_cast<std::size_t>(
       std::count_if(among.begin(), among.end(), [&](const DecayMode& other) { return may_be_companion(main, other); }));
 }
@@ -91,7 +90,7 @@ void gather_companions(DecayResults& found) {
                                   [&](const DecayMode& mode) { return amplitude_of(mode) == amplitude; });
     if (own == found.modes.end()) continue;  // a companion by now
     DecayMode main = *own;
-    if (companions_of(main, found.modes) + companions_of(main, found.tones) < kMinCompanions) continue;
+    if (count_companions(main, found.modes) + count_companions(main, found.tones) < kMinCompanions) continue;
     std::vector<DecayMode> companions;
     take_companions(found.modes, main, companions);
     take_companions(found.tones, main, companions);

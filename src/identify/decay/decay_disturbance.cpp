@@ -10,10 +10,10 @@ namespace percuss::identify {
 namespace {
 
 constexpr double kBlock_s = 10e-3;
-constexpr std::size_t kShortestBlock = 64;  // samples: enough for a mean square to 18 %
-constexpr double kRise = 10;                // of the mean square
-constexpr std::size_t kBefore = 4;          // a disturbance rises within so many blocks
-constexpr std::size_t kFewestBlocks = 10;   // of a record, for a median
+constexpr std::size_t kMinBlock_samples = 64;  // samples: enough for a mean square to 18 %
+constexpr double kRise = 10;                   // of the mean square
+constexpr std::size_t kBefore = 4;             // a disturbance rises within so many blocks
+constexpr std::size_t kMinErrorBlocks = 10;    // of a record, for a median
 
 // The sums of the squared prediction errors of a response without its decays, in blocks from the fit's start on.
 std::vector<double> block_errors(const std::vector<double>& rest, const NoisePrediction& prediction,
@@ -26,7 +26,7 @@ std::vector<double> block_errors(const std::vector<double>& rest, const NoisePre
 }
 
 std::optional<std::size_t> first_rise(const std::vector<double>& square) {
-  if (square.size() < kFewestBlocks) return std::nullopt;
+  if (square.size() < kMinErrorBlocks) return std::nullopt;
   const double typical = median(square);
   for (std::size_t b = 1; b < square.size(); ++b) {
     const auto at = square.begin() + static_cast<std::ptrdiff_t>(b);
@@ -41,7 +41,7 @@ std::optional<std::size_t> first_rise(const std::vector<double>& square) {
 std::vector<std::optional<std::size_t>> decay_disturbances(const FreeDecays& whole, const StartedFit& fit) {
   std::vector<std::optional<std::size_t>> out(whole.hits);
   const std::size_t samples = whole.samples() - fit.start;
-  const auto block = std::max(kShortestBlock, static_cast<std::size_t>(kBlock_s * whole.fs_Hz));
+  const auto block = std::max(kMinBlock_samples, static_cast<std::size_t>(kBlock_s * whole.fs_Hz));
   for (std::size_t i = 0; i < whole.response.size(); ++i) {
     const auto signal = static_cast<Eigen::Index>(i);
     std::vector<double> rest(whole.response[i].begin() + static_cast<std::ptrdiff_t>(fit.start),

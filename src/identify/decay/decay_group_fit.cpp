@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double kMaxTrialDamping = 0.5;  // damping ratio beyond which a rate describes no oscillation
-constexpr double kSmallest = 1e-300;
+constexpr double kMinVariance = 1e-300;
 
 // Real and imaginary parts one under the other.
 Eigen::MatrixXd stacked(const Eigen::MatrixXcd& complex) {
@@ -39,9 +39,9 @@ Eigen::Matrix2d rotation(double re, double im) { return Eigen::Matrix2d{{re, -im
 
 class DecayProblem : public LeastSquaresProblem {
  public:
-  DecayProblem(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data)
+  DecayProblem(const DecayGroup& group, const DecaySpectra& spectra, const Eigen::MatrixXcd& data)
       : windows_(group.windows),
-        of_(of),
+        spectra_(spectra),
         data_(stacked(data)),
         inverse_std_(group.line_std.cwiseInverse()),
         level_(group.level.size() == data.cols() ? group.level : Eigen::VectorXd::Ones(data.cols())),
@@ -57,7 +57,7 @@ class DecayProblem : public LeastSquaresProblem {
   // levels of the hits. A variance per hit from its residual would give less weight to hits whose frequency differs
   // from the others', and would understate the scatter. Sets the weights.
   Eigen::VectorXd set_weights_from_residual() {
-    const auto channels = static_cast<Index>(of_.channels), hits = static_cast<Index>(of_.hits);
+    const auto channels = static_cast<Index>(spectra_.channels), hits = static_cast<Index>(spectra_.hits);
     const auto modes = static_cast<double>(now_.rates.size());
     const double shared = 2 * modes / static_cast<double>(data_.cols());  // unknowns of the rates, per spectrum
     const double freedom = std::max(1.0, static_cast<double>(data_.rows()) - 2 * modes - shared);
@@ -66,7 +66,7 @@ class DecayProblem : public LeastSquaresProblem {
       of_channel(i % channels) += now_.residual.col(i).squaredNorm() / level_(i) / freedom / static_cast<double>(hits);
     }
     for (Index i = 0; i < data_.cols(); ++i) noise(i) = of_channel(i % channels) * level_(i);
-    weight_ = noise.cwiseMax(kSmallest).cwiseInverse();
+    weight_ = noise.cwiseMax(kMinVariance).cwiseInverse();
     return noise;
   }
 
@@ -75,7 +75,7 @@ class DecayProblem : public LeastSquaresProblem {
     return equations_;
   }
   NormalEquations of_hit(std::size_t hit) const {
-    const auto channels = static_cast<Index>(of_.channels);
+    const auto channels = static_cast<Index>(spectra_.channels);
     return sum_over([&](Index i) { return i / channels == static_cast<Index>(hit); });
   }
 
@@ -94,9 +94,9 @@ class DecayProblem : public LeastSquaresProblem {
       Complex& s = rates[m].rate_radps;
       const auto at = static_cast<Index>(2 * m);
       s += Complex(step(at), step(at + 1));
-      const double highest = std::numbers::pi * of_.fs_Hz;
+      const double highest = std::numbers::pi * spectra_.fs_Hz;
       if (!(s.imag() > 0) || s.imag() > highest || -s.real() > kMaxTrialDamping * std::abs(s) ||
-          s.real() * static_cast<double>(of_.samples) / of_.fs_Hz > 1)
+          s.real() * static_cast<double>(spectra_.samples) / spectra_.fs_Hz > 1)
         return std::nullopt;
     }
     solve(rates, trial_);
@@ -113,7 +113,7 @@ class DecayProblem : public LeastSquaresProblem {
     Index row = 0;
     for (const auto& [first, count] : windows_) {
       for (std::size_t at = 0; at < count; at += kDecayBlock_lines) {
-        const DecayColumns part = decay_columns(rate, of_, first + at, std::min(kDecayBlock_lines, count - at));
+        const DecayColumns part = decay_columns(rate, spectra_, first + at, std::min(kDecayBlock_lines, count - at));
         const Index rows = part.value.rows();
         values.block(row, column, rows, 2) = part.value.real();
         values.block(lines + row, column, rows, 2) = part.value.imag();
@@ -172,7 +172,7 @@ class DecayProblem : public LeastSquaresProblem {
   }
 
   std::vector<std::pair<std::size_t, std::size_t>> windows_;
-  const DecaySpectra& of_;
+  const DecaySpectra& spectra_;
   Eigen::MatrixXd data_;
   Eigen::VectorXd inverse_std_;     // [lines], of DecayGroup::line_std
   Eigen::VectorXd level_, weight_;  // [hits × channels]
@@ -202,9 +202,9 @@ double misfit_factor(const Eigen::MatrixXd& residual) {
 
 }  // namespace
 
-DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data,
+DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& spectra, const Eigen::MatrixXcd& data,
                               DecayAccuracy accuracy) {
-  DecayProblem problem(group, of, data);
+  DecayProblem problem(group, spectra, data);
   constexpr LevenbergMarquardtOptions kFull{.max_steps = 40, .step_tolerance = 1e-14, .cost_tolerance = 1e-12};
   constexpr LevenbergMarquardtOptions kRough{.max_steps = 12, .step_tolerance = 1e-8, .cost_tolerance = 1e-4};
   const bool rough = accuracy == DecayAccuracy::rough;
@@ -213,8 +213,9 @@ DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, c
   for (int round = 0; round < rounds; ++round) {
     out.noise = problem.set_weights_from_residual();
     const LevenbergMarquardtSummary summary = levenberg_marquardt(problem, rough ? kRough : kFull);
+    // The rates also stand still where no trial lowers the cost: no_decrease counts as converged here.
     out.converged = summary.stop != LevenbergMarquardtStop::max_steps;
-    if (of.channels == 1) break;
+    if (spectra.channels == 1) break;
   }
   out.noise = problem.set_weights_from_residual();
   const State& state = problem.state();
@@ -229,7 +230,7 @@ DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, c
   const Eigen::MatrixXd inverse_r =
       state.r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(2 * modes, 2 * modes));
   out.inverse_gram = inverse_r * inverse_r.transpose();
-  for (std::size_t h = 0; h < of.hits; ++h) {
+  for (std::size_t h = 0; h < spectra.hits; ++h) {
     const NormalEquations alone = problem.of_hit(h);
     out.hit_step.push_back(solve_gram(alone.matrix, alone.right));
     out.hit_information.push_back(alone.matrix);

@@ -41,7 +41,7 @@ enum class DecayAccuracy { rough, full };
 /// other modes, over the group's windows one after the other, [lines, hits × channels]. The amplitudes of each hit and
 /// channel are free complex numbers. Restricting them to products of one number per hit and one per channel would not
 /// lower the Cramér–Rao bound of the rates.
-DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& of, const Eigen::MatrixXcd& data,
+DecayGroupFit fit_decay_group(const DecayGroup& group, const DecaySpectra& spectra, const Eigen::MatrixXcd& data,
                               DecayAccuracy accuracy = DecayAccuracy::full);
 
 }  // namespace percuss::identify

@@ -20,14 +20,14 @@ constexpr double kOtherLevel = 0.1;  // relative change of the noise of a hit or
 double frequency_Hz(const FittedDecay& mode) { return mode.rate.rate_radps.imag() / kTwoPi; }
 
 // First line and one past the last.
-std::pair<std::size_t, std::size_t> window_of(const DecayRate& rate, const DecaySpectra& of,
+std::pair<std::size_t, std::size_t> window_of(const DecayRate& rate, const DecaySpectra& spectra,
                                               const DecayWindows& windows) {
-  const double half_power = -rate.rate_radps.real() / std::numbers::pi / of.df_Hz();
+  const double half_power = -rate.rate_radps.real() / std::numbers::pi / spectra.df_Hz();
   const double reach =
       std::min(std::max(windows.half_power_bandwidths * std::max(half_power, 0.0), windows.lines), windows.max_lines);
-  const double centre = rate.rate_radps.imag() / kTwoPi / of.df_Hz();
-  const auto lines = static_cast<double>(of.lines.rows());
-  const double last = of.samples % 2 == 0 ? lines - 1 : lines;  // without the lines that are real
+  const double centre = rate.rate_radps.imag() / kTwoPi / spectra.df_Hz();
+  const auto lines = static_cast<double>(spectra.lines.rows());
+  const double last = spectra.samples % 2 == 0 ? lines - 1 : lines;  // without the lines that are real
   const double first = std::clamp(std::floor(centre - reach), 1.0, last - 1);
   return {static_cast<std::size_t>(first), static_cast<std::size_t>(std::clamp(centre + reach + 1, first + 1, last))};
 }
@@ -47,13 +47,13 @@ std::vector<std::vector<std::size_t>> split(std::vector<std::size_t> members, co
   return out;
 }
 
-std::vector<std::vector<std::size_t>> groups_of(const std::vector<FittedDecay>& modes, const DecaySpectra& of,
+std::vector<std::vector<std::size_t>> groups_of(const std::vector<FittedDecay>& modes, const DecaySpectra& spectra,
                                                 const DecayWindows& windows) {
   std::vector<std::vector<std::size_t>> out;
   std::vector<std::size_t> members;
   std::size_t end = 0;
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const auto [first, last] = window_of(modes[m].rate, of, windows);
+    const auto [first, last] = window_of(modes[m].rate, spectra, windows);
     if (!members.empty() && first >= end) {
       for (auto& group : split(members, modes)) out.push_back(std::move(group));
       members.clear();
@@ -165,11 +165,10 @@ DecaySpectra DecayModel::residual() const {
   return out;
 }
 
-void DecayModel::fit_group(const std::vector<std::size_t>& members, const DecayWindows& windows) {
-  DecayGroup group{.rates = {}, .windows = {}, .level = level_, .line_std = {}};
+std::vector<std::pair<std::size_t, std::size_t>> DecayModel::windows_of(const std::vector<std::size_t>& members,
+                                                                        const DecayWindows& windows) const {
   std::vector<std::pair<std::size_t, std::size_t>> ranges;  // first, one past the last
   for (const std::size_t m : members) {
-    group.rates.push_back(modes_[m].rate);
     const auto range = window_of(modes_[m].rate, *measured_, windows);
     if (!ranges.empty() && range.first <= ranges.back().second) {
       ranges.back().second = std::max(ranges.back().second, range.second);
@@ -178,27 +177,26 @@ void DecayModel::fit_group(const std::vector<std::size_t>& members, const DecayW
     }
   }
   std::sort(ranges.begin(), ranges.end());
-  std::size_t lines = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> merged;  // first, count
   for (const auto& [first, last] : ranges) {
     // A broad mode's window may begin below its lower neighbour's.
-    if (!group.windows.empty() && first <= group.windows.back().first + group.windows.back().second) {
-      auto& [start, count] = group.windows.back();
-      lines -= count;
+    if (!merged.empty() && first <= merged.back().first + merged.back().second) {
+      auto& [start, count] = merged.back();
       count = std::max(start + count, last) - start;
-      lines += count;
     } else {
-      group.windows.emplace_back(first, last - first);
-      lines += last - first;
+      merged.emplace_back(first, last - first);
     }
   }
+  return merged;
+}
+
+Eigen::MatrixXcd DecayModel::data_of(const std::vector<std::pair<std::size_t, std::size_t>>& windows,
+                                     const std::vector<std::size_t>& members) const {
+  std::size_t lines = 0;
+  for (const auto& [first, count] : windows) lines += count;
   Eigen::MatrixXcd data(static_cast<Index>(lines), measured_->lines.cols());
-  if (line_std_.size() > 0) group.line_std.resize(data.rows());
   Index row = 0;
-  for (const auto& [first, count] : group.windows) {
-    if (line_std_.size() > 0) {
-      group.line_std.segment(row, static_cast<Index>(count)) =
-          line_std_.segment(static_cast<Index>(first), static_cast<Index>(count));
-    }
+  for (const auto& [first, count] : windows) {
     auto part = data.middleRows(row, static_cast<Index>(count));
     part = measured_->lines.middleRows(static_cast<Index>(first), static_cast<Index>(count));
     for (std::size_t m = 0; m < modes_.size(); ++m) {
@@ -206,7 +204,31 @@ void DecayModel::fit_group(const std::vector<std::size_t>& members, const DecayW
     }
     row += static_cast<Index>(count);
   }
-  const DecayGroupFit fitted = fit_decay_group(group, *measured_, data, windows.accuracy);
+  return data;
+}
+
+Eigen::VectorXd DecayModel::line_std_of(const std::vector<std::pair<std::size_t, std::size_t>>& windows,
+                                        Index lines) const {
+  if (line_std_.size() == 0) return {};
+  Eigen::VectorXd out(lines);
+  Index row = 0;
+  for (const auto& [first, count] : windows) {
+    out.segment(row, static_cast<Index>(count)) =
+        line_std_.segment(static_cast<Index>(first), static_cast<Index>(count));
+    row += static_cast<Index>(count);
+  }
+  return out;
+}
+
+void DecayModel::fit_group(const std::vector<std::size_t>& members, const DecayWindows& windows) {
+  DecayGroup group{.rates = {}, .windows = windows_of(members, windows), .level = level_, .line_std = {}};
+  for (const std::size_t m : members) group.rates.push_back(modes_[m].rate);
+  const Eigen::MatrixXcd data = data_of(group.windows, members);
+  group.line_std = line_std_of(group.windows, data.rows());
+  store(fit_decay_group(group, *measured_, data, windows.accuracy), members);
+}
+
+void DecayModel::store(const DecayGroupFit& fitted, const std::vector<std::size_t>& members) {
   for (std::size_t i = 0; i < members.size(); ++i) {
     FittedDecay& mode = modes_[members[i]];
     const auto at = static_cast<Index>(2 * i);

@@ -31,7 +31,7 @@ struct FittedDecay {
   bool converged = false;
   std::optional<DecayAccuracy> settled;  // accuracy of the last fit; none: a mode nearby changed since, or it failed
   /// Two modes at these frequencies fit about as well as this one with a frequency that differs between the hits.
-  std::optional<std::pair<double, double>> rivals_Hz{};
+  std::optional<std::pair<double, double>> alternative_pair_Hz{};
 };
 
 /// Decays fitted to spectra, group by group: modes whose windows overlap are fitted together, at most eight, and the
@@ -44,7 +44,9 @@ class DecayModel {
   const std::vector<FittedDecay>& modes() const { return modes_; }  // ascending in frequency
   void add(const DecayRate& rate);
   void remove(std::size_t mode);
-  void set_rivals(std::size_t mode, const std::pair<double, double>& rivals_Hz) { modes_[mode].rivals_Hz = rivals_Hz; }
+  void set_alternative_pair(std::size_t mode, const std::pair<double, double>& alternative_pair_Hz) {
+    modes_[mode].alternative_pair_Hz = alternative_pair_Hz;
+  }
   /// Sets the noise power of each hit, divided by the geometric mean over the hits of its channel, and the spectrum of
   /// the noise, averaged over channels and octaves. `noise`: E|R|² of a residual [lines, hits × channels]. If a ratio
   /// changes by more than 10 %, all groups are fitted again.
@@ -60,6 +62,17 @@ class DecayModel {
   void unsettle_near(const DecayRate& rate);
   bool is_settled(const std::vector<std::size_t>& members, DecayAccuracy accuracy) const;
   void fit_group(const std::vector<std::size_t>& members, const DecayWindows& windows);
+  /// DecayGroup::windows of a group.
+  std::vector<std::pair<std::size_t, std::size_t>> windows_of(const std::vector<std::size_t>& members,
+                                                              const DecayWindows& windows) const;
+  /// The measured lines of a group's windows without the modes of the other groups, [lines, hits × channels].
+  Eigen::MatrixXcd data_of(const std::vector<std::pair<std::size_t, std::size_t>>& windows,
+                           const std::vector<std::size_t>& members) const;
+  /// DecayGroup::line_std for these windows, which hold `lines` lines.
+  Eigen::VectorXd line_std_of(const std::vector<std::pair<std::size_t, std::size_t>>& windows,
+                              Eigen::Index lines) const;
+  /// Takes the results of a group's fit over.
+  void store(const DecayGroupFit& fitted, const std::vector<std::size_t>& members);
   /// The variance of the noise near a mode, relative to lines where line_std_ is 1.
   double variance_at(const DecayRate& rate) const;
   void subtract(const FittedDecay& mode, std::size_t first, Eigen::Ref<Eigen::MatrixXcd> lines) const;

@@ -14,8 +14,6 @@ namespace {
 
 using Eigen::Index;
 
-// Normal deviate of χ²; without scatter, one value in 1000 exceeds it.
-constexpr double kSignificantScatter = 3.1;
 constexpr double kMinDampingSignificance = 3;  // standard deviations; below them the oscillation counts as a tone
 constexpr double kMaxLinear = 0.5;  // step of a hit's pole over the decay rate: beyond it, a linear estimate fails
 
@@ -55,11 +53,11 @@ void add_scatter(const FittedDecay& decay, Mode& mode) {
   }
   if (freq_Hz.size() < 2) return;
   const ScatterOfHits freq = scatter_of_hits(freq_Hz, freq_std_Hz), zeta = scatter_of_hits(damping, damping_std);
-  if (freq.deviate > kSignificantScatter) {
+  if (freq.deviate > kOnceIn1000) {
     mode.freq_std_parts_Hz.hits = freq.std_from_scatter;
     mode.hit_scatter_Hz = freq.spread;
   }
-  if (zeta.deviate > kSignificantScatter) {
+  if (zeta.deviate > kOnceIn1000) {
     mode.damping_std_parts.hits = zeta.std_from_scatter;
     mode.hit_scatter_damping = zeta.spread;
   }
@@ -95,7 +93,7 @@ RankOne rank_one(const FittedDecay& decay, Index channels) {
   if (freedom > 0) {
     const double chi2 = values.tail(values.size() - 1).squaredNorm();
     // Real and imaginary parts each have unit variance: chi2 has `freedom` degrees of freedom.
-    if (chi2_deviate(chi2, freedom) > kSignificantScatter) out.excess = std::sqrt(chi2 / freedom);
+    if (chi2_deviate(chi2, freedom) > kOnceIn1000) out.excess = std::sqrt(chi2 / freedom);
   }
   out.std *= out.excess;
   return out;
@@ -159,7 +157,10 @@ DecayResults modes_of_decays(const FreeDecayFit& fit, std::size_t channels, std:
     const bool decays = mode.pole.damping_ratio > kMinDampingSignificance * mode.damping_std;
     (decays ? shapes : tone_shapes).push_back(rank_one(fit.decays[d], static_cast<Index>(channels)));
     (decays ? out.modes : out.tones)
-        .push_back({.mode = mode, .hits = {}, .energy = fit.energy[d], .rivals_Hz = fit.decays[d].rivals_Hz});
+        .push_back({.mode = mode,
+                    .hits = {},
+                    .energy = fit.energy[d],
+                    .alternative_pair_Hz = fit.decays[d].alternative_pair_Hz});
   }
   out.reference = reference_channel(shapes, channels);
   for (std::size_t m = 0; m < shapes.size(); ++m) add_shape(shapes[m], out.reference, out.modes[m]);

@@ -21,9 +21,9 @@ struct DecayMode {
   /// standard deviations include the reference's.
   Mode mode;
   std::vector<HitAmplitude> hits;
-  double energy = 0;                                     // over the noise
-  std::optional<std::pair<double, double>> rivals_Hz{};  // FittedDecay::rivals_Hz
-  std::vector<DecayMode> companions{};                   // gather_companions(): further parts of its decay
+  double energy = 0;                                               // over the noise
+  std::optional<std::pair<double, double>> alternative_pair_Hz{};  // FittedDecay::alternative_pair_Hz
+  std::vector<DecayMode> companions{};                             // gather_companions(): further parts of its decay
 };
 
 /// The modes of a test without a force, and the sinusoids among its decays.

@@ -21,8 +21,8 @@ constexpr double kSearchesPerFalseAlarm = 1000;   // one in so many searches of 
 constexpr double kWeakest = 0.02;                 // of the strongest candidate: weaker ones wait until it is fitted
 constexpr double kApart_lines = 6;  // between candidates of one search, in addition to three half-power bandwidths
 
-std::vector<double> rates_per_s(const DecaySpectra& of) {
-  const double slowest = kSlowest * of.df_Hz(), fastest = std::max(slowest, kFastest * of.fs_Hz);
+std::vector<double> rates_per_s(const DecaySpectra& spectra) {
+  const double slowest = kSlowest * spectra.df_Hz(), fastest = std::max(slowest, kFastest * spectra.fs_Hz);
   std::vector<double> rates;
   for (std::size_t r = 0; r < kRates; ++r)
     rates.push_back(slowest * std::pow(fastest / slowest, static_cast<double>(r) / (kRates - 1)));

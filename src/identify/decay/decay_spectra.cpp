@@ -21,9 +21,9 @@ std::vector<Complex> phasors(std::size_t first, std::size_t count, std::size_t s
 // The phasors of lines first … first + count − 1.
 class LinePhasors {
  public:
-  LinePhasors(const DecaySpectra& of, std::size_t first, std::size_t count) {
-    if (!of.phasors) own_ = phasors(first, count, of.samples);
-    at_ = of.phasors ? of.phasors->data() + first : own_.data();
+  LinePhasors(const DecaySpectra& spectra, std::size_t first, std::size_t count) {
+    if (!spectra.phasors) own_ = phasors(first, count, spectra.samples);
+    at_ = spectra.phasors ? spectra.phasors->data() + first : own_.data();
   }
   const Complex& operator[](Eigen::Index i) const { return at_[i]; }
 
@@ -32,7 +32,8 @@ class LinePhasors {
   const Complex* at_ = nullptr;
 };
 
-Complex inverse(const Complex& z) { return std::conj(z) / std::norm(z); }
+// 1/z by division: core's inverse() rounds once more.
+Complex divided_inverse(const Complex& z) { return std::conj(z) / std::norm(z); }
 
 }  // namespace
 
@@ -67,29 +68,31 @@ DecayRate decay_rate_of(const Pole& pole) {
   return {omega * Complex(-zeta, std::sqrt(std::max(0.0, 1 - zeta * zeta)))};
 }
 
-Eigen::MatrixX2cd decay_values(const DecayRate& rate, const DecaySpectra& of, std::size_t first, std::size_t count) {
-  const LinePhasors phasor(of, first, count);
+Eigen::MatrixX2cd decay_values(const DecayRate& rate, const DecaySpectra& spectra, std::size_t first,
+                               std::size_t count) {
+  const LinePhasors phasor(spectra, first, count);
   Eigen::MatrixX2cd out(static_cast<Eigen::Index>(count), 2);
-  const Complex s = rate.rate_radps / of.fs_Hz, step = std::exp(s);
-  const Complex gone = 1.0 - std::exp(static_cast<double>(of.samples) * s);
+  const Complex s = rate.rate_radps / spectra.fs_Hz, step = std::exp(s);
+  const Complex gone = 1.0 - std::exp(static_cast<double>(spectra.samples) * s);
   for (Eigen::Index i = 0; i < out.rows(); ++i) {
     const Complex q = phasor[i];
-    const Complex d = gone * inverse(1.0 - step * q), m = std::conj(gone) * inverse(1.0 - std::conj(step) * q);
+    const Complex d = gone * divided_inverse(1.0 - step * q),
+                  m = std::conj(gone) * divided_inverse(1.0 - std::conj(step) * q);
     out(i, 0) = 0.5 * (d + m);
     out(i, 1) = Complex(0, 0.5) * (d - m);
   }
   return out;
 }
 
-DecayColumns decay_columns(const DecayRate& rate, const DecaySpectra& of, std::size_t first, std::size_t count) {
-  const LinePhasors phasor(of, first, count);
-  const double dt_s = 1 / of.fs_Hz, n = static_cast<double>(of.samples);
+DecayColumns decay_columns(const DecayRate& rate, const DecaySpectra& spectra, std::size_t first, std::size_t count) {
+  const LinePhasors phasor(spectra, first, count);
+  const double dt_s = 1 / spectra.fs_Hz, n = static_cast<double>(spectra.samples);
   const auto rows = static_cast<Eigen::Index>(count);
   DecayColumns out{.value = Eigen::MatrixX2cd(rows, 2), .slope = Eigen::MatrixX2cd(rows, 2)};
   const Complex s = rate.rate_radps * dt_s, at_end = std::exp(n * s), step = std::exp(s);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const auto kernel = [&](Complex one_step, Complex z_n) {
-      const Complex q = one_step * phasor[i], r = inverse(1.0 - q), value = (1.0 - z_n) * r;
+      const Complex q = one_step * phasor[i], r = divided_inverse(1.0 - q), value = (1.0 - z_n) * r;
       return std::pair(value, dt_s * r * (value * q - n * z_n));
     };
     const auto [d, d1] = kernel(step, at_end);

@@ -92,12 +92,7 @@ std::vector<double> block_chi2(const FreeDecays& whole, const FreeDecayFit& fit,
   return out;
 }
 
-}  // namespace
-
-std::size_t safe_start(std::size_t samples, double fs_Hz) {
-  return static_cast<std::size_t>(std::min(kSafe_s * fs_Hz, kSafeShare * static_cast<double>(samples)));
-}
-
+// The records from a sample on.
 FreeDecays decays_from(const FreeDecays& whole, std::size_t first) {
   FreeDecays out{.fs_Hz = whole.fs_Hz, .hits = whole.hits, .channels = whole.channels, .response = {}};
   for (const std::vector<double>& one : whole.response)
@@ -105,19 +100,9 @@ FreeDecays decays_from(const FreeDecays& whole, std::size_t first) {
   return out;
 }
 
-void subtract_decays(const FreeDecayFit& fit, double fs_Hz, std::size_t signal, std::size_t start,
-                     std::span<double> x) {
-  for (const FittedDecay& decay : fit.decays) {
-    const Complex amplitude = decay.amplitude(static_cast<Eigen::Index>(signal));
-    const Complex step = std::exp(decay.rate.rate_radps / fs_Hz);
-    Complex now = std::exp(decay.rate.rate_radps * (-static_cast<double>(start) / fs_Hz));
-    for (double& value : x) {
-      value -= (amplitude * now).real();
-      now *= step;
-    }
-  }
-}
-
+// The earliest sample of `whole` from which the fitted decays explain the records. `fit` is of decays_from(whole,
+// start). The decays are extrapolated back from `start`, block by block, until the residual exceeds the noise: there
+// the force still acts.
 std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std::size_t start) {
   const std::vector<double> chi2 = block_chi2(whole, fit, start);
   const auto freedom = static_cast<double>(kBackBlock * whole.response.size());
@@ -133,6 +118,25 @@ std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std
     }
   }
   return start - chi2.size() * kBackBlock;
+}
+
+}  // namespace
+
+std::size_t safe_start(std::size_t samples, double fs_Hz) {
+  return static_cast<std::size_t>(std::min(kSafe_s * fs_Hz, kSafeShare * static_cast<double>(samples)));
+}
+
+void subtract_decays(const FreeDecayFit& fit, double fs_Hz, std::size_t signal, std::size_t start,
+                     std::span<double> x) {
+  for (const FittedDecay& decay : fit.decays) {
+    const Complex amplitude = decay.amplitude(static_cast<Eigen::Index>(signal));
+    const Complex step = std::exp(decay.rate.rate_radps / fs_Hz);
+    Complex now = std::exp(decay.rate.rate_radps * (-static_cast<double>(start) / fs_Hz));
+    for (double& value : x) {
+      value -= (amplitude * now).real();
+      now *= step;
+    }
+  }
 }
 
 StartedFit fit_from_earliest_start(const FreeDecays& whole, std::size_t safe, const FreeDecayOptions& options) {

@@ -10,17 +10,9 @@ namespace percuss::identify {
 /// the first sample, but at most an eighth of the record. `samples`: length of the record.
 std::size_t safe_start(std::size_t samples, double fs_Hz);
 
-/// The records from a sample on.
-FreeDecays decays_from(const FreeDecays& whole, std::size_t first);
-
 /// Subtracts the fitted decays from samples `x` of response `signal`. The decays start at sample `start` of x; before
 /// it they are extrapolated back.
 void subtract_decays(const FreeDecayFit& fit, double fs_Hz, std::size_t signal, std::size_t start, std::span<double> x);
-
-/// The earliest sample of `whole` from which the fitted decays explain the records. `fit` is of decays_from(whole,
-/// start). The decays are extrapolated back from `start`, block by block, until the residual exceeds the noise: there
-/// the force still acts.
-std::size_t earliest_start(const FreeDecays& whole, const FreeDecayFit& fit, std::size_t start);
 
 struct StartedFit {
   FreeDecayFit fit;

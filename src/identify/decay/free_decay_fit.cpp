@@ -30,17 +30,17 @@ constexpr double kMimics = 1e-3, kMimicsAlone = 0.1;
 constexpr double kNarrowest = 0.1;    // decay rate of a misfit over the mode's
 constexpr double kFastestFit = 0.25;  // decay rate over the sampling rate: a faster decay is over in a few samples
 
-std::size_t line_of(const FittedDecay& mode, const DecaySpectra& of) {
-  const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / of.df_Hz());
-  return static_cast<std::size_t>(std::clamp(line, 1.0, static_cast<double>(of.lines.rows() - 1)));
+std::size_t line_of(const FittedDecay& mode, const DecaySpectra& spectra) {
+  const double line = std::round(mode.rate.rate_radps.imag() / kTwoPi / spectra.df_Hz());
+  return static_cast<std::size_t>(std::clamp(line, 1.0, static_cast<double>(spectra.lines.rows() - 1)));
 }
 
 // The energy of a decay as DecayCandidate::energy gives it: Σ over hits and channels of |a|² Σ exp(2 Re s t)/4 over the
 // noise's variance per sample.
-double energy_of(const FittedDecay& mode, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
-  const double decay = 2 * mode.rate.rate_radps.real() / of.fs_Hz, n = static_cast<double>(of.samples);
+double energy_of(const FittedDecay& mode, const DecaySpectra& spectra, const Eigen::MatrixXd& noise) {
+  const double decay = 2 * mode.rate.rate_radps.real() / spectra.fs_Hz, n = static_cast<double>(spectra.samples);
   const double sum = std::abs(decay * n) < 1e-9 ? n : std::expm1(decay * n) / std::expm1(decay);
-  const auto line = static_cast<Eigen::Index>(line_of(mode, of));
+  const auto line = static_cast<Eigen::Index>(line_of(mode, spectra));
   double energy = 0;
   // A line's variance is N times a sample's. The matched filter passes only half of the amplitude of a real decay.
   for (Eigen::Index i = 0; i < mode.amplitude.size(); ++i)
@@ -48,9 +48,9 @@ double energy_of(const FittedDecay& mode, const DecaySpectra& of, const Eigen::M
   return energy;
 }
 
-std::vector<double> energies(const DecayModel& model, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
+std::vector<double> energies(const DecayModel& model, const DecaySpectra& spectra, const Eigen::MatrixXd& noise) {
   std::vector<double> out;
-  for (const FittedDecay& mode : model.modes()) out.push_back(energy_of(mode, of, noise));
+  for (const FittedDecay& mode : model.modes()) out.push_back(energy_of(mode, spectra, noise));
   return out;
 }
 
@@ -86,8 +86,9 @@ double chi2(const DecaySpectra& residual, const Eigen::MatrixXd& noise) {
 
 // The decrease of chi2() if each hit had a pole of its own, to first order. The mode's own noise contains its misfit,
 // so that its covariance is scaled to `noise`.
-double gain_of_hits(const FittedDecay& mode, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
-  const auto line = static_cast<Eigen::Index>(line_of(mode, of)), channels = static_cast<Eigen::Index>(of.channels);
+double gain_of_hits(const FittedDecay& mode, const DecaySpectra& spectra, const Eigen::MatrixXd& noise) {
+  const auto line = static_cast<Eigen::Index>(line_of(mode, spectra)),
+             channels = static_cast<Eigen::Index>(spectra.channels);
   double sum = 0;
   for (std::size_t h = 0; h < mode.hit_step.size(); ++h) {
     const Eigen::Vector2d& step = mode.hit_step[h];
@@ -106,13 +107,14 @@ std::pair<double, double> frequencies_Hz(const DecayRate& a, const DecayRate& b)
 }
 
 // Whether frequencies that differ between the hits explain most of what a second pole would.
-bool scatter_explains(const FittedDecay& alone, double gain, const DecaySpectra& of, const Eigen::MatrixXd& noise) {
-  return alone.hit_step.size() > 1 && gain_of_hits(alone, of, noise) > kScatterShare * gain;
+bool scatter_explains(const FittedDecay& alone, double gain, const DecaySpectra& spectra,
+                      const Eigen::MatrixXd& noise) {
+  return alone.hit_step.size() > 1 && gain_of_hits(alone, spectra, noise) > kScatterShare * gain;
 }
 
 // The model with one mode in place of the modes from m on that overlap each other, where the hits' scatter explains
 // them.
-std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_t m, const DecaySpectra& of,
+std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_t m, const DecaySpectra& spectra,
                                              const Eigen::MatrixXd& noise, const std::vector<double>& energy) {
   const auto& modes = model.modes();
   std::size_t last = m, strongest = m;
@@ -127,8 +129,8 @@ std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_
   }
   trial.fit(kPairSweeps, {});
   const double gain = chi2(trial.residual(), noise) - chi2(model.residual(), noise);
-  if (!scatter_explains(trial.modes()[m], gain, of, noise)) return std::nullopt;
-  trial.set_rivals(m, frequencies_Hz(modes[m].rate, modes[last].rate));
+  if (!scatter_explains(trial.modes()[m], gain, spectra, noise)) return std::nullopt;
+  trial.set_alternative_pair(m, frequencies_Hz(modes[m].rate, modes[last].rate));
   return trial;
 }
 
@@ -136,7 +138,7 @@ std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_
 // than noise would. The search cannot find such a pair: one fitted mode leaves no clear peak of the other. But the
 // shapes of the two modes differ. Where frequencies that differ between the hits fit about as well, the mode stays one,
 // and `model` remembers the pair. `left`: χ² of the model's residual.
-std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double left, const DecaySpectra& of,
+std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double left, const DecaySpectra& spectra,
                                     const Eigen::MatrixXd& noise) {
   const Complex s = model.modes()[m].rate.rate_radps, apart(0, kPairApart * s.real());
   DecayModel trial = model;
@@ -145,104 +147,146 @@ std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double lef
   trial.add({s + apart});
   trial.fit(kPairSweeps, kSearchWindows);
   const double gain = left - chi2(trial.residual(), noise);
-  const auto spectra = static_cast<std::size_t>(of.lines.cols());
-  if (!(gain > decay_threshold(spectra + 1, kPairPlaces * model.modes().size()))) return std::nullopt;
-  const bool scatters = scatter_explains(model.modes()[m], gain, of, noise);
-  const std::vector<double> energy = energies(trial, of, noise);
+  const auto count = static_cast<std::size_t>(spectra.lines.cols());
+  if (!(gain > decay_threshold(count + 1, kPairPlaces * model.modes().size()))) return std::nullopt;
+  const bool scatters = scatter_explains(model.modes()[m], gain, spectra, noise);
+  const std::vector<double> energy = energies(trial, spectra, noise);
   for (std::size_t i = 0; i + 1 < energy.size(); ++i) {
     const bool pair = std::abs(trial.modes()[i].rate.rate_radps - s) < kPairReach * -s.real() &&
                       std::abs(trial.modes()[i + 1].rate.rate_radps - s) < kPairReach * -s.real();
-    const double least = std::max(kPairLevel, of.lines.cols() > 1 ? 0 : kMimicsAlone);
+    const double least = std::max(kPairLevel, spectra.lines.cols() > 1 ? 0 : kMimicsAlone);
     if (!pair || !(std::min(energy[i], energy[i + 1]) > least * std::max(energy[i], energy[i + 1]))) continue;
     if (!scatters) return trial;
-    model.set_rivals(m, frequencies_Hz(trial.modes()[i].rate, trial.modes()[i + 1].rate));
+    model.set_alternative_pair(m, frequencies_Hz(trial.modes()[i].rate, trial.modes()[i + 1].rate));
     break;
   }
   return std::nullopt;
 }
 
 // Whether the fit of a candidate stayed near it.
-bool is_modelled(const DecayRate& candidate, const DecayModel& model, const DecaySpectra& of) {
+bool is_modelled(const DecayRate& candidate, const DecayModel& model, const DecaySpectra& spectra) {
   return std::any_of(model.modes().begin(), model.modes().end(),
-                     [&](const FittedDecay& mode) { return overlap(mode.rate, candidate, 1, of.df_Hz()); });
+                     [&](const FittedDecay& mode) { return overlap(mode.rate, candidate, 1, spectra.df_Hz()); });
 }
+
+// The steps of fit_free_decays(), and the model that they change.
+class FreeDecayFitter {
+ public:
+  FreeDecayFitter(const DecaySpectra& measured, const FreeDecayOptions& options)
+      : measured_(measured),
+        options_(options),
+        mimics_(measured.lines.cols() > 1 ? kMimics : kMimicsAlone),
+        rounding_(decay_rounding(measured)),
+        model_(measured),
+        limits_{.band_Hz = options.band_Hz, .refused = {}} {
+    out_.threshold = decay_threshold(measured.hits * measured.channels, measured.samples);
+    out_.noise = decay_line_noise(measured, rounding_);
+  }
+
+  FreeDecayFit run() {
+    fit_starts();
+    if (!search()) {
+      out_.complete = false;
+      return result();
+    }
+    if (options_.search && measured_.hits > 1) merge_imitations();
+    model_.set_noise(out_.noise);
+    if (options_.search) split_pairs();
+    model_.fit(kFinalSweeps, {});
+    out_.noise = decay_line_noise(model_.residual(), rounding_);
+    return result();
+  }
+
+ private:
+  void fit_starts() {
+    for (const double start_Hz : options_.start_Hz)
+      model_.add(decay_rate_of({.freq_Hz = start_Hz, .damping_ratio = kStartDamping}));
+    for (const DecayRate& rate : options_.initial) model_.add(rate);
+    model_.fit(kSearchSweeps, kSearchWindows);
+    if (!options_.initial.empty()) drop_unconfirmed();
+  }
+
+  // The rough fits of a search refuse some decays that a full fit of the others reveals: the residual is searched
+  // again. False where the search ended at max_decays.
+  bool search() {
+    for (int round = 0; round < kMaxRounds; ++round) {
+      const std::size_t before = model_.modes().size();
+      if (options_.search) search_residual();
+      if (model_.modes().size() >= options_.max_decays) return false;
+      if (round > 0 && model_.modes().size() <= before) break;
+      model_.set_noise(out_.noise);
+      model_.fit(kFinalSweeps, {});
+      drop_unconfirmed();
+      limits_.refused.clear();
+      if (!options_.search) break;
+    }
+    return true;
+  }
+
+  void search_residual() {
+    for (int pass = 0; pass < kMaxSearches && model_.modes().size() < options_.max_decays; ++pass) {
+      const auto found = strongest_decays(model_.residual(), out_.noise, limits_);
+      if (found.empty()) break;
+      for (const DecayCandidate& one : found) model_.add(one.rate);
+      model_.fit(kSearchSweeps, kSearchWindows);
+      const std::size_t before = model_.modes().size() - found.size();
+      drop_unconfirmed();
+      if (model_.modes().size() > before) limits_.refused.clear();  // a better model may confirm them
+      for (const DecayCandidate& one : found) {
+        if (!is_modelled(one.rate, model_, measured_)) limits_.refused.push_back(one.rate);
+      }
+    }
+  }
+
+  void drop_unconfirmed() {
+    for (;;) {
+      out_.noise = decay_line_noise(model_.residual(), rounding_);
+      out_.energy = energies(model_, measured_, out_.noise);
+      const std::size_t m = unconfirmed(model_, out_.energy, out_.threshold, mimics_, measured_.fs_Hz);
+      if (m == model_.modes().size()) return;
+      limits_.refused.push_back(model_.modes()[m].rate);
+      model_.remove(m);
+      model_.fit(kSearchSweeps, kSearchWindows);
+    }
+  }
+
+  void merge_imitations() {
+    for (std::size_t m = 0; m < model_.modes().size(); ++m) {
+      if (auto alone = without_imitations(model_, m, measured_, out_.noise, energies(model_, measured_, out_.noise)))
+        model_ = std::move(*alone);
+    }
+  }
+
+  void split_pairs() {
+    double left = chi2(model_.residual(), out_.noise);
+    for (std::size_t m = 0; m < model_.modes().size(); ++m) {
+      if (auto pair = with_pair(model_, m, left, measured_, out_.noise)) {
+        model_ = std::move(*pair);
+        left = chi2(model_.residual(), out_.noise);
+        ++m;
+      }
+    }
+  }
+
+  FreeDecayFit result() {
+    out_.energy = energies(model_, measured_, out_.noise);
+    out_.decays = model_.modes();
+    return std::move(out_);
+  }
+
+  const DecaySpectra& measured_;
+  const FreeDecayOptions& options_;
+  const double mimics_;
+  const Eigen::VectorXd rounding_;
+  DecayModel model_;
+  DecaySearchLimits limits_;
+  FreeDecayFit out_;
+};
 
 }  // namespace
 
 FreeDecayFit fit_free_decays(const DecaySpectra& measured, const FreeDecayOptions& options) {
-  DecayModel model(measured);
-  const Eigen::VectorXd rounding = decay_rounding(measured);
-  DecaySearchLimits limits{.band_Hz = options.band_Hz, .refused = {}};
-  FreeDecayFit out;
-  out.threshold = decay_threshold(measured.hits * measured.channels, measured.samples);
-  out.noise = decay_line_noise(measured, rounding);
-  const double mimics = measured.lines.cols() > 1 ? kMimics : kMimicsAlone;
-  const auto drop_unconfirmed = [&] {
-    for (;;) {
-      out.noise = decay_line_noise(model.residual(), rounding);
-      out.energy = energies(model, measured, out.noise);
-      const std::size_t m = unconfirmed(model, out.energy, out.threshold, mimics, measured.fs_Hz);
-      if (m == model.modes().size()) return;
-      limits.refused.push_back(model.modes()[m].rate);
-      model.remove(m);
-      model.fit(kSearchSweeps, kSearchWindows);
-    }
-  };
-  for (const double start_Hz : options.start_Hz)
-    model.add(decay_rate_of({.freq_Hz = start_Hz, .damping_ratio = kStartDamping}));
-  for (const DecayRate& rate : options.initial) model.add(rate);
-  model.fit(kSearchSweeps, kSearchWindows);
-  if (!options.initial.empty()) drop_unconfirmed();
-  const auto search_residual = [&] {
-    for (int search = 0; search < kMaxSearches && model.modes().size() < options.max_decays; ++search) {
-      const auto found = strongest_decays(model.residual(), out.noise, limits);
-      if (found.empty()) break;
-      for (const DecayCandidate& one : found) model.add(one.rate);
-      model.fit(kSearchSweeps, kSearchWindows);
-      const std::size_t before = model.modes().size() - found.size();
-      drop_unconfirmed();
-      if (model.modes().size() > before) limits.refused.clear();  // a better model may confirm them
-      for (const DecayCandidate& one : found) {
-        if (!is_modelled(one.rate, model, measured)) limits.refused.push_back(one.rate);
-      }
-    }
-  };
-  // The rough fits of a search refuse some decays that a full fit of the others reveals: the residual is searched
-  // again.
-  for (int round = 0; round < kMaxRounds; ++round) {
-    const std::size_t before = model.modes().size();
-    if (options.search) search_residual();
-    if (model.modes().size() >= options.max_decays) {
-      out.complete = false;
-      out.energy = energies(model, measured, out.noise);
-      out.decays = model.modes();
-      return out;
-    }
-    if (round > 0 && model.modes().size() <= before) break;
-    model.set_noise(out.noise);
-    model.fit(kFinalSweeps, {});
-    drop_unconfirmed();
-    limits.refused.clear();
-    if (!options.search) break;
-  }
-  for (std::size_t m = 0; options.search && measured.hits > 1 && m < model.modes().size(); ++m) {
-    if (auto alone = without_imitations(model, m, measured, out.noise, energies(model, measured, out.noise)))
-      model = std::move(*alone);
-  }
-  model.set_noise(out.noise);
-  double left = options.search ? chi2(model.residual(), out.noise) : 0;
-  for (std::size_t m = 0; options.search && m < model.modes().size(); ++m) {
-    if (auto pair = with_pair(model, m, left, measured, out.noise)) {
-      model = std::move(*pair);
-      left = chi2(model.residual(), out.noise);
-      ++m;
-    }
-  }
-  model.fit(kFinalSweeps, {});
-  out.noise = decay_line_noise(model.residual(), rounding);
-  out.energy = energies(model, measured, out.noise);
-  out.decays = model.modes();
-  return out;
+  return FreeDecayFitter(measured, options).run();
 }
 
 }  // namespace percuss::identify

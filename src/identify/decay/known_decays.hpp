@@ -16,7 +16,7 @@ struct KnownDecays {
 
 /// The amplitudes that explain lines first … first + count − 1 best. The noise of a decay is the residual's near
 /// its frequency. shapes  amplitude empty where there are fewer than three lines per rate.
-KnownDecays fit_known_decays(const std::vector<DecayRate>& rates, const DecaySpectra& of, std::size_t first,
+KnownDecays fit_known_decays(const std::vector<DecayRate>& rates, const DecaySpectra& spectra, std::size_t first,
                              std::size_t count);
 
 }  // namespace percuss::identify

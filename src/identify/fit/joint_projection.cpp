@@ -42,11 +42,11 @@ JointProjection::JointProjection(const FrfDataset& set, const std::vector<Pole>&
     return std::all_of(poles.begin(), poles.end(),
                        [&](const Pole& p) { return decays_within_record(p, force, set.lines); });
   });
-  parts_.resize(together ? 1 : set.points.size());
+  plans_.resize(together ? 1 : set.points.size());
   for (std::size_t o = 0; o < set.channels.size(); ++o)
-    parts_[together ? 0 : set.channels[o].point].channels.push_back(o);
-  std::erase_if(parts_, [](const Plan& plan) { return plan.channels.empty(); });
-  for (Plan& plan : parts_) {
+    plans_[together ? 0 : set.channels[o].point].channels.push_back(o);
+  std::erase_if(plans_, [](const Plan& plan) { return plan.channels.empty(); });
+  for (Plan& plan : plans_) {
     // The noise of an H1 estimate falls as the force's energy rises.
     plan.weight = VectorXd::Zero(static_cast<Index>(set.lines.count));
     for (const std::size_t o : plan.channels) {
@@ -74,7 +74,7 @@ void JointProjection::fill(Plan& plan) const {
 JointState JointProjection::evaluate(JointModel model, ColumnContent need) const {
   JointState state{.model = std::move(model), .parts = {}};
   const std::vector<ModeColumn> whole = untruncated_columns(state.model, need);
-  for (const Plan& plan : parts_) {
+  for (const Plan& plan : plans_) {
     state.parts.push_back(solve(plan, state.model, whole));
     const JointPart& part = state.parts.back();
     for (std::size_t i = 0; i < part.channels.size(); ++i) {

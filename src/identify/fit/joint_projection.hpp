@@ -88,7 +88,7 @@ class JointProjection {
   const FrfDataset& set_;
   LineGroups groups_;
   Eigen::MatrixXd background_;  // [lines, terms]
-  std::vector<Plan> parts_;
+  std::vector<Plan> plans_;
   Eigen::VectorXd noise_;
 };
 

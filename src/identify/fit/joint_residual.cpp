@@ -68,14 +68,14 @@ void JointProjection::subtract_model(const MatrixXcd& columns, const JointPart& 
 
 void JointProjection::weight_by_residual(const JointState& state, const std::vector<VectorXcd>& residual) {
   const auto lines = static_cast<Index>(set_.lines.count);
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
+  for (std::size_t p = 0; p < plans_.size(); ++p) {
     const JointPart& part = state.parts[p];
     const double freedom = std::max(
         1.0, static_cast<double>(2 * lines - part.columns.cols()) -
                  2 * static_cast<double>(state.model.poles.size()) / static_cast<double>(set_.channels.size()));
     std::vector<VectorXd> weighted(part.channels.size());
     parallel_for_cost(weighted.size(), kFlopsPerProduct * set_.lines.count, [&](std::size_t i) {
-      weighted[i] = residual[part.channels[i]].cwiseAbs2().cwiseProduct(parts_[p].weight.cwiseAbs2());
+      weighted[i] = residual[part.channels[i]].cwiseAbs2().cwiseProduct(plans_[p].weight.cwiseAbs2());
       const double variance = std::max(weighted[i].sum() / freedom, 1e-300);
       noise_(static_cast<Index>(part.channels[i])) = std::sqrt(variance);
       weighted[i] /= variance;
@@ -90,9 +90,9 @@ void JointProjection::weight_by_residual(const JointState& state, const std::vec
       const Index from = std::max<Index>(0, std::min(k - kSmoothLines, lines - 1 - 2 * kSmoothLines));
       const Index to = std::min(lines, from + 2 * kSmoothLines + 1);
       const double local = (sum(to) - sum(from)) / static_cast<double>(to - from);
-      parts_[p].weight(k) /= std::sqrt(std::max(local, kMinNoise));
+      plans_[p].weight(k) /= std::sqrt(std::max(local, kMinNoise));
     }
-    fill(parts_[p]);
+    fill(plans_[p]);
   }
 }
 

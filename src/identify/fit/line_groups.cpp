@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kCore = 2;      // half-power bandwidths on either side of a pole; groups there are narrow
 constexpr double kGrowth = 0.1;  // lines of a group per line of distance from the narrow groups
-constexpr double kMaxLinesPerBin = 64;
+constexpr double kMaxLinesPerGroup = 64;
 constexpr double kMinCore = 4;  // lines
 
 }  // namespace
 
 LineGroups::LineGroups(const acquire::LineRange& lines, const std::vector<Pole>& poles, double core_share) {
-  std::vector<double> widest(lines.count, kMaxLinesPerBin);
+  std::vector<double> widest(lines.count, kMaxLinesPerGroup);
   for (const Pole& pole : poles) {
     const double at = lines.position(pole.freq_Hz);
     const double core = std::max(kCore * pole.half_power_Hz() / lines.df_Hz(), kMinCore);

@@ -61,6 +61,8 @@ class LocalProblem : public LeastSquaresProblem {
   std::optional<NormalEquations> normal_;
 };
 
+// Whether the poles converged. Stricter than LevenbergMarquardtSummary::converged(): a small step that raises the cost
+// (rounding_limit) is not enough.
 bool descend(LocalProblem& problem, const LocalFitOptions& options, std::size_t degrees) {
   LevenbergMarquardtOptions search = kLocalSearch;
   search.max_steps = options.max_steps;

@@ -63,10 +63,6 @@ std::vector<Pole> WindowedFit::poles() const {
   return all;
 }
 
-double WindowedFit::width_Hz(const Pole& pole) const {
-  return std::max(pole.half_power_Hz(), 0.5 * set_.lines.df_Hz());
-}
-
 void WindowedFit::place_window(FitGroup& group) const {
   double low = 1e300;
   double high = 0;

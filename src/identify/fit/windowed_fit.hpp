@@ -39,8 +39,7 @@ class WindowedFit {
   const LineNoise& line_noise() const { return noise_; }
   /// [channels] the largest |H| over the lines at which the force has energy.
   const Eigen::VectorXd& largest_magnitude() const { return largest_; }
-  /// The half-power bandwidth, at least half the line spacing.
-  double width_Hz(const Pole& pole) const;
+  double width_Hz(const Pole& pole) const { return resolved_width_Hz(pole, set_.lines); }
 
   /// Replaces the poles. Known poles keep their residues; new poles have none until the next sweep.
   void replace(std::vector<Pole> poles);

@@ -21,7 +21,7 @@ constexpr int kBisections = 40;
 // The x of a regression line over the hits: a function of the hit's force, or its order.
 using Law = std::function<double(std::size_t hit)>;
 
-struct Line {
+struct RegressionLine {
   double slope = 0, slope_std = 0, at_zero = 0;
   double chi2_before = 0, chi2_after = 0;  // around the mean and around the line
   double scatter2 = 0;                     // variance around the line beyond the noise
@@ -35,7 +35,7 @@ struct Line {
   }
 };
 
-double spread_of_law(const std::vector<double>& x) {
+double sample_std(const std::vector<double>& x) {
   double sum = 0, squares = 0;
   for (const double one : x) sum += one;
   const double mean = sum / static_cast<double>(x.size());
@@ -44,8 +44,8 @@ double spread_of_law(const std::vector<double>& x) {
 }
 
 // Weighted least squares, where values scatter around the line by `scatter2` beyond their own noise.
-Line line_at(const HitSeries& series, const std::vector<double>& x, double scatter2) {
-  Line line{.scatter2 = scatter2, .degrees = static_cast<double>(x.size()) - 2};
+RegressionLine line_at(const HitSeries& series, const std::vector<double>& x, double scatter2) {
+  RegressionLine line{.scatter2 = scatter2, .degrees = static_cast<double>(x.size()) - 2};
   double w_sum = 0, x_mean = 0, y_mean = 0;
   std::vector<double> w;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -70,16 +70,16 @@ Line line_at(const HitSeries& series, const std::vector<double>& x, double scatt
   line.slope_std = 1 / std::sqrt(xx);
   line.chi2_after = std::max(0.0, line.chi2_before - xy * xy / xx);
   line.at_zero = y_mean - line.slope * x_mean;
-  line.spread = std::abs(line.slope) * spread_of_law(x);
+  line.spread = std::abs(line.slope) * sample_std(x);
   return line;
 }
 
 // Adds scatter around the line until χ² equals its degrees of freedom (random effects). Without this scatter, a few
 // precise hits alone would decide about a law that is not quite a line.
-Line fit_line(const HitSeries& series, const Law& law) {
+RegressionLine fit_line(const HitSeries& series, const Law& law) {
   std::vector<double> x;
   for (const std::size_t hit : series.hits) x.push_back(law(hit));
-  Line line = line_at(series, x, 0);
+  RegressionLine line = line_at(series, x, 0);
   double low = 0, high = 0;
   for (const double value : series.value) high = std::max(high, std::pow(value - series.value.front(), 2));
   if (!(line.chi2_after > line.degrees)) return line;
@@ -97,7 +97,7 @@ std::optional<double> support(const std::vector<HitSeries>& series, const Law& l
   bool any = false;
   for (const HitSeries& one : series) {
     if (one.hits.size() < kMinHitsOfLaw) continue;
-    const Line line = fit_line(one, law);
+    const RegressionLine line = fit_line(one, law);
     sum -= 0.5 * (line.log_variances + line.chi2_after);
     any = any || line.follows();
   }
@@ -111,7 +111,7 @@ void widen_to_spread(double spread, StdParts& parts, double& std) {
 }
 
 void describe_drift(const HitSeries& series, const Law& order, Mode& mode) {
-  const Line line = fit_line(series, order);
+  const RegressionLine line = fit_line(series, order);
   if (!series.is_freq || !line.follows()) return;
   widen_to_spread(line.spread, mode.freq_std_parts_Hz, mode.freq_std_Hz);
   mode.drift =
@@ -120,7 +120,7 @@ void describe_drift(const HitSeries& series, const Law& order, Mode& mode) {
 
 void describe_amplitude(const HitSeries& series, const Law& law, const Law& force, Mode& mode) {
   if (!fit_line(series, law).follows()) return;
-  const Line line = fit_line(series, force);
+  const RegressionLine line = fit_line(series, force);
   if (series.is_freq) widen_to_spread(line.spread, mode.freq_std_parts_Hz, mode.freq_std_Hz);
   if (!series.is_freq) widen_to_spread(line.spread, mode.damping_std_parts, mode.damping_std);
   if (!mode.amplitude)
@@ -139,7 +139,7 @@ double trend_deviate(const HitSeries& series, const std::vector<double>& peak_N)
   const auto deviate = [&](const Law& law) {
     std::vector<double> x;
     for (const std::size_t hit : series.hits) x.push_back(law(hit));
-    const Line line = line_at(series, x, 0);
+    const RegressionLine line = line_at(series, x, 0);
     return line.slope_std > 0 ? std::abs(line.slope) / line.slope_std : 0;
   };
   return std::max(deviate([](std::size_t hit) { return static_cast<double>(hit); }),

@@ -9,6 +9,7 @@
 #include "identify/fit/variable_projection.hpp"
 #include "identify/hits/mode_windows.hpp"
 #include "identify/model/close_poles.hpp"
+#include "identify/model/frf_lines.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -107,12 +108,6 @@ HitPole pole_of_fit(const LocalFit& fit, std::size_t mode, const Pole& start) {
   return out;
 }
 
-FrfDataset one_point(const FrfDataset& all, std::size_t point, std::size_t channels) {
-  FrfDataset one{.lines = all.lines, .usable_bandwidth_Hz = all.usable_bandwidth_Hz, .points = {all.points[point]}};
-  for (std::size_t c = 0; c < channels; ++c) one.channels.push_back({.point = 0, .channel = c, .frf = {}});
-  return one;
-}
-
 // [channels] noise scales from the residual of a fit.
 VectorXd noise_scales_of(const LocalFit& fit) { return fit.noise.cwiseMax(kMinNoise * fit.noise.maxCoeff() + 1e-300); }
 
@@ -135,7 +130,7 @@ HitCosts costs_of_hits(const HitFrfs& hits, const std::vector<VectorXcd>& data,
   for (std::size_t h = 0; h < hits.points.size(); ++h) {
     const auto first = data.begin() + static_cast<std::ptrdiff_t>(h * channels);
     const LocalFit fit =
-        fit_locally(one_point(hits.set, h, channels), {first, first + static_cast<std::ptrdiff_t>(channels)},
+        fit_locally(set_of_point(hits.set, h).set, {first, first + static_cast<std::ptrdiff_t>(channels)},
                     noise_scales[h], poles, {.first = window.first, .count = window.count});
     sum.cost += fit.cost;
     sum.degrees += static_cast<double>(fit.degrees);
@@ -163,7 +158,7 @@ std::vector<VectorXd> noise_scales_of_hits(const HitFrfs& hits, const std::vecto
   for (std::size_t h = 0; h < hits.points.size(); ++h) {
     const auto first = data.begin() + static_cast<std::ptrdiff_t>(h * channels);
     const std::vector<VectorXcd> own{first, first + static_cast<std::ptrdiff_t>(channels)};
-    noise_scales.push_back(noise_scales_of(fit_by_residual(one_point(hits.set, h, channels), own, poles, window)));
+    noise_scales.push_back(noise_scales_of(fit_by_residual(set_of_point(hits.set, h).set, own, poles, window)));
   }
   return noise_scales;
 }
@@ -192,7 +187,7 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
   const std::size_t channels = data.size() / hits.points.size();
   parallel_for_cost(hits.points.size(), 20 * kFlopsPerLine * window.count * channels, [&](std::size_t h) {
     const auto first = data.begin() + static_cast<std::ptrdiff_t>(h * channels);
-    const LocalFit one = fit(one_point(hits.set, h, channels), {first, first + static_cast<std::ptrdiff_t>(channels)});
+    const LocalFit one = fit(set_of_point(hits.set, h).set, {first, first + static_cast<std::ptrdiff_t>(channels)});
     for (std::size_t i = 0; i < start.size(); ++i) out[i].hits[h] = pole_of_fit(one, i, start[i]);
   });
   return out;

@@ -6,17 +6,14 @@
 
 #include "core/math/significance.hpp"
 #include "identify/hits/hit_laws.hpp"
-#include "identify/hits/moved_poles.hpp"
-#include "identify/hits/residues_by_hit.hpp"
+#include "identify/hits/moved_residues.hpp"
+#include "identify/hits/nonlinearity_modes.hpp"
 
 namespace percuss::identify {
 namespace {
 
-// Normal deviate of χ²; without scatter, one value in 1000 exceeds it.
-constexpr double kSignificantScatter = 3.1;
 // Standard deviations of trend_deviate(); without scatter, one pair of slopes in 2000 exceeds them.
 constexpr double kSignificantTrend = 3.7;
-constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval, which Student's factor keeps
 constexpr std::size_t kMinHits = 2;
 // Standard deviations of a residue in one hit. A hit with a clearer residue determines its pole, unless the pole
 // changes during the hit or differs much from the mean.
@@ -62,7 +59,7 @@ ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& pe
   scatter.freq = scatter_of_hits(scatter.known.freq_Hz, scatter.known.freq_std_Hz);
   scatter.damping = scatter_of_hits(scatter.known.damping, scatter.known.damping_std);
   const auto differs = [&](const ScatterOfHits& of, bool is_freq) {
-    return of.deviate > kSignificantScatter || trend_deviate(scatter.series(0, is_freq), peak_N) > kSignificantTrend;
+    return of.deviate > kOnceIn1000 || trend_deviate(scatter.series(0, is_freq), peak_N) > kSignificantTrend;
   };
   scatter.freq_differs = differs(scatter.freq, true);
   scatter.damping_differs = differs(scatter.damping, false);
@@ -117,12 +114,6 @@ bool is_undetermined(const HitFrfs& hits, const std::vector<std::size_t>& residu
 
 }  // namespace
 
-double StdParts::total() const { return std::hypot(noise, hits, misfit); }
-
-double student_factor(std::size_t degrees) {
-  return student_quantile(kCoverage, static_cast<double>(degrees)) / kCoverage;
-}
-
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std) {
   const auto weighted = [&](double spread2) {
     double sum = 0, weights = 0, squares = 0;
@@ -145,7 +136,7 @@ ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vecto
   const double scatter = std::sqrt(std::max(0.0, 1 / certainty - noise2));
   return {.mean = mean,
           .std = std::sqrt(noise2),
-          .std_from_scatter = scatter > 0 ? student_factor(value.size() - 1) * scatter : 0,
+          .std_from_scatter = scatter > 0 ? student_factor(degrees) * scatter : 0,
           .spread = std::sqrt(spread2),
           .deviate = chi2_deviate(chi2, degrees)};
 }

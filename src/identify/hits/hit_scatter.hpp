@@ -14,9 +14,6 @@ struct ScatterOfHits {
   double spread = 0;            // between the values, beyond their standard deviations
   double deviate = 0;           // the scatter's χ² as a normal deviate
 };
-/// The 97.5 % quantile of Student's t for these degrees of freedom, over 1.96. A standard deviation estimated from few
-/// values is multiplied by it, so that ±1.96 standard deviations still cover 95 %.
-double student_factor(std::size_t degrees);
 /// shapes  value and std equal, at least two.
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std);
 

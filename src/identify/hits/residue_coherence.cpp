@@ -74,10 +74,10 @@ std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const Hit
 std::vector<std::optional<bool>> residues_agree_between_hits(const FrfDataset& set, const HitFrfs& hits,
                                                              const std::vector<Mode>& modes) {
   constexpr double kAgreement = 0.9;  // of two hits; equal sizes of independent phases exceed it once in five times
-  std::vector<std::optional<bool>> follows(modes.size());
+  std::vector<std::optional<bool>> agree(modes.size());
   for (const ModeWindow& window : mode_windows(set, modes)) {
     for (std::size_t i = 0; i < window.modes.size(); ++i) {
-      std::optional<bool>& of_mode = follows[window.modes[i]];
+      std::optional<bool>& of_mode = agree[window.modes[i]];
       for (const ResidueCoherence& point : residue_coherence(set, hits, modes, window, i)) {
         std::optional<bool> at_point = residues_agree(point);
         if (point.hits == 2 && point.coherence < kAgreement) at_point = false;
@@ -85,7 +85,7 @@ std::vector<std::optional<bool>> residues_agree_between_hits(const FrfDataset& s
       }
     }
   }
-  return follows;
+  return agree;
 }
 
 }  // namespace percuss::identify

@@ -7,6 +7,7 @@
 #include "core/math/complex.hpp"
 #include "core/math/linear_algebra.hpp"
 #include "core/math/tall_products.hpp"
+#include "identify/fit/local_fit.hpp"
 #include "identify/model/point_columns.hpp"
 #include "identify/noise/window_noise.hpp"
 
@@ -142,8 +143,9 @@ VectorXd decay_term_shift(const FrfDataset& set, const ModeWindow& window, const
   VectorXd largest = VectorXd::Zero(n);
   const double cost = residual_cost(state, noise);
   const double misfit = std::max(0.0, cost - noise_cost(state, noise));
+  const auto terms = static_cast<double>(LocalFitOptions{}.residual_terms);
   const double degrees = 2 * static_cast<double>(noise.size()) *
-                         std::max(1.0, static_cast<double>(window.count) - static_cast<double>(poles.size()) - 3);
+                         std::max(1.0, static_cast<double>(window.count) - static_cast<double>(poles.size()) - terms);
   const std::vector<PartProducts> products = products_of(set, window, poles, projection, state);
   for (std::size_t m = 0; m < poles.size(); ++m) {
     for (const Term term : std::array{Term::with_amplitude, Term::with_time}) {

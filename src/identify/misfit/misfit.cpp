@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/math/linear_algebra.hpp"
+#include "core/math/significance.hpp"
 #include "core/math/tall_products.hpp"
 #include "core/parallel/parallel.hpp"
 #include "identify/fit/local_fit.hpp"
@@ -21,7 +22,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kCorrelated = 4.5;      // normal deviate: one white window in 300 000
 constexpr double kMinIndependent = 0.5;  // of the independent lines: at least this part remains after the fit
 constexpr double kMinNoise = 1e-300;
 constexpr std::size_t kFlopsPerLine = 600;
@@ -101,7 +101,7 @@ VectorXd smooth_misfit_std(const VariableProjection& projection, const Projected
   const Index lines = state.parts.front().residual.rows();
   const MatrixXd polynomial = orthonormal_polynomials(lines, static_cast<Index>(LocalFitOptions{}.residual_terms));
   const ResidualCorrelation correlation = residual_correlation(state, polynomial, noise);
-  if (!(correlation.deviate > kCorrelated)) return VectorXd::Zero(n);
+  if (!(correlation.deviate > kOnceIn300000)) return VectorXd::Zero(n);
   const MatrixXd inverse = inverse_gram(projection.normal_equations(state, static_cast<std::size_t>(n / 2)).matrix);
   const MatrixXd covariance = inverse * score_covariance(projection, state, noise, correlation) * inverse;
   // The fit follows a part of a smooth misfit. This part grows as fewer lines are independent.

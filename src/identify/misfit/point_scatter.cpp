@@ -14,9 +14,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kScatters = 4.5;   // normal deviate of χ²; without scatter, one value in 300 000 exceeds it
-constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval: Student's factor widens ± to cover 95 %
-
 // The standard deviation of an unknown from the scatter of the points' contributions; 0 where the noise explains it.
 // `variance`: of each contribution, by the noise.
 double std_of(const VectorXd& contribution, const VectorXd& variance) {
@@ -29,11 +26,10 @@ double std_of(const VectorXd& contribution, const VectorXd& variance) {
     sum += variance(p);
     sum_of_squares += variance(p) * variance(p);
   }
-  if (points < kMinScatterPoints || !(chi2_deviate(chi2, points - 1) > kScatters)) return 0;
+  if (points < kMinScatterPoints || !(chi2_deviate(chi2, points - 1) > kOnceIn300000)) return 0;
   // Points near a node contribute nothing, and do not count as degrees of freedom.
   const double degrees = std::max(1.0, sum * sum / sum_of_squares - 1);
-  const double student = student_quantile(kCoverage, degrees) / kCoverage;
-  return student * std::sqrt(squares * points / (points - 1));
+  return student_factor(degrees) * std::sqrt(squares * points / (points - 1));
 }
 
 }  // namespace

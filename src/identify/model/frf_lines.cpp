@@ -1,7 +1,5 @@
 #include "identify/model/frf_lines.hpp"
 
-#include <vector>
-
 namespace percuss::identify {
 namespace {
 
@@ -29,6 +27,20 @@ FrfDataset lines_of(const FrfDataset& set, std::size_t first, std::size_t count)
         {.point = channel.point, .channel = channel.channel, .frf = part_of(channel.frf, first, count)});
   }
   return part;
+}
+
+PointSet set_of_point(const FrfDataset& all, std::size_t point) {
+  PointSet one{.set = {.lines = all.lines,
+                       .usable_bandwidth_Hz = all.usable_bandwidth_Hz,
+                       .points = {all.points[point]},
+                       .channels = {}},
+               .channels = {}};
+  for (std::size_t o = 0; o < all.channels.size(); ++o) {
+    if (all.channels[o].point != point) continue;
+    one.channels.push_back(o);
+    one.set.channels.push_back({.point = 0, .channel = all.channels[o].channel, .frf = {}});
+  }
+  return one;
 }
 
 }  // namespace percuss::identify

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -17,6 +18,11 @@ struct Pole {
   double half_power_Hz() const { return 2 * damping_ratio * freq_Hz; }  // half-power (−3 dB) bandwidth
   bool operator==(const Pole&) const = default;
 };
+
+/// The half-power bandwidth, at least half the line spacing.
+inline double resolved_width_Hz(const Pole& pole, const acquire::LineRange& lines) {
+  return std::max(pole.half_power_Hz(), 0.5 * lines.df_Hz());
+}
 
 inline constexpr double kMaxDampingRatio = 0.3;  // a pole with more damping describes the background, not a mode
 

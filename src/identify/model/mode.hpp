@@ -5,6 +5,7 @@
 
 #include "identify/model/hit_trend.hpp"
 #include "identify/model/modal_model.hpp"
+#include "identify/model/std_parts.hpp"
 
 namespace percuss::identify {
 

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double kMedianOfNoise = 0.693147;  // median of an exponential distribution: |complex Gaussian|²
-constexpr double kRounding =
+constexpr double kMinRelativeNoise =
     1e-12;  // of the largest line: rounding noise of a noise-free FRF, so that no weight is infinite
 constexpr double kMinPower = 1e-300;
 constexpr std::size_t kStride = 8;  // every eighth line is tested for the largest
@@ -32,7 +32,7 @@ double response_noise(const std::vector<Complex>& frf, const std::vector<double>
   // The force is smooth: its value at the middle line stands for the block.
   for (std::size_t b = 0; b < blocks.size() && !ff.empty(); ++b)
     blocks[b] *= ff[middle_of(b, blocks.size(), ff.size())];
-  return std::sqrt(std::max({median(std::move(blocks)), kRounding * kRounding * largest, kMinPower}));
+  return std::sqrt(std::max({median(std::move(blocks)), kMinRelativeNoise * kMinRelativeNoise * largest, kMinPower}));
 }
 
 }  // namespace

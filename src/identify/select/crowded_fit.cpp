@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "identify/select/joint_fit_budget.hpp"
 #include "identify/select/joint_selection.hpp"
 #include "identify/start/residual_smoothness.hpp"
 #include "identify/start/vector_fitting.hpp"
@@ -19,10 +20,10 @@ constexpr double kMinOverlap = 0.2;
 // more than the band, or hardly any mode was found one by one.
 constexpr double kMaxOverlap = 1;
 constexpr std::size_t kMinFound = 5;
-constexpr double kHighOverlap = 1;    // from here on, some modes are not well determined
-constexpr double kKnownShare = 0.9;   // … below, almost all are
-constexpr double kFirstCount = 1.5;   // pole pairs of the first trial, over the number of known modes
-constexpr double kCountGrowth = 1.3;  // factor of this number from one trial to the next
+constexpr double kHighOverlap = 1;        // from here on, some modes are not well determined
+constexpr double kDeterminedShare = 0.9;  // … below, almost all are
+constexpr double kFirstCount = 1.5;       // pole pairs of the first trial, over the number of known modes
+constexpr double kCountGrowth = 1.3;      // factor of this number from one trial to the next
 constexpr std::size_t kMaxCount = 150;
 constexpr double kMaxProducts = 5e10;  // of all fits together: about half a minute
 constexpr double kCoreShare = 0.1;     // groups around the poles, of a bandwidth
@@ -32,7 +33,8 @@ constexpr double kNeeded = 6;          // standard deviations of a residue
 // Loss of likelihood_ratio_statistic() below which a mode that is not well determined is dropped: noise alone gives
 // about 1.
 constexpr double kLossPerUnknown = 3;
-constexpr double kKnownMode = 3;  // standard deviations of the largest residue of a well determined mode
+// Standard deviations of the largest residue of a well determined mode.
+constexpr double kMinDeterminedSignificance = 3;
 constexpr int kCrowdFits = 12;
 constexpr int kTrialSteps = 8, kCrowdSteps = 150;  // while poles are dropped; of the last fit
 constexpr int kSmallDecreases = 5;                 // steps in a row
@@ -48,7 +50,7 @@ double resolution_Hz(const std::vector<Pole>& known) {
 }
 
 // The largest |residue| of mode m over its standard deviation.
-double significance_of(const JointFit& fit, std::size_t m) {
+double residue_significance(const JointFit& fit, std::size_t m) {
   const auto at = static_cast<Index>(m);
   return (fit.residues.col(at).cwiseAbs().array() / fit.residue_std.col(at).array()).maxCoeff();
 }
@@ -61,7 +63,7 @@ std::vector<Pole> needed_poles(const FrfDataset& set, const JointFit& linear) {
     const Pole& pole = linear.poles[m];
     const bool repeated =
         std::any_of(needed.begin(), needed.end(), [&](const Pole& k) { return are_merged(set, k, pole); });
-    if (!repeated && significance_of(linear, m) > kNeeded) needed.push_back(pole);
+    if (!repeated && residue_significance(linear, m) > kNeeded) needed.push_back(pole);
   }
   return needed;
 }
@@ -105,7 +107,7 @@ std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> p
                                 .core_share = kCoreShare,
                                 .max_small_decreases = kSmallDecreases,
                                 .test_real = false});
-    const auto columns = static_cast<double>(2 * fit.poles.size() + 10);
+    const double columns = estimated_columns(fit.poles);
     products_left -= fit.trials * 2 * static_cast<double>(set.lines.count) * columns * columns;
     if (products_left < 0 || (fit.converged && leaves_misfit(set, fit))) return std::nullopt;
     poles = needed_poles(set, fit_residues(set, fit.poles));
@@ -119,22 +121,22 @@ std::optional<JointFit> converged_fit(const FrfDataset& set, std::vector<Pole> p
 }
 
 // Frequency known to within the bandwidth, damping to within itself, and a significant residue.
-bool is_known(const JointFit& fit, std::size_t m) {
+bool is_well_determined(const JointFit& fit, std::size_t m) {
   const auto at = static_cast<Index>(m);
   return fit.freq_std_Hz(at) < fit.poles[m].half_power_Hz() && fit.damping_std(at) < fit.poles[m].damping_ratio &&
-         significance_of(fit, m) > kKnownMode;
+         residue_significance(fit, m) > kMinDeterminedSignificance;
 }
 
 // Drops the modes that are not well determined if the FRFs are as likely without them: all at once, or else one after
 // the other, the weakest first.
-JointFit without_unknown(const FrfDataset& set, JointFit fit, double& products_left) {
+JointFit without_undetermined(const FrfDataset& set, JointFit fit, double& products_left) {
   for (bool all = true;;) {
     std::vector<Pole> kept;
     std::size_t weakest = fit.poles.size();
     for (std::size_t m = 0; m < fit.poles.size(); ++m) {
-      if (is_known(fit, m)) {
+      if (is_well_determined(fit, m)) {
         kept.push_back(fit.poles[m]);
-      } else if (weakest == fit.poles.size() || significance_of(fit, m) < significance_of(fit, weakest)) {
+      } else if (weakest == fit.poles.size() || residue_significance(fit, m) < residue_significance(fit, weakest)) {
         weakest = m;
       }
     }
@@ -154,10 +156,10 @@ JointFit without_unknown(const FrfDataset& set, JointFit fit, double& products_l
 // Modes that overlap little are all well determined, unless they follow a misfit: on wooden plates, only half to three
 // quarters of them were.
 bool are_determined(const FrfDataset& set, const JointFit& fit) {
-  std::size_t known = 0;
-  for (std::size_t m = 0; m < fit.poles.size(); ++m) known += is_known(fit, m) ? 1U : 0U;
+  std::size_t determined = 0;
+  for (std::size_t m = 0; m < fit.poles.size(); ++m) determined += is_well_determined(fit, m) ? 1U : 0U;
   return overlap_of(fit.poles, band_width_Hz(set)) >= kHighOverlap ||
-         static_cast<double>(known) >= kKnownShare * static_cast<double>(fit.poles.size());
+         static_cast<double>(determined) >= kDeterminedShare * static_cast<double>(fit.poles.size());
 }
 
 }  // namespace
@@ -183,7 +185,7 @@ std::optional<JointFit> crowded_fit(const FrfDataset& set, const std::vector<Pol
   double products_left = kMaxProducts;
   std::optional<JointFit> fit = converged_fit(set, needed_poles(set, *start), products_left);
   if (!fit) return std::nullopt;
-  fit = without_unknown(set, *std::move(fit), products_left);
+  fit = without_undetermined(set, *std::move(fit), products_left);
   return are_crowded(fit->poles, width_Hz) && are_determined(set, *fit) ? std::move(fit) : std::nullopt;
 }
 

@@ -42,15 +42,9 @@ void apply_freq_scatter(FittedMode& found, const ScatteredMode& scattered) {
   }
 }
 
-void keep_most_significant(std::vector<FittedMode>& modes, std::size_t count) {
-  std::stable_sort(modes.begin(), modes.end(),
-                   [](const FittedMode& a, const FittedMode& b) { return a.peak_to_residual > b.peak_to_residual; });
-  modes.resize(count);
-}
-
 }  // namespace
 
-std::vector<FittedMode> fitted_modes(const WindowedFit& fit, std::optional<std::size_t> max_modes) {
+std::vector<FittedMode> fitted_modes(const WindowedFit& fit) {
   std::vector<FittedMode> modes;
   for (const FitGroup& group : fit.groups()) {
     const auto scattered = scattered_modes(fit, group);
@@ -64,7 +58,6 @@ std::vector<FittedMode> fitted_modes(const WindowedFit& fit, std::optional<std::
       if (!scattered.empty()) apply_freq_scatter(modes.back(), scattered[m]);
     }
   }
-  if (max_modes && *max_modes < modes.size()) keep_most_significant(modes, *max_modes);
   // Poles that are fitted together may have exchanged places.
   std::sort(modes.begin(), modes.end(),
             [](const FittedMode& a, const FittedMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });

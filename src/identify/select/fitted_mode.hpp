@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "identify/fit/windowed_fit.hpp"
@@ -19,10 +18,9 @@ struct FittedMode {
   bool joint = false;                    // taken over from a fit of all modes together
 };
 
-/// The modes of all groups with their standard deviations, in ascending frequency. `max_modes` keeps the modes with the
-/// largest peak_to_residual. Where a frequency scatters between the impact points, the values come from
-/// scattered_modes().
-std::vector<FittedMode> fitted_modes(const WindowedFit& fit, std::optional<std::size_t> max_modes = {});
+/// The modes of all groups with their standard deviations, in ascending frequency. Where a frequency scatters between
+/// the impact points, the values come from scattered_modes().
+std::vector<FittedMode> fitted_modes(const WindowedFit& fit);
 
 /// The modes' poles, in the same order.
 std::vector<Pole> poles_of(const std::vector<FittedMode>& modes);

@@ -7,23 +7,20 @@
 #include <utility>
 
 #include "core/math/assignment.hpp"
+#include "identify/start/candidates.hpp"
 
 namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
 
-// A stated frequency stands for the highest line around it: within this part of the frequency, or this many lines if
-// that is more.
-constexpr double kStartRange = 0.005;
-constexpr double kStartRangeLines = 4;
 constexpr double kMaxStartWidth = 0.05;  // of a stated frequency: a broader fit may move by this much
 constexpr double kMinStartDamping = 3;   // standard deviations of the damping ratio
 constexpr double kMinStartPeakToResidual = 3;
 
 // How far a fit has moved from a stated frequency, beyond the range that the frequency stands for, in bandwidths.
 double moved(const FrfDataset& set, double asked_Hz, const Pole& pole) {
-  const double range_Hz = std::max(kStartRange * asked_Hz, kStartRangeLines * set.lines.df_Hz());
+  const double range_Hz = std::max(kStatedRange * asked_Hz, kStatedRangeLines * set.lines.df_Hz());
   const double width_Hz =
       std::clamp(pole.half_power_Hz(), set.lines.df_Hz(), std::max(kMaxStartWidth * asked_Hz, range_Hz));
   return std::max(0.0, std::abs(pole.freq_Hz - asked_Hz) - range_Hz) / width_Hz;

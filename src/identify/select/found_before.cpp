@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/select/frequency_scatter.hpp"
 #include "identify/select/joint_selection.hpp"
 
 namespace percuss::identify {
@@ -12,8 +13,6 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 
 constexpr double kScatterReach = 4;  // standard deviations of the scatter: a pair farther apart does not imitate it
-// Residual energy with one pole per point over the residual energy with a pair: below this, one mode scatters.
-constexpr double kPairGain = 15;
 
 }  // namespace
 
@@ -48,7 +47,7 @@ std::vector<std::size_t> scatter_partners(const FrfDataset& set, const std::vect
   for (const FittedMode& mode : modes) {
     if (!(mode.mode.freq_scatter_Hz > 0)) continue;
     const double reach_Hz =
-        std::max(kScatterReach * mode.mode.freq_scatter_Hz, width_or_spacing_Hz(set, mode.mode.pole));
+        std::max(kScatterReach * mode.mode.freq_scatter_Hz, resolved_width_Hz(mode.mode.pole, set.lines));
     std::vector<std::size_t> near;
     for (std::size_t m = 0; m < fit.poles.size(); ++m) {
       if (std::abs(fit.poles[m].freq_Hz - mode.mode.pole.freq_Hz) < reach_Hz) near.push_back(m);
@@ -62,7 +61,8 @@ std::vector<std::size_t> scatter_partners(const FrfDataset& set, const std::vect
       separate += n * n * static_cast<double>(mode.count);
       pair += fit.residual[o].segment(static_cast<Index>(mode.first), static_cast<Index>(mode.count)).squaredNorm();
     }
-    if (fit.poles[*high].freq_Hz - fit.poles[*low].freq_Hz >= reach_Hz || separate >= kPairGain * pair) continue;
+    if (fit.poles[*high].freq_Hz - fit.poles[*low].freq_Hz >= reach_Hz || separate >= kMaxScatterCostRatio * pair)
+      continue;
     const auto peak = [&](std::size_t m) {
       return fit.residues.col(static_cast<Index>(m)).norm() / fit.poles[m].damping_ratio;
     };

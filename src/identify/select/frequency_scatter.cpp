@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/math/statistics.hpp"
+#include "identify/model/frf_lines.hpp"
 #include "identify/select/robust_mean.hpp"
 
 namespace percuss::identify {
@@ -15,38 +16,14 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMinPoints = 3;      // each of two points may observe one mode of an orthogonal pair
-constexpr double kMinScatterEnergy = 2;    // residual energy over the noise energy: below it there is no scatter
-constexpr double kScatterFStatistic = 25;  // F statistic of separate poles
-// Cost of separate poles at each point over the cost of a further common mode, where the frequency scatters. It exceeds
-// 1, because such a frequency also drifts during the decay, and a further common mode follows this drift better than
-// separate poles do. For a true pair the ratio is tens to thousands.
-constexpr double kMaxScatterCostRatio = 15;
+constexpr std::size_t kMinPoints = 3;        // each of two points may observe one mode of an orthogonal pair
+constexpr double kMinScatterEnergy = 2;      // residual energy over the noise energy: below it there is no scatter
+constexpr double kScatterFStatistic = 25;    // F statistic of separate poles
 constexpr double kMaxScatterWidths = 3;      // bandwidths: poles farther apart are separate modes
 constexpr double kMaxScatterWidthRatio = 6;  // of the half-power bandwidths: beyond it the poles are separate modes
 // Largest distance of common poles that may stand for scatter, in standard deviations of the scatter.
 constexpr double kMaxPoleDistance = 4;
 constexpr double kMaxPoleOffset = 1;  // bandwidths: a separate pole farther away is another mode
-
-// The FRFs of one point as a dataset. Their values stay empty: the fits take the data of their window.
-struct PointSet {
-  FrfDataset set;
-  std::vector<std::size_t> channels;  // indices into the whole set
-};
-
-PointSet set_of_point(const FrfDataset& all, std::size_t point) {
-  PointSet one{.set = {.lines = all.lines,
-                       .usable_bandwidth_Hz = all.usable_bandwidth_Hz,
-                       .points = {all.points[point]},
-                       .channels = {}},
-               .channels = {}};
-  for (std::size_t o = 0; o < all.channels.size(); ++o) {
-    if (all.channels[o].point != point) continue;
-    one.channels.push_back(o);
-    one.set.channels.push_back({.point = 0, .channel = all.channels[o].channel, .frf = {}});
-  }
-  return one;
-}
 
 // The mode with the largest peak, over all FRFs.
 std::size_t highest_peak(const LocalFit& fit) {
@@ -65,6 +42,36 @@ std::vector<std::size_t> strongest_first(const FrfDataset& set, const std::vecto
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return energy[a] > energy[b]; });
   return order;
+}
+
+// Separate fits of a group at each impact point. Temperature, the strength of the blow, or the mass of the hammer or of
+// a roving sensor change the natural frequencies between hits. Poles common to all points then do not fit.
+struct PointFits {
+  std::vector<LocalFit> fits;  // [points]; residues and noise of that point's FRFs, in their order
+  double cost = 0;             // Σ of the fits' cost, see LocalFit
+  std::size_t degrees = 0;     // Σ of the fits' degrees of freedom
+};
+
+// Fits the group's modes to each point separately, the strongest point first. Returns no fits once the cost exceeds
+// `max_cost`.
+PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double max_cost) {
+  PointFits out;
+  out.fits.resize(set.points.size());
+  for (const std::size_t p : strongest_first(set, window.data)) {
+    const PointSet one = set_of_point(set, p);
+    std::vector<VectorXcd> its_data;
+    VectorXd its_weight(static_cast<Index>(one.channels.size()));
+    for (std::size_t i = 0; i < one.channels.size(); ++i) {
+      its_data.push_back(window.data[one.channels[i]]);
+      its_weight(static_cast<Index>(i)) = window.weight(static_cast<Index>(one.channels[i]));
+    }
+    out.fits[p] =
+        fit_locally(one.set, its_data, its_weight, group.fit.poles, {.first = group.first, .count = group.count});
+    out.cost += out.fits[p].cost;
+    out.degrees += out.fits[p].degrees;
+    if (out.cost > max_cost) return {};
+  }
+  return out;
 }
 
 // The points whose separate fit determines this mode.
@@ -139,26 +146,6 @@ bool scatter_spans(const PointFits& points, const std::vector<Pole>& poles) {
 }
 
 }  // namespace
-
-PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double max_cost) {
-  PointFits out;
-  out.fits.resize(set.points.size());
-  for (const std::size_t p : strongest_first(set, window.data)) {
-    const PointSet one = set_of_point(set, p);
-    std::vector<VectorXcd> its_data;
-    VectorXd its_weight(static_cast<Index>(one.channels.size()));
-    for (std::size_t i = 0; i < one.channels.size(); ++i) {
-      its_data.push_back(window.data[one.channels[i]]);
-      its_weight(static_cast<Index>(i)) = window.weight(static_cast<Index>(one.channels[i]));
-    }
-    out.fits[p] =
-        fit_locally(one.set, its_data, its_weight, group.fit.poles, {.first = group.first, .count = group.count});
-    out.cost += out.fits[p].cost;
-    out.degrees += out.fits[p].degrees;
-    if (out.cost > max_cost) return {};
-  }
-  return out;
-}
 
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,
                                const FitGroup& more) {

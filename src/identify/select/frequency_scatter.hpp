@@ -7,14 +7,6 @@
 
 namespace percuss::identify {
 
-/// Separate fits of a group at each impact point. Temperature, the strength of the blow, or the mass of the hammer or
-/// of a roving sensor change the natural frequencies between hits. Poles common to all points then do not fit.
-struct PointFits {
-  std::vector<LocalFit> fits;  // [points]; residues and noise of that point's FRFs, in their order
-  double cost = 0;             // Σ of the fits' cost, see LocalFit
-  std::size_t degrees = 0;     // Σ of the fits' degrees of freedom
-};
-
 /// The data of a window without the other groups' contributions (WindowedFit::data_without_other_modes), and the noise
 /// scale of each FRF.
 struct WindowData {
@@ -22,16 +14,17 @@ struct WindowData {
   Eigen::VectorXd weight;              // [channels] noise_scale of fit_locally()
 };
 
-/// Fits the group's modes to each point separately, the strongest point first. Returns no fits once the cost exceeds
-/// `max_cost`.
-PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double max_cost);
+/// Largest cost of separate poles at each point, over the cost of a further common mode, where a frequency scatters. It
+/// exceeds 1, because such a frequency also drifts during the decay, and a further common mode follows this drift
+/// better than separate poles do. For a true pair the ratio is tens to thousands.
+inline constexpr double kMaxScatterCostRatio = 15;
 
 /// Compares two fits of one window by modes common to all points: `one`, and `more`, which has additional modes and was
 /// fitted to this window. True where the additional modes only describe the frequency scatter of the modes of `one`. To
 /// first order, additional modes describe such scatter exactly. The test: separate poles of `one` at each point leave
-/// at most 15 times the cost of `more`. If `one` has a single mode, its frequency must also scatter as widely as the
-/// poles of `more` lie apart. Always false for fewer than three points, because two orthogonal modes look the same
-/// there.
+/// at most kMaxScatterCostRatio times the cost of `more`. If `one` has a single mode, its frequency must also scatter
+/// as widely as the poles of `more` lie apart. Always false for fewer than three points, because two orthogonal modes
+/// look the same there.
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,
                                const FitGroup& more);
 

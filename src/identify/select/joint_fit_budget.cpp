@@ -39,7 +39,7 @@ double JointFitBudget::products(const std::vector<Pole>& poles) const {
   });
   const auto parts = static_cast<double>(common ? 1 : set_.points.size());
   const double rows = 2 * static_cast<double>(set_.lines.count);
-  const auto columns = static_cast<double>(2 * poles.size() + 10);
+  const double columns = estimated_columns(poles);
   return parts * rows * columns * columns;
 }
 

@@ -5,6 +5,11 @@
 
 namespace percuss::identify {
 
+/// Columns of the matrix of a joint fit of `poles`, for estimates of its work: two for each mode, and about 10 for the
+/// background. (The six terms of out_of_band_terms() with complex coefficients have 12; another number here would move
+/// the limits of work.)
+inline double estimated_columns(const std::vector<Pole>& poles) { return static_cast<double>(2 * poles.size() + 10); }
+
 /// Joint fits within a limit of their work, which is counted in products: the same on every machine. Without a limit,
 /// fits of hundreds of modes, or of misfitting ones, would take minutes.
 class JointFitBudget {

@@ -49,7 +49,8 @@ std::vector<Pole> starts_of(const FrfDataset& set, const std::vector<VectorXcd>&
   std::erase_if(starts, [&](const Pole& pole) { return !is_material(set, residual, pole); });
   for (const Pole& known : poles_of(modes)) {
     const auto near = [&](const Pole& pole) {
-      return std::abs(pole.freq_Hz - known.freq_Hz) < 0.5 * width_or_spacing_Hz(set, known) && same_place(pole, known);
+      return std::abs(pole.freq_Hz - known.freq_Hz) < 0.5 * resolved_width_Hz(known, set.lines) &&
+             same_place(pole, known);
     };
     if (misfit_of(set, residual, known) > kMinMisfit && std::any_of(starts.begin(), starts.end(), near)) continue;
     std::erase_if(starts, near);
@@ -108,7 +109,7 @@ std::vector<Pole> residual_starts(const FrfDataset& set, const JointFit& fit) {
 std::vector<Pole> clear_starts(const FrfDataset& set, std::vector<Pole> starts, const JointFit& fit) {
   std::erase_if(starts, [&](const Pole& start) {
     return std::any_of(fit.poles.begin(), fit.poles.end(), [&](const Pole& pole) {
-      return std::abs(start.freq_Hz - pole.freq_Hz) < width_or_spacing_Hz(set, pole);
+      return std::abs(start.freq_Hz - pole.freq_Hz) < resolved_width_Hz(pole, set.lines);
     });
   });
   if (starts.empty()) return starts;
@@ -117,7 +118,7 @@ std::vector<Pole> clear_starts(const FrfDataset& set, std::vector<Pole> starts, 
   const JointFit linear = fit_residues(set, all);
   std::vector<std::pair<double, std::size_t>> ranks;
   for (std::size_t m = 0; m < starts.size(); ++m) {
-    const double significance = standing_of(set, linear, m, Misfit::counted).significance;
+    const double significance = significance_of(set, linear, m, Misfit::counted).significance;
     if (significance > kJointSignificance) ranks.emplace_back(-significance, m);
   }
   std::sort(ranks.begin(), ranks.end());

@@ -28,11 +28,11 @@ constexpr std::size_t kSharedPoints = 3;  // with fewer points, shared columns s
 std::vector<FittedMode> joint_modes(const FrfDataset& set, const JointFit& fit) {
   std::vector<FittedMode> modes;
   for (std::size_t m = 0; m < fit.poles.size(); ++m) {
-    const JointWindow window = window_around(set, fit.poles[m]);
+    const JointWindow window = joint_window(set, fit.poles[m]);
     FittedMode& mode = modes.emplace_back();
     mode.first = static_cast<std::size_t>(window.first);
     mode.count = static_cast<std::size_t>(window.count);
-    mode.peak_to_residual = standing_of(set, fit, m, Misfit::ignored).peak_to_residual;
+    mode.peak_to_residual = significance_of(set, fit, m, Misfit::ignored).peak_to_residual;
     mode.noise.resize(static_cast<Index>(set.channels.size()));
     for (std::size_t o = 0; o < set.channels.size(); ++o) {
       mode.noise(static_cast<Index>(o)) =
@@ -48,7 +48,7 @@ std::vector<FittedMode> joint_modes(const FrfDataset& set, const JointFit& fit) 
 // True where the residual around a resonance is largest at the first or at the last of all lines: the flank of a mode
 // beyond them, which no search finds.
 bool rises_to_an_end(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole) {
-  const JointWindow window = window_around(set, pole);
+  const JointWindow window = joint_window(set, pole);
   Eigen::VectorXd power = Eigen::VectorXd::Zero(window.count);
   for (const VectorXcd& of_frf : residual) power += of_frf.segment(window.first, window.count).cwiseAbs2();
   Index largest = 0;

@@ -52,19 +52,19 @@ std::vector<double> energies_of(const FrfDataset& set, const std::vector<VectorX
   return energy;
 }
 
-bool is_mode(const FrfDataset& set, const JointFit& fit, std::size_t mode, const Standing& standing) {
+bool is_mode(const FrfDataset& set, const JointFit& fit, std::size_t mode, const ModeSignificance& of_mode) {
   const Pole& pole = fit.poles[mode];
   const auto m = static_cast<Index>(mode);
   const bool inside = pole.freq_Hz > set.lines.freq_Hz(0) && pole.freq_Hz < set.lines.freq_Hz(set.lines.count - 1);
   return inside && pole.damping_ratio < kJointMaxDamping && fit.damping_std(m) < pole.damping_ratio &&
-         fit.freq_std_Hz(m) < width_or_spacing_Hz(set, pole) && standing.significance > kJointSignificance &&
-         standing.peak_to_residual > kJointPeakToResidual;
+         fit.freq_std_Hz(m) < resolved_width_Hz(pole, set.lines) && of_mode.significance > kJointSignificance &&
+         of_mode.peak_to_residual > kJointPeakToResidual;
 }
 
 // As likelihood_ratio_statistic(), over the lines around a pole, where the level of the residual is about constant.
 double local_likelihood_ratio_statistic(const FrfDataset& set, const std::vector<VectorXcd>& before,
                                         const std::vector<VectorXcd>& after, const Pole& pole) {
-  const JointWindow window = window_around(set, pole);
+  const JointWindow window = joint_window(set, pole);
   double ratio = 0;
   for (std::size_t o = 0; o < after.size(); ++o) {
     const VectorXcd left = after[o].segment(window.first, window.count);
@@ -84,7 +84,7 @@ bool stands_alone(const FrfDataset& set, const std::vector<Pole>& known, const s
     });
   };
   const auto near = [&](const Pole& other) {
-    const double width_Hz = std::max(width_or_spacing_Hz(set, pole), width_or_spacing_Hz(set, other));
+    const double width_Hz = std::max(resolved_width_Hz(pole, set.lines), resolved_width_Hz(other, set.lines));
     return &other != &pole && distance_Hz(pole, other) <= kClearWidths * width_Hz;
   };
   return std::none_of(known.begin(), known.end(), became) && std::none_of(poles.begin(), poles.end(), near);
@@ -93,9 +93,9 @@ bool stands_alone(const FrfDataset& set, const std::vector<Pole>& known, const s
 bool is_clear(const FrfDataset& set, const KnownModes& known, const JointFit& fit, std::size_t mode) {
   const Pole& pole = fit.poles[mode];
   if (!stands_alone(set, known.poles, fit.poles, pole)) return false;
-  const Standing standing = standing_of(set, fit, mode, Misfit::counted);
+  const ModeSignificance of_mode = significance_of(set, fit, mode, Misfit::counted);
   const double least = kClearGain * static_cast<double>(unknowns_per_mode(set));
-  return standing.significance > kClearSignificance && standing.peak_to_residual > kClearPeakToResidual &&
+  return of_mode.significance > kClearSignificance && of_mode.peak_to_residual > kClearPeakToResidual &&
          local_likelihood_ratio_statistic(set, known.residual, fit.residual, pole) > least;
 }
 
@@ -114,11 +114,7 @@ std::vector<VectorXcd> residual_in(const std::vector<VectorXcd>& residual, const
 
 }  // namespace
 
-double width_or_spacing_Hz(const FrfDataset& set, const Pole& pole) {
-  return std::max(pole.half_power_Hz(), 0.5 * set.lines.df_Hz());
-}
-
-JointWindow window_around(const FrfDataset& set, const Pole& pole) {
+JointWindow joint_window(const FrfDataset& set, const Pole& pole) {
   const double half = std::max(kJointWindowWidths * pole.half_power_Hz() / set.lines.df_Hz(), kJointWindowLines);
   const double at = set.lines.position(pole.freq_Hz);
   const auto first = static_cast<Index>(set.lines.at(at - half));
@@ -126,15 +122,15 @@ JointWindow window_around(const FrfDataset& set, const Pole& pole) {
 }
 
 bool are_merged(const FrfDataset& set, const Pole& a, const Pole& b) {
-  const double narrower_Hz = std::min(width_or_spacing_Hz(set, a), width_or_spacing_Hz(set, b));
+  const double narrower_Hz = std::min(resolved_width_Hz(a, set.lines), resolved_width_Hz(b, set.lines));
   return std::abs(a.freq_Hz - b.freq_Hz) < kJointCoincide * narrower_Hz;
 }
 
-Standing standing_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit) {
+ModeSignificance significance_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit) {
   const Pole& pole = fit.poles[mode];
-  const JointWindow window = window_around(set, pole);
+  const JointWindow window = joint_window(set, pole);
   const double peak = std::max(2 * pole.damping_ratio, set.lines.df_Hz() / pole.freq_Hz);
-  Standing best;
+  ModeSignificance best;
   for (std::size_t o = 0; o < set.channels.size(); ++o) {
     const VectorXcd left = fit.residual[o].segment(window.first, window.count);
     const double size = std::abs(fit.residues(static_cast<Index>(o), static_cast<Index>(mode)));
@@ -152,9 +148,9 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
   std::vector<double> significance(count);
   std::vector<char> accepted(count);
   for (std::size_t m = 0; m < count; ++m) {
-    const Standing standing = standing_of(set, fit, m, misfit);
-    significance[m] = standing.significance;
-    accepted[m] = is_mode(set, fit, m, standing);
+    const ModeSignificance of_mode = significance_of(set, fit, m, misfit);
+    significance[m] = of_mode.significance;
+    accepted[m] = is_mode(set, fit, m, of_mode);
     for (std::size_t i = 0; i < m; ++i)
       if (are_merged(set, fit.poles[i], fit.poles[m])) accepted[m] = 0;
   }
@@ -162,8 +158,8 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
   for (std::size_t m = 0; m < count; ++m) {
     const auto weaker_beside = [&](std::size_t i) {
       const double apart_Hz = std::abs(fit.poles[i].freq_Hz - fit.poles[m].freq_Hz);
-      const bool near =
-          apart_Hz < 2 * std::max(width_or_spacing_Hz(set, fit.poles[i]), width_or_spacing_Hz(set, fit.poles[m]));
+      const bool near = apart_Hz < 2 * std::max(resolved_width_Hz(fit.poles[i], set.lines),
+                                                resolved_width_Hz(fit.poles[m], set.lines));
       return i != m && !accepted[i] && near &&
              (significance[i] < significance[m] || (significance[i] == significance[m] && i < m));
     };
@@ -175,7 +171,7 @@ std::vector<Pole> without_weakest(const FrfDataset& set, const JointFit& fit, Mi
 }
 
 double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole, Tails tails) {
-  const JointWindow window = window_around(set, pole);
+  const JointWindow window = joint_window(set, pole);
   double worst = 0;
   for (const VectorXcd& left : residual_in(residual, window, tails))
     worst = std::max(worst, (1 - noise_part(left)) * std::sqrt(static_cast<double>(window.count)));
@@ -183,7 +179,7 @@ double misfit_of(const FrfDataset& set, const std::vector<VectorXcd>& residual, 
 }
 
 bool is_material(const FrfDataset& set, const std::vector<VectorXcd>& residual, const Pole& pole, Tails tails) {
-  const JointWindow window = window_around(set, pole);
+  const JointWindow window = joint_window(set, pole);
   const std::vector<VectorXcd> left = residual_in(residual, window, tails);
   for (std::size_t o = 0; o < residual.size(); ++o) {
     const Eigen::Map<const VectorXcd> frf(set.channels[o].frf.data(), residual[o].size());

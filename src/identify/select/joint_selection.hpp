@@ -11,13 +11,10 @@ namespace percuss::identify {
 struct JointWindow {
   Eigen::Index first = 0, count = 0;
 };
-JointWindow window_around(const FrfDataset& set, const Pole& pole);
+JointWindow joint_window(const FrfDataset& set, const Pole& pole);
 
-/// The half-power bandwidth, at least half the line spacing.
-double width_or_spacing_Hz(const FrfDataset& set, const Pole& pole);
-
-/// The significance that a mode of a joint fit needs (Standing::significance): its clearest residue, in standard
-/// deviations.
+/// The significance that a mode of a joint fit needs (ModeSignificance::significance): its clearest residue, in
+/// standard deviations.
 inline constexpr double kJointSignificance = 6;
 
 /// True for two poles at one place, which a joint fit has merged: their residues cancel.
@@ -27,11 +24,11 @@ bool are_merged(const FrfDataset& set, const Pole& a, const Pole& b);
 enum class Misfit { ignored, counted };
 
 /// How far a mode of a joint fit stands out of the residual around it.
-struct Standing {
+struct ModeSignificance {
   double significance = 0;      // of its clearest residue, in standard deviations
   double peak_to_residual = 0;  // largest over the FRFs
 };
-Standing standing_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit);
+ModeSignificance significance_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit);
 
 /// The poles that are modes. Of neighbours that are no modes, only the weakest is removed, because the others may be
 /// modes without it.

@@ -40,7 +40,7 @@ class SequentialFit {
       search();
     }
     if (!options_.start.empty()) drop_until_accepted();
-    return fitted_modes(fit_, options_.modes);
+    return fitted_modes(fit_);
   }
 
  private:

@@ -1,6 +1,4 @@
 #pragma once
-#include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "identify/fit/windowed_fit.hpp"
@@ -13,9 +11,8 @@ struct SequentialFitOptions {
   int max_rounds = 6;           // changes of the set of modes, each followed by a fit
   bool search_residual = true;  // look for modes without a peak of their own
   WindowedFitOptions windows;
-  std::optional<std::size_t> modes;  // keep this many, the most significant ones
-  std::vector<double> start_Hz;      // fit exactly one mode from each of these frequencies
-  std::vector<Pole> start;           // fit from these poles of an earlier fit, and keep the accepted ones
+  std::vector<double> start_Hz;  // fit exactly one mode from each of these frequencies
+  std::vector<Pole> start;       // fit from these poles of an earlier fit, and keep the accepted ones
 };
 /// The search that each effort makes.
 SequentialFitOptions sequential_fit_options(Effort effort);

@@ -15,10 +15,6 @@ constexpr double kFinalCost = 1e-9;  // relative decrease of the squares that en
 
 }  // namespace
 
-JointFitOptions final_fit_options(bool test_real) {
-  return {.max_steps = kJointSteps, .cost_tolerance = kFinalCost, .test_real = test_real};
-}
-
 std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget,
                                     int final_fits) {
   JointFitOptions options{
@@ -40,7 +36,8 @@ std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> pol
 }
 
 JointFit with_tested_residues(const FrfDataset& set, const JointFit& fit) {
-  JointFit tested = fit_jointly(set, fit.poles, final_fit_options(true));
+  const JointFitOptions options{.max_steps = kJointSteps, .cost_tolerance = kFinalCost, .test_real = true};
+  JointFit tested = fit_jointly(set, fit.poles, options);
   return tested.converged ? tested : fit;
 }
 

@@ -13,9 +13,6 @@ namespace percuss::identify {
 std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget,
                                     int final_fits = 1);
 
-/// Options of a fit of modes whose number is final.
-JointFitOptions final_fit_options(bool test_real);
-
 /// The same modes with real residues where the data allow it; `fit` itself where that fit does not converge.
 JointFit with_tested_residues(const FrfDataset& set, const JointFit& fit);
 

@@ -71,7 +71,7 @@ struct Window {
   double low_u = 0, high_u = 0;  // the bracket
 };
 
-Window window_around(const ScanShape& shape, std::size_t below, std::size_t above, std::size_t most) {
+Window crossing_window(const ScanShape& shape, std::size_t below, std::size_t above, std::size_t most) {
   const double middle = 0.5 * (shape.position_m[below] + shape.position_m[above]);
   std::vector<std::size_t> order(shape.position_m.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -97,7 +97,7 @@ Window window_around(const ScanShape& shape, std::size_t below, std::size_t abov
 }
 
 Node node_between(const ScanShape& shape, std::size_t below, std::size_t above, const NodeOptions& options) {
-  const Window w = window_around(shape, below, above, options.points);
+  const Window w = crossing_window(shape, below, above, options.points);
   const auto points = static_cast<std::size_t>(w.u.size());
   std::vector<PolynomialFit> fits;  // of degree 1, 2, …
   for (int degree = 1; degree <= options.highest_degree && static_cast<std::size_t>(degree) < points; ++degree) {

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kNoiseProminence = 6;  // standard deviations of the level's fluctuation
 constexpr double kDecibelsPerNeper = 8.6859;
-constexpr double kSearchRange = 0.005;  // of a given frequency, on either side
 constexpr double kResonanceSpan =
     6;  // half-widths on either side, over which a resonance is compared with the residual
 constexpr double kMinResidualModeGain =
@@ -133,10 +132,9 @@ Pole pole_at_line(const FrfDataset& set, std::size_t line) {
   return pole.freq_Hz > 0 ? pole : narrowest_pole(set, set.lines.freq_Hz(line));
 }
 
-// A given frequency stands for the highest line within half a per cent, or within four lines.
 Pole peak_near(const FrfDataset& set, double freq_Hz) {
   const double at = set.lines.position(freq_Hz);
-  const double reach = std::max(4.0, kSearchRange * freq_Hz / set.lines.df_Hz());
+  const double reach = std::max(kStatedRangeLines, kStatedRange * freq_Hz / set.lines.df_Hz());
   std::size_t best = set.lines.at(at);
   double highest = 0;
   for (std::size_t line = set.lines.at(at - reach); line <= set.lines.at(at + reach); ++line) {

@@ -33,8 +33,12 @@ std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vec
 /// at its best width. The most significant first.
 std::vector<Pole> residual_mode_poles(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual);
 
-/// A first pole for each given frequency, in their order: the pole of the highest line nearby. Where another given
-/// frequency is nearer to that pole, the result is a pole at the frequency itself.
+/// A stated frequency stands for the highest line within this part of the frequency, or within this many lines if that
+/// is more.
+inline constexpr double kStatedRange = 0.005, kStatedRangeLines = 4;
+
+/// A first pole for each stated frequency, in their order: the pole of the highest line in its range. Where another
+/// stated frequency is nearer to that pole, the result is a pole at the frequency itself.
 std::vector<Pole> poles_near(const FrfDataset& set, const std::vector<double>& freq_Hz);
 
 }  // namespace percuss::identify

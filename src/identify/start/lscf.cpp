@@ -67,7 +67,7 @@ class PowerSums {
     return sums;
   }
 
-  /// Σ_k conj(z_k^i) x_k z_k^l at (i, l).
+  // Σ_k conj(z_k^i) x_k z_k^l at (i, l).
   MatrixXcd toeplitz(const VectorXcd& sums) const {
     MatrixXcd matrix(degree_ + 1, degree_ + 1);
     for (Index l = 0; l <= degree_; ++l) matrix.col(l) = sums.segment(l, degree_ + 1).reverse();

@@ -8,7 +8,7 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kMinTruncation = 0.1;  // amplitude at the record's end over its start
+constexpr double kMinRippleTruncation = 0.1;  // amplitude at the record's end over its start
 constexpr std::size_t kFlankFrom = 4,
                       kFlankUpTo = 16;        // lines from the peak: beyond its top, but mostly before other peaks
 constexpr double kMaxRippleFactor = 2;        // height of a ripple over the flank's
@@ -29,7 +29,7 @@ double flank_height(const FrfDataset& set, std::size_t line) {
 std::vector<char> find_truncation_ripples(const FrfDataset& set, const std::vector<Pole>& poles) {
   std::vector<char> doubtful(poles.size(), 0);
   for (std::size_t p = 0; p < poles.size(); ++p) {
-    if (remaining_amplitude(poles[p], set.lines, set.window_decay_per_s()) < kMinTruncation) continue;
+    if (remaining_amplitude(poles[p], set.lines, set.window_decay_per_s()) < kMinRippleTruncation) continue;
     const std::size_t line = set.lines.nearest(poles[p].freq_Hz);
     const double flank = flank_height(set, line);
     for (std::size_t q = 0; q < poles.size(); ++q) {

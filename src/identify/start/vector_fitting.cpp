@@ -25,7 +25,7 @@ constexpr double kMinNoise = 1e-6;          // of an FRF's largest line
 constexpr double kConstraintWeight = 1e-3;  // of the row that excludes σ = 0, relative to the other rows
 constexpr std::size_t kBlocksPerPole = 4;
 constexpr double kMaxStartDamping = 0.45;
-constexpr double kSmallest = 1e-150;  // of a noise
+constexpr double kMinNoiseScale = 1e-150;  // of a noise
 
 // Averages over blocks of lines. Frequencies are divided by the highest one, so that powers of s stay near 1.
 struct AveragedLines {
@@ -47,7 +47,7 @@ struct AveragedLines {
       const std::vector<double> power = noise.local(o);
       const Eigen::Map<const VectorXcd> all(set.channels[o].frf.data(), static_cast<Index>(set.lines.count));
       const Eigen::Map<const VectorXd> noise_power(power.data(), static_cast<Index>(power.size()));
-      const double least = std::max(kMinNoise * all.cwiseAbs().maxCoeff(), kSmallest);
+      const double least = std::max(kMinNoise * all.cwiseAbs().maxCoeff(), kMinNoiseScale);
       frf.emplace_back(blocks);
       weight.emplace_back(blocks);
       for (Index b = 0; b < blocks; ++b) {
@@ -72,7 +72,7 @@ class PoleRelocation {
       poles_(m) = start_pole(low + width * static_cast<double>(m) / static_cast<double>(count - 1));
   }
 
-  /// Moves the poles once. False where they stay, because the equations have no solution.
+  // Moves the poles once. False where they stay, because the equations have no solution.
   bool step() {
     fill_columns();
     const Index unknowns = 2 * poles_.size() + 1;  // of σ: real and imaginary parts of c, and d

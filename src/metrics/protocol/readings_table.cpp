@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/io/json_text.hpp"
 #include "core/io/strict_json.hpp"
 
 namespace percuss::metrics {
@@ -98,7 +99,7 @@ std::vector<ReadingsRow> parse_readings_table(std::string_view text, const std::
                                               const LabReadings& common) {
   std::vector<ReadingsRow> out;
   std::set<std::string> ids;
-  const StrictText input{.text = text, .where = where, .options = {"metrics.example"}};
+  const JsonText input{.text = text, .where = where, .options = {"metrics.example"}};
   const auto read = [&](StrictObject& o) {
     std::string schema = "percuss/metrics-table/1";
     o.read("schema", schema);

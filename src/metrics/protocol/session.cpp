@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/json_text.hpp"
 #include "core/io/strict_json.hpp"
 #include "core/units.hpp"
 #include "metrics/protocol/averages.hpp"
@@ -164,7 +165,7 @@ std::optional<PerformanceMetric> performance_metric_named(std::string_view name)
 Session parse_session(std::string_view text, const std::string& where) {
   if (text.size() > kLargestSession_bytes) throw InputError("longer than 16 MiB", where, "give a session");
   Session session;
-  const StrictText input{.text = text, .where = where, .options = {kSessionExample}};
+  const JsonText input{.text = text, .where = where, .options = {kSessionExample}};
   const auto read = [&](StrictObject& o) { read_session_document(o, session); };
   looks_like_json(text) ? read_strict_json(input, read) : read_strict_table(input, "shots", read);
   return session;

@@ -7,7 +7,6 @@
 
 #include "core/error.hpp"
 #include "core/io/json_text.hpp"
-#include "core/io/strict_json.hpp"
 #include "metrics/study/study_batch.hpp"
 
 namespace percuss::metrics {

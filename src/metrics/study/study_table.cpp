@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/io/json_text.hpp"
 #include "core/io/parse_number.hpp"
 #include "core/io/strict_json.hpp"
 #include "metrics/protocol/performance.hpp"
@@ -226,7 +227,7 @@ void StudyRows::add(std::string_view text, const std::string& where) {
     }
     merge(p, row.place());
   };
-  const StrictText input{.text = text, .where = where, .options = {kStudyExample}};
+  const JsonText input{.text = text, .where = where, .options = {kStudyExample}};
   const auto read = [&](StrictObject& o) {
     std::string schema = "percuss/study-table/1";
     o.read("schema", schema);

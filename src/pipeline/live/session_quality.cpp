@@ -36,10 +36,10 @@ std::optional<double> lowest_coherence(const Analysis& analysis) {
   return lowest;
 }
 
-LiveMode live_mode(const identify::Mode& mode, const identify::ModeClassification& type) {
+LiveMode live_mode(const identify::Mode& mode, const identify::ModeClassification& classification) {
   const double noise = mode.freq_std_parts_Hz.noise, hits = mode.freq_std_parts_Hz.hits;
-  return {.type = type.family,
-          .order = type.order,
+  return {.type = classification.type,
+          .order = classification.order,
           .freq_Hz = mode.pole.freq_Hz,
           .freq_std_Hz = mode.freq_std_Hz,
           .damping_ratio = mode.pole.damping_ratio,

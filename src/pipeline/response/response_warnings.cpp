@@ -149,9 +149,9 @@ std::vector<Warning> uneven_decays(const ResponseTest& test) {
 std::vector<Warning> pairs_or_scatter(const ResponseTest& test) {
   std::string list;
   for (const identify::DecayMode& mode : test.found.modes) {
-    if (!mode.rivals_Hz) continue;
+    if (!mode.alternative_pair_Hz) continue;
     list += fmt::format("{}{:.6g} Hz (or {:.6g} and {:.6g} Hz)", list.empty() ? "" : ", ", mode.mode.pole.freq_Hz,
-                        mode.rivals_Hz->first, mode.rivals_Hz->second);
+                        mode.alternative_pair_Hz->first, mode.alternative_pair_Hz->second);
   }
   if (list.empty()) return {};
   return {with_remedy({"pair_or_scatter",

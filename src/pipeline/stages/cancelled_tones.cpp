@@ -119,10 +119,10 @@ CombinedFrfs combined(const identify::FrfDataset& set, const identify::HitFrfs& 
 // The modes of the combinations that follow the force.
 std::vector<identify::Mode> modes_of(const CombinedFrfs& frfs, identify::Effort effort) {
   const std::vector<identify::Mode> found = identify::identify_modes(frfs.set, {.effort = effort});
-  const std::vector<std::optional<bool>> follows = identify::residues_agree_between_hits(frfs.set, frfs.hits, found);
+  const std::vector<std::optional<bool>> agree = identify::residues_agree_between_hits(frfs.set, frfs.hits, found);
   std::vector<identify::Mode> out;
   for (std::size_t m = 0; m < found.size(); ++m)
-    if (follows[m].value_or(false)) out.push_back(found[m]);
+    if (agree[m].value_or(false)) out.push_back(found[m]);
   return out;
 }
 

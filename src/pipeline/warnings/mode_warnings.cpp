@@ -101,7 +101,7 @@ std::vector<Warning> unmodelled_peak_warnings(std::vector<identify::UnmodelledPe
 bool is_split_hoop(const std::vector<identify::Mode>& modes,
                    const std::vector<identify::ModeClassification>& classifications, std::size_t m) {
   const auto& pair = classifications[m].split_mode;
-  const auto hoop = [&](std::size_t i) { return classifications[i].family == identify::ModeType::hoop; };
+  const auto hoop = [&](std::size_t i) { return classifications[i].type == identify::ModeType::hoop; };
   const auto bandwidth_Hz = [&](std::size_t i) { return 2 * modes[i].pole.damping_ratio * modes[i].pole.freq_Hz; };
   if (!pair || !hoop(m) || !hoop(pair->partner)) return false;
   return pair->separation_Hz <= kMaxSplitBandwidths * std::max(bandwidth_Hz(m), bandwidth_Hz(pair->partner));

@@ -135,8 +135,8 @@ std::vector<Warning> contradicted_angles(std::vector<ClearRatio> lowest, const i
 std::optional<double> bending_Hz(const std::vector<identify::Mode>& modes,
                                  const std::vector<identify::ModeClassification>& classifications, int order) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const identify::ModeClassification& type = classifications[m];
-    if (type.family == identify::ModeType::bending && type.order == order && type.confidence > kSureConfidence)
+    const identify::ModeClassification& mode = classifications[m];
+    if (mode.type == identify::ModeType::bending && mode.order == order && mode.confidence > kSureConfidence)
       return modes[m].pole.freq_Hz;
   }
   return std::nullopt;

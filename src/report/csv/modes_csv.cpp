@@ -21,7 +21,7 @@ void add_mode(std::string& out, const std::string& test, std::size_t number, con
   auto end = std::back_inserter(out);
   for (const identify::Residue& residue : mode.residues) {
     fmt::format_to(end, "{}{},{},{},{},{},{},{},{},{},{},{},{}\n", test, number, mode.pole.freq_Hz, mode.freq_std_Hz,
-                   mode.pole.damping_ratio, mode.damping_std, name_of(found.family),
+                   mode.pole.damping_ratio, mode.damping_std, name_of(found.type),
                    found.order > 0 ? fmt::format("{}", found.order) : "", residue.point, residue.channel,
                    residue.value.real(), residue.value.imag(), identify::total_std(residue));
   }

@@ -57,7 +57,7 @@ Json modes_plot_json(const pipeline::Analysis& analysis,
     Json json{{"hz", mode.pole.freq_Hz},
               {"zeta", mode.pole.damping_ratio},
               {"name", mode_name(classification, m)},
-              {"family", name_of(classification.family)},
+              {"family", name_of(classification.type)},
               {"sensors", Json::array()}};
     for (const BarrelSensor& sensor : barrel_sensors(analysis, mode)) {
       json["sensors"].push_back(

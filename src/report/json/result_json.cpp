@@ -44,7 +44,7 @@ void add_split(Json& json, const identify::SplitMode& peak) {
 }
 
 void add_classification(Json& json, const identify::ModeClassification& classification) {
-  json["family"] = name_of(classification.family);
+  json["family"] = name_of(classification.type);
   json["order"] = classification.order > 0 ? Json(classification.order) : Json();
   json["confidence"] = classification.confidence;
   json["alternative"] = classification.alternative ? Json(name_of(*classification.alternative)) : Json();

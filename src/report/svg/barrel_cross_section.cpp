@@ -73,8 +73,8 @@ std::vector<DeformedShape> barrel_cross_sections(const pipeline::Analysis& analy
   for (std::size_t m = 0; m < classifications.size(); ++m) {
     const identify::Mode& mode = analysis.modes()[m];
     const auto sensors = barrel_sensors(analysis, mode);
-    if (sensors.size() != 2 || classifications[m].family == identify::ModeType::unknown) continue;
-    const double n = classifications[m].family == identify::ModeType::hoop ? 2 : 1;
+    if (sensors.size() != 2 || classifications[m].type == identify::ModeType::unknown) continue;
+    const double n = classifications[m].type == identify::ModeType::hoop ? 2 : 1;
     const Eigen::Vector2d pattern = pattern_of(sensors, n);
     drawings.push_back(
         {.name = fmt::format("{}, {} Hz", mode_name(classifications[m], m), hertz_text(mode.pole.freq_Hz)),

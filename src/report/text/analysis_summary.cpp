@@ -21,10 +21,10 @@ std::string list_of(const std::vector<std::string>& items) {
 
 std::vector<std::string> frequencies_of(const pipeline::Analysis& analysis,
                                         const std::vector<identify::ModeClassification>& classifications,
-                                        identify::ModeType family) {
+                                        identify::ModeType type) {
   std::vector<std::string> out;
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
-    if (classifications[m].family == family) out.push_back(significant(analysis.modes()[m].pole.freq_Hz, 4));
+    if (classifications[m].type == type) out.push_back(significant(analysis.modes()[m].pole.freq_Hz, 4));
   }
   return out;
 }
@@ -41,14 +41,14 @@ std::string summary_sentence(const pipeline::Analysis& analysis,
     return "No mode could be fitted at the starting frequencies.";
   if (count == 0) return fmt::format("No mode rises above the noise {}.", band);
   std::vector<std::string> parts;
-  for (const identify::ModeType family :
+  for (const identify::ModeType type :
        {identify::ModeType::bending, identify::ModeType::hoop, identify::ModeType::unknown}) {
-    const auto found = frequencies_of(analysis, classifications, family);
+    const auto found = frequencies_of(analysis, classifications, type);
     if (found.empty()) continue;
-    const bool named = family != identify::ModeType::unknown || !parts.empty();
+    const bool named = type != identify::ModeType::unknown || !parts.empty();
     parts.push_back(fmt::format(
         "{}{}",
-        named ? fmt::format("{} at ", family == identify::ModeType::unknown ? "of unknown family" : name_of(family))
+        named ? fmt::format("{} at ", type == identify::ModeType::unknown ? "of unknown family" : name_of(type))
               : "at ",
         list_of(found)));
   }

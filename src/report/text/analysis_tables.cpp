@@ -101,7 +101,7 @@ std::string shared_order_note(const pipeline::Analysis& analysis, std::size_t m)
   const auto& all = analysis.classifications();
   if (all[m].split_mode || all[m].order == 0) return "";
   for (std::size_t other = 0; other < all.size(); ++other) {
-    if (other == m || all[other].family != all[m].family || all[other].order != all[m].order) continue;
+    if (other == m || all[other].type != all[m].type || all[other].order != all[m].order) continue;
     const double apart_Hz = std::abs(analysis.modes()[m].pole.freq_Hz - analysis.modes()[other].pole.freq_Hz);
     return fmt::format("same order as mode {}, {} Hz apart: too far for a split mode", other + 1,
                        significant(apart_Hz, 3));
@@ -171,12 +171,12 @@ bool is_quoted(const identify::ModeClassification& classification) {
 }
 
 std::string mode_type_of(const identify::ModeClassification& classification) {
-  return classification.order > 0 ? fmt::format("{} {}", name_of(classification.family), classification.order)
-                                  : name_of(classification.family);
+  return classification.order > 0 ? fmt::format("{} {}", name_of(classification.type), classification.order)
+                                  : name_of(classification.type);
 }
 
 std::string confidence_text(const identify::ModeClassification& classification) {
-  if (classification.family == identify::ModeType::unknown) return "–";
+  if (classification.type == identify::ModeType::unknown) return "–";
   const double percent = 100 * classification.confidence;
   if (percent >= 99.95) return "> 99.9 %";
   return percent >= 99 ? fmt::format("{:.1f} %", percent) : fmt::format("{:.0f} %", std::floor(percent));

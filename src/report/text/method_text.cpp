@@ -191,7 +191,7 @@ void add_deflection(const pipeline::ImpactTest& test, Sentences& out) {
 void add_classes(const pipeline::Analysis& analysis, Sentences& out, bool shapes_decide) {
   const auto& all = analysis.classifications();
   const bool named = std::any_of(all.begin(), all.end(), [](const identify::ModeClassification& one) {
-    return one.family != identify::ModeType::unknown;
+    return one.type != identify::ModeType::unknown;
   });
   if (shapes_decide) {
     out.emplace_back("Bending or hoop was decided from the waves of the mode shapes around the tube (5.7).");

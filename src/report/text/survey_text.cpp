@@ -43,7 +43,7 @@ TextTable survey_modes_table(const pipeline::Survey& survey) {
                                 [](const identify::ModeShape& s) { return s.modal_mass_kg.has_value(); });
   constexpr auto kRight = TextTable::Align::right;
   const bool named = std::any_of(survey.classifications().begin(), survey.classifications().end(),
-                                 [](const auto& c) { return c.family != identify::ModeType::unknown; });
+                                 [](const auto& c) { return c.type != identify::ModeType::unknown; });
   std::vector<TextTable::Column> columns{{"mode", kRight}};
   if (named) columns.insert(columns.end(), {{"family"}, {"confidence", kRight}});
   columns.insert(columns.end(), {{"frequency", kRight}, {"damping", kRight}});

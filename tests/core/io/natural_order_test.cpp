@@ -34,7 +34,7 @@ TEST(NaturalOrder, IsStrict) {
 
 std::vector<std::string> ordered(const std::vector<std::string>& names) {
   std::vector<std::string> out;
-  for (const std::size_t i : meant_order(names)) out.push_back(names[i]);
+  for (const std::size_t i : intended_order(names)) out.push_back(names[i]);
   return out;
 }
 

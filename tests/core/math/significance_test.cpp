@@ -15,6 +15,12 @@ TEST(StudentQuantile, AgreesWithTables) {
   EXPECT_NEAR(student_quantile(1.959964, 1e6), 1.959964, 1e-4);
 }
 
+TEST(StudentFactor, WidensAStandardDeviationOfFewValues) {
+  EXPECT_NEAR(student_factor(1), 12.7062 / 1.96, 1e-3);
+  EXPECT_NEAR(student_factor(4), 2.7764 / 1.96, 1e-3);
+  EXPECT_NEAR(student_factor(1e6), 1, 1e-4);
+}
+
 // The tolerances allow for the error of the cube-root approximation.
 TEST(Chi2Deviate, IsTheNormalDeviateOfTheSameProbability) {
   EXPECT_NEAR(chi2_deviate(9.488, 4), 1.645, 0.02) << "95 %";

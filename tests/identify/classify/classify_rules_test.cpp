@@ -48,7 +48,7 @@ TEST(Overlay, DoesNotDecideTheType) {
   const SensorPair sensors{.first = 0, .second = 1, .first_rad = 0, .second_rad = std::numbers::pi / 2};
   const ModeClassification classification = classify({mode_at(169, 1, 1)}, sensors, {0.0})[0];
   EXPECT_TRUE(classification.overlaid);
-  EXPECT_EQ(classification.family, ModeType::bending);
+  EXPECT_EQ(classification.type, ModeType::bending);
 }
 
 // Modes 25 Hz apart are a split mode, even if noise makes the measured separation larger.
@@ -81,12 +81,12 @@ TEST(SplitMode, EndsAt25Hertz) {
 
 TEST(SplitMode, ExcludesABendingAndAHoopMode) {
   const auto found = classifications({bending(1895, 0.0), hoop(1912)});
-  if (found[0].family != found[1].family) {
+  if (found[0].type != found[1].type) {
     EXPECT_FALSE(found[0].split_mode);
     EXPECT_FALSE(found[1].split_mode);
   }
-  EXPECT_EQ(found[1].family, ModeType::hoop);
-  EXPECT_EQ(found[0].family, ModeType::bending);
+  EXPECT_EQ(found[1].type, ModeType::hoop);
+  EXPECT_EQ(found[0].type, ModeType::bending);
 }
 
 TEST(SplitMode, OfThreeTakesTheFirstTwo) {
@@ -109,7 +109,7 @@ TEST(SplitMode, NeedsATube) {
 TEST(Object, OtherHasNoTypes) {
   for (const ModeClassification& one :
        classifications({bending(169), bending(575), hoop(1900)}, {.object = ObjectKind::other})) {
-    EXPECT_EQ(one.family, ModeType::unknown);
+    EXPECT_EQ(one.type, ModeType::unknown);
     EXPECT_EQ(one.order, 0);
     EXPECT_FALSE(one.ratio);
   }
@@ -130,7 +130,7 @@ TEST(Object, IsJudgedByTheModesWhereAnglesAreAssumed) {
   const auto tube = classifications({bending(169), bending(575), hoop(1300), bending(1800), hoop(2650)}, assumed);
   EXPECT_EQ(orders_of(tube), (std::vector<int>{1, 2, 1, 3, 2}));
   for (const ModeClassification& one : classifications(plate(), assumed)) {
-    EXPECT_EQ(one.family, ModeType::unknown);
+    EXPECT_EQ(one.type, ModeType::unknown);
     EXPECT_EQ(one.order, 0);
   }
   EXPECT_TRUE(classifications(plate())[0].ratio) << "stated angles mean a tube";

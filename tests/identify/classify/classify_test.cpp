@@ -36,7 +36,7 @@ std::vector<ModeClassification> classifications(const std::vector<Mode>& modes, 
 TEST(Classify, RatioMinusOneIsHoop) {
   for (const double turn : {0.0, 12.0, 30.0, 40.0, 70.0, 170.0}) {
     const ModeClassification classification = classifications({hoop(1900, turn)})[0];
-    EXPECT_EQ(classification.family, ModeType::hoop) << turn;
+    EXPECT_EQ(classification.type, ModeType::hoop) << turn;
     EXPECT_GE(classification.confidence, 0.8) << turn;
     EXPECT_NEAR(std::abs(*classification.ratio + 1.0), 0, 1e-9) << turn;
   }
@@ -45,41 +45,40 @@ TEST(Classify, RatioMinusOneIsHoop) {
 TEST(Classify, TangentOfAPlaneIsBending) {
   for (const double plane : {0.5, 20.0, -20.0, 70.0, 89.5, 110.0}) {
     const ModeClassification classification = classifications({bending(169, plane)})[0];
-    EXPECT_EQ(classification.family, ModeType::bending) << plane;
+    EXPECT_EQ(classification.type, ModeType::bending) << plane;
     EXPECT_GE(classification.confidence, 0.8) << plane;
     EXPECT_FALSE(classification.alternative && classification.confidence > 0.95) << plane;
     EXPECT_NEAR(classification.ratio->real() / std::tan(plane * kDegree), 1, 1e-9) << plane;
   }
 }
 
-TEST(Classify, EqualMotionIsBending) { EXPECT_EQ(classifications({bending(169, 45)})[0].family, ModeType::bending); }
+TEST(Classify, EqualMotionIsBending) { EXPECT_EQ(classifications({bending(169, 45)})[0].type, ModeType::bending); }
 
 TEST(Classify, IsUnsureOfOneBendingModeAtMinus45Degrees) {
   // Its ratio equals the hoop ratio, so that the confidence must be low.
   const ModeClassification classification = classifications({bending(169, -45)})[0];
-  EXPECT_FALSE(classification.family == ModeType::hoop && classification.confidence > 0.97);
+  EXPECT_FALSE(classification.type == ModeType::hoop && classification.confidence > 0.97);
   ASSERT_TRUE(classification.alternative);
-  EXPECT_EQ(*classification.alternative,
-            classification.family == ModeType::bending ? ModeType::hoop : ModeType::bending);
+  EXPECT_EQ(*classification.alternative, classification.type == ModeType::bending ? ModeType::hoop : ModeType::bending);
 }
 
 TEST(Classify, FindsBendingAt45DegreesByItsOtherPlane) {
   const auto found = classifications({bending(169, -45), bending(172, 45)});
-  for (const ModeClassification& classification : found) EXPECT_EQ(classification.family, ModeType::bending);
+  for (const ModeClassification& classification : found) EXPECT_EQ(classification.type, ModeType::bending);
 }
 
 TEST(Classify, IsUnsureOfHoopAtRightAnglesToThePlaneOfOtherModes) {
   // Modes at 45° show the bat's plane; a mode at right angles to it is then never certainly a hoop mode.
   const auto found = classifications({bending(169, 45), bending(575, 45), bending(1180, -45)});
-  EXPECT_EQ(found[0].family, ModeType::bending);
-  EXPECT_EQ(found[1].family, ModeType::bending);
-  EXPECT_TRUE(found[2].family != ModeType::hoop || found[2].alternative);
+  EXPECT_EQ(found[0].type, ModeType::bending);
+  EXPECT_EQ(found[1].type, ModeType::bending);
+  EXPECT_TRUE(found[2].type != ModeType::hoop || found[2].alternative);
 }
 
 TEST(Classify, FindsAHoopPairByItsEqualRatios) {
   const auto found = classifications({hoop(1900, 12), hoop(1912, 57)});
   for (const ModeClassification& classification : found) {
-    EXPECT_EQ(classification.family, ModeType::hoop);
+    EXPECT_EQ(classification.type, ModeType::hoop);
     EXPECT_GE(classification.confidence, 0.9);
   }
 }
@@ -87,11 +86,11 @@ TEST(Classify, FindsAHoopPairByItsEqualRatios) {
 TEST(Classify, ToleratesSensorsPlacedByHand) {
   for (const double off : {-2.0, 2.0}) {
     for (const double turn : {0.0, 20.0})
-      EXPECT_EQ(classifications({hoop(1900, turn, 90 + off)})[0].family, ModeType::hoop) << off << " " << turn;
+      EXPECT_EQ(classifications({hoop(1900, turn, 90 + off)})[0].type, ModeType::hoop) << off << " " << turn;
     // With both sensors near its nodes, a misplaced sensor gives a ratio that bending explains as well.
-    EXPECT_NE(classifications({hoop(1900, 35, 90 + off)})[0].family, ModeType::bending) << off;
+    EXPECT_NE(classifications({hoop(1900, 35, 90 + off)})[0].type, ModeType::bending) << off;
     for (const double plane : {5.0, 20.0, 65.0})
-      EXPECT_EQ(classifications({bending(169, plane, 90 + off)})[0].family, ModeType::bending) << off << " " << plane;
+      EXPECT_EQ(classifications({bending(169, plane, 90 + off)})[0].type, ModeType::bending) << off << " " << plane;
   }
 }
 
@@ -99,7 +98,7 @@ TEST(Classify, AcceptsASensorAtANode) {
   for (const bool first : {true, false}) {
     const ModeClassification classification =
         classifications({first ? mode_at(169, 1e-5, 1) : mode_at(169, 1, 1e-5)})[0];
-    EXPECT_EQ(classification.family, ModeType::bending);
+    EXPECT_EQ(classification.type, ModeType::bending);
     EXPECT_TRUE(std::isfinite(classification.confidence));
     EXPECT_TRUE(std::isfinite(classification.ratio_std));
   }
@@ -108,31 +107,31 @@ TEST(Classify, AcceptsASensorAtANode) {
 TEST(Classify, IsUnknownWithoutTwoSensors) {
   const auto found = classify({bending(169, 20), hoop(1900, 0)}, std::nullopt, {std::nullopt, std::nullopt});
   for (const ModeClassification& classification : found) {
-    EXPECT_EQ(classification.family, ModeType::unknown);
+    EXPECT_EQ(classification.type, ModeType::unknown);
     EXPECT_EQ(classification.order, 0);
     EXPECT_FALSE(classification.ratio);
   }
 }
 
 TEST(Classify, IsUnknownForAnUnobservedOrComplexMode) {
-  EXPECT_EQ(classifications({mode_at(169, 0, 0)})[0].family, ModeType::unknown);
-  EXPECT_EQ(classifications({mode_at(169, 1, {0.05, 1})})[0].family, ModeType::unknown);
+  EXPECT_EQ(classifications({mode_at(169, 0, 0)})[0].type, ModeType::unknown);
+  EXPECT_EQ(classifications({mode_at(169, 1, {0.05, 1})})[0].type, ModeType::unknown);
 }
 
 TEST(Classify, IsLessCertainForAnUncertainRatio) {
   const auto sure = classifications({mode_at(1900, 1, -1, 1e-3)})[0],
              unsure = classifications({mode_at(1900, 1, -1, 0.6)})[0];
-  EXPECT_EQ(sure.family, ModeType::hoop);
-  EXPECT_TRUE(unsure.family == ModeType::unknown || unsure.confidence < sure.confidence);
+  EXPECT_EQ(sure.type, ModeType::hoop);
+  EXPECT_TRUE(unsure.type == ModeType::unknown || unsure.confidence < sure.confidence);
 }
 
 TEST(Classify, AcceptsSensorsAt60Degrees) {
   // Equal residues mean bending between the sensors; a hoop mode would have them only by chance.
   const auto found = classifications({bending(169, 30, 60), bending(575, 30, 60)}, 60);
-  EXPECT_EQ(found[0].family, ModeType::bending);
+  EXPECT_EQ(found[0].type, ModeType::bending);
   for (const double turn : {0.0, 15.0, 30.0, 60.0, 75.0}) {
     const ModeClassification classification = classifications({hoop(1900, turn, 60)}, 60)[0];
-    EXPECT_FALSE(classification.family == ModeType::bending && classification.confidence > 0.95) << turn;
+    EXPECT_FALSE(classification.type == ModeType::bending && classification.confidence > 0.95) << turn;
   }
 }
 
@@ -151,7 +150,7 @@ TEST(Classify, DoesNotDependOnUnitOrSign) {
   for (const Mode& mode : modes) other.push_back(scaled(mode, {0, -1e6}));
   const auto a = classifications(modes), b = classifications(other);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    EXPECT_EQ(a[m].family, b[m].family);
+    EXPECT_EQ(a[m].type, b[m].type);
     EXPECT_NEAR(a[m].confidence, b[m].confidence, kTolerance);
     EXPECT_NEAR(std::abs(*a[m].ratio - *b[m].ratio), 0, kTolerance);
   }
@@ -165,7 +164,7 @@ TEST(Classify, DoesNotDependOnTheOrderOfSensors) {
   const std::vector<Mode> modes{bending(169, 33), hoop(1900, 10)};
   const auto a = classify(modes, ab, overlay), b = classify(modes, ba, overlay);
   for (std::size_t m = 0; m < 2; ++m) {
-    EXPECT_EQ(a[m].family, b[m].family);
+    EXPECT_EQ(a[m].type, b[m].type);
     EXPECT_NEAR(a[m].confidence, b[m].confidence, kTolerance);
     EXPECT_NEAR(std::abs(*a[m].ratio * *b[m].ratio - 1.0), 0, 1e-9);
   }
@@ -177,7 +176,7 @@ TEST(Classify, UsesTheRatioOverAllPoints) {
   mode.residues.push_back({.point = 1, .channel = 0, .value = 2, .std = 0.01});
   mode.residues.push_back({.point = 1, .channel = 1, .value = -2, .std = 0.01});
   const ModeClassification classification = classifications({mode})[0];
-  EXPECT_EQ(classification.family, ModeType::hoop);
+  EXPECT_EQ(classification.type, ModeType::hoop);
   EXPECT_NEAR(classification.ratio->real(), (0.01 * 0.02 - 4) / (0.01 * 0.01 + 4), kTolerance);
 }
 

@@ -117,7 +117,7 @@ TEST(ModeColumn, DoesNotDependOnTheForcesUnitOrTheOrderOfHits) {
   std::vector<frf::Spectrum> spectra;
   for (frf::ForceBlock& block : blocks) {
     for (double& f : block.force_N) f *= -1e3;
-    spectra.push_back(frf::shared(frf::force_spectrum(block, set.lines)));
+    spectra.push_back(test::make_spectrum(frf::force_spectrum(block, set.lines)));
   }
   const PointForce other = point_force(blocks, spectra, set.lines, 0);
   const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
@@ -139,7 +139,7 @@ constexpr acquire::LineRange kTwoLines{.fs_Hz = 8, .samples = 8, .first = 1, .co
 
 TEST(PointForce, WeightsEachHitByItsEnergy) {
   const std::vector<Complex> a{{3, 4}, {0, 1}}, b{{0, 5}, {2, 0}};
-  const PointForce force = point_force({{}, {}}, {frf::shared(a), frf::shared(b)}, kTwoLines, 0.5);
+  const PointForce force = point_force({{}, {}}, {test::make_spectrum(a), test::make_spectrum(b)}, kTwoLines, 0.5);
   EXPECT_DOUBLE_EQ(force.ff[0], 50);
   EXPECT_DOUBLE_EQ(force.ff[1], 5);
   EXPECT_EQ(force.noise_N, 0.5);
@@ -151,7 +151,7 @@ TEST(PointForce, WeightsEachHitByItsEnergy) {
 TEST(PointForce, RejectsALineWithoutForceEnergy) {
   const std::vector<Complex> force{{3, 4}, {0, 0}};
   try {
-    point_force({{}}, {frf::shared(force)}, kTwoLines, 0);
+    point_force({{}}, {test::make_spectrum(force)}, kTwoLines, 0);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("no energy at 2 Hz"));
@@ -187,7 +187,7 @@ TEST(PointColumns, EqualTheColumnsOfEachPoint) {
     twice.blocks.push_back(twice.blocks[0]);
     twice.blocks[1].offset += 7;
     for (double& force : twice.blocks[1].force_N) force *= 1.5;
-    twice.spectra.push_back(frf::shared(frf::force_spectrum(twice.blocks[1], set.lines)));
+    twice.spectra.push_back(test::make_spectrum(frf::force_spectrum(twice.blocks[1], set.lines)));
     set.points.push_back(point_force(twice.blocks, twice.spectra, set.lines, 0));
     for (const Pole& pole : {Pole{120, 0.004}, Pole{800, 0.05}}) {
       const PointColumns columns(pole, set, 5, 200);

@@ -78,7 +78,7 @@ FrfDataset briefly_gated_hit() {
   frf::ForceBlock block = set.points[0].blocks[0];
   block.offset += 36;
   block.force_N = {block.force_N.begin() + 36, block.force_N.begin() + 53};
-  const frf::Spectrum spectrum = frf::shared(frf::force_spectrum(block, set.lines));
+  const frf::Spectrum spectrum = test::make_spectrum(frf::force_spectrum(block, set.lines));
   set.points[0] = point_force({block}, {spectrum}, set.lines, kNoise_N);
   return set;
 }

@@ -9,8 +9,7 @@ using testing::ElementsAre;
 using testing::Field;
 using testing::IsEmpty;
 
-const std::vector<identify::ModeClassification> kTube{
-    {.family = identify::ModeType::bending, .order = 1, .ratio = 0.5}};
+const std::vector<identify::ModeClassification> kTube{{.type = identify::ModeType::bending, .order = 1, .ratio = 0.5}};
 const std::vector<identify::ModeClassification> kOther{{.order = 1}};
 
 TEST(ObjectWarnings, SayNothingOfStatedAngles) {

@@ -31,7 +31,7 @@ std::vector<Warning> warnings_of(const std::vector<Found>& found, double apart_r
   std::vector<ModeClassification> types;
   for (const Found& one : found) {
     modes.push_back({.pole = {.freq_Hz = one.freq_Hz, .damping_ratio = 0.005}});
-    types.push_back({.family = one.type,
+    types.push_back({.type = one.type,
                      .order = one.order,
                      .confidence = 0.98,
                      .alternative = {},

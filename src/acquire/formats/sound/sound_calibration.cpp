@@ -7,6 +7,7 @@
 
 #include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
+#include "core/io/json_text.hpp"
 #include "core/io/strict_json.hpp"
 
 namespace percuss::acquire {
@@ -138,7 +139,7 @@ std::string calibration_text(const SoundCalibration& calibration) {
 
 SoundCalibration parse_calibration(std::string_view text, const std::string& where) {
   SoundCalibration out;
-  const StrictText strict{.text = text, .where = where, .remedy = "convert the record again"};
+  const JsonText strict{.text = text, .where = where, .remedy = "convert the record again"};
   read_strict_json(strict, [&](StrictObject& o) {
     o.read("fs_hz", out.fs_Hz);
     o.read("continuous", out.continuous);

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/error.hpp"
-#include "core/io/strict_json.hpp"
+#include "core/io/json_text.hpp"
 
 namespace percuss::acquire {
 namespace {

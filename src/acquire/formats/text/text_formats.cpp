@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, 5> kTextExtensions{".csv", ".tsv", ".txt"
 GrowthCheck check_lines(const std::string& path) { return LineLengthCheck(input_name(path)); }
 
 FileBytes text_of(const FormatInput& input) {
-  return input.stream != nullptr ? *input.stream : read_input(input.path, kMaxText_bytes, {}, check_lines(input.path));
+  return input.stream != nullptr ? *input.stream
+                                 : read_input(input.path, kMaxText_bytes, {}, check_lines(input.path), kSplitRecord);
 }
 
 void check_text(const FileHead& head) { require_text(head.bytes, input_name(head.path)); }

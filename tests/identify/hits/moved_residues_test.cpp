@@ -1,4 +1,4 @@
-#include "identify/hits/moved_poles.hpp"
+#include "identify/hits/moved_residues.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "identify/model/frf_synthesis.hpp"
 #include "support/modal_frfs.hpp"
 
-namespace percuss::identify::moved_poles_test {
+namespace percuss::identify::moved_residues_test {
 
 // Two modes of 16 Hz bandwidth at two channels.
 struct Pair {
@@ -77,4 +77,4 @@ TEST(MovedPoles, SeparateModesKeepTheirResidues) {
   }
 }
 
-}  // namespace percuss::identify::moved_poles_test
+}  // namespace percuss::identify::moved_residues_test

@@ -1,4 +1,4 @@
-#include "identify/hits/residues_by_hit.hpp"
+#include "identify/hits/nonlinearity_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,10 +55,10 @@ bool disagree(const std::vector<ResidueRatio>& ratios) {
 
 std::vector<std::size_t> spurious_modes_of_nonlinearity(const FrfDataset& set, const HitFrfs& hits,
                                                         const std::vector<Mode>& modes, const ModeWindow& window) {
-  std::vector<std::size_t> some;
+  std::vector<std::size_t> spurious;
   if (std::none_of(window.modes.begin(), window.modes.end(),
                    [&](std::size_t m) { return is_under_another(modes, window, m); }))
-    return some;
+    return spurious;
   const auto data = hit_data(set, hits, modes, window);
   const std::size_t terms = LocalFitOptions{}.residual_terms;
   const double freedom =
@@ -69,9 +69,9 @@ std::vector<std::size_t> spurious_modes_of_nonlinearity(const FrfDataset& set, c
   const HitResidues residues(set, hits, modes, window, state, freedom);
   for (std::size_t i = 0; i < window.modes.size(); ++i) {
     const std::size_t m = window.modes[i];
-    if (is_under_another(modes, window, m) && disagree(residues.ratios(i))) some.push_back(m);
+    if (is_under_another(modes, window, m) && disagree(residues.ratios(i))) spurious.push_back(m);
   }
-  return some;
+  return spurious;
 }
 
 }  // namespace percuss::identify

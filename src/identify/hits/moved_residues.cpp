@@ -1,4 +1,4 @@
-#include "identify/hits/moved_poles.hpp"
+#include "identify/hits/moved_residues.hpp"
 
 #include <algorithm>
 
