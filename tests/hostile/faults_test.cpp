@@ -65,6 +65,7 @@ class Faults : public testing::Test {
       // permitted), or never end (then the time limit of the reader ends it).
       ASSERT_THAT(outcome.err, AnyOf(HasSubstr("memory"), HasSubstr("Operation not permitted"),
                                      HasSubstr("limit for a file of this size")));
+      ASSERT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
       ASSERT_THAT(files(), IsEmpty());
     }
     EXPECT_GT(failures, 10);

@@ -210,16 +210,24 @@ TEST_F(UffWritten, SurvivesMutations) {
   write_uff(path_, example(), true);
   const std::string binary = test::bytes_of(path_);
   std::mt19937 random(58);
+  int read = 0, refused = 0;
   for (int i = 0; i < 3000; ++i) {
     std::string damaged = i % 2 == 0 ? text : binary;
     for (int n = 0; n < 1 + i % 4; ++n) damaged[random() % damaged.size()] = "0123456789-+. Eb\n\xFF"[random() % 18];
     try {
       const Record record = opened(damaged);
-      std::vector<double> samples(std::min<std::size_t>(record.rows.at(0).samples, 100));
-      record.read_force_N(0, 0, samples);
+      for (std::size_t row = 0; row < record.rows.size(); ++row) {
+        for (const double sample : force_N(record, row)) ASSERT_TRUE(std::isfinite(sample));
+        for (std::size_t channel = 0; channel < record.accel.size(); ++channel) {
+          for (const double sample : accel_mps2(record, channel, row)) ASSERT_TRUE(std::isfinite(sample));
+        }
+      }
+      ++read;
     } catch (const InputError&) {
+      ++refused;
     }
   }
+  std::cerr << "UFF " << read << " " << refused << std::endl;
 }
 
 }  // namespace percuss::acquire::uff_record_test
