@@ -9,9 +9,9 @@
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
 #include "acquire/formats/hdf5/hdf5_input.hpp"
 #include "acquire/formats/hdf5/read_hdf5.hpp"
-#include "support/csv_text.hpp"
 #include "support/hdf5_builder.hpp"
 #include "support/input_error.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
 // Records in HDF5 with unusual shapes, types, attributes and storage.

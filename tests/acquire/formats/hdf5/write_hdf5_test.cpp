@@ -16,7 +16,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::acquire::hdf5_write_test {
+namespace percuss::acquire::write_hdf5_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -199,4 +199,4 @@ TEST_F(Hdf5Write, SurvivesAFullDisk) {
   EXPECT_EXIT(fill_the_disk(path_, make_record(2, 1, 5000), make_record(2, 1, 5)), testing::ExitedWithCode(3), "");
 }
 
-}  // namespace percuss::acquire::hdf5_write_test
+}  // namespace percuss::acquire::write_hdf5_test

@@ -5,7 +5,7 @@
 
 #include "acquire/formats/mat/mat_abscissa.hpp"
 #include "acquire/formats/mat/read_mat.hpp"
-#include "support/csv_text.hpp"
+#include "support/record_samples.hpp"
 
 // A matrix of samples beside a list of the names of its columns.
 namespace percuss::acquire::mat_named_columns_test {

@@ -8,9 +8,9 @@
 #include "acquire/formats/mat/mat_completeness.hpp"
 #include "acquire/formats/mat/mat_file.hpp"
 #include "acquire/formats/mat/read_mat.hpp"
-#include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
 // The choice of variables of a MAT file by options, and headers in either byte order.

@@ -14,6 +14,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::acquire::sound_record_test {

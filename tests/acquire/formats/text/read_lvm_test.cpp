@@ -6,6 +6,7 @@
 #include "core/units.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/record_samples.hpp"
 
 namespace percuss::acquire::read_lvm_test {
 

@@ -11,6 +11,7 @@
 #include "core/units.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/record_samples.hpp"
 #include "support/uff_text.hpp"
 
 // The choice of functions of data set 58 by options and axes, and unusable abscissas.

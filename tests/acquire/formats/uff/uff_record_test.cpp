@@ -13,6 +13,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/uff_text.hpp"
 
