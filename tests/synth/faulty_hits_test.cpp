@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/magnitude.hpp"
 #include "support/record_samples.hpp"
 #include "synth/pulse.hpp"
 #include "synth/random_stream.hpp"
@@ -23,12 +24,6 @@ SynthSpec bat() {
   spec.points = {{.angle_rad = 0.35}};
   spec.hits = 3;
   return spec;
-}
-
-double largest(const std::vector<double>& x) {
-  double out = 0;
-  for (const double v : x) out = std::max(out, std::abs(v));
-  return out;
 }
 
 TEST(DoubleHit, AddsASecondPulseAfterTheDelay) {
@@ -60,9 +55,9 @@ TEST(WeakHit, ScalesForceAndResponse) {
   const std::vector<double> weak = accel_mps2(test.record, 0, 2), weak_N = force_N(test.record, 2);
   constexpr double kTolerance = 1e-14;  // of the largest value
   for (std::size_t i = 0; i < weak_N.size(); ++i)
-    ASSERT_LE(std::abs(weak_N[i] - 0.03 * good_N[i]), kTolerance * largest(good_N));
+    ASSERT_LE(std::abs(weak_N[i] - 0.03 * good_N[i]), kTolerance * test::largest_magnitude(good_N));
   for (std::size_t i = 0; i < weak.size(); ++i)
-    ASSERT_LE(std::abs(weak[i] - 0.03 * good[i]), kTolerance * largest(good));
+    ASSERT_LE(std::abs(weak[i] - 0.03 * good[i]), kTolerance * test::largest_magnitude(good));
   EXPECT_EQ(test.truth.hits[2].flag, "weak");
 }
 
@@ -70,8 +65,8 @@ TEST(MissingHit, LeavesAnEmptyRow) {
   SynthSpec spec = bat();
   spec.faults = {{.hit = 0, .kind = SynthFaultKind::missing}};
   const SyntheticTest test = synthesise(spec);
-  EXPECT_EQ(largest(force_N(test.record, 0)), 0);
-  EXPECT_EQ(largest(accel_mps2(test.record, 0, 0)), 0);
+  EXPECT_EQ(test::largest_magnitude(force_N(test.record, 0)), 0);
+  EXPECT_EQ(test::largest_magnitude(accel_mps2(test.record, 0, 0)), 0);
   EXPECT_EQ(test.truth.hits[0].peak_N, 0);
 }
 
@@ -80,8 +75,8 @@ TEST(LateTrigger, StartsTheRowAfterTheOnset) {
   spec.faults = {{.hit = 1, .kind = SynthFaultKind::late, .delay_s = 0.003}};
   const SyntheticTest test = synthesise(spec);
   EXPECT_DOUBLE_EQ(test.truth.hits[1].onset_s, -0.003);
-  EXPECT_EQ(largest(force_N(test.record, 1)), 0);
-  EXPECT_GT(largest(accel_mps2(test.record, 0, 1)), 10);
+  EXPECT_EQ(test::largest_magnitude(force_N(test.record, 1)), 0);
+  EXPECT_GT(test::largest_magnitude(accel_mps2(test.record, 0, 1)), 10);
 }
 
 TEST(ReversedHit, ReversesOnlyTheForce) {
@@ -91,7 +86,7 @@ TEST(ReversedHit, ReversesOnlyTheForce) {
   const SyntheticTest test = synthesise(spec);
   EXPECT_EQ(accel_mps2(test.record, 0, 1), accel_mps2(good.record, 0, 1));
   const std::vector<double> reversed_N = force_N(test.record, 1), good_N = force_N(good.record, 1);
-  ASSERT_GT(largest(good_N), 100);  // the row holds the pulse
+  ASSERT_GT(test::largest_magnitude(good_N), 100);  // the row holds the pulse
   ASSERT_EQ(reversed_N.size(), good_N.size());
   for (std::size_t n = 0; n < good_N.size(); ++n) ASSERT_EQ(reversed_N[n], -good_N[n]) << n;
 }
@@ -102,10 +97,10 @@ TEST(Recorder, ClipsAtItsLimitAndFlagsTheHit) {
   spec.faults = {{.hit = 1, .kind = SynthFaultKind::weak, .ratio = 0.5}};
   spec.recorder.force_clip_N = 200;
   const SyntheticTest test = synthesise(spec);
-  EXPECT_EQ(largest(force_N(test.record, 0)), 200);
+  EXPECT_EQ(test::largest_magnitude(force_N(test.record, 0)), 200);
   EXPECT_EQ(test.truth.hits[0].flag, "clipped");
   EXPECT_EQ(test.truth.hits[1].flag, "weak");
-  EXPECT_LT(largest(force_N(test.record, 1)), 200);
+  EXPECT_LT(test::largest_magnitude(force_N(test.record, 1)), 200);
 }
 
 TEST(Recorder, AddsBiasAndDrift) {

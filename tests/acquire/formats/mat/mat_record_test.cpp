@@ -16,7 +16,6 @@
 #include "core/units.hpp"
 #include "support/input_error.hpp"
 #include "support/mat_builder.hpp"
-#include "support/messages.hpp"
 #include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
